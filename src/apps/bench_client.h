@@ -1,16 +1,14 @@
 // What commands that speak to a running node share.
 #pragma once
 
-#include <fmt/format.h>
 #include <ros/node_handle.h>
-#include <ros/service.h>
-#include <std_srvs/Trigger.h>
 
 #include <string>
 
 #include "command_line/command.h"
+#include "ros_interface/connection.h"
 #include "ros_interface/log_player.h"
-#include "roscpp_fixes/loopback.h"
+#include "roscpp_fixes/process_fixes.h"
 
 namespace rubber_suspension::apps {
 
@@ -24,9 +22,10 @@ inline void noteOpenness(const std::string& command) {
 
 /// Call a service that makes the component new, unless its name is empty. Throws PlayError.
 inline void resetComponent(const ros::NodeHandle& handle, const std::string& service) {
-  std_srvs::Trigger trigger;
-  if (!service.empty() && (!ros::service::call(handle.resolveName(service), trigger) || !trigger.response.success)) {
-    throw ros_interface::PlayError(fmt::format("service {} failed {}", service, trigger.response.message));
+  constexpr double kPatience = 30.0;  // [s]; a node has its topics before its services
+  const std::string refusal = service.empty() ? "" : ros_interface::callTrigger(handle.resolveName(service), kPatience);
+  if (!refusal.empty()) {
+    throw ros_interface::PlayError(refusal);
   }
 }
 

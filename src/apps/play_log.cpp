@@ -147,8 +147,8 @@ void makeFolder(Options& options) {
   }
   std::vector<std::string> records;
   for (const std::string& component : options.components) {
-    const std::vector<std::string> names = ros_interface::recordNames(component);
-    records.insert(records.end(), names.begin(), names.end());
+    const ros_interface::RecordPaths names = ros_interface::recordPathsIn("", component);
+    records.insert(records.end(), {names.forces, names.gaps, names.bag});
   }
   const std::string folder = io::makeRunFolder(options.folder, records);
   printNote("play_log", folder == options.folder ? "records go to " + folder

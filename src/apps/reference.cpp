@@ -12,7 +12,7 @@
 #include "command_line/command.h"
 #include "diagnosis/report/effect_reference.h"
 #include "element/suggestion.h"
-#include "ros_interface/command_reference.h"
+#include "ros_interface/child_process.h"
 #include "ros_interface/node_interface.h"
 
 using namespace rubber_suspension;
@@ -32,11 +32,7 @@ std::vector<std::string> commandNames() {
 using command::HelpPage;
 
 HelpPage helpPage(const std::string& command) {
-  const auto help = ros_interface::outputOf(command, "--help-all");
-  if (help.status != 0) {
-    throw std::runtime_error(fmt::format("{} --help-all: exit status {}", command, help.status));
-  }
-  return command::parseHelp(command, help.text);
+  return command::parseHelp(command, ros_interface::outputOf(command, "--help-all"));
 }
 
 std::vector<HelpPage> helpPages() {

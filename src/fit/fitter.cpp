@@ -59,8 +59,8 @@ double Fitter::gapOf(const Hypothesis& hypothesis, const Forces& forces) const {
 BlockGrams Fitter::normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                         const Forces& base, FreeInLog free, const std::vector<bool>& active,
                                         int threads) const {
-  return normalEquations(records(), weights_, base, forces_.columns(hypothesis, parameters, active, base, threads), free,
-                         threads, known_.get(), hypothesis.by_zero);
+  return normalEquations(records(), weights_, base, forces_.columns(hypothesis, parameters, active, base, threads),
+                         free, threads, known_.get(), hypothesis.by_zero);
 }
 
 // Of the squares that a residual has left, what zero and gain of a log take; both are as given by the hypothesis.

@@ -187,8 +187,7 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
     if (!step.allFinite()) {
       break;
     }
-    const double promise =
-        std::hypot(promised(total, step), priorOf(place.parameters.model));
+    const double promise = std::hypot(promised(total, step), priorOf(place.parameters.model));
     const bool hopeless = iteration > 0 && promise > limits.reach;
     if (hopeless || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
       break;
@@ -196,8 +195,7 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
     // What the first step leaves at nothing takes no further part: its force would have to be simulated each time.
     std::vector<bool> active(hypothesis.terms.size());
     for (std::size_t t = 0; t < active.size(); ++t) {
-      active[t] =
-          hypothesis.terms[t].additive || place.parameters.scales[static_cast<Eigen::Index>(t)] != 0.0;
+      active[t] = hypothesis.terms[t].additive || place.parameters.scales[static_cast<Eigen::Index>(t)] != 0.0;
     }
     blocks = linearise(hypothesis, place.parameters, place.forces, free, active, 1);
   }

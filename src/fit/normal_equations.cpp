@@ -129,8 +129,7 @@ struct Columns {
   const ForceColumn& by_zero;
 
   Eigen::Index width() const {
-    return static_cast<Eigen::Index>(derivatives.size()) +
-           free.count() * static_cast<Eigen::Index>(records.size()) + 1;
+    return static_cast<Eigen::Index>(derivatives.size()) + free.count() * static_cast<Eigen::Index>(records.size()) + 1;
   }
 };
 
@@ -192,8 +191,8 @@ Eigen::MatrixXd chosen(const Eigen::MatrixXd& matrix, const std::vector<Eigen::I
   return result;
 }
 
-void place(const Eigen::MatrixXd& small, const std::vector<Eigen::Index>& rows, const std::vector<Eigen::Index>& columns,
-           Eigen::MatrixXd& gram) {
+void place(const Eigen::MatrixXd& small, const std::vector<Eigen::Index>& rows,
+           const std::vector<Eigen::Index>& columns, Eigen::MatrixXd& gram) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t j = 0; j < columns.size(); ++j) {
       gram(rows[i], columns[j]) = small(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
@@ -237,8 +236,8 @@ void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::siz
     const OfBlock& block = of_fresh[i];
     Eigen::MatrixXd& gram = grams[first + i];
     gram = Eigen::MatrixXd::Zero(all.width(), all.width());
-    place(freed(block.products, block.nuisances, block.on_nuisances, shares, block.on_nuisances, shares), places, places,
-          gram);
+    place(freed(block.products, block.nuisances, block.on_nuisances, shares, block.on_nuisances, shares), places,
+          places, gram);
     if (!known) {
       continue;
     }
@@ -255,10 +254,10 @@ void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::siz
 Eigen::MatrixXd priorOfZeros(const Columns& all) {
   Eigen::MatrixXd prior = Eigen::MatrixXd::Zero(all.width(), all.width());
   for (std::size_t r = 0; all.free.zero && r < all.records.size(); ++r) {
-    const auto place = static_cast<Eigen::Index>(all.derivatives.size() + r * static_cast<std::size_t>(all.free.count())) +
-                       (all.free.trend ? kTrendsPerLog : 0);
-    prior(place, place) =
-        std::pow(all.weights[r] * all.records[r].force_deviation, 2) * all.records[r].counted();
+    const auto place =
+        static_cast<Eigen::Index>(all.derivatives.size() + r * static_cast<std::size_t>(all.free.count())) +
+        (all.free.trend ? kTrendsPerLog : 0);
+    prior(place, place) = std::pow(all.weights[r] * all.records[r].force_deviation, 2) * all.records[r].counted();
   }
   return prior;
 }

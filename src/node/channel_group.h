@@ -1,6 +1,7 @@
 // All components of the node, where something concerns them all at one instant. Knows no ROS.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <shared_mutex>
 #include <vector>
@@ -22,21 +23,50 @@ class ChannelGroup {
   /// Held while a bundle is answered.
   std::shared_lock<std::shared_mutex> bundle() const { return std::shared_lock<std::shared_mutex>(mutex_); }
 
-  std::vector<SavedState> save() const;
+  std::vector<SavedState> save() const {
+    std::vector<SavedState> states;
+    states.reserve(channels_.size());
+    const Alone lock(mutex_);
+    for (const ComponentChannel* channel : channels_) {
+      states.push_back(channel->save());
+    }
+    return states;
+  }
 
   /// Back to new components at rest.
-  void reset();
+  void reset() {
+    const Alone lock(mutex_);
+    std::for_each(channels_.begin(), channels_.end(), [](ComponentChannel* channel) { channel->reset(); });
+  }
 
-  void setEnabled(bool enabled);
+  void setEnabled(bool enabled) {
+    const Alone lock(mutex_);
+    std::for_each(channels_.begin(), channels_.end(), [=](ComponentChannel* channel) { channel->setEnabled(enabled); });
+  }
 
   /// One state for each channel, in their order. All or none: throws as ComponentChannel::checkState, and nothing has
   /// changed.
-  void load(const std::vector<const SavedState*>& states);
+  void load(const std::vector<const SavedState*>& states) {
+    const Alone lock(mutex_);
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      channels_[i]->checkState(*states[i]);
+    }
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      channels_[i]->load(*states[i]);
+    }
+  }
 
   /// One model for each channel, in their order.
-  void exchange(const std::vector<std::shared_ptr<ComponentChannel::Model>>& models);
+  void exchange(const std::vector<std::shared_ptr<ComponentChannel::Model>>& models) {
+    const Alone lock(mutex_);
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      channels_[i]->exchange(models[i]);
+    }
+  }
 
  private:
+  using Alone = std::unique_lock<std::shared_mutex>;
+
   std::vector<ComponentChannel*> channels_;
   mutable std::shared_mutex mutex_;
 };

@@ -20,18 +20,25 @@ bool sameElements(const std::vector<element::ElementDescription>& a,
                     [](const auto& x, const auto& y) { return x.type == y.type && x.values == y.values; });
 }
 
-component::StreamCounters sum(const component::StreamCounters& a, const component::StreamCounters& b) {
-  component::StreamCounters result = a;
-  result.accepted += b.accepted;
-  result.restarted += b.restarted;
-  result.bridged += b.bridged;
-  result.not_finite += b.not_finite;
-  result.repeated += b.repeated;
-  result.stepped_back += b.stepped_back;
-  result.force_not_finite += b.force_not_finite;
-  result.not_a_rotation += b.not_a_rotation;
-  result.beyond_measure += b.beyond_measure;
-  return result;
+void add(const component::StreamCounters& news, component::StreamCounters& sum) {
+  using Counters = component::StreamCounters;
+  for (const auto counter :
+       {&Counters::accepted, &Counters::restarted, &Counters::bridged, &Counters::not_finite, &Counters::repeated,
+        &Counters::stepped_back, &Counters::force_not_finite, &Counters::not_a_rotation, &Counters::beyond_measure}) {
+    sum.*counter += news.*counter;
+  }
+}
+
+SavedStream savedStream(const component::SampleStream& stream) {
+  return {stream.started(), stream.lastStamp(), stream.state().displacement(), stream.state().memory()};
+}
+
+void restore(component::SampleStream& stream, const SavedStream& saved) {
+  if (saved.started) {
+    stream.deserialise(saved.stamp, saved.displacement, saved.memory);
+  } else {
+    stream.reset();
+  }
 }
 
 }  // namespace
@@ -80,13 +87,9 @@ class ComponentChannel::Promotion {
 
   // Out of the shadow, by what was measured meanwhile.
   void judgeShadow(const PairedErrors& errors) {
-    note = describeErrors(errors);
-    if (isNoWorse(errors)) {
-      fade.take();
-    } else {
-      note = "not promoted: in the shadow " + note;
-      fade.end();
-    }
+    const bool is_no_worse = errors.samples == 0 || errors.other <= errors.published;
+    note = (is_no_worse ? "" : "not promoted: in the shadow ") + describeErrors(errors);
+    is_no_worse ? fade.take() : fade.end();
   }
 
   const io::ComponentDescription description;
@@ -112,23 +115,20 @@ bool ComponentChannel::push(std::int64_t stamp, double displacement, element::Co
   double beside = std::numeric_limits<double>::quiet_NaN();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!enabled_) {
-      ++disabled_;
+    if (!counts_.enabled) {
+      ++counts_.disabled;
       return false;
     }
-    if (std::isfinite(displacement)) {
-      if (temperatures_.take(stamp)) {
-        keepTemperature(*model_);
-        keepTemperature(promotion_);
-      }
+    if (std::isfinite(displacement) && temperatures_.take(stamp)) {
+      keepTemperature();
     }
     const component::StreamForce answer = model_->stream.push(stamp, displacement);
     if (!component::isAccepted(answer.acceptance)) {
       return false;
     }
-    beyond_valid_ += model_->valid && !model_->valid->contains(displacement) ? 1 : 0;
+    counts_.beyond_valid += model_->valid && !model_->valid->contains(displacement) ? 1 : 0;
     force = answer.force;
-    if (promotion_ && promotion_->fade.stage() != RunStage::configured) {
+    if (isBeside()) {
       force = promotion_->push(stamp, displacement, answer.force, beside);
       if (promotion_->fade.shadowIsOver()) {
         promotion_->judgeShadow(gap_.pairedErrors());
@@ -142,7 +142,7 @@ bool ComponentChannel::push(std::int64_t stamp, double displacement, element::Co
 bool ComponentChannel::setTemperature(std::int64_t stamp, double temperature) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!std::isfinite(temperature) || !model_->component.temperatures().contains(temperature)) {
-    ++refused_temperatures_;
+    ++counts_.refused_temperatures;
     return false;
   }
   temperatures_.add(stamp, temperature);
@@ -150,26 +150,26 @@ bool ComponentChannel::setTemperature(std::int64_t stamp, double temperature) {
 }
 
 // The temperature that was measured last holds, whatever the state says.
-void ComponentChannel::keepTemperature(Model& model) const {
-  if (temperatures_.current()) {
-    model.stream.setTemperature(*temperatures_.current());
+void ComponentChannel::keepTemperature() {
+  if (const std::optional<double>& temperature = temperatures_.current()) {
+    model_->stream.setTemperature(*temperature);
+    if (promotion_) {
+      promotion_->model->stream.setTemperature(*temperature);
+    }
   }
 }
 
-void ComponentChannel::keepTemperature(const std::shared_ptr<Promotion>& promotion) const {
-  if (promotion) {
-    keepTemperature(*promotion->model);
-  }
-}
+// Whether another model is computed, too.
+bool ComponentChannel::isBeside() const { return promotion_ && promotion_->fade.stage() != RunStage::configured; }
 
 void ComponentChannel::countLatency(std::int64_t nanoseconds) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  latency_.add(nanoseconds);
+  counts_.latency.add(nanoseconds);
 }
 
 void ComponentChannel::countLost(std::uint64_t samples) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  lost_ += samples;
+  counts_.lost += samples;
 }
 
 void ComponentChannel::reset() {
@@ -185,53 +185,20 @@ void ComponentChannel::reset() {
 
 void ComponentChannel::setEnabled(bool enabled) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  enabled_ = enabled;
+  counts_.enabled = enabled;
 }
 
 SavedState ComponentChannel::save() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const component::SampleStream& stream = model_->stream;
-  SavedState saved{name_,
-                   model_->component.elements(),
-                   stream.started(),
-                   stream.lastStamp(),
-                   stream.state().displacement(),
-                   stream.state().memory(),
-                   {}};
-  if (promotion_ && promotion_->fade.stage() != RunStage::configured) {
-    const component::SampleStream& beside = promotion_->model->stream;
-    saved.promotion = SavedPromotion{io::toYaml({promotion_->description}),
-                                     promotion_->fade.stage(),
-                                     promotion_->fade.weight(),
-                                     beside.started(),
-                                     beside.lastStamp(),
-                                     beside.state().displacement(),
-                                     beside.state().memory()};
+  SavedState saved{savedStream(model_->stream), name_, model_->component.elements(), {}};
+  if (isBeside()) {
+    saved.promotion = SavedPromotion{savedStream(promotion_->model->stream), io::toYaml({promotion_->description}),
+                                     promotion_->fade.stage(), promotion_->fade.weight()};
   }
   return saved;
 }
 
-// The model beside the configured one of a state. Throws std::invalid_argument.
-std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::restored(const SavedState& state) const {
-  if (!state.promotion) {
-    return {};
-  }
-  const SavedPromotion& saved = *state.promotion;
-  try {
-    const auto parsed = io::parseComponentFile(saved.description, "promotion");
-    auto promotion = std::make_shared<Promotion>(io::selectComponent(parsed, name_, "promotion"), max_gap_,
-                                                 promotion_settings_, saved.stage, saved.weight);
-    if (saved.started) {
-      promotion->model->stream.deserialise(saved.stamp, saved.displacement, saved.memory);
-      promotion->fade.resume(saved.stamp);
-    }
-    return promotion;
-  } catch (const io::ComponentFileError& error) {
-    throw std::invalid_argument(fmt::format("{}: {}", name_, error.what()));
-  }
-}
-
-void ComponentChannel::checkState(const SavedState& state) const {
+std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::checkState(const SavedState& state) const {
   std::shared_ptr<Model> model;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -246,25 +213,32 @@ void ComponentChannel::checkState(const SavedState& state) const {
   try {
     component::ComponentState restored = model->component.makeState();
     model->component.restore(restored, state.displacement, state.memory);
+    if (!state.promotion) {
+      return {};
+    }
+    const SavedPromotion& saved = *state.promotion;
+    const auto parsed = io::parseComponentFile(saved.description, "promotion");
+    auto promotion = std::make_shared<Promotion>(io::selectComponent(parsed, name_, "promotion"), max_gap_,
+                                                 promotion_settings_, saved.stage, saved.weight);
+    restore(promotion->model->stream, saved);
+    if (saved.started) {
+      promotion->fade.resume(saved.stamp);
+    }
+    return promotion;
+  } catch (const io::ComponentFileError& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", name_, error.what()));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", name_, error.what()));
   }
-  restored(state);
 }
 
 void ComponentChannel::load(const SavedState& state) {
-  checkState(state);
-  std::shared_ptr<Promotion> promotion = restored(state);
+  std::shared_ptr<Promotion> promotion = checkState(state);
   gap_.clear();
   const std::lock_guard<std::mutex> lock(mutex_);
   std::swap(promotion_, promotion);  // freed after the lock
-  if (state.started) {
-    model_->stream.deserialise(state.stamp, state.displacement, state.memory);
-  } else {
-    model_->stream.reset();
-  }
-  keepTemperature(*model_);
-  keepTemperature(promotion_);
+  restore(model_->stream, state);
+  keepTemperature();
 }
 
 void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
@@ -277,12 +251,12 @@ void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
     std::swap(promotion_, promotion);
     note_ = promotion ? "the component file was read again and has another model" : "";
     since_ = stream.lastStamp();
-  } else if (stream.started()) {
-    model->stream.deserialise(stream.lastStamp(), stream.state().displacement(), stream.state().memory());
+  } else {
+    restore(model->stream, savedStream(stream));
   }
-  keepTemperature(*model);
-  earlier_ = sum(earlier_, stream.counters());
+  add(stream.counters(), counts_);
   std::swap(model_, old);
+  keepTemperature();
 }
 
 void ComponentChannel::promote(const io::ComponentDescription& description) {
@@ -296,15 +270,13 @@ void ComponentChannel::promote(const io::ComponentDescription& description) {
                                             toString(promotion_->fade.stage())));
   }
   promotion_ = std::move(promotion);
-  keepTemperature(promotion_);
+  keepTemperature();
   note_.clear();
 }
 
 void ComponentChannel::rollBack() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool beside = promotion_ && promotion_->fade.stage() != RunStage::configured &&
-                      promotion_->fade.stage() != RunStage::rolling_back;
-  if (!beside) {
+  if (!isBeside() || promotion_->fade.stage() == RunStage::rolling_back) {
     throw std::invalid_argument(fmt::format("{}: the configured model gives the force, nothing is promoted", name_));
   }
   promotion_->note.clear();
@@ -331,7 +303,7 @@ RunningModel ComponentChannel::running() const {
   running.configured_sha256 = model_->sha256;
   running.note = promotion_ ? promotion_->note : note_;
   running.since = promotion_ ? promotion_->fade.since() : since_;
-  if (promotion_ && promotion_->fade.stage() != RunStage::configured) {
+  if (isBeside()) {
     running.stage = promotion_->fade.stage();
     running.weight = promotion_->fade.weight();
     running.other_sha256 = promotion_->model->sha256;
@@ -343,25 +315,19 @@ RunningModel ComponentChannel::running() const {
 }
 
 ChannelReport ComponentChannel::report() {
-  ChannelReport result;
   std::shared_ptr<Promotion> finished;  // freed after the lock
   const std::lock_guard<std::mutex> lock(mutex_);
   dropFinished(finished);
   const component::SampleStream& stream = model_->stream;
-  result.counters = sum(earlier_, stream.counters());
-  result.beyond_valid = beyond_valid_;
+  ChannelReport result = counts_;
+  counts_.latency = {};
+  add(stream.counters(), result);
   result.valid = model_->valid;
-  result.disabled = disabled_;
-  result.lost = lost_;
-  result.enabled = enabled_;
   result.started = stream.started();
   result.last_time = 1e-9 * static_cast<double>(stream.lastStamp());
   result.displacement = stream.state().displacement();
   result.shifts_with_temperature = model_->component.shiftsWithTemperature();
   result.temperature = temperatures_.current();
-  result.refused_temperatures = refused_temperatures_;
-  result.latency = latency_;
-  latency_.clear();
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "node/gap_monitor.h"
@@ -17,26 +18,26 @@
 
 namespace rubber_suspension::node {
 
-/// The state of a model beside the configured one as it is saved.
-struct SavedPromotion {
-  std::string description;  ///< of the model, as a component file
-  RunStage stage = RunStage::configured;
-  double weight = 0.0;  ///< of its force in the published one
-  bool started = false;
+/// Where a model stands.
+struct SavedStream {
+  bool started = false;       ///< false: no sample yet, the rest means nothing
   std::int64_t stamp = 0;     ///< [ns] of the last accepted sample
   double displacement = 0.0;  ///< [m] at that sample
   std::vector<double> memory;
 };
 
+/// The state of a model beside the configured one.
+struct SavedPromotion : SavedStream {
+  std::string description;  ///< of the model, as a component file
+  RunStage stage = RunStage::configured;
+  double weight = 0.0;  ///< of its force in the published one
+};
+
 /// The state of a component as it is saved, with what is needed to refuse it where it does not belong.
-struct SavedState {
+struct SavedState : SavedStream {
   std::string component;
   std::vector<element::ElementDescription> elements;  ///< of the component whose state it is
-  bool started = false;                               ///< false: no sample yet, the rest means nothing
-  std::int64_t stamp = 0;                             ///< [ns] of the last accepted sample
-  double displacement = 0.0;                          ///< [m] at that sample
-  std::vector<double> memory;
-  std::optional<SavedPromotion> promotion;  ///< of the model beside, where there is one
+  std::optional<SavedPromotion> promotion;            ///< of the model beside, where there is one
 };
 
 /// What gives the force of a component.
@@ -49,16 +50,14 @@ struct RunningModel {
   std::vector<std::string> added;  ///< types of the elements that the other model adds
   std::string note;                ///< why a stage was left, where it did not go on as asked
 
-  friend bool operator==(const RunningModel& a, const RunningModel& b) {
-    return a.stage == b.stage && a.since == b.since && a.configured_sha256 == b.configured_sha256 &&
-           a.other_sha256 == b.other_sha256 && a.note == b.note;
+  friend bool operator!=(const RunningModel& a, const RunningModel& b) {
+    return std::tie(a.stage, a.since, a.configured_sha256, a.other_sha256, a.note) !=
+           std::tie(b.stage, b.since, b.configured_sha256, b.other_sha256, b.note);
   }
-  friend bool operator!=(const RunningModel& a, const RunningModel& b) { return !(a == b); }
 };
 
-/// What a channel did since it was made, and since the last report.
-struct ChannelReport {
-  component::StreamCounters counters;   ///< since the node started, over resets and reloads
+/// What a channel did since it was made, over resets and reloads, and since the last report.
+struct ChannelReport : component::StreamCounters {
   std::uint64_t beyond_valid = 0;       ///< samples that were answered beyond `valid`
   std::optional<element::Range> valid;  ///< displacements [m] for which the component says that it is valid
   std::uint64_t disabled = 0;           ///< samples that came while the component was disabled
@@ -78,6 +77,8 @@ struct ChannelReport {
 /// Feeds one component with samples. Each call holds the lock for the time of some arithmetic only: never while
 /// a file is read, a model is estimated or a message is published.
 class ComponentChannel {
+  class Promotion;
+
  public:
   /// Throws std::invalid_argument where the description has no solution. max_gap in [s]; samples_kept as in GapMonitor.
   ComponentChannel(const io::ComponentDescription& description, double max_gap,
@@ -106,8 +107,10 @@ class ComponentChannel {
 
   SavedState save() const;
 
-  /// Throws std::invalid_argument if the state is not one of this component; then nothing has changed.
-  void checkState(const SavedState& state) const;
+  /// Throws std::invalid_argument if the state is not one of this component. Returns the model beside, if it has one.
+  std::shared_ptr<Promotion> checkState(const SavedState& state) const;
+
+  /// Go on from a state; throws as checkState(), and nothing has changed.
   void load(const SavedState& state);
 
   /// A model made ready for exchange(), outside of any lock.
@@ -138,12 +141,9 @@ class ComponentChannel {
   ChannelReport report();
 
  private:
-  class Promotion;
-
-  std::shared_ptr<Promotion> restored(const SavedState& state) const;
   void dropFinished(std::shared_ptr<Promotion>& finished);
-  void keepTemperature(Model& model) const;
-  void keepTemperature(const std::shared_ptr<Promotion>& promotion) const;
+  bool isBeside() const;
+  void keepTemperature();
 
   std::string name_;
   double max_gap_;
@@ -153,14 +153,8 @@ class ComponentChannel {
   std::shared_ptr<Promotion> promotion_;  // the model beside, if any
   std::string note_;                      // how the last promotion ended
   std::int64_t since_ = 0;                // and with which sample
-  component::StreamCounters earlier_;     // of the models before a reload
-  std::uint64_t beyond_valid_ = 0;
-  std::uint64_t disabled_ = 0;
-  std::uint64_t lost_ = 0;
-  std::uint64_t refused_temperatures_ = 0;
-  bool enabled_ = true;
+  ChannelReport counts_;                  // what is counted here, and by models before a reload
   TemperatureFeed temperatures_;
-  LatencyHistogram latency_;
   GapMonitor gap_;  // has a lock of its own
 };
 

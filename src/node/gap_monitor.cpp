@@ -2,8 +2,8 @@
 #include "node/gap_monitor.h"
 
 #include <algorithm>
+#include <boost/iterator/counting_iterator.hpp>
 #include <cmath>
-#include <limits>
 
 namespace rubber_suspension::node {
 
@@ -11,12 +11,6 @@ GapMonitor::GapMonitor(std::size_t capacity) : capacity_(std::max(capacity, kCap
   if (capacity_ > kCapacity) {
     samples_.resize(capacity_);
   }
-}
-
-void GapMonitor::forget() {
-  first_ = count_;
-  counters_.unmatched += waiting_.size();
-  waiting_.clear();
 }
 
 void GapMonitor::match(std::uint64_t number, double force) {
@@ -64,19 +58,11 @@ void GapMonitor::addSimulated(std::int64_t stamp, double displacement, double fo
   }
 }
 
-// Number of the first sample that is not earlier, by bisection: stamps increase with the numbers.
+// Number of the first sample that is not earlier: stamps increase with the numbers.
 std::uint64_t GapMonitor::firstFrom(std::int64_t stamp) const {
-  std::uint64_t low = oldest();
-  std::uint64_t high = count_;
-  while (low < high) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    if (at(middle).stamp < stamp) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  using Number = boost::counting_iterator<std::uint64_t>;
+  return *std::partition_point(Number(oldest()), Number(count_),
+                               [&](std::uint64_t number) { return at(number).stamp < stamp; });
 }
 
 bool GapMonitor::addMeasured(std::int64_t stamp, double force) {
@@ -103,53 +89,43 @@ bool GapMonitor::addMeasured(std::int64_t stamp, double force) {
 
 void GapMonitor::clear() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  forget();
+  first_ = count_;
+  counters_.unmatched += waiting_.size();
+  waiting_.clear();
 }
 
 std::vector<MatchedSample> GapMonitor::window(double window) const {
-  std::vector<MatchedSample> samples;
   std::uint64_t next = 0;
   std::uint64_t expected = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!wanted_ || count_ == first_) {
-      return samples;
+      return {};
     }
     next = firstFrom(at(count_ - 1).stamp - static_cast<std::int64_t>(std::llround(window * 1e9)));
     expected = count_ - next;
   }
-  samples.reserve(expected);
+  return read(next, expected);
+}
+
+std::vector<MatchedSample> GapMonitor::read(std::uint64_t& next, std::size_t most) const {
+  constexpr std::uint64_t kPiece = 512;
+  std::vector<MatchedSample> samples;
+  samples.reserve(most);
   for (bool more = true; more;) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (next < oldest()) {
       next = oldest();
       samples.clear();  // overtaken, or a new replay
     }
-    copyPiece(next, count_, samples);
-    more = next < count_;
+    for (const std::uint64_t end = std::min(next + kPiece, matched_end_); next < end; ++next) {
+      if (!std::isnan(at(next).measured)) {
+        samples.push_back(at(next));
+      }
+    }
+    more = next < matched_end_ && samples.size() < most;
   }
   return samples;
-}
-
-void GapMonitor::copyPiece(std::uint64_t& next, std::uint64_t end, std::vector<MatchedSample>& samples) const {
-  constexpr std::uint64_t kPiece = 512;
-  for (end = std::min(next + kPiece, end); next < end; ++next) {
-    const MatchedSample& sample = at(next);
-    if (!std::isnan(sample.measured)) {
-      samples.push_back(sample);
-    }
-  }
-}
-
-void GapMonitor::read(std::uint64_t& next, std::size_t most, std::vector<MatchedSample>& samples) const {
-  const std::size_t before = samples.size();
-  samples.reserve(before + most);
-  for (bool more = true; more;) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    next = std::max(next, oldest());
-    copyPiece(next, std::max(next, matched_end_), samples);
-    more = next < matched_end_ && samples.size() < before + most;
-  }
 }
 
 MatchCounters GapMonitor::counters() const {

@@ -47,12 +47,12 @@ class GapMonitor {
   /// Forget all samples; counters stay.
   void clear();
 
-  /// The matched samples of the last `window` [s], in order. Takes the lock piece by piece, so that nobody waits long.
+  /// The matched samples of the last `window` [s], in order.
   std::vector<MatchedSample> window(double window) const;
 
-  /// Append the matched samples from number `next` on, in order, about `most` at most, and move `next` behind them. A
-  /// reader that comes too late misses what was overwritten. Takes the lock piece by piece, as window().
-  void read(std::uint64_t& next, std::size_t most, std::vector<MatchedSample>& samples) const;
+  /// The matched samples from number `next` on, in order, about `most` at most; moves `next` behind them. A reader that
+  /// comes too late misses what was overwritten. Takes the lock piece by piece, so that nobody waits long.
+  std::vector<MatchedSample> read(std::uint64_t& next, std::size_t most) const;
 
   MatchCounters counters() const;
 
@@ -72,8 +72,6 @@ class GapMonitor {
   std::uint64_t firstFrom(std::int64_t stamp) const;
   void match(std::uint64_t number, double force);
   void takeWaiting(std::uint64_t number);
-  void copyPiece(std::uint64_t& next, std::uint64_t end, std::vector<MatchedSample>& samples) const;
-  void forget();
 
   const std::size_t capacity_;
   mutable std::mutex mutex_;

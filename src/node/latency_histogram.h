@@ -1,34 +1,44 @@
 // How long samples took, as a histogram of fixed size: counting one allocates nothing and costs some nanoseconds.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace rubber_suspension::node {
 
-/// Durations in nanoseconds, in buckets that are eight to an octave: a percentile is exact to 12.5 %.
+/// Durations in nanoseconds, in buckets that are eight to an octave: a percentile is exact to 9 %.
 class LatencyHistogram {
  public:
-  void add(std::int64_t nanoseconds);
-  void clear();
+  void add(std::int64_t nanoseconds) {
+    const double octaves = std::log2(static_cast<double>(std::max<std::int64_t>(nanoseconds, 1)));
+    ++buckets_[std::min(static_cast<std::size_t>(kPerOctave * octaves), buckets_.size() - 1)];
+    ++count_;
+    maximum_ = std::max(maximum_, nanoseconds);
+  }
 
   std::uint64_t count() const { return count_; }
   double maximum() const { return 1e-9 * static_cast<double>(maximum_); }  ///< [s]
-  double mean() const;                                                     ///< [s]; 0 without samples
 
   /// Upper edge of the bucket below which this fraction (0 to 1) of the samples lies [s]; 0 without samples.
-  double percentile(double fraction) const;
+  double percentile(double fraction) const {
+    const double wanted = std::max(1.0, std::ceil(fraction * static_cast<double>(count_)));
+    double seen = 0.0;
+    double octaves = 0.0;
+    for (std::size_t bucket = 0; bucket < buckets_.size() && seen < wanted; ++bucket) {
+      seen += buckets_[bucket];
+      octaves = static_cast<double>(bucket + 1) / kPerOctave;
+    }
+    return count_ == 0 ? 0.0 : 1e-9 * std::exp2(octaves);
+  }
 
  private:
-  static constexpr int kBucketsPerOctave = 8;
-  static constexpr int kBuckets = 40 * kBucketsPerOctave;  // up to 2^40 ns, 18 minutes
-
-  static int bucketOf(std::int64_t nanoseconds);
-  static double upperEdge(int bucket);
+  static constexpr double kPerOctave = 8.0;
+  static constexpr std::size_t kBuckets = 320;  // up to 2^40 ns, 18 minutes
 
   std::array<std::uint32_t, kBuckets> buckets_{};
   std::uint64_t count_ = 0;
-  std::int64_t sum_ = 0;
   std::int64_t maximum_ = 0;
 };
 

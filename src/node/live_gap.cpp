@@ -29,17 +29,6 @@ log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) 
   return log;
 }
 
-// Spectra begin again behind a time gap.
-std::ptrdiff_t beginOfLastStretch(const std::vector<MatchedSample>& samples, SimulatedForce force) {
-  return static_cast<std::ptrdiff_t>(log::stretchesOf(logOf(samples, force)).back());
-}
-
-// Without what is left from before a log: the component has taken all samples before the window.
-io::RigTolerances ofAWindow(io::RigTolerances tolerances) {
-  tolerances.initial_state.value = 0.0;
-  return tolerances;
-}
-
 // What the rig added to the force within its tolerances; beyond them it is a gap. By least squares: slow noise says
 // little of a zero, which must not make the gap larger.
 Eigen::VectorXd tolerated(const measurement::RigModel& rig, const measurement::RigColumns& columns) {
@@ -53,17 +42,14 @@ Eigen::VectorXd tolerated(const measurement::RigModel& rig, const measurement::R
   return part;
 }
 
-double gapOf(const log::Record& record, const Eigen::VectorXd& residual) {
-  return std::sqrt(residual.squaredNorm() / record.counted()) / record.force_deviation;
-}
-
 // Both forces on one even time base: the records are of the same stamps.
-void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, const io::RigTolerances& tolerances,
+void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, io::RigTolerances tolerances,
              LiveGap& gap) {
+  tolerances.initial_state.value = 0.0;  // the component has taken all samples before the window
   const measurement::PreparedLog measured = measurement::preparePiece(logOf(samples, &MatchedSample::measured));
   const log::Record& record = measured.record;
   const Eigen::VectorXd simulated = log::evenRecord(logOf(samples, force)).force;
-  const measurement::RigModel rig({record}, {measurement::maskOf(record)}, ofAWindow(tolerances));
+  const measurement::RigModel rig({record}, {measurement::maskOf(record)}, tolerances);
   const measurement::RigColumns columns = rig.columns({simulated}, {}).front();
   const Eigen::VectorXd error = record.withoutRig(record.force - simulated);
   const Eigen::VectorXd residual = record.withoutRig(record.force - simulated - tolerated(rig, columns));
@@ -71,8 +57,9 @@ void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, co
   for (const measurement::RigFinding& finding : rig.findings(0, rig.fit(0, columns))) {
     gap.rig_findings.push_back(finding);
   }
-  gap.gap = gapOf(record, residual);
-  gap.gap_as_recorded = gapOf(record, error);
+  const double scale = std::sqrt(record.counted()) * record.force_deviation;
+  gap.gap = residual.norm() / scale;
+  gap.gap_as_recorded = error.norm() / scale;
   // Of white noise alone: nothing was fitted, and what the model lacks must not pass for slow noise.
   gap.noise_floor = std::min(gap::whiteNoiseFloor(record, residual), gap.gap);
   gap.beyond_noise = gap::residualAboveFloor(gap.gap, gap.noise_floor);
@@ -98,7 +85,9 @@ LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& 
   std::vector<MatchedSample> samples;
   std::copy_if(window.begin(), window.end(), std::back_inserter(samples),
                [&](const MatchedSample& sample) { return !std::isnan(sample.*force); });
-  samples.erase(samples.begin(), samples.begin() + beginOfLastStretch(samples, force));
+  // Spectra begin again behind a time gap.
+  samples.erase(samples.begin(),
+                samples.begin() + static_cast<std::ptrdiff_t>(log::stretchesOf(logOf(samples, force)).back()));
   LiveGap gap;
   gap.samples = samples.size();
   if (samples.empty()) {
@@ -145,20 +134,14 @@ double GapTracker::trend() const {
   if (history_.size() < 3 || history_.back().time - history_.front().time < settings_.window) {
     return 0.0;
   }
-  const double count = static_cast<double>(history_.size());
-  double mean_time = 0.0;
-  double mean_gap = 0.0;
-  for (const Point& point : history_) {
-    mean_time += point.time / count;
-    mean_gap += point.gap / count;
+  Eigen::ArrayXd time(history_.size());
+  Eigen::ArrayXd gap(history_.size());
+  for (std::size_t i = 0; i < history_.size(); ++i) {
+    time[static_cast<Eigen::Index>(i)] = history_[i].time;
+    gap[static_cast<Eigen::Index>(i)] = history_[i].gap;
   }
-  double cross = 0.0;
-  double square = 0.0;
-  for (const Point& point : history_) {
-    cross += (point.time - mean_time) * (point.gap - mean_gap);
-    square += (point.time - mean_time) * (point.time - mean_time);
-  }
-  return cross / square;
+  time -= time.mean();
+  return (time * gap).sum() / time.square().sum();
 }
 
 }  // namespace rubber_suspension::node

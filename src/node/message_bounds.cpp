@@ -1,88 +1,77 @@
 // What a message on the wire may be before it is decoded.
 #include "node/message_bounds.h"
 
+#include <algorithm>
+
 namespace rubber_suspension::node {
 namespace {
 
 constexpr std::size_t kSequenceAndStamp = 12;
+constexpr std::size_t kLength = 4;
 
-// Goes over the fields of a message, each length held against the bytes that remain.
+// Goes over the fields of a message, each held against the bytes that remain. Once one does not fit, none does.
 class Fields {
  public:
   Fields(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
 
-  bool atEnd() const { return left_ == 0; }
+  bool fit() const { return fit_; }
+  bool areAll() const { return fit_ && left_ == 0; }
 
-  bool skip(std::size_t size) {
-    if (size > left_) {
-      return false;
+  void skip(std::size_t size) {
+    fit_ = fit_ && size <= left_;
+    left_ -= std::min(size, left_);
+    data_ += fit_ ? size : 0;
+  }
+
+  // A length of four bytes, least significant first; 0 where it is more than `most`.
+  std::size_t length(std::size_t most) {
+    const std::uint8_t* const at = data_;
+    skip(kLength);
+    std::size_t result = 0;
+    for (unsigned byte = 0; fit_ && byte < kLength; ++byte) {
+      result |= static_cast<std::size_t>(at[byte]) << 8U * byte;
     }
-    data_ += size;
-    left_ -= size;
-    return true;
+    fit_ = fit_ && result <= most;
+    return fit_ ? result : 0;
   }
 
-  // A length of four bytes, least significant first, at most `most`.
-  bool length(std::size_t most, std::size_t& result) {
-    if (left_ < 4) {
-      return false;
-    }
-    result = static_cast<std::size_t>(data_[0]) | static_cast<std::size_t>(data_[1]) << 8U |
-             static_cast<std::size_t>(data_[2]) << 16U | static_cast<std::size_t>(data_[3]) << 24U;
-    return skip(4) && result <= most;
+  void header() {
+    skip(kSequenceAndStamp);
+    skip(length(kLongestFrameId));
   }
-
-  bool text(std::size_t longest) {
-    std::size_t size = 0;
-    return length(longest, size) && skip(size);
-  }
-
-  bool header() { return skip(kSequenceAndStamp) && text(kLongestFrameId); }
 
  private:
   const std::uint8_t* data_;
   std::size_t left_;
+  bool fit_ = true;
 };
 
-bool skipTexts(Fields& fields, std::size_t most) {
-  std::size_t count = 0;
-  if (!fields.length(most, count)) {
-    return false;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!fields.text(kLongestComponentName)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool skipNumbers(Fields& fields, std::size_t most) {
-  std::size_t count = 0;
-  return fields.length(most, count) && fields.skip(count * sizeof(double));
+bool isStamped(std::size_t numbers, const std::uint8_t* data, std::size_t size) {
+  Fields fields(data, size);
+  fields.header();
+  fields.skip(numbers * sizeof(double));
+  return fields.areAll();
 }
 
 }  // namespace
 
-bool isStampedNumber(const std::uint8_t* data, std::size_t size) {
-  Fields fields(data, size);
-  return fields.header() && fields.skip(sizeof(double)) && fields.atEnd();
-}
+bool isStampedNumber(const std::uint8_t* data, std::size_t size) { return isStamped(1, data, size); }
 
-bool isStampedPair(const std::uint8_t* data, std::size_t size) {
-  Fields fields(data, size);
-  return fields.header() && fields.skip(2 * sizeof(double)) && fields.atEnd();
-}
+bool isStampedPair(const std::uint8_t* data, std::size_t size) { return isStamped(2, data, size); }
 
 bool isBundle(const std::uint8_t* data, std::size_t size, std::size_t most_components) {
   Fields fields(data, size);
-  return fields.header() && skipTexts(fields, most_components) && skipNumbers(fields, most_components) &&
-         fields.atEnd();
+  fields.header();
+  for (std::size_t names = fields.length(most_components); names > 0 && fields.fit(); --names) {
+    fields.skip(fields.length(kLongestComponentName));
+  }
+  fields.skip(fields.length(most_components) * sizeof(double));
+  return fields.areAll();
 }
 
 std::size_t longestBundle(std::size_t components) {
-  return kSequenceAndStamp + 4 + kLongestFrameId + 4 + components * (4 + kLongestComponentName) + 4 +
-         components * sizeof(double);
+  return kSequenceAndStamp + kLength + kLongestFrameId + kLength + components * (kLength + kLongestComponentName) +
+         kLength + components * sizeof(double);
 }
 
 }  // namespace rubber_suspension::node

@@ -19,8 +19,6 @@ double secondsBetween(std::int64_t earlier, std::int64_t later) {
   return later > earlier ? 1e-9 * static_cast<double>(later - earlier) : 0.0;
 }
 
-double mixed(double configured, double other, double weight) { return configured + weight * (other - configured); }
-
 }  // namespace
 
 std::string toString(RunStage stage) { return kStages.at(static_cast<std::size_t>(stage)); }
@@ -45,15 +43,11 @@ void CrossFade::advance(std::int64_t stamp) {
   }
   last_ = stamp;
   const double step = dt / settings_.fade;
-  if (stage_ == RunStage::promoting) {
-    weight_ = std::min(1.0, weight_ + step);
-    if (weight_ == 1.0) {
-      enter(RunStage::promoted);
-    }
-  } else if (stage_ == RunStage::rolling_back) {
-    weight_ = std::max(0.0, weight_ - step);
-    if (weight_ == 0.0) {
-      enter(RunStage::configured);
+  const bool fades_in = stage_ == RunStage::promoting;
+  if (fades_in || stage_ == RunStage::rolling_back) {
+    weight_ = std::clamp(weight_ + (fades_in ? step : -step), 0.0, 1.0);
+    if (weight_ == (fades_in ? 1.0 : 0.0)) {
+      enter(fades_in ? RunStage::promoted : RunStage::configured);
     }
   }
 }
@@ -71,21 +65,16 @@ void CrossFade::end() {
 
 element::ComponentForce CrossFade::blend(const element::ComponentForce& configured,
                                          const element::ComponentForce& other) const {
-  if (weight_ == 0.0) {
-    return configured;
+  if (weight_ == 0.0 || weight_ == 1.0) {
+    return weight_ == 0.0 ? configured : other;
   }
-  if (weight_ == 1.0) {
-    return other;
+  using Force = element::ComponentForce;
+  Force force = configured;
+  for (const auto part : {&Force::total, &Force::elastic, &Force::viscous, &Force::friction}) {
+    force.*part += weight_ * (other.*part - configured.*part);
   }
-  element::ComponentForce force = configured;
-  force.total = mixed(configured.total, other.total, weight_);
-  force.elastic = mixed(configured.elastic, other.elastic, weight_);
-  force.viscous = mixed(configured.viscous, other.viscous, weight_);
-  force.friction = mixed(configured.friction, other.friction, weight_);
   return force;
 }
-
-bool isNoWorse(const PairedErrors& errors) { return errors.samples == 0 || errors.other <= errors.published; }
 
 std::string describeErrors(const PairedErrors& errors) {
   if (errors.samples == 0) {

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "rubber_suspension/element/element.h"
 
@@ -80,10 +79,6 @@ class CrossFade {
   std::int64_t since_ = 0;
   std::int64_t last_ = std::numeric_limits<std::int64_t>::min();
 };
-
-/// True if the model in the shadow may take the configured one's place: its error is not the greater one, or nothing
-/// was measured to tell.
-bool isNoWorse(const PairedErrors& errors);
 
 /// The two errors in words, as RMS.
 std::string describeErrors(const PairedErrors& errors);

@@ -3,102 +3,77 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <memory>
 
 #include "log/new_file.h"
 
 namespace rubber_suspension::node {
 namespace {
 
+using Type = std::filesystem::file_type;
+
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
   throw FileError(fmt::format("{}: {}", path, reason));
 }
 
-[[noreturn]] void failWithErrno(const std::string& path) {
-  fail(path, errno == ELOOP ? "is a symbolic link; accepted: a regular file" : std::strerror(errno));
-}
-
-std::string kindOf(mode_t mode) {
-  switch (mode & static_cast<mode_t>(S_IFMT)) {
-    case S_IFDIR:
-      return "a folder";
-    case S_IFIFO:
-      return "a pipe";
-    case S_IFSOCK:
-      return "a socket";
-    case S_IFLNK:
-      return "a symbolic link";
-    default:
-      return "a device";
+void requireRegular(const std::string& path, Type type) {
+  const std::string kind = type == Type::directory ? "a folder"
+                           : type == Type::fifo    ? "a pipe"
+                           : type == Type::socket  ? "a socket"
+                           : type == Type::symlink ? "a symbolic link"
+                                                   : "a device";
+  if (type != Type::regular) {
+    fail(path, type == Type::not_found ? std::strerror(ENOENT) : "is " + kind + "; accepted: a regular file");
   }
 }
 
-void requireRegular(const std::string& path, const struct stat& status) {
-  if (!S_ISREG(status.st_mode)) {
-    fail(path, fmt::format("is {}; accepted: a regular file", kindOf(status.st_mode)));
+// `seen`: the path itself, or another by which the same file is reached.
+Type typeOf(const std::string& path, const std::string& seen) {
+  std::error_code error;
+  const Type type = status(std::filesystem::path(seen), error).type();
+  if (type == Type::none) {
+    fail(path, error.message());
   }
+  return type;
 }
-
-// A file descriptor that is closed at the end. To open a pipe without O_NONBLOCK would wait for its other end.
-class File {
- public:
-  explicit File(const std::string& path) : file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW)) {
-    if (file_ < 0) {
-      failWithErrno(path);
-    }
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() { close(file_); }
-
-  int get() const { return file_; }
-
- private:
-  int file_;
-};
 
 }  // namespace
 
-void requireRegularFile(const std::string& path) {
-  struct stat status {};
-  if (stat(path.c_str(), &status) != 0) {
-    fail(path, std::strerror(errno));
-  }
-  requireRegular(path, status);
-}
+void requireRegularFile(const std::string& path) { requireRegular(path, typeOf(path, path)); }
 
 std::string readRegularFile(const std::string& path, std::size_t most) {
-  const File file(path);
-  struct stat status {};
-  if (fstat(file.get(), &status) != 0) {
-    failWithErrno(path);
+  // To open a pipe without O_NONBLOCK would wait for its other end.
+  const int opened = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW);
+  if (opened < 0) {
+    fail(path, errno == ELOOP ? "is a symbolic link; accepted: a regular file" : std::strerror(errno));
   }
-  requireRegular(path, status);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(fdopen(opened, "rb"), std::fclose);
+  requireRegular(path, typeOf(path, fmt::format("/proc/self/fd/{}", opened)));
   std::string text;
   std::array<char, 65536> piece{};
-  while (text.size() <= most) {
-    const ssize_t size = read(file.get(), piece.data(), piece.size());
-    if (size < 0 && errno != EINTR) {
-      failWithErrno(path);
-    }
-    if (size == 0) {
-      return text;
-    }
-    text.append(piece.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  for (std::size_t size = 1; size > 0 && text.size() <= most; text.append(piece.data(), size)) {
+    size = std::fread(piece.data(), 1, piece.size(), file.get());
   }
-  fail(path, fmt::format("larger than {} bytes", most));
+  if (std::ferror(file.get()) != 0) {
+    fail(path, std::strerror(errno));
+  }
+  if (text.size() > most) {
+    fail(path, fmt::format("larger than {} bytes", most));
+  }
+  return text;
 }
 
 void replaceRegularFile(const std::string& path, const std::string& text) {
-  struct stat status {};
-  if (lstat(path.c_str(), &status) == 0) {
-    requireRegular(path, status);
+  std::error_code unknown;  // writing says why
+  const Type type = symlink_status(std::filesystem::path(path), unknown).type();
+  if (type != Type::not_found && type != Type::none) {
+    requireRegular(path, type);
   }
   try {
     log::writeNewFile(path, text);

@@ -1,9 +1,11 @@
 // Notices samples that were sent but never arrived, by the sequence number that every sender counts up. Knows no ROS.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace rubber_suspension::node {
 
@@ -16,22 +18,17 @@ class SequenceWatch {
   /// Take a number of a sender. Returns how many the sender skipped.
   std::uint32_t take(const Sender& sender, std::uint32_t sequence) {
     ++clock_;
-    Entry* place = &entries_[0];
-    for (Entry& known : entries_) {
-      if (known.sender == sender && known.used != 0) {
-        const std::uint32_t skipped = sequence - known.last - 1;
-        known.last = sequence;
-        known.used = clock_;
-        // A number that goes back is a sender that counts again from the start or in its own way: nothing is known to
-        // be lost.
-        return skipped < (1U << 31) ? skipped : 0;
-      }
-      if (known.used < place->used) {
-        place = &known;
-      }
+    const auto known = std::find_if(entries_.begin(), entries_.end(),
+                                    [&](const Entry& entry) { return entry.used != 0 && entry.sender == sender; });
+    if (known == entries_.end()) {
+      *std::min_element(entries_.begin(), entries_.end(),
+                        [](const Entry& a, const Entry& b) { return a.used < b.used; }) = {sender, sequence, clock_};
+      return 0;
     }
-    *place = {sender, sequence, clock_};
-    return 0;
+    known->used = clock_;
+    const std::uint32_t skipped = sequence - std::exchange(known->last, sequence) - 1;
+    // One that goes back is a sender that counts again from the start or in its own way: nothing is known to be lost.
+    return skipped < (1U << 31) ? skipped : 0;
   }
 
  private:

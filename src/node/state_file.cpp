@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "io/sha256.h"
+#include "log/text.h"
 
 namespace rubber_suspension::node {
 namespace {
@@ -20,31 +21,27 @@ constexpr const char* kSchema = "rubber_suspension/state/1";
 constexpr std::int64_t kLatestStamp =
     std::int64_t{std::numeric_limits<std::uint32_t>::max()} * 1000000000 + std::numeric_limits<std::uint32_t>::max();
 
-json toJson(const SavedPromotion& promotion) {
-  return {{"component_file", promotion.description},
-          {"sha256", io::sha256(promotion.description)},
-          {"stage", toString(promotion.stage)},
-          {"weight", promotion.weight},
-          {"started", promotion.started},
-          {"stamp_ns", promotion.stamp},
-          {"displacement_m", promotion.displacement},
-          {"memory", promotion.memory}};
+// JSON keeps a finite double to the last bit: it is written with as many digits as that takes.
+json streamJson(const SavedStream& stream) {
+  return {{"started", stream.started},
+          {"stamp_ns", stream.stamp},
+          {"displacement_m", stream.displacement},
+          {"memory", stream.memory}};
 }
 
-// JSON keeps a finite double to the last bit: it is written with as many digits as that takes.
 json toJson(const SavedState& state) {
-  json elements = json::array();
+  json entry = streamJson(state);
+  entry["component"] = state.component;
+  entry["elements"] = json::array();
   for (const element::ElementDescription& element : state.elements) {
-    elements.push_back({{"type", element.type}, {"values", element.values}});
+    entry["elements"].push_back({{"type", element.type}, {"values", element.values}});
   }
-  json entry = {{"component", state.component},
-                {"elements", elements},
-                {"started", state.started},
-                {"stamp_ns", state.stamp},
-                {"displacement_m", state.displacement},
-                {"memory", state.memory}};
   if (state.promotion) {
-    entry["promotion"] = toJson(*state.promotion);
+    entry["promotion"] = streamJson(*state.promotion);
+    entry["promotion"].update({{"component_file", state.promotion->description},
+                               {"sha256", io::sha256(state.promotion->description)},
+                               {"stage", toString(state.promotion->stage)},
+                               {"weight", state.promotion->weight}});
   }
   return entry;
 }
@@ -55,23 +52,14 @@ std::invalid_argument wrong(const std::string& key, const json& value, const std
   return std::invalid_argument(fmt::format("{}: {}; accepted: {}", key, shown, accepted));
 }
 
-double numberOf(const std::string& key, const json& value) {
-  if (!value.is_number()) {
-    throw wrong(key, value, "a number");
+// The value of a key, which the library converts from no other type.
+template <class Value>
+Value valueOf(const std::string& key, const json& value, const std::string& accepted) {
+  try {
+    return value.get<Value>();
+  } catch (const json::type_error&) {
+    throw wrong(key, value, accepted);
   }
-  return value.get<double>();
-}
-
-std::vector<double> numbersOf(const std::string& key, const json& list) {
-  if (!list.is_array()) {
-    throw wrong(key, list, "a list of numbers");
-  }
-  std::vector<double> numbers;
-  numbers.reserve(list.size());
-  for (const json& value : list) {
-    numbers.push_back(numberOf(key, value));
-  }
-  return numbers;
 }
 
 std::int64_t stampOf(const json& value) {
@@ -82,62 +70,46 @@ std::int64_t stampOf(const json& value) {
   return value.get<std::int64_t>();
 }
 
+SavedStream streamOf(const json& entry) {
+  return {entry.at("started").get<bool>(), stampOf(entry.at("stamp_ns")),
+          valueOf<double>("displacement_m", entry.at("displacement_m"), "a number"),
+          valueOf<std::vector<double>>("memory", entry.at("memory"), "a list of numbers")};
+}
+
 element::ElementDescription elementOf(const json& entry) {
   element::ElementDescription element;
   element.type = entry.at("type").get<std::string>();
-  if (!entry.at("values").is_object()) {
-    throw wrong("values", entry.at("values"), "a map of lists of numbers");
-  }
-  for (const auto& [name, values] : entry.at("values").items()) {
-    element.values[name] = numbersOf(name, values);
+  for (const auto& [name, values] : entry.at("values").get_ref<const json::object_t&>()) {
+    element.values[name] = valueOf<std::vector<double>>(name, values, "a list of numbers");
   }
   return element;
 }
 
 bool isWeightOf(RunStage stage, double weight) {
-  switch (stage) {
-    case RunStage::configured:
-      return false;  // no model is beside
-    case RunStage::shadow:
-      return weight == 0.0;
-    case RunStage::promoted:
-      return weight == 1.0;
-    case RunStage::promoting:
-    case RunStage::rolling_back:
-      break;
-  }
-  return weight >= 0.0 && weight <= 1.0;
+  const double least = stage == RunStage::promoted ? 1.0 : 0.0;
+  const double most = stage == RunStage::shadow ? 0.0 : 1.0;
+  return stage != RunStage::configured && weight >= least && weight <= most;  // configured: no model is beside
 }
 
 // The hash says whether the description is the one that was saved.
 SavedPromotion promotionOf(const json& entry) {
-  SavedPromotion promotion;
-  promotion.description = entry.at("component_file").get<std::string>();
+  SavedPromotion promotion{streamOf(entry), entry.at("component_file").get<std::string>(),
+                           runStageOf(entry.at("stage").get<std::string>()),
+                           valueOf<double>("weight", entry.at("weight"), "a number")};
   if (entry.at("sha256") != io::sha256(promotion.description)) {
     throw wrong("promotion: sha256", entry.at("sha256"), "that of its component_file");
   }
-  promotion.stage = runStageOf(entry.at("stage").get<std::string>());
-  promotion.weight = numberOf("weight", entry.at("weight"));
   if (!isWeightOf(promotion.stage, promotion.weight)) {
     throw wrong("weight", entry.at("weight"), "0 in the stage shadow, 1 when promoted, from 0 to 1 in between");
   }
-  promotion.started = entry.at("started").get<bool>();
-  promotion.stamp = stampOf(entry.at("stamp_ns"));
-  promotion.displacement = numberOf("displacement_m", entry.at("displacement_m"));
-  promotion.memory = numbersOf("memory", entry.at("memory"));
   return promotion;
 }
 
-SavedState fromJson(const json& entry) {
-  SavedState state;
-  state.component = entry.at("component").get<std::string>();
+SavedState stateOf(const json& entry) {
+  SavedState state{streamOf(entry), entry.at("component").get<std::string>(), {}, {}};
   for (const json& element : entry.at("elements")) {
     state.elements.push_back(elementOf(element));
   }
-  state.started = entry.at("started").get<bool>();
-  state.stamp = stampOf(entry.at("stamp_ns"));
-  state.displacement = numberOf("displacement_m", entry.at("displacement_m"));
-  state.memory = numbersOf("memory", entry.at("memory"));
   if (entry.contains("promotion")) {
     state.promotion = promotionOf(entry.at("promotion"));
   }
@@ -145,50 +117,27 @@ SavedState fromJson(const json& entry) {
 }
 
 // The parser goes into brackets without bound, and what it gives ends by a call for each.
-void refuseDeepNesting(const std::string& text) {
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char character = text[i];
-    if (quoted) {
-      i += character == '\\' ? 1 : 0;
-      quoted = character != '"';
-    } else if (character == '"') {
-      quoted = true;
-    } else if (character == '[' || character == '{') {
-      ++depth;
-    } else if (character == ']' || character == '}') {
-      --depth;
-    }
-    if (depth > kDeepestStateFile) {
-      throw std::invalid_argument(fmt::format("nested deeper than {} brackets", kDeepestStateFile));
-    }
+bool refuseDeepNesting(int depth, json::parse_event_t /*event*/, const json& /*parsed*/) {
+  if (depth >= kDeepestStateFile) {
+    throw std::invalid_argument(fmt::format("nested deeper than {} brackets", kDeepestStateFile));
   }
+  return true;
 }
 
 std::vector<SavedState> parse(const std::string& text) {
-  refuseDeepNesting(text);
-  const json document = json::parse(text);
+  const json document = json::parse(text, refuseDeepNesting);
   if (document.at("schema") != kSchema) {
     throw wrong("schema", document.at("schema"), kSchema);
   }
   std::vector<SavedState> states;
   std::set<std::string> names;
   for (const json& entry : document.at("states")) {
-    states.push_back(fromJson(entry));
+    states.push_back(stateOf(entry));
     if (!names.insert(states.back().component).second) {
       throw std::invalid_argument(fmt::format("component {} stands there twice", entry.at("component").dump()));
     }
   }
   return states;
-}
-
-// What a parser says may quote the text, line breaks among it.
-std::string onOneLine(std::string message) {
-  for (char& character : message) {
-    character = character == '\n' || character == '\r' ? ' ' : character;
-  }
-  return message;
 }
 
 }  // namespace
@@ -202,19 +151,23 @@ std::string stateText(const std::vector<SavedState>& states) {
 }
 
 std::vector<SavedState> parseStates(const std::string& text, const std::string& source) {
+  // What a parser says may quote the text, line breaks among it.
+  const auto refusal = [&](const std::exception& error) {
+    return FileError(log::oneLine(fmt::format("{}: no state file: {}", source, error.what())));
+  };
   try {
     return parse(text);
   } catch (const json::exception& error) {
-    throw StateFileError(onOneLine(fmt::format("{}: no state file: {}", source, error.what())));
+    throw refusal(error);
   } catch (const std::invalid_argument& error) {
-    throw StateFileError(onOneLine(fmt::format("{}: no state file: {}", source, error.what())));
+    throw refusal(error);
   }
 }
 
 void writeStateFile(const std::string& path, const std::vector<SavedState>& states) {
   const std::string text = stateText(states);
   if (text.size() > kLargestStateFile) {
-    throw StateFileError(
+    throw FileError(
         fmt::format("{}: the state takes {} bytes; accepted: at most {}", path, text.size(), kLargestStateFile));
   }
   replaceRegularFile(path, text);

@@ -13,16 +13,10 @@ namespace rubber_suspension::node {
 constexpr std::size_t kLargestStateFile = 32 * 1024 * 1024;  ///< bytes
 constexpr int kDeepestStateFile = 8;                         ///< brackets within each other; a state needs 6
 
-/// A state that is too large, or text that is none. what() is one line: source and reason.
-class StateFileError : public FileError {
- public:
-  using FileError::FileError;
-};
-
 /// All states as text, every number to its last bit.
 std::string stateText(const std::vector<SavedState>& states);
 
-/// The states of such a text. Throws StateFileError, also for a component that stands there twice and for a stamp that
+/// The states of such a text. Throws FileError, also for a component that stands there twice and for a stamp that
 /// no message can have; `source` names the text in what().
 std::vector<SavedState> parseStates(const std::string& text, const std::string& source);
 

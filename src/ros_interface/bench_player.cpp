@@ -10,6 +10,10 @@
 
 namespace rubber_suspension::ros_interface {
 
+namespace {
+
+// Time from one pass of a looped playback to the next [ns]: that of the longest log and one of its sampling intervals,
+// the same for all components, so that they stay side by side.
 std::int64_t loopPeriod(const std::vector<BenchTrack>& tracks) {
   std::int64_t longest = 0;
   for (const BenchTrack& track : tracks) {
@@ -19,13 +23,7 @@ std::int64_t loopPeriod(const std::vector<BenchTrack>& tracks) {
   return longest;
 }
 
-log::Log laterLog(const log::Log& log, std::int64_t shift) {
-  log::Log later = log;
-  for (std::int64_t& stamp : later.stamp) {
-    stamp += shift;
-  }
-  return later;
-}
+}  // namespace
 
 BenchPlayer::BenchPlayer(const ros::NodeHandle& handle, const PlayOptions& options, std::vector<BenchTrack> tracks)
     : options_(options), tracks_(std::move(tracks)) {
@@ -50,17 +48,17 @@ void BenchPlayer::connect() {
 }
 
 void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follow) {
-  const log::Log log = laterLog(tracks_[track].log, static_cast<std::int64_t>(pass) * period_);
+  log::Log log = tracks_[track].log;
+  for (std::int64_t& stamp : log.stamp) {
+    stamp += static_cast<std::int64_t>(pass) * period_;  // time continues, and the component stays the same
+  }
   const PlayResult result = players_[track]->play(log, starts_[track], more_follow);
   if (options_.rate > 0.0) {
     const std::chrono::duration<double> period(1e-9 * static_cast<double>(period_) / options_.rate);
     starts_[track] = players_[track]->start() + std::chrono::duration_cast<LogPlayer::Steady::duration>(period);
   }
   recorders_[track]->add(log, result);
-  last_forces_[track].clear();
-  for (const element::ComponentForce& force : result.force) {
-    last_forces_[track].push_back(force.total);
-  }
+  last_forces_[track] = result.totals();
   BenchCount& count = counts_[track];
   // Once ROS is shut down nothing comes any more, so what was on its way then is no loss.
   count.samples += ros::ok() ? result.sent : result.answered();

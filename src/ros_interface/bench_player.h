@@ -33,13 +33,6 @@ struct BenchCount {
   bool exactlyOneEach() const { return answered == samples && repeated == 0 && unexpected == 0; }
 };
 
-/// Time from one pass of a looped playback to the next [ns]: that of the longest log and one of its sampling intervals,
-/// the same for all components, so that they stay side by side.
-std::int64_t loopPeriod(const std::vector<BenchTrack>& tracks);
-
-/// The log as it is played in a pass: later by that many periods. Time continues and the component stays the same.
-log::Log laterLog(const log::Log& log, std::int64_t shift);
-
 class BenchPlayer {
  public:
   /// `options` serve every component, but for its name. Opens the files; throws LogError.

@@ -2,26 +2,16 @@
 #include "rubber_suspension/ros_interface/bundle_client.h"
 
 #include <fmt/format.h>
-#include <ros/init.h>
-#include <ros/service.h>
-#include <std_srvs/Trigger.h>
 
-#include <chrono>
-#include <functional>
 #include <utility>
 
 #include "bag/header_stamp.h"
 #include "ros_interface/connection.h"
 
 namespace rubber_suspension::ros_interface {
-namespace {
-
-constexpr std::uint32_t kBundleQueueSize = 10000;
-
-}  // namespace
-
 BundleClient::BundleClient(const ros::NodeHandle& handle, std::vector<std::string> components, double timeout)
     : handle_(handle), timeout_(timeout) {
+  constexpr std::uint32_t kBundleQueueSize = 10000;
   handle_.setCallbackQueue(&queue_);
   message_.components = std::move(components);
   publisher_ = handle_.advertise<DisplacementArray>("displacements", kBundleQueueSize);
@@ -31,29 +21,17 @@ BundleClient::BundleClient(const ros::NodeHandle& handle, std::vector<std::strin
                                               ros::TransportHints().tcpNoDelay());
 }
 
-bool BundleClient::waitFor(const std::function<bool()>& condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(timeout_);
-  while (!condition()) {
-    if (!ros::ok() || std::chrono::steady_clock::now() > end) {
-      return false;
-    }
-    queue_.callAvailable(ros::WallDuration(0.01));
-  }
-  return true;
-}
-
 void BundleClient::connect() {
   if (!waitForPublishers(subscriber_.getTopic(), timeout_) ||
-      !waitFor([this] { return publisher_.getNumSubscribers() > 0; })) {
+      !waitFor(queue_, timeout_, [this] { return publisher_.getNumSubscribers() > 0; })) {
     throw BundleError(fmt::format("no node serves {} within {:g} s", publisher_.getTopic(), timeout_));
   }
 }
 
 void BundleClient::call(const std::string& service) {
-  std_srvs::Trigger trigger;
-  const std::string name = handle_.resolveName(service);
-  if (!ros::service::call(name, trigger) || !trigger.response.success) {
-    throw BundleError(fmt::format("service {} failed {}", name, trigger.response.message));
+  const std::string refusal = callTrigger(handle_.resolveName(service), timeout_);
+  if (!refusal.empty()) {
+    throw BundleError(refusal);
   }
 }
 
@@ -65,7 +43,7 @@ void BundleClient::send(std::int64_t stamp, const std::vector<double>& displacem
 
 ForceArray BundleClient::receive(std::int64_t stamp) {
   const ros::Time time = bag::toRosTime(stamp);
-  const bool came = waitFor([&] {
+  const bool came = waitFor(queue_, timeout_, [&] {
     while (!answers_.empty() && answers_.front().header.stamp < time) {
       answers_.pop_front();
     }

@@ -11,34 +11,26 @@
 namespace rubber_suspension::ros_interface {
 namespace {
 
-// The channel of a name that stands at place i. Senders name the components in the order of the file, mostly: look
-// there first.
-node::ComponentChannel* channelNamed(const std::string& name, std::size_t i,
-                                     const std::vector<node::ComponentChannel*>& channels) {
-  if (i < channels.size() && channels[i]->name() == name) {
+using Channels = std::vector<node::ComponentChannel*>;
+
+// The channel of the name at place i; without names, of that place. Senders name the components in the order of the
+// file, mostly: look there first.
+node::ComponentChannel* channelOf(const std::vector<std::string>& names, std::size_t i, const Channels& channels) {
+  if (names.empty() || (i < channels.size() && channels[i]->name() == names[i])) {
     return channels[i];
   }
-  for (node::ComponentChannel* channel : channels) {
-    if (channel->name() == name) {
-      return channel;
-    }
-  }
-  return nullptr;
+  const auto found = std::find_if(channels.begin(), channels.end(),
+                                  [&](const node::ComponentChannel* channel) { return channel->name() == names[i]; });
+  return found == channels.end() ? nullptr : *found;
 }
 
-// The channel of entry i.
-node::ComponentChannel* channelOf(const DisplacementArray& bundle, std::size_t i,
-                                  const std::vector<node::ComponentChannel*>& channels) {
-  return bundle.components.empty() ? channels[i] : channelNamed(bundle.components[i], i, channels);
-}
-
-bool isWellFormed(const DisplacementArray& bundle, const std::vector<node::ComponentChannel*>& channels) {
+bool isWellFormed(const DisplacementArray& bundle, const Channels& channels) {
   const std::size_t count = bundle.components.empty() ? channels.size() : bundle.components.size();
   if (bundle.displacement.size() != count || count > channels.size()) {
     return false;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    if (channelOf(bundle, i, channels) == nullptr) {
+    if (channelOf(bundle.components, i, channels) == nullptr) {
       return false;
     }
   }
@@ -51,10 +43,6 @@ std::uint32_t fewerOf(std::uint32_t queue_size, std::size_t bytes) {
   return static_cast<std::uint32_t>(std::clamp<std::size_t>(kMostBytes / bytes, 16, queue_size));
 }
 
-std::size_t longestAnswer(std::size_t components) {
-  return node::longestBundle(components) + components * 4 * sizeof(double);
-}
-
 void resize(ForceArray& answer, std::size_t size) {
   answer.components.resize(size);
   for (auto* list : {&answer.displacement, &answer.force, &answer.elastic, &answer.viscous, &answer.friction}) {
@@ -65,7 +53,7 @@ void resize(ForceArray& answer, std::size_t size) {
 }  // namespace
 
 bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& group, ForceArray& answer) {
-  const std::vector<node::ComponentChannel*>& channels = group.channels();
+  const Channels& channels = group.channels();
   if (!isWellFormed(bundle, channels)) {
     return false;
   }
@@ -75,7 +63,7 @@ bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& gro
   std::size_t accepted = 0;
   const auto lock = group.bundle();
   for (std::size_t i = 0; i < bundle.displacement.size(); ++i) {
-    node::ComponentChannel* channel = channelOf(bundle, i, channels);
+    node::ComponentChannel* channel = channelOf(bundle.components, i, channels);
     element::ComponentForce force;
     if (channel->push(stamp, bundle.displacement[i], force)) {
       answer.components[accepted] = channel->name();
@@ -93,11 +81,12 @@ bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& gro
 
 BundleServer::BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& group, int queue_size) : group_(group) {
   const std::size_t components = group.channels().size();
+  const std::size_t longest = node::longestBundle(components);
   const auto size = static_cast<std::uint32_t>(std::max(queue_size, 16));
-  publisher_.advertise<ForceArray>(handle, "forces", fewerOf(answerQueueSize(queue_size), longestAnswer(components)));
+  publisher_.advertise<ForceArray>(handle, "forces",
+                                   fewerOf(answerQueueSize(queue_size), longest + components * 4 * sizeof(double)));
   subscriber_ = roscpp_fixes::subscribeChecked<DisplacementArray>(
-      handle, "displacements",
-      std::min<std::uint32_t>(static_cast<std::uint32_t>(queue_size), fewerOf(size, node::longestBundle(components))),
+      handle, "displacements", std::min<std::uint32_t>(static_cast<std::uint32_t>(queue_size), fewerOf(size, longest)),
       [components](const std::uint8_t* data, std::size_t bytes) { return node::isBundle(data, bytes, components); },
       undecodable_, [this](const ros::MessageEvent<const DisplacementArray>& event) { serve(event); });
 }
@@ -122,7 +111,7 @@ void BundleServer::serve(const ros::MessageEvent<const DisplacementArray>& event
   ++answered_;
   const std::int64_t latency = timeSinceArrival(event.getReceiptTime(), callback);
   for (std::size_t i = 0; i < message->components.size(); ++i) {
-    channelNamed(message->components[i], i, group_.channels())->countLatency(latency);
+    channelOf(message->components, i, group_.channels())->countLatency(latency);
   }
 }
 

@@ -7,8 +7,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "node/channel_group.h"
 #include "node/sequence_watch.h"

@@ -1,20 +1,18 @@
-// Programs that a benchmark starts and ends.
+// Other programs that are started.
 #include "ros_interface/child_process.h"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
 #include <spawn.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
-#include <cerrno>
+#include <boost/asio/ip/tcp.hpp>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
 #include <thread>
 
@@ -33,17 +31,10 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command) {
 }
 
 ChildProcess::~ChildProcess() {
-  if (!running()) {
-    return;
-  }
-  kill(id_, SIGINT);
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-  while (running()) {
-    if (std::chrono::steady_clock::now() > end) {
-      kill(id_, SIGKILL);
-      waitpid(id_, nullptr, 0);
-      id_ = -1;
-      return;
+  constexpr int kTurns = 500;  // of 10 ms
+  for (int turn = 0; running(); ++turn) {
+    if (turn == 0 || turn == kTurns) {
+      kill(id_, turn == 0 ? SIGINT : SIGKILL);
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
@@ -57,27 +48,28 @@ bool ChildProcess::running() {
 }
 
 std::string siblingProgram(const std::string& name) {
-  std::array<char, 4096> path{};
-  const ssize_t length = readlink("/proc/self/exe", path.data(), path.size() - 1);
-  const std::string self(path.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
-  return self.substr(0, self.find_last_of('/') + 1) + name;
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+}
+
+std::string outputOf(const std::string& command, const std::string& option) {
+  std::FILE* pipe = popen(fmt::format("'{}' {} 2>/dev/null </dev/null", siblingProgram(command), option).c_str(), "r");
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (std::size_t count = 1; pipe != nullptr && count > 0; text.append(buffer.data(), count)) {
+    count = std::fread(buffer.data(), 1, buffer.size(), pipe);
+  }
+  const int status = pipe == nullptr ? -1 : pclose(pipe);
+  if (status != 0 || text.empty()) {
+    throw std::runtime_error(fmt::format("{} {}: exit status {}", command, option, WEXITSTATUS(status)));
+  }
+  return text;
 }
 
 int freePort() {
-  const int socket_handle = socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof(address);
-  const bool bound = socket_handle >= 0 && bind(socket_handle, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
-                     getsockname(socket_handle, reinterpret_cast<sockaddr*>(&address), &size) == 0;
-  if (socket_handle >= 0) {
-    close(socket_handle);
-  }
-  if (!bound) {
-    throw std::runtime_error(fmt::format("no free port: {}", std::strerror(errno)));
-  }
-  return ntohs(address.sin_port);
+  using boost::asio::ip::tcp;
+  boost::asio::io_context context;
+  const tcp::acceptor acceptor(context, tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0));
+  return acceptor.local_endpoint().port();
 }
 
 }  // namespace rubber_suspension::ros_interface

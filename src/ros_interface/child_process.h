@@ -1,4 +1,4 @@
-// Programs that a benchmark starts and ends: a master, nodes.
+// Other programs that are started: a master and nodes by a benchmark, commands for what they print.
 #pragma once
 
 #include <sys/types.h>
@@ -27,6 +27,10 @@ class ChildProcess {
 
 /// The path of another program that lies beside the running one.
 std::string siblingProgram(const std::string& name);
+
+/// What a command, which lies beside the running one, prints with an option such as --help. Throws std::runtime_error
+/// that names the command where it fails or prints nothing.
+std::string outputOf(const std::string& command, const std::string& option);
 
 /// A TCP port on the loopback interface that nobody listens on. Throws std::runtime_error.
 int freePort();

@@ -3,17 +3,16 @@
 
 #include <fmt/format.h>
 #include <ros/duration.h>
-#include <ros/exception.h>
 #include <ros/init.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 #include "log/text.h"
 #include "ros_interface/termination.h"
@@ -69,16 +68,15 @@ RosCommandLine::RosCommandLine(int argc, char** argv) : all_(argv, argv + argc) 
   pointers_ = pointersTo(own_);
 }
 
-RosCommandLine::~RosCommandLine() {
+void RosCommandLine::takeOffParameters() {
   constexpr double kLimit = 0.5;  // [s]
-  const std::atomic<bool> stop{false};
+  bool answers = std::exchange(initialised_, false);
   for (const std::string& argument : all_) {
-    const std::string name = initialised_ ? privateParameterOf(argument) : "";
-    XmlRpc::XmlRpcValue payload;
-    if (!name.empty() && !roscpp_fixes::callMaster(
-                             kLimit, "deleteParam",
-                             roscpp_fixes::callArguments({ros::this_node::getName() + "/" + name}), payload, stop)) {
-      return;
+    const std::string name = privateParameterOf(argument);
+    if (answers && !name.empty()) {
+      answers = roscpp_fixes::call(kLimit, ros::master::getURI(), "deleteParam",
+                                   roscpp_fixes::callArguments({ros::this_node::getName() + "/" + name}))
+                    .has_value();
     }
   }
 }
@@ -99,21 +97,17 @@ bool RosCommandLine::waitForMaster(double timeout) const {
   constexpr double kTurn = 1.0;      // [s]
   constexpr double kPatience = 2.0;  // until it is said [s]
   const std::string uri = masterUri(all_);
-  std::string host;
-  std::uint32_t port = 0;
-  ros::network::splitURI(uri, host, port);
   const auto begin = std::chrono::steady_clock::now();
   for (bool said = false; !isEnding();) {
     const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (waited >= timeout) {
       throw std::runtime_error(fmt::format("no master answers at {} within {:g} s", uri, timeout));
     }
-    if (roscpp_fixes::masterAnswers(std::min(kTurn, timeout - waited), host, port)) {
+    if (roscpp_fixes::masterAnswers(std::min(kTurn, timeout - waited), uri)) {
       return true;
     }
-    if (!said && waited > kPatience) {
+    if (waited > kPatience && !std::exchange(said, true)) {
       fmt::print(stderr, "waiting for the master at {}\n", uri);
-      said = true;
     }
     ros::WallDuration(0.05).sleep();
   }
@@ -126,11 +120,7 @@ bool RosCommandLine::initialise(const std::string& node_name, std::uint32_t opti
   }
   std::vector<char*> pointers = pointersTo(all_);
   int count = static_cast<int>(pointers.size());
-  try {
-    ros::init(count, pointers.data(), node_name, options);
-  } catch (const ros::Exception& error) {
-    throw std::runtime_error(error.what());
-  }
+  ros::init(count, pointers.data(), node_name, options);
   initialised_ = true;
   return true;
 }

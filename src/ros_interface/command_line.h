@@ -12,9 +12,7 @@ namespace rubber_suspension::ros_interface {
 class RosCommandLine {
  public:
   RosCommandLine(int argc, char** argv);
-  /// Takes the private parameters that the arguments have set (_NAME:=VALUE) off the master again, where they would
-  /// otherwise hold for the next process of this name.
-  ~RosCommandLine();
+  ~RosCommandLine() { takeOffParameters(); }
   RosCommandLine(const RosCommandLine&) = delete;
   RosCommandLine& operator=(const RosCommandLine&) = delete;
 
@@ -27,6 +25,10 @@ class RosCommandLine {
   /// are malformed, or no master answers within `timeout` [s].
   bool initialise(const std::string& node_name, std::uint32_t options = 0,
                   double timeout = std::numeric_limits<double>::infinity());
+
+  /// Take the private parameters that the arguments have set (_NAME:=VALUE) off the master again, where they would
+  /// otherwise hold for the next process of this name. The destructor does so, too, if the master still answers then.
+  void takeOffParameters();
 
  private:
   bool waitForMaster(double timeout) const;

@@ -1,13 +1,20 @@
 // Whether a topic is connected for certain, so that the very first message is not lost.
 #pragma once
 
+#include <ros/callback_queue.h>
+
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace rubber_suspension::ros_interface {
 
-/// The nodes that advertise a topic, by the master. Empty where the master does not answer.
-std::vector<std::string> publishersOf(const std::string& resolved_topic);
+/// Call what comes to the queue until the condition holds. False where it does not within `timeout` [s], or ROS ends.
+bool waitFor(ros::CallbackQueue& queue, double timeout, const std::function<bool()>& condition);
+
+/// Call a service of type std_srvs/Trigger, once it is there. Returns why it failed, or was not there within `timeout`
+/// [s], or nothing.
+std::string callTrigger(const std::string& resolved_service, double timeout);
 
 /// The components, by their resolved names, of the nodes `simulate` that answer bundles on this resolved topic
 /// (`.../forces`). A node advertises that topic after those of its components, so the list is complete. Empty where no

@@ -3,15 +3,37 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
+#include "log/new_file.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
+
+using Tree = boost::property_tree::ptree;
+
+Tree caseTree(const std::string& suite, const TestCase& test) {
+  Tree tree;
+  tree.put("<xmlattr>.name", test.name);
+  tree.put("<xmlattr>.status", "run");
+  tree.put("<xmlattr>.time", fmt::format("{:.3f}", test.duration));
+  tree.put("<xmlattr>.classname", suite);
+  if (test.passed) {
+    tree.put("system-out", test.message);
+  } else {
+    Tree failure(test.message);
+    failure.put("<xmlattr>.message", test.message);
+    failure.put("<xmlattr>.type", "");
+    tree.add_child("failure", failure);
+  }
+  return tree;
+}
 
 double sinceStart(const log::Log& log, std::size_t i) {
   return 1e-9 * static_cast<double>(log.stamp[i] - log.stamp[0]);
@@ -27,15 +49,6 @@ std::ptrdiff_t firstCompared(const log::Log& log, double skip) {
                                             log.name, skip, sinceStart(log, log.size() - 1)));
   }
   return static_cast<std::ptrdiff_t>(first);
-}
-
-std::vector<double> totals(const PlayResult& result) {
-  std::vector<double> force;
-  force.reserve(result.force.size());
-  for (const element::ComponentForce& answer : result.force) {
-    force.push_back(answer.total);
-  }
-  return force;
 }
 
 }  // namespace
@@ -87,7 +100,7 @@ TestCase checkForces(const log::Log& log, const ForceReference& reference, const
         fmt::format("not compared with {}: {} samples have no force", reference.name, log.size() - result.answered());
     return test;
   }
-  const ForceDifference difference = compareForces(log, reference.force, totals(result), skip);
+  const ForceDifference difference = compareForces(log, reference.force, result.totals(), skip);
   test.passed = difference.gap <= tolerance;
   test.message = fmt::format("gap {:.6g} to {}, {} {:g}; largest difference {:.6g} N, {:.6g} s after the start",
                              difference.gap, reference.name, test.passed ? "within" : "beyond", tolerance,
@@ -99,7 +112,39 @@ io::Figure forceFigure(const std::string& component, const log::Log& log, const 
                        const PlayResult& result) {
   log::Log with_reference = log;
   with_reference.force = reference.force;
-  return gap::replayFigure(component, with_reference, totals(result), {"reference", "bench"});
+  return gap::replayFigure(component, with_reference, result.totals(), {"reference", "bench"});
+}
+
+std::string testReportXml(const std::string& suite, const std::vector<TestCase>& cases) {
+  Tree document;
+  Tree& tree = document.put("testsuites.testsuite", "");
+  int failures = 0;
+  double duration = 0.0;
+  for (const TestCase& test : cases) {
+    failures += test.passed ? 0 : 1;
+    duration += test.duration;
+    tree.add_child("testcase", caseTree(suite, test));
+  }
+  tree.put("<xmlattr>.name", suite);
+  tree.put("<xmlattr>.tests", cases.size());
+  tree.put("<xmlattr>.failures", failures);
+  tree.put("<xmlattr>.errors", 0);
+  tree.put("<xmlattr>.time", fmt::format("{:.3f}", duration));
+  std::ostringstream text;
+  boost::property_tree::write_xml(text, document, boost::property_tree::xml_writer_make_settings<std::string>(' ', 2));
+  return text.str();
+}
+
+std::string testReportPath(const std::string& gtest_output) {
+  const std::string format = "xml:";
+  if (gtest_output.compare(0, format.size(), format) != 0 || gtest_output.size() == format.size()) {
+    throw std::invalid_argument(fmt::format("--gtest_output={}; accepted: xml:FILE", gtest_output));
+  }
+  return gtest_output.substr(format.size());
+}
+
+void writeTestReport(const std::string& path, const std::string& suite, const std::vector<TestCase>& cases) {
+  log::writeNewFile(path, testReportXml(suite, cases));
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -1,16 +1,34 @@
-// Checks the forces of a bench: a log goes in over the topics, its forces are compared with a reference.
+// Checks the forces of a bench: a log goes in over the topics, its forces are compared with a reference; and the report
+// of it in the XML format of GoogleTest, which rostest and rosunit read.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "ros_interface/log_player.h"
-#include "ros_interface/test_report.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/io/figure.h"
 #include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension::ros_interface {
+
+/// One thing that was checked.
+struct TestCase {
+  std::string name;  ///< one word
+  bool passed = false;
+  std::string message;    ///< what was found, with the figure; the reason where it failed
+  double duration = 0.0;  ///< [s]
+};
+
+/// The report of one suite as XML.
+std::string testReportXml(const std::string& suite, const std::vector<TestCase>& cases);
+
+/// The path in an option of the form that rostest hands to its tests, `xml:PATH`.
+/// Throws std::invalid_argument that says what is accepted.
+std::string testReportPath(const std::string& gtest_output);
+
+/// Write the report. Throws std::runtime_error.
+void writeTestReport(const std::string& path, const std::string& suite, const std::vector<TestCase>& cases);
 
 /// How far forces are from a reference.
 struct ForceDifference {

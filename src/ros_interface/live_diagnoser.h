@@ -4,7 +4,6 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,10 +19,7 @@ struct LiveDiagnoserSettings {
 /// Looks at the samples that the channels keep, in a thread of its own. Nothing waits for it.
 class LiveDiagnoser {
  public:
-  LiveDiagnoser() = default;
   virtual ~LiveDiagnoser() = default;
-  LiveDiagnoser(const LiveDiagnoser&) = delete;
-  LiveDiagnoser& operator=(const LiveDiagnoser&) = delete;
 
   /// End the thread: a look that runs is cancelled. What was found last can still be asked for.
   virtual void stop() = 0;
@@ -35,10 +31,10 @@ class LiveDiagnoser {
   virtual void fillStatus(const std::string& component, diagnostic_updater::DiagnosticStatusWrapper& status) const = 0;
 };
 
-/// Load the library of the diagnosis and begin; the channels must outlive the object. Throws std::runtime_error where
-/// the library cannot be loaded, and std::invalid_argument where a component has no solution.
-std::unique_ptr<LiveDiagnoser> loadLiveDiagnoser(ros::NodeHandle& handle,
-                                                 const std::vector<node::ComponentChannel*>& channels,
-                                                 const LiveDiagnoserSettings& settings);
+/// What the library of the diagnosis has under that name; the channels must outlive what is made. Throws
+/// std::invalid_argument where a component has no solution.
+using MakeLiveDiagnoser = LiveDiagnoser*(ros::NodeHandle&, const std::vector<node::ComponentChannel*>&,
+                                         const LiveDiagnoserSettings&);
+constexpr const char* kLiveDiagnoserMaker = "rubber_suspension_make_live_diagnoser";
 
 }  // namespace rubber_suspension::ros_interface

@@ -34,6 +34,14 @@ std::size_t PlayResult::answered() const {
       std::count_if(answers.begin(), answers.end(), [](std::uint32_t count) { return count > 0; }));
 }
 
+std::vector<double> PlayResult::totals() const {
+  std::vector<double> totals;
+  for (const element::ComponentForce& answer : force) {
+    totals.push_back(answer.total);
+  }
+  return totals;
+}
+
 bool PlayResult::exactlyOneEach() const {
   return unexpected == 0 && std::all_of(answers.begin(), answers.end(), [](std::uint32_t count) { return count == 1; });
 }
@@ -49,27 +57,21 @@ LogPlayer::LogPlayer(const ros::NodeHandle& handle, const PlayOptions& options) 
   subscriber_ = handle_.subscribe<Force>(component + "/force", kSampleQueueSize, callback, ros::VoidConstPtr(),
                                          ros::TransportHints().tcpNoDelay());
   if (options_.record_gap) {
-    const boost::function<void(const GapConstPtr&)> gap_callback = [this](const GapConstPtr& gap) { takeGap(gap); };
+    const boost::function<void(const GapConstPtr&)> gap_callback = [this](const GapConstPtr& gap) {
+      result_.gaps.push_back(gap);
+      result_.gap_stamps.push_back(static_cast<std::int64_t>(gap->header.stamp.toNSec()) - shift_);
+    };
     gap_subscriber_ = handle_.subscribe<Gap>(component + "/gap", kSampleQueueSize, gap_callback);
   }
 }
 
-void LogPlayer::notify(const std::string& text) const {
-  if (options_.notify) {
-    options_.notify(text);
-  }
-}
-
 bool LogPlayer::isConnected(double patience) {
-  const auto end = Steady::now() + toDuration(patience);
-  bool connected = waitForPublishers(subscriber_.getTopic(), patience) &&
-                   (!options_.record_gap || waitForPublishers(gap_subscriber_.getTopic(), patience));
-  while (connected && (displacement_publisher_.getNumSubscribers() == 0 ||
-                       measured_force_publisher_.getNumSubscribers() <= options_.listeners)) {
-    connected = Steady::now() < end && ros::ok();
-    ros::WallDuration(0.01).sleep();
-  }
-  return connected;
+  return waitForPublishers(subscriber_.getTopic(), patience) &&
+         (!options_.record_gap || waitForPublishers(gap_subscriber_.getTopic(), patience)) &&
+         waitFor(queue_, patience, [this] {
+           return displacement_publisher_.getNumSubscribers() > 0 &&
+                  measured_force_publisher_.getNumSubscribers() > options_.listeners;
+         });
 }
 
 // A node that is up and serves other components will not come to serve this one.
@@ -89,28 +91,19 @@ void LogPlayer::requireServed() const {
 
 void LogPlayer::connect() {
   const auto begin = Steady::now();
-  while (!connected_) {
-    const double left = options_.connect_timeout - seconds(Steady::now() - begin);
-    connected_ = isConnected(std::clamp(left, 0.0, kNoteEvery));
-    const double waited = seconds(Steady::now() - begin);
-    if (!connected_ && (waited >= options_.connect_timeout || !ros::ok())) {
+  for (double waited = 0.0; !connected_; waited = seconds(Steady::now() - begin)) {
+    if (waited >= options_.connect_timeout || !ros::ok()) {
       throw PlayError(fmt::format("no node serves {} within {:.3g} s", displacement_publisher_.getTopic(), waited));
     }
-    // Not at the first time: another node, with this component, may be about to start.
-    if (!connected_ && waited >= kPatienceWithOthers) {
+    if (waited >= kPatienceWithOthers) {  // another node, with this component, may be about to start
       requireServed();
     }
-    if (!connected_) {
-      notify(fmt::format("waiting for what serves {} and listens to it: {:.0f} of {:g} s",
-                         displacement_publisher_.getTopic(), waited, options_.connect_timeout));
+    if (waited > 0.0) {
+      options_.notify(fmt::format("waiting for what serves {} and listens to it: {:.0f} of {:g} s",
+                                  displacement_publisher_.getTopic(), waited, options_.connect_timeout));
     }
+    connected_ = isConnected(std::min(options_.connect_timeout - waited, kNoteEvery));
   }
-}
-
-void LogPlayer::takeGap(const GapConstPtr& gap) {
-  result_.gaps.push_back(gap);
-  const std::int64_t stamp = static_cast<std::int64_t>(gap->header.stamp.toNSec()) - shift_;
-  result_.gap_stamps.push_back(stamp);
 }
 
 void LogPlayer::take(const Force& force) {
@@ -132,10 +125,6 @@ void LogPlayer::take(const Force& force) {
   }
 }
 
-bool LogPlayer::isHeld() const {
-  return options_.control != nullptr && !options_.control->running() && stepped_ >= options_.control->granted();
-}
-
 double LogPlayer::untilDue() const {
   if (options_.rate <= 0.0) {
     return 0.0;
@@ -145,7 +134,9 @@ double LogPlayer::untilDue() const {
 }
 
 bool LogPlayer::maySend() const {
-  return result_.sent < log_->size() && result_.sent - answered_ < options_.in_flight && !isHeld() && untilDue() <= 0.0;
+  const PlayControl* const control = options_.control;
+  const bool held = control != nullptr && !control->running() && stepped_ >= control->granted();
+  return result_.sent < log_->size() && result_.sent - answered_ < options_.in_flight && !held;
 }
 
 // Two topics have no order, but temperatures their stamps: they are sent well before the samples that they hold for,
@@ -165,8 +156,8 @@ void LogPlayer::announceTemperatures() {
 
 // The first ones have to be there before the first sample.
 void LogPlayer::startTemperatures() {
-  constexpr double kPatience = 5.0;
-  constexpr double kArrival = 0.2;  // [s], a multiple of what a message takes
+  constexpr double kPatience = 5.0;  // [s]
+  constexpr double kArrival = 0.2;   // [s], a multiple of what a message takes
   temperature_changes_.clear();
   announced_ = 0;
   for (std::size_t i = 0; i < log_->temperature.size(); ++i) {
@@ -177,10 +168,7 @@ void LogPlayer::startTemperatures() {
   if (temperature_changes_.empty()) {
     return;
   }
-  const auto end = Steady::now() + toDuration(kPatience);
-  while (temperature_publisher_.getNumSubscribers() == 0 && Steady::now() < end && ros::ok()) {
-    ros::WallDuration(0.01).sleep();
-  }
+  waitFor(queue_, kPatience, [this] { return temperature_publisher_.getNumSubscribers() > 0; });
   announceTemperatures();
   ros::WallDuration(kArrival).sleep();
 }
@@ -206,7 +194,7 @@ void LogPlayer::sendWhatIsDue(io::Progress& progress) {
   if (stepping && result_.sent < log_->size()) {
     start_ += toDuration(-untilDue());
   }
-  while (maySend()) {
+  while (maySend() && untilDue() <= 0.0) {
     stepped_ += stepping ? 1 : 0;
     send();
     progress.advance();
@@ -217,8 +205,7 @@ void LogPlayer::sendWhatIsDue(io::Progress& progress) {
 bool LogPlayer::waitForAnswers() {
   constexpr double kLongestWait = 0.05;  // [s], after which shut-down and control are looked at again
   const bool waits_for_answer = result_.sent > answered_;
-  const bool may_send = result_.sent < log_->size() && result_.sent - answered_ < options_.in_flight && !isHeld();
-  queue_.callAvailable(ros::WallDuration(may_send ? std::clamp(untilDue(), 0.0, kLongestWait) : kLongestWait));
+  queue_.callAvailable(ros::WallDuration(maySend() ? std::clamp(untilDue(), 0.0, kLongestWait) : kLongestWait));
   const auto now = Steady::now();
   if (!waits_for_answer) {
     last_answer_ = now;
@@ -226,28 +213,21 @@ bool LogPlayer::waitForAnswers() {
   const double waited = seconds(now - last_answer_);
   if (waited > kNoteEvery && seconds(now - last_note_) > kNoteEvery) {
     last_note_ = now;
-    notify(fmt::format("waiting for an answer on {}: {:.0f} of {:g} s", subscriber_.getTopic(), waited,
-                       options_.answer_timeout));
+    options_.notify(fmt::format("waiting for an answer on {}: {:.0f} of {:g} s", subscriber_.getTopic(), waited,
+                                options_.answer_timeout));
   }
   return waited <= options_.answer_timeout;
 }
 
-void LogPlayer::lingerForSurplus() {
-  // Answers to one sample too many would follow at once; this is a multiple of a round trip.
-  constexpr double kLinger = 0.2;
-  const auto end = Steady::now() + toDuration(kLinger);
-  while (Steady::now() < end) {
-    queue_.callAvailable(ros::WallDuration(0.05));
-  }
-}
-
-// The node measures the gap once per second; what it measured last covers the last sample.
-void LogPlayer::waitForLastGap() {
-  constexpr double kPatience = 10.0;
-  const auto end = Steady::now() + toDuration(kPatience);
-  while (ros::ok() && Steady::now() < end &&
-         (result_.gap_stamps.empty() || result_.gap_stamps.back() < log_->stamp.back())) {
-    queue_.callAvailable(ros::WallDuration(0.05));
+// Answers to one sample too many would follow at once. The node measures the gap once per second; what it measured last
+// covers the last sample.
+void LogPlayer::waitForLast() {
+  constexpr double kLinger = 0.2;     // [s], a multiple of a round trip
+  constexpr double kPatience = 10.0;  // [s]
+  waitFor(queue_, kLinger, [] { return false; });
+  if (options_.record_gap && !log_->force.empty()) {
+    waitFor(queue_, kPatience,
+            [this] { return !result_.gap_stamps.empty() && result_.gap_stamps.back() >= log_->stamp.back(); });
   }
 }
 
@@ -274,10 +254,7 @@ PlayResult LogPlayer::play(const log::Log& log, Steady::time_point start, bool m
   }
   result_.duration = seconds(last_answer_ - begin);
   if (!more_follow && answers_come) {
-    lingerForSurplus();
-    if (options_.record_gap && !log.force.empty() && ros::ok()) {
-      waitForLastGap();
-    }
+    waitForLast();
   }
   log_ = nullptr;
   return std::move(result_);

@@ -31,7 +31,7 @@ struct PlayOptions {
   bool record_gap = false;         ///< collect the live gap, too
   bool show_progress = true;       ///< on a terminal
   PlayControl* control = nullptr;  ///< holds and steps the playback; has to outlive the player
-  std::function<void(const std::string&)> notify;  ///< told now and then what is being waited for
+  std::function<void(const std::string&)> notify = [](const std::string&) {};  ///< told what is being waited for
 };
 
 /// What came back. The vectors have one entry per sample of the log.
@@ -45,8 +45,9 @@ struct PlayResult {
   std::vector<std::int64_t> gap_stamps;  ///< of them, as stamps of the log [ns]
   double duration = 0.0;                 ///< from the first sample to the last answer [s]
 
-  std::size_t answered() const;  ///< samples with at least one force
-  bool exactlyOneEach() const;   ///< every sample of the log had one force, and none came besides
+  std::size_t answered() const;        ///< samples with at least one force
+  bool exactlyOneEach() const;         ///< every sample of the log had one force, and none came besides
+  std::vector<double> totals() const;  ///< of the forces [N]
 };
 
 /// No node serves the component, or it stopped answering.
@@ -76,10 +77,8 @@ class LogPlayer {
 
  private:
   void take(const Force& force);
-  void takeGap(const GapConstPtr& gap);
   bool isConnected(double patience);
   void requireServed() const;
-  bool isHeld() const;
   bool maySend() const;
   void send();
   void announceTemperatures();
@@ -87,9 +86,7 @@ class LogPlayer {
   void sendWhatIsDue(io::Progress& progress);
   bool waitForAnswers();
   double untilDue() const;
-  void lingerForSurplus();
-  void waitForLastGap();
-  void notify(const std::string& text) const;
+  void waitForLast();
 
   PlayOptions options_;
   ros::NodeHandle handle_;

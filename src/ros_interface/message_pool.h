@@ -15,13 +15,6 @@ class MessagePool {
  public:
   using Pointer = boost::shared_ptr<Message>;
 
-  /// `prototype` is what every message starts as: its strings and vectors at the size that they will need.
-  explicit MessagePool(const Message& prototype = Message(), std::size_t size = 16) : prototype_(prototype) {
-    for (std::size_t i = 0; i < size; ++i) {
-      messages_.push_back(boost::make_shared<Message>(prototype_));
-    }
-  }
-
   /// A message free to be written. Where subscribers hold all of them, a new one; up to kMaximum of these are kept.
   Pointer take() {
     for (std::size_t tried = 0; tried < kTries && tried < messages_.size(); ++tried) {
@@ -30,7 +23,7 @@ class MessagePool {
         return messages_[next_];
       }
     }
-    Pointer fresh = boost::make_shared<Message>(prototype_);
+    Pointer fresh = boost::make_shared<Message>();
     if (messages_.size() < kMaximum) {
       messages_.push_back(fresh);
     }
@@ -43,7 +36,6 @@ class MessagePool {
   static constexpr std::size_t kTries = 16;  // bounds the time of a call
   static constexpr std::size_t kMaximum = 1024;
 
-  Message prototype_;
   std::vector<Pointer> messages_;
   std::size_t next_ = 0;
 };

@@ -4,96 +4,85 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <ros/console.h>
+#include <rubber_suspension/Gap.h>
+#include <rubber_suspension/Running.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace rubber_suspension::ros_interface {
 namespace {
 
+using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_updater::DiagnosticStatusWrapper;
+using node::ChannelReport;
+
 constexpr std::size_t kLongestLine = 2000;
 constexpr std::size_t kMostCells = 20;
 
-void append(std::string& text, std::uint64_t before, std::uint64_t now, const std::string& what) {
-  if (now > before) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", now - before, what);
-  }
-}
+// What is counted of a component: its row on /diagnostics, and its words in a warning.
+struct Fault {
+  const char* row;
+  const char* words;
+  std::uint64_t ChannelReport::*count;
+};
 
-// Seconds after which a thread that comes round ten times a second is held up.
-constexpr double kStale = 2.0;
+constexpr Fault kFaults[] = {
+    {"dropped, not finite", "not finite (dropped)", &ChannelReport::not_finite},
+    {"dropped, force not finite", "force not finite (dropped)", &ChannelReport::force_not_finite},
+    {"dropped, repeated stamp", "with a repeated stamp (dropped)", &ChannelReport::repeated},
+    {"dropped, stepped back", "with a stamp that steps back (dropped)", &ChannelReport::stepped_back},
+    {"dropped, disabled", "while disabled (dropped)", &ChannelReport::disabled},
+    {"dropped, undecodable", "that cannot be decoded (dropped)", &ChannelReport::undecodable},
+    {"lost before arrival", "lost before they arrived", &ChannelReport::lost},
+    {"forces not delivered", "forces not delivered: a subscriber reads too slowly", &ChannelReport::undelivered},
+    {"restarts", "jumps back of more than a second (reset)", &ChannelReport::restarted},
+    {"time gaps bridged", "time gaps longer than max_gap (bridged)", &ChannelReport::bridged},
+    {"beyond valid displacement", "beyond valid_displacement (served)", &ChannelReport::beyond_valid},
+    {"temperatures, refused", "temperatures refused: not finite, or none at which the component's shift holds",
+     &ChannelReport::refused_temperatures},
+};
 
-double microseconds(double seconds) { return 1e6 * seconds; }
-
-}  // namespace
-
-std::string describeFaults(const node::ChannelReport& before, const node::ChannelReport& now) {
-  const component::StreamCounters& old = before.counters;
-  const component::StreamCounters& fresh = now.counters;
+// What is worth a warning between two reports of one component; empty if nothing is.
+std::string describeFaults(const ChannelReport& before, const ChannelReport& now) {
   std::string text;
-  append(text, old.not_finite, fresh.not_finite, "not finite (dropped)");
-  append(text, old.force_not_finite, fresh.force_not_finite, "force not finite (dropped)");
-  append(text, old.repeated, fresh.repeated, "with a repeated stamp (dropped)");
-  append(text, old.stepped_back, fresh.stepped_back, "with a stamp that steps back (dropped)");
-  if (now.valid) {
-    append(text, before.beyond_valid, now.beyond_valid,
-           fmt::format("beyond valid_displacement, {:g} to {:g} mm (served)", 1e3 * now.valid->lower,
-                       1e3 * now.valid->upper));
+  for (const Fault& fault : kFaults) {
+    const std::uint64_t news = now.*fault.count - before.*fault.count;
+    if (news > 0) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", news, fault.words);
+    }
   }
-  append(text, before.undecodable, now.undecodable, "that cannot be decoded (dropped)");
-  append(text, before.lost, now.lost, "lost before they arrived");
-  append(text, before.undelivered, now.undelivered, "forces not delivered: a subscriber reads too slowly");
-  append(text, before.disabled, now.disabled, "while disabled (dropped)");
-  append(text, old.restarted, fresh.restarted, "jumps back of more than a second (reset)");
-  append(text, before.refused_temperatures, now.refused_temperatures,
-         "temperatures refused: not finite, or none at which the component's shift holds");
-  append(text, old.bridged, fresh.bridged, "time gaps longer than max_gap (bridged)");
+  if (now.beyond_valid > before.beyond_valid && now.valid) {
+    text += fmt::format("; valid: {:g} to {:g} mm", 1e3 * now.valid->lower, 1e3 * now.valid->upper);
+  }
   return text;
 }
 
-void fillStatus(const node::ChannelReport& before, const node::ChannelReport& now, double elapsed,
-                diagnostic_updater::DiagnosticStatusWrapper& status) {
-  using diagnostic_msgs::DiagnosticStatus;
-  const component::StreamCounters& counters = now.counters;
-  const double rate = static_cast<double>(counters.accepted - before.counters.accepted) / elapsed;
+void fillStatus(const ChannelReport& before, const ChannelReport& now, double elapsed,
+                DiagnosticStatusWrapper& status) {
+  const double rate = static_cast<double>(now.accepted - before.accepted) / elapsed;
   const std::string faults = describeFaults(before, now);
-  if (!faults.empty()) {
-    status.summary(DiagnosticStatus::WARN, faults);
-  } else if (!now.enabled) {
-    status.summary(DiagnosticStatus::OK, "disabled");
-  } else {
-    status.summary(DiagnosticStatus::OK, rate > 0.0 ? "serving" : "waiting for samples");
-  }
+  status.summary(faults.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN, !faults.empty() ? faults
+                                                                                 : !now.enabled  ? "disabled"
+                                                                                 : rate > 0.0    ? "serving"
+                                                                                              : "waiting for samples");
   status.add("rate [Hz]", rate);
-  status.add("accepted", counters.accepted);
-  status.add("dropped", counters.dropped() + now.disabled);
-  status.add("dropped, not finite", counters.not_finite);
-  status.add("dropped, force not finite", counters.force_not_finite);
-  status.add("dropped, repeated stamp", counters.repeated);
-  status.add("dropped, stepped back", counters.stepped_back);
-  status.add("dropped, disabled", now.disabled);
-  status.add("dropped, undecodable", now.undecodable);
-  status.add("lost before arrival", now.lost);
-  status.add("forces not delivered", now.undelivered);
-  status.add("restarts", counters.restarted);
-  status.add("time gaps bridged", counters.bridged);
-  status.add("beyond valid displacement", now.beyond_valid);
-  status.add("latency median [us]", microseconds(now.latency.percentile(0.5)));
-  status.add("latency 99 % [us]", microseconds(now.latency.percentile(0.99)));
-  status.add("latency maximum [us]", microseconds(now.latency.maximum()));
+  status.add("accepted", now.accepted);
+  status.add("dropped", now.dropped() + now.disabled);
+  for (const Fault& fault : kFaults) {
+    status.add(fault.row, now.*fault.count);
+  }
+  status.add("latency median [us]", 1e6 * now.latency.percentile(0.5));
+  status.add("latency 99 % [us]", 1e6 * now.latency.percentile(0.99));
+  status.add("latency maximum [us]", 1e6 * now.latency.maximum());
   status.add("last stamp [s]", fmt::format("{:.9f}", now.last_time));
   status.add("last displacement [m]", now.displacement);
   if (now.shifts_with_temperature) {
     status.add("temperature [degC]", now.temperature ? fmt::format("{:g}", *now.temperature) : "none has come");
   }
-  if (now.refused_temperatures > 0) {
-    status.add("temperatures, refused", now.refused_temperatures);
-  }
 }
 
 void addGap(const node::LiveGap& gap, const node::MatchCounters& counters, const node::GapSettings& settings,
-            diagnostic_updater::DiagnosticStatusWrapper& status) {
-  using diagnostic_msgs::DiagnosticStatus;
+            DiagnosticStatusWrapper& status) {
   if (counters.matched + counters.unmatched + counters.not_finite == 0) {
     return;  // nobody measures
   }
@@ -169,15 +158,10 @@ Running runningMessage(const std::string& component, const node::RunningModel& r
   return message;
 }
 
-void addRunning(const node::RunningModel& running, diagnostic_updater::DiagnosticStatusWrapper& status) {
-  status.add("running", node::toString(running.stage));
-  if (!running.added.empty()) {
-    status.add("running, elements added", fmt::format("{}", fmt::join(running.added, ", ")));
-  }
-}
+}  // namespace
 
-void fillThreadStatus(const std::string& name, double silence, diagnostic_updater::DiagnosticStatusWrapper& status) {
-  using diagnostic_msgs::DiagnosticStatus;
+void fillThreadStatus(const std::string& name, double silence, DiagnosticStatusWrapper& status) {
+  constexpr double kStale = 2.0;  // [s], where a thread that is not held up comes round ten times a second
   if (silence > kStale) {
     status.summaryf(DiagnosticStatus::STALE, "thread `%s` serves nothing since %.1f s", name.c_str(), silence);
   } else {
@@ -197,60 +181,48 @@ NodeDiagnostics::NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& priva
 }
 
 void NodeDiagnostics::watch(node::ComponentChannel& channel, const SampleServer& server) {
-  const io::RigTolerances tolerances = channel.configured()->rig.value_or(io::RigTolerances{});
-  watched_.push_back({&channel,
-                      &server,
-                      channel.report(),
-                      {},
-                      {},
-                      node::GapTracker(gap_settings_, tolerances),
-                      {},
-                      {},
-                      handle_.advertise<Gap>(channel.name() + "/gap", 10),
-                      node::GapTracker(gap_settings_, tolerances),
+  const node::GapTracker tracker(gap_settings_, channel.configured()->rig.value_or(io::RigTolerances{}));
+  watched_.push_back({&channel, &server, tracker, tracker, handle_.advertise<Gap>(channel.name() + "/gap", 10),
                       handle_.advertise<Gap>(channel.name() + "/shadow_gap", 10),
-                      channel.running(),
-                      handle_.advertise<Running>(channel.name() + "/running", 10, true)});
+                      handle_.advertise<Running>(channel.name() + "/running", 10, true), channel.running()});
   const Watched& watched = watched_.back();
   watched.running_publisher.publish(runningMessage(channel.name(), watched.running));
-  updater_.add(channel.name(), [this, &watched](diagnostic_updater::DiagnosticStatusWrapper& status) {
+  updater_.add(channel.name(), [this, &watched](DiagnosticStatusWrapper& status) {
     fillStatus(watched.before, watched.now, elapsed_, status);
     addGap(watched.gap, watched.matches, gap_settings_, status);
-    addRunning(watched.running, status);
+    status.add("running", node::toString(watched.running.stage));
+    if (!watched.running.added.empty()) {
+      status.add("running, elements added", fmt::format("{}", fmt::join(watched.running.added, ", ")));
+    }
   });
 }
 
 void NodeDiagnostics::watch(const BundleServer& bundle) {
-  updater_.add("bundled topics",
-               [&bundle, before = std::uint64_t{0}](diagnostic_updater::DiagnosticStatusWrapper& status) mutable {
-                 using diagnostic_msgs::DiagnosticStatus;
-                 const std::uint64_t wrong =
-                     bundle.malformed() + bundle.undecodable() + bundle.lost() + bundle.undelivered();
-                 if (wrong > before) {
-                   status.summaryf(DiagnosticStatus::WARN, "%lu bundles dropped, lost or not delivered",
-                                   static_cast<unsigned long>(wrong - before));
-                 } else {
-                   status.summary(DiagnosticStatus::OK, "serving");
-                 }
-                 before = wrong;
-                 status.add("answered", bundle.answered());
-                 status.add("dropped, malformed", bundle.malformed());
-                 status.add("dropped, undecodable", bundle.undecodable());
-                 status.add("lost before arrival", bundle.lost());
-                 status.add("forces not delivered", bundle.undelivered());
-               });
+  updater_.add("bundled topics", [&bundle, before = std::uint64_t{0}](DiagnosticStatusWrapper& status) mutable {
+    const std::uint64_t wrong = bundle.malformed() + bundle.undecodable() + bundle.lost() + bundle.undelivered();
+    if (wrong > before) {
+      status.summary(DiagnosticStatus::WARN, fmt::format("{} bundles dropped, lost or not delivered", wrong - before));
+    } else {
+      status.summary(DiagnosticStatus::OK, "serving");
+    }
+    before = wrong;
+    status.add("answered", bundle.answered());
+    status.add("dropped, malformed", bundle.malformed());
+    status.add("dropped, undecodable", bundle.undecodable());
+    status.add("lost before arrival", bundle.lost());
+    status.add("forces not delivered", bundle.undelivered());
+  });
 }
 
 void NodeDiagnostics::watch(const ServingThread& thread) {
-  updater_.add("thread " + thread.name(), [&thread](diagnostic_updater::DiagnosticStatusWrapper& status) {
+  updater_.add("thread " + thread.name(), [&thread](DiagnosticStatusWrapper& status) {
     fillThreadStatus(thread.name(), thread.silence(), status);
   });
 }
 
 void NodeDiagnostics::watch(const LiveDiagnoser& live, const std::string& component) {
-  updater_.add("diagnosis of " + component, [&live, component](diagnostic_updater::DiagnosticStatusWrapper& status) {
-    live.fillStatus(component, status);
-  });
+  updater_.add("diagnosis of " + component,
+               [&live, component](DiagnosticStatusWrapper& status) { live.fillStatus(component, status); });
 }
 
 // In turn, as many as a fraction of the period allows: with many components each gap is measured less often.
@@ -262,18 +234,15 @@ void NodeDiagnostics::updateGaps() {
     const node::MatchCounters matches = watched.channel->gap().counters();
     const bool news = matches.matched != watched.matches.matched || matches.unmatched != watched.matches.unmatched;
     watched.matches = matches;
-    if (news) {
-      updateGap(watched);
+    if (!news) {
+      continue;
     }
-  }
-}
-
-void NodeDiagnostics::updateGap(Watched& watched) const {
-  watched.gap = watched.tracker.update(watched.channel->gap());
-  watched.publisher.publish(gapMessage(watched.gap, gap_settings_));
-  if (!watched.running.other_sha256.empty()) {
-    const node::LiveGap beside = watched.shadow_tracker.update(watched.channel->gap(), &node::MatchedSample::beside);
-    watched.shadow_publisher.publish(gapMessage(beside, gap_settings_));
+    watched.gap = watched.tracker.update(watched.channel->gap());
+    watched.publisher.publish(gapMessage(watched.gap, gap_settings_));
+    if (!watched.running.other_sha256.empty()) {
+      const node::LiveGap beside = watched.shadow_tracker.update(watched.channel->gap(), &node::MatchedSample::beside);
+      watched.shadow_publisher.publish(gapMessage(beside, gap_settings_));
+    }
   }
 }
 
@@ -287,19 +256,14 @@ void NodeDiagnostics::updateRunning(Watched& watched) {
   }
 }
 
-node::ChannelReport NodeDiagnostics::reportOf(const Watched& watched) {
-  node::ChannelReport report = watched.channel->report();
-  report.undecodable = watched.server->undecodable();
-  report.undelivered = watched.server->undelivered();
-  return report;
-}
-
 void NodeDiagnostics::update() {
   const auto now = std::chrono::steady_clock::now();
   elapsed_ = std::chrono::duration<double>(now - last_update_).count();
   last_update_ = now;
   for (Watched& watched : watched_) {
-    watched.now = reportOf(watched);
+    watched.now = watched.channel->report();
+    watched.now.undecodable = watched.server->undecodable();
+    watched.now.undelivered = watched.server->undelivered();
     updateRunning(watched);
   }
   updateGaps();

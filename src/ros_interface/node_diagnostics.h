@@ -3,8 +3,6 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
-#include <rubber_suspension/Gap.h>
-#include <rubber_suspension/Running.h>
 
 #include <chrono>
 #include <deque>
@@ -19,24 +17,6 @@
 #include "ros_interface/serving_thread.h"
 
 namespace rubber_suspension::ros_interface {
-
-/// What is worth a log line between two reports of one channel; empty if nothing is.
-std::string describeFaults(const node::ChannelReport& before, const node::ChannelReport& now);
-
-/// Write a report as the diagnostic status of a component; `elapsed` is the time since the report before [s].
-void fillStatus(const node::ChannelReport& before, const node::ChannelReport& now, double elapsed,
-                diagnostic_updater::DiagnosticStatusWrapper& status);
-
-/// Add the live gap to the status of its component.
-void addGap(const node::LiveGap& gap, const node::MatchCounters& counters, const node::GapSettings& settings,
-            diagnostic_updater::DiagnosticStatusWrapper& status);
-
-/// The live gap as a message.
-Gap gapMessage(const node::LiveGap& gap, const node::GapSettings& settings);
-
-/// What gives the force as a message, and in the status of the component.
-Running runningMessage(const std::string& component, const node::RunningModel& running);
-void addRunning(const node::RunningModel& running, diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// Write the status of a serving thread that came round so long ago [s]: stale where something holds it up.
 void fillThreadStatus(const std::string& name, double silence, diagnostic_updater::DiagnosticStatusWrapper& status);
@@ -58,23 +38,21 @@ class NodeDiagnostics {
   struct Watched {
     node::ComponentChannel* channel;
     const SampleServer* server;
-    node::ChannelReport before;
-    node::ChannelReport now;
-    node::ChannelReport logged;  // as of the last line of log
     node::GapTracker tracker;
-    node::MatchCounters matches;
-    node::LiveGap gap;
-    ros::Publisher publisher;
     node::GapTracker shadow_tracker;
+    ros::Publisher publisher;
     ros::Publisher shadow_publisher;
-    node::RunningModel running;
     ros::Publisher running_publisher;  // latched
+    node::RunningModel running;
+    node::ChannelReport before{};
+    node::ChannelReport now{};
+    node::ChannelReport logged{};  // as of the last line of log
+    node::MatchCounters matches{};
+    node::LiveGap gap{};
   };
 
-  static node::ChannelReport reportOf(const Watched& watched);
   void update();
   void updateGaps();
-  void updateGap(Watched& watched) const;
   static void updateRunning(Watched& watched);
   void logFaults(double now);
 

@@ -18,6 +18,7 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include "ros_interface/child_process.h"
 #include "ros_interface/node_settings.h"
 
 namespace rubber_suspension::ros_interface {
@@ -35,24 +36,16 @@ InterfaceEntry service(const std::string& name, const std::string& documentation
   return {name, ros::service_traits::DataType<Service>::value(), Kind::service, documentation};
 }
 
-std::string direction(Kind kind) { return kind == Kind::subscribed ? "in" : "out"; }
-
-std::string topicTable() {
-  std::string text = "| topic | direction | type | |\n|---|---|---|---|\n";
+std::string table(bool services) {
+  std::string text =
+      services ? "| service | type | |\n|---|---|---|\n" : "| topic | direction | type | |\n|---|---|---|---|\n";
   for (const InterfaceEntry& entry : nodeInterface()) {
-    if (entry.kind != Kind::service) {
-      text += fmt::format("| `{}` | {} | `{}` | {} |\n", entry.name, direction(entry.kind), entry.type,
-                          entry.documentation);
-    }
-  }
-  return text;
-}
-
-std::string serviceTable() {
-  std::string text = "| service | type | |\n|---|---|---|\n";
-  for (const InterfaceEntry& entry : nodeInterface()) {
-    if (entry.kind == Kind::service) {
-      text += fmt::format("| `{}` | `{}` | {} |\n", entry.name, entry.type, entry.documentation);
+    if ((entry.kind == Kind::service) == services) {
+      text += fmt::format("| `{}` | {}`{}` | {} |\n", entry.name,
+                          services                         ? ""
+                          : entry.kind == Kind::subscribed ? "in | "
+                                                           : "out | ",
+                          entry.type, entry.documentation);
     }
   }
   return text;
@@ -111,6 +104,19 @@ const std::vector<InterfaceEntry>& nodeInterface() {
   return table;
 }
 
+std::string commandReference(const std::vector<std::string>& commands) {
+  std::string text =
+      "# Reference of the commands\n\n"
+      "Written by the command `reference` from what they print: `rosrun rubber_suspension COMMAND --help-all`. All "
+      "exit with\n0, with 1 where the data could not be used, with 2 on wrong options; errors are one line on "
+      "stderr.\n";
+  for (const std::string& command : commands) {
+    const std::string help = outputOf(command, "--help-all");
+    text += fmt::format("\n## {}\n\n```\n{}\n```\n", command, help.substr(0, help.find_last_not_of('\n') + 1));
+  }
+  return text;
+}
+
 std::string topicReference() {
   std::string text =
       "# Reference of the node `simulate`\n\n"
@@ -118,8 +124,8 @@ std::string topicReference() {
       "for\n"
       "the name of each component, `~` for the name of the node.\n\n"
       "## Topics\n\n" +
-      topicTable() + "\n## Services\n\n" + serviceTable() + "\n## Private parameters\n\n```\n" +
-      describeNodeSettings() + "```\n\n## Messages\n";
+      table(false) + "\n## Services\n\n" + table(true) + "\n## Private parameters\n\n```\n" + describeNodeSettings() +
+      "```\n\n## Messages\n";
   text += definition<Displacement>() + definition<Force>() + definition<MeasuredForce>() + definition<Gap>() +
           definition<GapShare>() + definition<Running>() + definition<Diagnosis>() + definition<DisplacementArray>() +
           definition<ForceArray>();

@@ -10,7 +10,6 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -25,82 +24,53 @@
 namespace rubber_suspension::ros_interface {
 namespace {
 
-// The entry of that name, as all the lists here are small and unsorted.
-template <class Entries, class Name>
-auto findNamed(const Entries& entries, Name name_of, const std::string& name) {
-  return std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return name_of(entry) == name; });
+// The channel of that name; throws std::invalid_argument that lists the names.
+node::ComponentChannel& channelNamed(const std::string& name, const node::ChannelGroup& group) {
+  std::vector<std::string> names;
+  for (node::ComponentChannel* channel : group.channels()) {
+    if (channel->name() == name) {
+      return *channel;
+    }
+    names.push_back(channel->name());
+  }
+  throw std::invalid_argument(fmt::format("no component '{}' in this node{}; accepted: {}", name,
+                                          element::didYouMean(name, names), fmt::join(names, ", ")));
 }
 
-std::string nameOf(const node::ComponentChannel* channel) { return channel->name(); }
-
 // For every channel the entry of its name; throws unless the names are the same on both sides.
-template <class Entries, class Name>
-std::vector<const typename Entries::value_type*> matchByName(const Entries& entries, Name name_of,
-                                                             const std::vector<node::ComponentChannel*>& channels) {
-  std::vector<const typename Entries::value_type*> matched;
-  for (const node::ComponentChannel* channel : channels) {
-    const auto found = findNamed(entries, name_of, channel->name());
+template <class Entry>
+std::vector<const Entry*> matchByName(const std::vector<Entry>& entries, std::string Entry::*name,
+                                      const node::ChannelGroup& group) {
+  for (const Entry& entry : entries) {
+    channelNamed(entry.*name, group);
+  }
+  std::vector<const Entry*> matched;
+  for (const node::ComponentChannel* channel : group.channels()) {
+    const auto found = std::find_if(entries.begin(), entries.end(),
+                                    [&](const Entry& entry) { return entry.*name == channel->name(); });
     if (found == entries.end()) {
       throw std::invalid_argument(fmt::format("component {} is missing", channel->name()));
     }
     matched.push_back(&*found);
   }
-  for (const auto& entry : entries) {
-    const std::string& name = name_of(entry);
-    if (findNamed(channels, nameOf, name) == channels.end()) {
-      throw std::invalid_argument(
-          fmt::format("component {} is not one of this node, which would need a restart", name));
-    }
-  }
   return matched;
 }
 
-void requireStateFile(const NodeSettings& settings) {
-  if (settings.state_file.empty()) {
-    throw std::invalid_argument("the parameter ~state_file is not set");
-  }
+const std::string& stateFileOf(const NodeSettings& settings) {
+  return settings.state_file.empty() ? throw std::invalid_argument("the parameter ~state_file is not set")
+                                     : settings.state_file;
 }
 
 }  // namespace
 
 void loadStates(const std::string& path, node::ChannelGroup& group) {
   const std::vector<node::SavedState> states = node::readStateFile(path);
-  const auto name_of = [](const node::SavedState& state) -> const std::string& { return state.component; };
-  group.load(matchByName(states, name_of, group.channels()));
-}
-
-void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, double max_gap,
-                    node::ChannelGroup& group) {
-  const auto name_of = [](const io::ComponentDescription& description) -> const std::string& {
-    return description.name;
-  };
-  std::vector<std::shared_ptr<node::ComponentChannel::Model>> models;
-  for (const io::ComponentDescription* description : matchByName(descriptions, name_of, group.channels())) {
-    models.push_back(node::ComponentChannel::makeModel(*description, max_gap));
-  }
-  group.exchange(models);
+  group.load(matchByName(states, &node::SavedState::component, group));
 }
 
 NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
-                           node::ChannelGroup& group, FoundModel found_model)
-    : handle_(handle),
-      private_handle_(private_handle),
-      settings_(settings),
-      group_(group),
-      found_model_(std::move(found_model)) {
-  advertiseForAll();
-  advertise<ResetComponent>(private_handle_, "reset_component", [this](const ResetComponent::Request& request) {
-    at(request.component).reset();
-    return request.component + " is reset: at rest, as new";
-  });
-  advertise<EnableComponent>(private_handle_, "enable_component", [this](const EnableComponent::Request& request) {
-    at(request.component).setEnabled(request.data != 0U);
-    return request.component + (request.data != 0U ? " is enabled" : " is disabled");
-  });
-  advertisePromotions();
-}
-
-void NodeServices::advertiseForAll() {
+                           node::ChannelGroup& group, const LiveDiagnoser* live)
+    : handle_(handle), private_handle_(private_handle), settings_(settings), group_(group), live_(live) {
   using std_srvs::SetBool;
   using std_srvs::Trigger;
   advertise<Trigger>(private_handle_, "reset", [this](const Trigger::Request&) {
@@ -114,28 +84,33 @@ void NodeServices::advertiseForAll() {
     group_.setEnabled(request.data != 0U);
     return std::string(request.data != 0U ? "enabled" : "disabled");
   });
+  advertise<ResetComponent>(private_handle_, "reset_component", [this](const ResetComponent::Request& request) {
+    channelNamed(request.component, group_).reset();
+    return request.component + " is reset: at rest, as new";
+  });
+  advertise<EnableComponent>(private_handle_, "enable_component", [this](const EnableComponent::Request& request) {
+    channelNamed(request.component, group_).setEnabled(request.data != 0U);
+    return request.component + (request.data != 0U ? " is enabled" : " is disabled");
+  });
+  advertisePromotions();
 }
 
 // Of each component that a model can be promoted for, or that has a promoted one from a state that was loaded.
 void NodeServices::advertisePromotions() {
-  for (node::ComponentChannel* channel : group_.channels()) {
-    if (settings_.diagnose || !settings_.promote_file.empty() || !channel->running().other_sha256.empty()) {
-      advertisePromotion(*channel);
-    }
-  }
-}
-
-void NodeServices::advertisePromotion(node::ComponentChannel& channel) {
   using std_srvs::Trigger;
-  if (!promotable_.insert(channel.name()).second) {
-    return;
+  for (node::ComponentChannel* channel : group_.channels()) {
+    const bool promotable =
+        settings_.diagnose || !settings_.promote_file.empty() || !channel->running().other_sha256.empty();
+    if (!promotable || !promotable_.insert(channel->name()).second) {
+      continue;
+    }
+    advertise<Trigger>(handle_, channel->name() + "/promote",
+                       [this, channel](const Trigger::Request&) { return promote(*channel); });
+    advertise<Trigger>(handle_, channel->name() + "/rollback", [this, channel](const Trigger::Request&) {
+      channel->rollBack();
+      return fmt::format("back to the configured model within {:g} s of stamps", settings_.promotion.fade);
+    });
   }
-  advertise<Trigger>(handle_, channel.name() + "/promote",
-                     [this, &channel](const Trigger::Request&) { return promote(channel); });
-  advertise<Trigger>(handle_, channel.name() + "/rollback", [this, &channel](const Trigger::Request&) {
-    channel.rollBack();
-    return fmt::format("back to the configured model within {:g} s of stamps", settings_.promotion.fade);
-  });
 }
 
 template <class Service, class Action>
@@ -168,28 +143,14 @@ std::vector<std::string> NodeServices::names() const {
   return result;
 }
 
-node::ComponentChannel& NodeServices::at(const std::string& component) const {
-  const auto& channels = group_.channels();
-  const auto found = findNamed(channels, nameOf, component);
-  if (found == channels.end()) {
-    std::vector<std::string> names;
-    std::transform(channels.begin(), channels.end(), std::back_inserter(names), nameOf);
-    throw std::invalid_argument(fmt::format("no component '{}'{}; accepted: {}", component,
-                                            element::didYouMean(component, names), fmt::join(names, ", ")));
-  }
-  return **found;
-}
-
 std::string NodeServices::save() const {
-  requireStateFile(settings_);
   const std::vector<node::SavedState> states = group_.save();
-  node::writeStateFile(settings_.state_file, states);
+  node::writeStateFile(stateFileOf(settings_), states);
   return fmt::format("{} components saved to {}", states.size(), settings_.state_file);
 }
 
 std::string NodeServices::load() {
-  requireStateFile(settings_);
-  loadStates(settings_.state_file, group_);
+  loadStates(stateFileOf(settings_), group_);
   advertisePromotions();
   return fmt::format("{} components loaded from {}", group_.channels().size(), settings_.state_file);
 }
@@ -200,16 +161,25 @@ std::string NodeServices::reload() const {
     throw std::runtime_error(fmt::format("the master, which holds the parameters, did not answer in {} s", kLimit));
   }
   const io::Cancellable cancellable(isEnding);
-  exchangeModels(readComponents(private_handle_), settings_.max_gap, group_);
-  return fmt::format("{} components reloaded", group_.channels().size());
+  const std::vector<io::ComponentDescription> described = readComponents(private_handle_);
+  std::vector<std::shared_ptr<node::ComponentChannel::Model>> models;
+  for (const io::ComponentDescription* description : matchByName(described, &io::ComponentDescription::name, group_)) {
+    models.push_back(node::ComponentChannel::makeModel(*description, settings_.max_gap));
+  }
+  group_.exchange(models);
+  return fmt::format("{} components reloaded", models.size());
 }
 
 std::string NodeServices::promote(node::ComponentChannel& channel) const {
   std::string source = settings_.promote_file;
   io::ComponentDescription model;
+  if (source.empty() && live_ == nullptr) {
+    throw std::invalid_argument(fmt::format(
+        "{}: nothing to promote: neither the parameter ~promote_file nor ~diagnose is set", channel.name()));
+  }
   if (source.empty()) {
     source = "what the live diagnosis found";
-    model = found_model_(channel.name());
+    model = live_->found(channel.name());
   } else {
     node::requireRegularFile(source);
     model = io::selectComponent(io::loadComponentFile(source), channel.name(), source);

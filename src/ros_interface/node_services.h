@@ -3,13 +3,13 @@
 
 #include <ros/node_handle.h>
 
-#include <functional>
 #include <mutex>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "node/channel_group.h"
+#include "ros_interface/live_diagnoser.h"
 #include "ros_interface/node_settings.h"
 
 namespace rubber_suspension::ros_interface {
@@ -18,24 +18,15 @@ namespace rubber_suspension::ros_interface {
 /// std::invalid_argument where the file is not one of exactly these components, and nothing has changed.
 void loadStates(const std::string& path, node::ChannelGroup& group);
 
-/// Replace the models of all channels by those of the descriptions. All or none: throws std::invalid_argument where the
-/// components are not those of the channels or one has no solution. A component whose elements are the same continues;
-/// another one starts as new.
-void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, double max_gap,
-                    node::ChannelGroup& group);
-
-/// What the live diagnosis found for a component; throws std::invalid_argument that says why there is nothing.
-using FoundModel = std::function<io::ComponentDescription(const std::string& component)>;
-
 /// Services ~reset, ~save_state, ~load_state, ~reload (std_srvs/Trigger) and ~set_enabled (std_srvs/SetBool) for all
 /// components, ~reset_component and ~enable_component for one by its name. `COMPONENT/promote` and `COMPONENT/rollback`
 /// are there where something can be promoted, or was. They read and write nothing but the files that the node's private
 /// parameters name: whoever calls a service names no path.
 class NodeServices {
  public:
-  /// The group must outlive the object.
+  /// The group must outlive the object, and so must the live diagnosis, if there is one.
   NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
-               node::ChannelGroup& group, FoundModel found_model);
+               node::ChannelGroup& group, const LiveDiagnoser* live);
 
   /// Resolved names of all services. From any thread.
   std::vector<std::string> names() const;
@@ -44,11 +35,8 @@ class NodeServices {
   /// `action` returns the message of success, its exceptions become that of failure.
   template <class Service, class Action>
   void advertise(ros::NodeHandle& handle, const std::string& name, Action action);
-  void advertiseForAll();
   void advertisePromotions();
-  void advertisePromotion(node::ComponentChannel& channel);
 
-  node::ComponentChannel& at(const std::string& component) const;
   std::string save() const;
   std::string load();
   std::string reload() const;
@@ -58,7 +46,7 @@ class NodeServices {
   ros::NodeHandle private_handle_;
   NodeSettings settings_;
   node::ChannelGroup& group_;
-  FoundModel found_model_;
+  const LiveDiagnoser* live_;
   mutable std::mutex mutex_;  // of the servers
   std::vector<ros::ServiceServer> servers_;
   std::set<std::string> promotable_;  // components whose promotion has its services

@@ -6,9 +6,9 @@
 #include <ros/console.h>
 
 #include <algorithm>
-#include <functional>
 #include <set>
 #include <stdexcept>
+#include <variant>
 
 #include "element/suggestion.h"
 #include "io/cancellation.h"
@@ -23,142 +23,106 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-// Reads a value; false where it is not accepted.
-using ReadSetting = std::function<bool(const XmlRpcValue&, NodeSettings&)>;
-
-struct SettingInfo {
+// A private parameter and the value that it fills.
+struct Setting {
   std::string name;
-  std::string accepted;
+  std::variant<bool*, int*, double*, std::string*> value;
+  double lower;  // of a number; a real one must be greater
+  double upper;
   std::string documentation;
-  ReadSetting read;
 };
 
-// A value of exactly that type.
-template <class Value, class Member>
-ReadSetting ofType(XmlRpcValue::Type type, Member member) {
-  return [=](const XmlRpcValue& value, NodeSettings& settings) {
-    if (value.getType() != type) {
-      return false;
-    }
-    std::invoke(member, settings) = static_cast<Value>(value);
-    return true;
-  };
-}
-
-template <class Member>
-ReadSetting integerIn(Member member, int lower, int upper) {
-  return [=, read = ofType<int>(XmlRpcValue::TypeInt, member)](const XmlRpcValue& value, NodeSettings& settings) {
-    return read(value, settings) && std::invoke(member, settings) >= lower && std::invoke(member, settings) <= upper;
-  };
-}
-
-// A whole number is one, too.
-template <class Member>
-ReadSetting positive(Member member, double upper) {
-  return [=](const XmlRpcValue& value, NodeSettings& settings) {
-    double& number = std::invoke(member, settings);
-    const auto type = value.getType() == XmlRpcValue::TypeInt ? XmlRpcValue::TypeInt : XmlRpcValue::TypeDouble;
-    const bool read = type == XmlRpcValue::TypeInt ? ofType<int>(type, member)(value, settings)
-                                                   : ofType<double>(type, member)(value, settings);
-    return read && number > 0.0 && number <= upper;
-  };
-}
-
-ReadSetting flag(bool NodeSettings::*member) { return ofType<bool>(XmlRpcValue::TypeBoolean, member); }
-
-ReadSetting path(std::string NodeSettings::*member) {
-  return ofType<const std::string&>(XmlRpcValue::TypeString, member);
-}
-
-const std::vector<SettingInfo>& settingsTable() {
-  static const std::vector<SettingInfo> table = {
-      {"max_gap", "a number of seconds greater than 0, at most 1e6",
-       "longest time between two samples; a longer time gap is reported and bridged exactly (default 0.5)",
-       positive([](NodeSettings& settings) -> double& { return settings.max_gap; }, 1e6)},
-      {"queue_size", "a whole number from 1 to 1000000",
+std::vector<Setting> settingsTable(NodeSettings& settings) {
+  return {
+      {"max_gap", &settings.max_gap, 0, 1e6,
+       "longest time between two samples [s]; a longer time gap is reported and bridged exactly (default 0.5)"},
+      {"queue_size", &settings.queue_size, 1, 1e6,
        "samples that may wait per topic before the oldest is lost; four times as many forces, at least 40000, may wait "
-       "for each subscriber (default 10000)",
-       integerIn(&NodeSettings::queue_size, 1, 1000000)},
-      {"threads", "a whole number from 1 to 64", "serving threads; components are assigned to them in turn (default 1)",
-       integerIn(&NodeSettings::threads, 1, 64)},
-      {"realtime_priority", "a whole number from 0 to 98",
-       "SCHED_FIFO priority of the serving threads where permitted, 0 for none (default 0)",
-       integerIn(&NodeSettings::realtime_priority, 0, 98)},
-      {"lock_memory", "true or false", "keep the process in memory where permitted (default false)",
-       flag(&NodeSettings::lock_memory)},
-      {"state_file", "text, the path of a file", "where ~save_state and ~load_state keep the state (default none)",
-       path(&NodeSettings::state_file)},
-      {"load_state", "true or false", "continue from state_file at the start, if it exists (default false)",
-       flag(&NodeSettings::load_state)},
-      {"gap_window", "a number of seconds greater than 0, at most 1e5",
-       "length of the sliding window of the live gap (default 10)",
-       positive([](NodeSettings& settings) -> double& { return settings.gap.window; }, 1e5)},
-      {"gap_warn", "a number greater than 0, at most 1e6",
-       "live gap beyond noise, over the measured force's standard deviation, at which to warn (default 0.1)",
-       positive([](NodeSettings& settings) -> double& { return settings.gap.warn; }, 1e6)},
-      {"gap_error", "a number greater than 0, at most 1e6",
-       "live gap beyond noise at which to report an error (default 0.3)",
-       positive([](NodeSettings& settings) -> double& { return settings.gap.error; }, 1e6)},
-      {"diagnose", "true or false",
-       "diagnose the gap to the measured force while the bench runs, on COMPONENT/diagnosis (default false)",
-       flag(&NodeSettings::diagnose)},
-      {"diagnose_memory", "a whole number from 32768 to 10000000",
+       "for each subscriber (default 10000)"},
+      {"threads", &settings.threads, 1, 64, "serving threads; components are assigned to them in turn (default 1)"},
+      {"realtime_priority", &settings.realtime_priority, 0, 98,
+       "SCHED_FIFO priority of the serving threads where permitted, 0 for none (default 0)"},
+      {"lock_memory", &settings.lock_memory, 0, 0, "keep the process in memory where permitted (default false)"},
+      {"state_file", &settings.state_file, 0, 0, "where ~save_state and ~load_state keep the state (default none)"},
+      {"load_state", &settings.load_state, 0, 0, "continue from state_file at the start, if it exists (default false)"},
+      {"gap_window", &settings.gap.window, 0, 1e5, "length of the sliding window of the live gap [s] (default 10)"},
+      {"gap_warn", &settings.gap.warn, 0, 1e6,
+       "live gap beyond noise, over the measured force's standard deviation, at which to warn (default 0.1)"},
+      {"gap_error", &settings.gap.error, 0, 1e6, "live gap beyond noise at which to report an error (default 0.3)"},
+      {"diagnose", &settings.diagnose, 0, 0,
+       "diagnose the gap to the measured force while the bench runs, on COMPONENT/diagnosis (default false)"},
+      {"diagnose_memory", &settings.live.memory, 32768, 1e7,
        "samples with a measured force that the live diagnosis keeps of each component (default 300000); about 70 bytes "
-       "each",
-       integerIn([](NodeSettings& settings) -> int& { return settings.live.memory; }, 32768, 10000000)},
-      {"diagnose_nice", "a whole number from 0 to 19",
-       "niceness of the thread that diagnoses; 19 takes what others leave (default 19)",
-       integerIn([](NodeSettings& settings) -> int& { return settings.live.nice; }, 0, 19)},
-      {"promote_file", "text, the path of a file",
+       "each"},
+      {"diagnose_nice", &settings.live.nice, 0, 19,
+       "niceness of the thread that diagnoses; 19 takes what others leave (default 19)"},
+      {"promote_file", &settings.promote_file, 0, 0,
        "component file with the models that COMPONENT/promote puts in place (default none: what the live diagnosis "
-       "found)",
-       path(&NodeSettings::promote_file)},
-      {"promote_shadow", "a number of seconds greater than 0, at most 1e5",
-       "time that a model is computed beside the configured one before it takes its place (default 5)",
-       positive([](NodeSettings& settings) -> double& { return settings.promotion.shadow; }, 1e5)},
-      {"promote_fade", "a number of seconds greater than 0, at most 1e5",
-       "time of the cross-fade from one model to the other (default 1)",
-       positive([](NodeSettings& settings) -> double& { return settings.promotion.fade; }, 1e5)},
+       "found)"},
+      {"promote_shadow", &settings.promotion.shadow, 0, 1e5,
+       "time that a model is computed beside the configured one before it takes its place [s] (default 5)"},
+      {"promote_fade", &settings.promotion.fade, 0, 1e5,
+       "time of the cross-fade from one model to the other [s] (default 1)"},
   };
-  return table;
 }
 
-// What others read from the node's private namespace.
-bool isForeign(const std::string& name) {
-  return name == "config_file" || name == "components" || name == "diagnostic_period" || name == "num_worker_threads";
-}
-
-std::vector<std::string> acceptedNames() {
-  std::vector<std::string> names = {"config_file", "components"};
-  for (const SettingInfo& setting : settingsTable()) {
-    names.push_back(setting.name);
+std::string accepted(const Setting& setting) {
+  if (std::holds_alternative<int*>(setting.value)) {
+    return fmt::format("a whole number from {:.0f} to {:.0f}", setting.lower, setting.upper);
   }
-  return names;
+  if (std::holds_alternative<double*>(setting.value)) {
+    return fmt::format("a number greater than {:.0f}, at most {:.0f}", setting.lower, setting.upper);
+  }
+  return std::holds_alternative<bool*>(setting.value) ? "true or false" : "text, the path of a file";
 }
 
-// The first level of every parameter below the node's private namespace.
-std::vector<std::string> givenNames(const ros::NodeHandle& private_handle) {
-  std::vector<std::string> all;
-  private_handle.getParamNames(all);
+// Takes a value of exactly that type.
+template <class Value>
+bool take(const XmlRpcValue& given, XmlRpcValue::Type type, Value& value) {
+  const bool fits = given.getType() == type;
+  if (fits) {
+    value = static_cast<const Value&>(given);
+  }
+  return fits;
+}
+
+// False where the value is not accepted.
+bool read(const XmlRpcValue& given, const Setting& setting) {
+  if (bool* const* flag = std::get_if<bool*>(&setting.value)) {
+    return take(given, XmlRpcValue::TypeBoolean, **flag);
+  }
+  if (std::string* const* text = std::get_if<std::string*>(&setting.value)) {
+    return take(given, XmlRpcValue::TypeString, **text);
+  }
+  int whole = 0;
+  const bool is_whole = take(given, XmlRpcValue::TypeInt, whole);
+  if (int* const* number = std::get_if<int*>(&setting.value)) {
+    **number = whole;
+    return is_whole && whole >= setting.lower && whole <= setting.upper;
+  }
+  double& number = *std::get<double*>(setting.value);
+  number = whole;
+  return (is_whole || take(given, XmlRpcValue::TypeDouble, number)) && number > setting.lower &&
+         number <= setting.upper;
+}
+
+// The first level of every parameter below the node's private namespace is one of the table's, or what others read.
+void refuseUnknown(const ros::NodeHandle& private_handle, const std::vector<Setting>& table) {
+  std::vector<std::string> known = {"config_file", "components"};
+  for (const Setting& setting : table) {
+    known.push_back(setting.name);
+  }
+  std::vector<std::string> parameters;
+  private_handle.getParamNames(parameters);
   const std::string space = private_handle.getNamespace() + "/";
-  std::vector<std::string> names;
-  for (const std::string& name : all) {
-    if (name.compare(0, space.size(), space) == 0) {
-      names.push_back(name.substr(space.size(), name.find('/', space.size()) - space.size()));
-    }
-  }
-  return names;
-}
-
-void refuseUnknown(const ros::NodeHandle& private_handle) {
-  for (const std::string& name : givenNames(private_handle)) {
-    const auto& table = settingsTable();
-    const bool known = isForeign(name) || std::any_of(table.begin(), table.end(),
-                                                      [&](const SettingInfo& setting) { return setting.name == name; });
-    if (!known) {
-      throw std::invalid_argument(fmt::format("unknown parameter {}/{}{}; accepted: {}", private_handle.getNamespace(),
-                                              name, element::didYouMean(name, acceptedNames()),
-                                              fmt::join(acceptedNames(), ", ")));
+  for (const std::string& parameter : parameters) {
+    const bool is_ours = parameter.compare(0, space.size(), space) == 0;
+    const std::string name =
+        is_ours ? parameter.substr(space.size(), parameter.find('/', space.size()) - space.size()) : known.front();
+    if (name != "diagnostic_period" && name != "num_worker_threads" &&
+        std::find(known.begin(), known.end(), name) == known.end()) {
+      throw std::invalid_argument(fmt::format("unknown parameter {}{}{}; accepted: {}", space, name,
+                                              element::didYouMean(name, known), fmt::join(known, ", ")));
     }
   }
 }
@@ -177,8 +141,9 @@ std::set<std::string> reservedNames(const ros::NodeHandle& private_handle) {
   return names;
 }
 
-void refuseReserved(const std::vector<io::ComponentDescription>& components, const std::string& source,
-                    const ros::NodeHandle& private_handle) {
+// Refuses names that are taken, and warns of specifications.
+void checkComponents(const std::vector<io::ComponentDescription>& components, const std::string& source,
+                     const ros::NodeHandle& private_handle) {
   const std::set<std::string> reserved = reservedNames(private_handle);
   for (const io::ComponentDescription& component : components) {
     if (reserved.count(component.name) > 0) {
@@ -187,11 +152,6 @@ void refuseReserved(const std::vector<io::ComponentDescription>& components, con
                       "services; accepted: any name but {}",
                       source, component.name, fmt::join(reserved, ", ")));
     }
-  }
-}
-
-void warnOfSpecifications(const std::vector<io::ComponentDescription>& components, const std::string& source) {
-  for (const io::ComponentDescription& component : components) {
     for (const std::string& warning : estimation::specificationWarnings(component.written())) {
       ROS_WARN("%s: component '%s': %s", source.c_str(), component.name.c_str(), warning.c_str());
     }
@@ -209,13 +169,14 @@ std::string shown(const XmlRpcValue& value) {
 }  // namespace
 
 NodeSettings readNodeSettings(const ros::NodeHandle& private_handle) {
-  refuseUnknown(private_handle);
   NodeSettings settings;
-  for (const SettingInfo& setting : settingsTable()) {
+  const std::vector<Setting> table = settingsTable(settings);
+  refuseUnknown(private_handle, table);
+  for (const Setting& setting : table) {
     XmlRpcValue value;
-    if (private_handle.getParam(setting.name, value) && !setting.read(value, settings)) {
+    if (private_handle.getParam(setting.name, value) && !read(value, setting)) {
       throw std::invalid_argument(fmt::format(
-          "parameter {}: {}; accepted: {}", private_handle.resolveName(setting.name), shown(value), setting.accepted));
+          "parameter {}: {}; accepted: {}", private_handle.resolveName(setting.name), shown(value), accepted(setting)));
     }
   }
   if (settings.load_state && settings.state_file.empty()) {
@@ -238,8 +199,7 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
   }
   if (has_components) {
     auto parsed = io::parseComponentFile("components: " + toYamlText(components) + "\n", components_name);
-    refuseReserved(parsed, components_name, private_handle);
-    warnOfSpecifications(parsed, components_name);
+    checkComponents(parsed, components_name, private_handle);
     return parsed;
   }
   if (file.getType() != XmlRpcValue::TypeString) {
@@ -250,8 +210,7 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
   try {
     node::requireRegularFile(path);
     auto loaded = io::loadComponentFile(path);
-    refuseReserved(loaded, path, private_handle);
-    warnOfSpecifications(loaded, path);
+    checkComponents(loaded, path, private_handle);
     return loaded;
   } catch (const io::Cancelled&) {
     throw;
@@ -262,11 +221,12 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
 }
 
 std::string describeNodeSettings() {
-  std::string text;
-  text += fmt::format("  ~{:18} {}\n", "config_file", "path of the component file");
-  text += fmt::format("  ~{:18} {}\n", "components", "or what would stand in it under that key");
-  for (const SettingInfo& setting : settingsTable()) {
-    text += fmt::format("  ~{:18} {}; {}\n", setting.name, setting.documentation, setting.accepted);
+  constexpr const char* kLine = "  ~{:18} {}\n";
+  std::string text = fmt::format(kLine, "config_file", "path of the component file") +
+                     fmt::format(kLine, "components", "or what would stand in it under that key");
+  NodeSettings defaults;
+  for (const Setting& setting : settingsTable(defaults)) {
+    text += fmt::format(kLine, setting.name, setting.documentation + "; " + accepted(setting));
   }
   return text;
 }

@@ -1,15 +1,16 @@
 // Holds, steps and resumes a playback from outside: by the services ~pause and ~step, or by calls.
 #pragma once
 
+#include <fmt/format.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
-#include <ros/service_server.h>
 #include <ros/spinner.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
 #include <atomic>
 #include <cstddef>
+#include <vector>
 
 namespace rubber_suspension::ros_interface {
 
@@ -27,7 +28,10 @@ class PlayControl {
   void pause(bool paused) { running_ = !paused; }
 
   /// Play `step` more samples of each component, then hold.
-  void step();
+  void step() {
+    running_ = false;
+    granted_ += step_;
+  }
 
  private:
   const std::size_t step_;
@@ -38,17 +42,32 @@ class PlayControl {
 /// The services ~pause (std_srvs/SetBool; true holds) and ~step (std_srvs/Trigger), in a thread of their own.
 class PlayControlServices {
  public:
-  PlayControlServices(const ros::NodeHandle& private_handle, PlayControl& control);
+  PlayControlServices(const ros::NodeHandle& private_handle, PlayControl& control)
+      : handle_(private_handle), spinner_(1, &queue_) {
+    using std_srvs::SetBool;
+    using std_srvs::Trigger;
+    handle_.setCallbackQueue(&queue_);
+    const auto pause = [&control](SetBool::Request& request, SetBool::Response& response) {
+      control.pause(request.data != 0U);
+      response.success = 1U;
+      response.message = request.data != 0U ? "paused" : "running";
+      return true;
+    };
+    const auto step = [&control](Trigger::Request& /*request*/, Trigger::Response& response) {
+      control.step();
+      response.success = 1U;
+      response.message = fmt::format("{} samples of each component released so far", control.granted());
+      return true;
+    };
+    servers_ = {handle_.advertiseService<SetBool::Request, SetBool::Response>("pause", pause),
+                handle_.advertiseService<Trigger::Request, Trigger::Response>("step", step)};
+    spinner_.start();
+  }
 
  private:
-  bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
-  bool step(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
-
-  PlayControl& control_;
   ros::NodeHandle handle_;
   ros::CallbackQueue queue_;
-  ros::ServiceServer pause_server_;
-  ros::ServiceServer step_server_;
+  std::vector<ros::ServiceServer> servers_;
   ros::AsyncSpinner spinner_;
 };
 

@@ -18,10 +18,6 @@ constexpr const char* kGapHeader =
     "time_s,level,window_s,samples,gap,noise_floor,beyond_noise,trend_per_s,share_stiffness,share_loss,"
     "share_harmonics,share_mean,share_drift\n";
 
-[[noreturn]] void failToWrite(const std::string& path) {
-  throw log::LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
-}
-
 std::string gapRow(std::int64_t stamp, const Gap& gap) {
   return fmt::format("{:.9f},{},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
                      1e-9 * static_cast<double>(stamp), static_cast<int>(gap.level), gap.window, gap.samples, gap.gap,
@@ -38,26 +34,14 @@ RecordPaths recordPathsIn(const std::string& folder, const std::string& componen
   return {base + "_force.csv", base + "_gap.csv", base + ".bag"};
 }
 
-std::vector<std::string> recordNames(const std::string& component) {
-  const RecordPaths paths = recordPathsIn("", component);
-  return {paths.forces, paths.gaps, paths.bag};
-}
-
-PlayRecorder::PlayRecorder(const RecordPaths& paths, const std::string& component) : paths_(paths) {
+PlayRecorder::PlayRecorder(const RecordPaths& paths, const std::string& component) {
   if (!paths.forces.empty()) {
     forces_ = std::make_unique<log::LogCsvWriter>(paths.forces, true);
   }
   if (!paths.gaps.empty()) {
-    try {
-      gap_file_ = std::make_unique<log::NewFile>(paths.gaps);
-    } catch (const std::runtime_error& error) {
-      throw log::LogError(error.what());
-    }
+    gap_file_ = std::make_unique<log::NewFile>(paths.gaps);
     gaps_.open(gap_file_->writingPath(), std::ios::binary);
     gaps_ << kGapHeader;
-    if (!gaps_) {
-      failToWrite(paths.gaps);
-    }
   }
   if (!paths.bag.empty()) {
     bag_ = std::make_unique<bag::BagWriter>(paths.bag, component);
@@ -72,15 +56,11 @@ void PlayRecorder::add(const log::Log& log, const PlayResult& result) {
       forces_->append(log.stamp[i], log.displacement[i], result.force[i].total);
     }
   }
-  addGaps(result);
+  for (std::size_t i = 0; gap_file_ && i < result.gaps.size(); ++i) {
+    gaps_ << gapRow(result.gap_stamps[i], *result.gaps[i]);
+  }
   if (bag_) {
     addToBag(log, result);
-  }
-}
-
-void PlayRecorder::addGaps(const PlayResult& result) {
-  for (std::size_t i = 0; gaps_.is_open() && i < result.gaps.size(); ++i) {
-    gaps_ << gapRow(result.gap_stamps[i], *result.gaps[i]);
   }
 }
 
@@ -104,16 +84,12 @@ void PlayRecorder::close() {
   if (forces_) {
     forces_->close();
   }
-  if (gaps_.is_open()) {
+  if (gap_file_) {
     gaps_.close();
     if (!gaps_) {
-      failToWrite(paths_.gaps);
+      throw log::LogError(fmt::format("{}: cannot be written: {}", gap_file_->writingPath(), std::strerror(errno)));
     }
-    try {
-      gap_file_->commit();
-    } catch (const std::runtime_error& error) {
-      throw log::LogError(error.what());
-    }
+    gap_file_->commit();
   }
   if (bag_) {
     bag_->close();

@@ -27,11 +27,8 @@ struct RecordPaths {
 /// in a ROS namespace: a slash in its name becomes an underscore.
 RecordPaths recordPathsIn(const std::string& folder, const std::string& component);
 
-/// The names in that folder of what is recorded of a component.
-std::vector<std::string> recordNames(const std::string& component);
-
 /// Opens its files at once, so that what cannot be written is known before anything is played; they take their names in
-/// close(). All calls throw LogError.
+/// close(). All calls throw std::runtime_error, such as LogError.
 class PlayRecorder {
  public:
   PlayRecorder(const RecordPaths& paths, const std::string& component);
@@ -43,9 +40,7 @@ class PlayRecorder {
 
  private:
   void addToBag(const log::Log& log, const PlayResult& result);
-  void addGaps(const PlayResult& result);
 
-  RecordPaths paths_;
   std::unique_ptr<log::LogCsvWriter> forces_;
   std::unique_ptr<log::NewFile> gap_file_;
   std::ofstream gaps_;

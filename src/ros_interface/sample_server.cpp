@@ -1,8 +1,10 @@
 // The topics of one component.
 #include "ros_interface/sample_server.h"
 
+#include <rubber_suspension/MeasuredForce.h>
+#include <sensor_msgs/Temperature.h>
+
 #include <algorithm>
-#include <chrono>
 
 #include "node/message_bounds.h"
 #include "roscpp_fixes/checked_subscription.h"
@@ -35,33 +37,28 @@ SampleServer::SampleServer(ros::NodeHandle& handle, node::ComponentChannel& chan
     : channel_(channel) {
   const auto size = static_cast<std::uint32_t>(queue_size);
   publisher_.advertise<Force>(handle, channel.name() + "/force", answerQueueSize(queue_size));
-  subscriber_ = roscpp_fixes::subscribeChecked<Displacement>(
-      handle, channel.name() + "/displacement", size, node::isStampedNumber, undecodable_,
-      [this](const ros::MessageEvent<const Displacement>& event) { serve(event); });
-  measured_subscriber_ = roscpp_fixes::subscribeChecked<MeasuredForce>(
-      handle, channel.name() + "/measured_force", size, node::isStampedNumber, undecodable_,
-      [this](const ros::MessageEvent<const MeasuredForce>& event) { compare(event); });
-  temperature_subscriber_ = roscpp_fixes::subscribeChecked<sensor_msgs::Temperature>(
-      handle, channel.name() + "/temperature", size, node::isStampedPair, undecodable_,
-      [this](const ros::MessageEvent<const sensor_msgs::Temperature>& event) { takeTemperature(event); });
+  subscribers_ = {
+      roscpp_fixes::subscribeChecked<Displacement>(
+          handle, channel.name() + "/displacement", size, node::isStampedNumber, undecodable_,
+          [this](const ros::MessageEvent<const Displacement>& event) { serve(event); }),
+      roscpp_fixes::subscribeChecked<MeasuredForce>(
+          handle, channel.name() + "/measured_force", size, node::isStampedNumber, undecodable_,
+          [&channel](const ros::MessageEvent<const MeasuredForce>& event) {
+            const MeasuredForce& measured = *event.getConstMessage();
+            channel.gap().addMeasured(static_cast<std::int64_t>(measured.header.stamp.toNSec()), measured.force);
+          }),
+      // In the thread of the samples, but in no order with them: the stamps decide.
+      roscpp_fixes::subscribeChecked<sensor_msgs::Temperature>(
+          handle, channel.name() + "/temperature", size, node::isStampedPair, undecodable_,
+          [&channel](const ros::MessageEvent<const sensor_msgs::Temperature>& event) {
+            const sensor_msgs::Temperature& measured = *event.getConstMessage();
+            channel.setTemperature(static_cast<std::int64_t>(measured.header.stamp.toNSec()), measured.temperature);
+          })};
 }
 
 void SampleServer::shutdown() {
-  subscriber_.shutdown();
-  measured_subscriber_.shutdown();
-  temperature_subscriber_.shutdown();
+  subscribers_.clear();
   publisher_.shutdown();
-}
-
-void SampleServer::compare(const ros::MessageEvent<const MeasuredForce>& event) {
-  const MeasuredForce& measured = *event.getConstMessage();
-  channel_.gap().addMeasured(static_cast<std::int64_t>(measured.header.stamp.toNSec()), measured.force);
-}
-
-// In the thread of the samples, but in no order with them: the stamps decide.
-void SampleServer::takeTemperature(const ros::MessageEvent<const sensor_msgs::Temperature>& event) {
-  const sensor_msgs::Temperature& measured = *event.getConstMessage();
-  channel_.setTemperature(static_cast<std::int64_t>(measured.header.stamp.toNSec()), measured.temperature);
 }
 
 void SampleServer::serve(const ros::MessageEvent<const Displacement>& event) {

@@ -4,13 +4,11 @@
 #include <ros/node_handle.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
-#include <rubber_suspension/MeasuredForce.h>
-#include <sensor_msgs/Temperature.h>
 
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <string>
+#include <vector>
 
 #include "node/component_channel.h"
 #include "node/sequence_watch.h"
@@ -47,17 +45,13 @@ class SampleServer {
 
  private:
   void serve(const ros::MessageEvent<const Displacement>& event);
-  void compare(const ros::MessageEvent<const MeasuredForce>& event);
-  void takeTemperature(const ros::MessageEvent<const sensor_msgs::Temperature>& event);
 
   node::ComponentChannel& channel_;
   MessagePool<Force> pool_;
   node::SequenceWatch<boost::shared_ptr<ros::M_string>> watch_;
   std::atomic<std::uint64_t> undecodable_{0};
   roscpp_fixes::AnswerPublisher publisher_;
-  ros::Subscriber subscriber_;
-  ros::Subscriber measured_subscriber_;
-  ros::Subscriber temperature_subscriber_;
+  std::vector<ros::Subscriber> subscribers_;
 };
 
 }  // namespace rubber_suspension::ros_interface

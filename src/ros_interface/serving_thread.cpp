@@ -7,23 +7,13 @@
 #include <sys/mman.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 
 namespace rubber_suspension::ros_interface {
-namespace {
-
-std::int64_t steadyNanoseconds() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
-}  // namespace
-
 std::string ServingThread::start(const std::string& name, int realtime_priority) {
   name_ = name;
   running_ = true;
-  last_round_ = steadyNanoseconds();
+  last_round_ = Clock::now();
   thread_ = std::thread([this] { run(); });
   pthread_setname_np(thread_.native_handle(), name.c_str());
   if (realtime_priority <= 0) {
@@ -33,7 +23,8 @@ std::string ServingThread::start(const std::string& name, int realtime_priority)
   parameters.sched_priority = realtime_priority;
   const int error = pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &parameters);
   return error == 0 ? std::string()
-                    : fmt::format("no real-time priority {}: {}", realtime_priority, std::strerror(error));
+                    : fmt::format("no real-time priority {}: {}; serving at normal priority", realtime_priority,
+                                  std::strerror(error));
 }
 
 void ServingThread::stop() {
@@ -51,11 +42,13 @@ void ServingThread::run() {
   const ros::WallDuration wait(0.1);
   while (running_) {
     queue_.callAvailable(wait);
-    last_round_ = steadyNanoseconds();
+    last_round_ = Clock::now();
   }
 }
 
-double ServingThread::silence() const { return 1e-9 * static_cast<double>(steadyNanoseconds() - last_round_); }
+double ServingThread::silence() const {
+  return std::chrono::duration<double>(Clock::now() - last_round_.load()).count();
+}
 
 std::string lockMemory() {
   const bool locked = mlockall(MCL_CURRENT) == 0 && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;

@@ -4,7 +4,7 @@
 #include <ros/callback_queue.h>
 
 #include <atomic>
-#include <cstdint>
+#include <chrono>
 #include <string>
 #include <thread>
 
@@ -16,8 +16,6 @@ class ServingThread {
  public:
   ServingThread() = default;
   ~ServingThread() { stop(); }
-  ServingThread(const ServingThread&) = delete;
-  ServingThread& operator=(const ServingThread&) = delete;
 
   ros::CallbackQueue& queue() { return queue_; }
 
@@ -34,11 +32,13 @@ class ServingThread {
   void stop();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void run();
 
   std::string name_;
   ros::CallbackQueue queue_;
-  std::atomic<std::int64_t> last_round_{0};  // [ns] of the steady clock
+  std::atomic<Clock::time_point> last_round_{};
   std::atomic<bool> running_{false};
   std::thread thread_;
 };

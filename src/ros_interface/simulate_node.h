@@ -24,22 +24,6 @@ namespace rubber_suspension::ros_interface {
 /// process is to return at once after that. Throws as SimulateNode does.
 void runSimulateNode(RosCommandLine& line);
 
-/// Components, by their resolved names, that a node of this process serves: of two nodelets in one manager the second
-/// cannot serve the same ones.
-class ClaimedComponents {
- public:
-  ClaimedComponents() = default;
-  ~ClaimedComponents();
-  ClaimedComponents(const ClaimedComponents&) = delete;
-  ClaimedComponents& operator=(const ClaimedComponents&) = delete;
-
-  /// Throws std::invalid_argument that names the node that has claimed it before.
-  void claim(const std::string& component, const std::string& node);
-
- private:
-  std::vector<std::string> components_;
-};
-
 /// Serves samples in threads of its own; services and diagnostics run on the queue of the handles given.
 class SimulateNode {
  public:
@@ -47,27 +31,18 @@ class SimulateNode {
   /// where the process is to end before the node serves.
   SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
   ~SimulateNode();
-  SimulateNode(const SimulateNode&) = delete;
-  SimulateNode& operator=(const SimulateNode&) = delete;
 
-  /// No thread of the node calls the master any more. Returns the resolved names of the node's services.
-  std::vector<std::string> registerNoMore();
+  roscpp_fixes::RegistrationKeeper& registration() { return *registration_; }
 
  private:
-  void start();
   void makeChannels();
-  static void keepToLoopback();
-  void setUpRealTime();
   void startServing();
-  void startThreads();
   void advertiseServices();
-  std::vector<std::string> services() const;
-  io::ComponentDescription foundModel(const std::string& component) const;
 
   ros::NodeHandle handle_;
   ros::NodeHandle private_handle_;
   NodeSettings settings_;
-  ClaimedComponents claimed_;
+  std::vector<std::shared_ptr<const std::string>> claims_;  // of the components
   std::vector<std::unique_ptr<node::ComponentChannel>> channels_;
   std::unique_ptr<node::ChannelGroup> group_;
   std::vector<std::unique_ptr<ServingThread>> threads_;

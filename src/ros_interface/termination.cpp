@@ -11,8 +11,6 @@
 namespace rubber_suspension::ros_interface {
 namespace {
 
-constexpr std::chrono::seconds kLimit(5);
-
 std::atomic<bool> signal_came{false};
 
 sigset_t endingSignals() {
@@ -22,13 +20,6 @@ sigset_t endingSignals() {
     sigaddset(&signals, number);
   }
   return signals;
-}
-
-[[noreturn]] void endNow() {
-  // Nothing else may be locked here: the process may hang anywhere.
-  constexpr char kLine[] = "ended without leaving the master: it took longer than 5 s\n";
-  (void)!write(STDERR_FILENO, kLine, sizeof(kLine) - 1);
-  _exit(1);
 }
 
 }  // namespace
@@ -47,21 +38,21 @@ Termination::~Termination() {
 }
 
 void Termination::wait() {
+  using Clock = std::chrono::steady_clock;
   pthread_setname_np(pthread_self(), "termination");
   const sigset_t signals = endingSignals();
   const timespec turn{0, 20000000};
-  while (sigtimedwait(&signals, nullptr, &turn) < 0 && !ros::isShuttingDown()) {
-    if (finished_) {
-      return;
-    }
-  }
-  signal_came = true;
-  const auto end = std::chrono::steady_clock::now() + kLimit;
+  auto end = Clock::time_point::max();
   while (!finished_) {
-    if (std::chrono::steady_clock::now() > end) {
-      endNow();
+    const bool came = sigtimedwait(&signals, nullptr, &turn) > 0 || ros::isShuttingDown();
+    if (came && !signal_came.exchange(true)) {
+      end = Clock::now() + std::chrono::seconds(5);
     }
-    sigtimedwait(&signals, nullptr, &turn);
+    if (Clock::now() > end) {  // the process may hang anywhere: nothing that locks
+      constexpr char kLine[] = "ended without leaving the master: it took longer than 5 s\n";
+      (void)!write(STDERR_FILENO, kLine, sizeof(kLine) - 1);
+      _exit(1);
+    }
   }
 }
 

@@ -17,8 +17,6 @@ class Termination {
  public:
   Termination();
   ~Termination();
-  Termination(const Termination&) = delete;
-  Termination& operator=(const Termination&) = delete;
 
  private:
   void wait();

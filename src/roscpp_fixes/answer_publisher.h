@@ -4,10 +4,8 @@
 
 #include <ros/advertise_options.h>
 #include <ros/node_handle.h>
-#include <ros/publisher.h>
 #include <ros/topic_manager.h>
 
-#include <boost/shared_ptr.hpp>
 #include <cstdint>
 #include <string>
 
@@ -35,12 +33,10 @@ class AnswerPublisher {
   /// The message must not be changed any more while others hold it.
   template <class Message>
   void publish(const boost::shared_ptr<Message>& message) {
-    if (hasSubscribers()) {
-      ros::SerializedMessage serialized;
-      serialized.type_info = &typeid(Message);
-      serialized.message = message;
-      send([&message, this] { return serialize(*message); }, serialized);
-    }
+    ros::SerializedMessage unserialized;  // for subscribers in this process
+    unserialized.type_info = &typeid(Message);
+    unserialized.message = message;
+    send([&message] { return ros::serialization::serializeMessage(*message); }, unserialized);
   }
 
   /// Messages that at least one subscriber did not get because too many were waiting for it. Those that a subscriber
@@ -51,18 +47,7 @@ class AnswerPublisher {
 
  private:
   void advertise(ros::NodeHandle& handle, ros::AdvertiseOptions& options);
-  bool hasSubscribers();
-  void send(const boost::function<ros::SerializedMessage()>& serialized, ros::SerializedMessage& message);
-  ros::SerializedMessage makeBuffer(std::uint32_t size);
-
-  template <class Message>
-  ros::SerializedMessage serialize(const Message& message) {
-    const std::uint32_t size = ros::serialization::serializationLength(message);
-    ros::SerializedMessage result = makeBuffer(size);
-    ros::serialization::OStream stream(result.message_start, size);
-    ros::serialization::serialize(stream, message);
-    return result;
-  }
+  void send(const boost::function<ros::SerializedMessage()>& serialized, ros::SerializedMessage& unserialized);
 
   ros::Publisher publisher_;
   ros::PublicationPtr publication_;

@@ -15,7 +15,6 @@ namespace rubber_suspension::roscpp_fixes {
 
 /// True if these bytes are a message of the topic.
 using MessageCheck = std::function<bool(const std::uint8_t* data, std::size_t size)>;
-
 /// Decodes what passes the check and counts the rest. roscpp alone makes room for whatever number of entries a message
 /// claims to have, and writes a line of log for each that it cannot decode.
 template <class Message>

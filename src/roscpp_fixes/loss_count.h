@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <utility>
 
 namespace rubber_suspension::roscpp_fixes {
 
@@ -29,13 +30,9 @@ class LossCount {
 
   /// The message has been handed to all queues: whether any lost another for it.
   bool end() {
-    const bool lost = holders_ > 0 && window_.front().use_count() < holders_;
-    holders_ = 0;
-    return lost;
+    const long before = std::exchange(holders_, 0);
+    return before > 0 && window_.front().use_count() < before;
   }
-
-  /// Messages that may still wait in a queue.
-  std::size_t waiting() const { return window_.size(); }
 
  private:
   std::size_t queue_size_;

@@ -1,8 +1,7 @@
 // XML-RPC calls that end.
 #include "roscpp_fixes/master_call.h"
 
-#include <ros/datatypes.h>
-#include <ros/master.h>
+#include <ros/network.h>
 #include <ros/this_node.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 #include <xmlrpcpp/XmlRpcException.h>
@@ -19,24 +18,22 @@ namespace rubber_suspension::roscpp_fixes {
 namespace {
 
 using XmlRpc::XmlRpcValue;
-using Clock = std::chrono::steady_clock;
 
 class Client : public XmlRpc::XmlRpcClient {
  public:
-  Client(const std::string& host, std::uint32_t port) : XmlRpcClient(host.c_str(), static_cast<int>(port), "/") {}
+  using XmlRpcClient::XmlRpcClient;
   ~Client() override { close(); }
 
   bool callWithin(double limit, const std::string& method, const XmlRpcValue& arguments, XmlRpcValue& answer,
-                  const std::atomic<bool>& stop) {
+                  const std::atomic<bool>* stop) {
+    using Clock = std::chrono::steady_clock;
     constexpr double kTurn = 0.05;  // how long `stop` may go unseen [s]
     const auto end = Clock::now() + std::chrono::duration<double>(limit);
-    if (!executeNonBlock(method.c_str(), arguments)) {
-      return false;
-    }
-    while (!stop && Clock::now() < end && _connectionState != NO_CONNECTION) {
+    const bool begun = executeNonBlock(method.c_str(), arguments);
+    while (begun && (stop == nullptr || !*stop) && Clock::now() < end && _connectionState != NO_CONNECTION) {
       _disp.work(std::min(kTurn, limit));
       if (executeCheckDone(answer)) {
-        return !isFault();
+        return !isFault() && answer.valid();
       }
     }
     return false;
@@ -48,42 +45,25 @@ class Client : public XmlRpc::XmlRpcClient {
 XmlRpcValue callArguments(const std::vector<std::string>& arguments) {
   XmlRpcValue value;
   value[0] = ros::this_node::getName();
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    value[static_cast<int>(i) + 1] = arguments[i];
+  for (const std::string& argument : arguments) {
+    value[value.size()] = argument;
   }
   return value;
 }
 
-bool callAny(double limit, const std::string& host, std::uint32_t port, const std::string& method,
-             const XmlRpcValue& arguments, XmlRpcValue& answer, const std::atomic<bool>& stop) {
-  try {
-    return Client(host, port).callWithin(limit, method, arguments, answer, stop);
-  } catch (const XmlRpc::XmlRpcException&) {
-    return false;
-  }
-}
-
-std::optional<int> callWithin(double limit, const std::string& host, std::uint32_t port, const std::string& method,
-                              const XmlRpcValue& arguments, XmlRpcValue& payload, const std::atomic<bool>& stop) {
+std::optional<XmlRpcValue> call(double limit, const std::string& uri, const std::string& method,
+                                const XmlRpcValue& arguments, const std::atomic<bool>* stop) {
+  std::string host;
+  std::uint32_t port = 0;
   XmlRpcValue answer;
-  if (!callAny(limit, host, port, method, arguments, answer, stop) || answer.getType() != XmlRpcValue::TypeArray ||
-      answer.size() != 3 || answer[0].getType() != XmlRpcValue::TypeInt) {
-    return std::nullopt;
+  try {
+    const bool came =
+        ros::network::splitURI(uri, host, port) &&
+        Client(host.c_str(), static_cast<int>(port), "/").callWithin(limit, method, arguments, answer, stop);
+    return came ? std::make_optional(answer) : std::nullopt;
+  } catch (const XmlRpc::XmlRpcException&) {
+    return std::nullopt;  // no XML-RPC came back
   }
-  payload = answer[2];
-  return static_cast<int>(answer[0]);
-}
-
-std::optional<int> callMaster(double limit, const std::string& method, const XmlRpcValue& arguments,
-                              XmlRpcValue& payload, const std::atomic<bool>& stop) {
-  return callWithin(limit, ros::master::getHost(), ros::master::getPort(), method, arguments, payload, stop);
-}
-
-bool masterAnswers(double limit) { return masterAnswers(limit, ros::master::getHost(), ros::master::getPort()); }
-
-bool masterAnswers(double limit, const std::string& host, std::uint32_t port) {
-  XmlRpcValue payload;
-  return callWithin(limit, host, port, "getPid", callArguments({}), payload, std::atomic<bool>{false}).has_value();
 }
 
 void giveUpMaster() { ros::master::init({{"__master", "http://127.0.0.1:1"}}); }

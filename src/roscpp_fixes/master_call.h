@@ -1,10 +1,10 @@
 // XML-RPC calls that end: roscpp's own wait for ever for a master or node that hangs.
 #pragma once
 
+#include <ros/master.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <atomic>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,25 +12,18 @@
 namespace rubber_suspension::roscpp_fixes {
 
 /// The arguments of a call, this node's name first.
-XmlRpc::XmlRpcValue callArguments(const std::vector<std::string>& arguments);
+XmlRpc::XmlRpcValue callArguments(const std::vector<std::string>& arguments = {});
 
-/// Call a method at host and port within `limit` [s], less once `stop` is set; false where no answer came, or a fault.
-bool callAny(double limit, const std::string& host, std::uint32_t port, const std::string& method,
-             const XmlRpc::XmlRpcValue& arguments, XmlRpc::XmlRpcValue& answer, const std::atomic<bool>& stop);
+/// Call a method at an address (http://HOST:PORT) within `limit` [s], less once `stop` is set. Returns what came back,
+/// from masters and nodes [status, text, payload] with status 1 where it was done; nothing where no answer came, or a
+/// fault. What comes back may be anything: XmlRpcValue throws XmlRpcException where it is not what it is taken for.
+std::optional<XmlRpc::XmlRpcValue> call(double limit, const std::string& uri, const std::string& method,
+                                        const XmlRpc::XmlRpcValue& arguments, const std::atomic<bool>* stop = nullptr);
 
-/// Call a method at host and port within `limit` [s], less once `stop` is set. Returns the status, 1 where it was done,
-/// and in `payload` what came with it; nothing where no answer of that form came.
-std::optional<int> callWithin(double limit, const std::string& host, std::uint32_t port, const std::string& method,
-                              const XmlRpc::XmlRpcValue& arguments, XmlRpc::XmlRpcValue& payload,
-                              const std::atomic<bool>& stop);
-
-/// Call a method of the master in the same way.
-std::optional<int> callMaster(double limit, const std::string& method, const XmlRpc::XmlRpcValue& arguments,
-                              XmlRpc::XmlRpcValue& payload, const std::atomic<bool>& stop);
-
-/// True if the master, or the one at this address, answers within `limit` [s].
-bool masterAnswers(double limit);
-bool masterAnswers(double limit, const std::string& host, std::uint32_t port);
+/// True if the master at this address answers within `limit` [s].
+inline bool masterAnswers(double limit, const std::string& uri = ros::master::getURI()) {
+  return call(limit, uri, "getPid", callArguments()).has_value();
+}
 
 /// From now on roscpp calls nobody in the master's place: each call fails at once. For the end of a process whose
 /// master hangs, since roscpp waits without a limit. No other thread may call the master meanwhile.

@@ -5,9 +5,7 @@
 #include <pthread.h>
 #include <ros/connection_manager.h>
 #include <ros/console.h>
-#include <ros/master.h>
 #include <ros/network.h>
-#include <ros/this_node.h>
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
@@ -22,39 +20,58 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::seconds kPeriod(2);
+constexpr int kDone = 1;        // status of an answer
 constexpr double kLimit = 3.0;  // for one call [s]; a master with thousands of topics may be slow
 
 std::string ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
 
-// Ask or tell this process itself, as the master and other nodes do (slave API). Nothing where that fails.
-XmlRpcValue askSelf(const std::string& method, const XmlRpcValue& arguments, const std::atomic<bool>& stop) {
-  std::string host;
-  std::uint32_t port = 0;
-  XmlRpcValue payload;
-  return ros::network::splitURI(ownUri(), host, port) &&
-                 callWithin(kLimit, host, port, method, arguments, payload, stop)
-             ? payload
-             : XmlRpcValue();
-}
-
-// Addresses of nodes; a master that answers anything else is not followed.
-bool isListOfTexts(const XmlRpcValue& value) {
-  bool texts = value.getType() == XmlRpcValue::TypeArray;
-  for (int i = 0; texts && i < value.size(); ++i) {
-    texts = value[i].getType() == XmlRpcValue::TypeString;
+// The calls of the master that register all services and topics of this process, and those that take them off.
+struct Registrations {
+  // The topics are those that this process lists for others (slave API).
+  Registrations(const std::vector<std::string>& services, const std::string& service_uri) {
+    for (const std::string& name : services) {
+      add("Service", name, service_uri, service_uri);
+    }
+    for (const std::string kind : {"Publisher", "Subscriber"}) {
+      const auto topics =
+          call(kLimit, ownUri(), kind == "Publisher" ? "getPublications" : "getSubscriptions", callArguments());
+      complete = complete && topics;
+      for (int i = 0; topics && i < (*topics)[2].size(); ++i) {
+        add(kind, (*topics)[2][i][0], (*topics)[2][i][1], ownUri());
+      }
+    }
   }
-  return texts;
-}
 
-std::string serviceUri() {
-  return fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort());
-}
+  void add(const std::string& kind, const std::string& name, const std::string& detail, const std::string& leave_uri) {
+    const int i = come.valid() ? come.size() : 0;
+    come[i]["methodName"] = "register" + kind;
+    come[i]["params"] = callArguments({name, detail, ownUri()});
+    leave[i]["methodName"] = "unregister" + kind;
+    leave[i]["params"] = callArguments({name, leave_uri});
+  }
 
-void add(const std::string& method, const std::string& name, const std::string& uri, XmlRpcValue& calls) {
-  XmlRpcValue call;
-  call["methodName"] = method;
-  call["params"] = callArguments({name, uri});
-  calls[calls.size()] = call;
+  bool complete = true;  // all are known
+  XmlRpcValue come;
+  XmlRpcValue leave;
+};
+
+// All calls at once, where roscpp makes one after the other and takes seconds for hundreds. A subscription is also told
+// of the publishers that have registered before, as the master does of later ones. False where something failed.
+bool callMaster(double limit, const XmlRpcValue& calls) {
+  XmlRpcValue arguments;
+  arguments[0] = calls;
+  const auto answers = call(limit, ros::master::getURI(), "system.multicall", arguments);
+  bool done = answers && answers->size() == calls.size();
+  for (int i = 0; done && i < calls.size(); ++i) {
+    const XmlRpcValue& answer = (*answers)[i][0];
+    done = static_cast<int>(answer[0]) == kDone;
+    if (calls[i]["methodName"] == XmlRpcValue("registerSubscriber") && answer[2].size() > 0) {
+      XmlRpcValue update = callArguments({calls[i]["params"][1]});
+      update[2] = answer[2];
+      call(kLimit, ownUri(), "publisherUpdate", update);
+    }
+  }
+  return done;
 }
 
 }  // namespace
@@ -63,112 +80,61 @@ RegistrationKeeper::RegistrationKeeper(std::function<std::vector<std::string>()>
                                        std::function<bool()> is_ending)
     : services_(std::move(services)),
       is_ending_(std::move(is_ending)),
-      service_uri_(serviceUri()),
+      service_uri_(
+          fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort())),
       thread_([this] { run(); }) {}
 
-RegistrationKeeper::~RegistrationKeeper() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
+void RegistrationKeeper::stop() {
+  if (thread_.joinable()) {
     stop_ = true;
+    stopping_.set_value();
+    thread_.join();
   }
-  stopping_.notify_all();
-  thread_.join();
 }
 
 void RegistrationKeeper::run() {
   pthread_setname_np(pthread_self(), "master");
-  std::unique_lock<std::mutex> lock(mutex_);
-  while (!stopping_.wait_for(lock, kPeriod, [this] { return stop_.load(); })) {
-    lock.unlock();
-    check();
-    lock.lock();
-  }
-}
-
-// What comes to the master while this node leaves it is taken back.
-bool RegistrationKeeper::tell(const std::string& kind, const std::string& name, const std::string& detail,
-                              const std::string& uri, XmlRpcValue& payload) {
-  if (is_ending_()) {
-    return false;
-  }
-  const bool done = callMaster(kLimit, "register" + kind, callArguments({name, detail, uri}), payload, stop_) == 1;
-  if (is_ending_()) {
-    XmlRpcValue ignored;
-    callMaster(kLimit, "unregister" + kind, callArguments({name, kind == "Service" ? detail : uri}), ignored, stop_);
-  }
-  return done;
-}
-
-// Our own list of publishers or subscribers, in rows of [topic, type]. A subscription is also told of the publishers
-// that have registered before, as the master does of those that come later.
-bool RegistrationKeeper::tellTopics(const std::string& kind, const std::string& method) {
-  XmlRpcValue topics = askSelf(method, callArguments({}), stop_);
-  bool done = topics.getType() == XmlRpcValue::TypeArray;
-  for (int i = 0; done && i < topics.size(); ++i) {
-    const std::string& topic = topics[i][0];
-    XmlRpcValue payload;
-    done = tell(kind, topic, topics[i][1], ownUri(), payload) && (kind == "Publisher" || isListOfTexts(payload));
-    if (done && kind == "Subscriber" && payload.size() > 0) {
-      XmlRpcValue arguments = callArguments({topic});
-      arguments[2] = payload;
-      askSelf("publisherUpdate", arguments, stop_);
+  const std::future<void> stopping = stopping_.get_future();
+  while (stopping.wait_for(kPeriod) == std::future_status::timeout) {
+    try {
+      check();
+    } catch (const XmlRpc::XmlRpcException& error) {
+      ROS_WARN_THROTTLE(60.0, "the master answers what no master should: %s", error.getMessage().c_str());
     }
   }
-  return done;
-}
-
-// False where the master stopped answering; it is then asked again.
-bool RegistrationKeeper::registerAnew() {
-  XmlRpcValue payload;
-  for (const std::string& service : services_()) {
-    if (!tell("Service", service, service_uri_, ownUri(), payload)) {
-      return false;
-    }
-  }
-  return tellTopics("Publisher", "getPublications") && tellTopics("Subscriber", "getSubscriptions");
 }
 
 void RegistrationKeeper::check() {
-  try {
-    XmlRpcValue payload;
-    const std::optional<int> known =
-        callMaster(kLimit, "lookupNode", callArguments({ros::this_node::getName()}), payload, stop_);
-    if (stop_ || is_ending_()) {
-      return;
-    }
-    if (!known && !lost_) {
-      ROS_WARN("the master does not answer; samples are served on, over the connections that are there");
-    }
-    lost_ = !known;
-    incomplete_ = incomplete_ || (known && known != 1);
-    if (incomplete_ && known && registerAnew()) {
-      incomplete_ = false;
-      ROS_WARN("the master did not know this node any more; registered again");
-    }
-  } catch (const XmlRpc::XmlRpcException& error) {
-    ROS_WARN("the master answers what no master should: %s", error.getMessage().c_str());
+  const auto known =
+      call(kLimit, ros::master::getURI(), "lookupNode", callArguments({ros::this_node::getName()}), &stop_);
+  if (stop_ || is_ending_()) {
+    return;
+  }
+  if (!known) {
+    ROS_WARN_THROTTLE(60.0, "the master does not answer; samples are served on, over the connections that are there");
+    return;
+  }
+  incomplete_ = incomplete_ || static_cast<int>((*known)[0]) != kDone;
+  if (!incomplete_) {
+    return;
+  }
+  const Registrations all(services_(), service_uri_);
+  incomplete_ = !callMaster(kLimit, all.come) || !all.complete;
+  if (is_ending_()) {
+    callMaster(kLimit, all.leave);  // what comes to the master while this node leaves it is taken back
+  } else if (!incomplete_) {
+    ROS_WARN("the master did not know this node any more; registered again");
   }
 }
 
-bool leaveMaster(double limit, const std::vector<std::string>& services) {
-  const std::atomic<bool> stop{false};
-  XmlRpcValue calls;
-  calls.setSize(0);
-  for (const auto& [list, method] :
-       {std::pair("getPublications", "unregisterPublisher"), std::pair("getSubscriptions", "unregisterSubscriber")}) {
-    XmlRpcValue topics = askSelf(list, callArguments({}), stop);
-    for (int i = 0; topics.getType() == XmlRpcValue::TypeArray && i < topics.size(); ++i) {
-      add(method, topics[i][0], ownUri(), calls);
-    }
+bool RegistrationKeeper::leaveMaster(double limit) {
+  stop();
+  try {
+    const Registrations all(services_(), service_uri_);
+    return callMaster(limit, all.leave) && all.complete;
+  } catch (const XmlRpc::XmlRpcException&) {
+    return false;
   }
-  for (const std::string& service : services) {
-    add("unregisterService", service, serviceUri(), calls);
-  }
-  XmlRpcValue arguments;
-  arguments[0] = calls;
-  XmlRpcValue answer;
-  return callAny(limit, ros::master::getHost(), ros::master::getPort(), "system.multicall", arguments, answer, stop) &&
-         answer.getType() == XmlRpcValue::TypeArray && answer.size() == calls.size();
 }
 
 }  // namespace rubber_suspension::roscpp_fixes

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<SavedState> states;
   try {
     states = parseStates(std::string(data, data + size), "fuzz.json");
-  } catch (const StateFileError& error) {
+  } catch (const FileError& error) {
     if (std::string(error.what()).find('\n') != std::string::npos) {
       std::abort();
     }

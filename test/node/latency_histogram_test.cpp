@@ -14,7 +14,6 @@ namespace {
 TEST(LatencyHistogram, IsZeroWithoutSamples) {
   const node::LatencyHistogram histogram;
   EXPECT_EQ(histogram.percentile(0.5), 0.0);
-  EXPECT_EQ(histogram.mean(), 0.0);
   EXPECT_EQ(histogram.maximum(), 0.0);
 }
 
@@ -31,9 +30,9 @@ TEST(LatencyHistogram, PercentilesAreExactToAnEighthOfAnOctave) {
   std::sort(samples.begin(), samples.end());
   for (const double fraction : {0.01, 0.1, 0.5, 0.9, 0.99, 0.999}) {
     const double exact = samples[static_cast<std::size_t>(fraction * 1e5) - 1];
-    // The upper edge of a bucket that is an eighth of an octave's lower edge wide; and it never flatters.
+    // The upper edge of a bucket that is an eighth of an octave wide; and it never flatters.
     EXPECT_GE(histogram.percentile(fraction), exact);
-    EXPECT_LE(histogram.percentile(fraction), exact * 1.125 + 1e-9);
+    EXPECT_LE(histogram.percentile(fraction), exact * std::exp2(0.125) * (1.0 + 1e-12));
   }
   EXPECT_EQ(histogram.maximum(), samples.back());
   EXPECT_EQ(histogram.count(), samples.size());
@@ -46,8 +45,6 @@ TEST(LatencyHistogram, TakesAnyNumber) {
     histogram.add(nanoseconds);
   }
   EXPECT_EQ(histogram.count(), 5U);
-  histogram.clear();
-  EXPECT_EQ(histogram.count(), 0U);
 }
 
 }  // namespace

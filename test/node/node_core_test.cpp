@@ -89,7 +89,7 @@ TEST_F(NodeCore, ABundleAnswersOnlyWhatWasAccepted) {
   ForceArray answer;
   ASSERT_TRUE(ros_interface::answerBundle(message, *group_, answer));
   EXPECT_EQ(answer.components, (std::vector<std::string>{"front_left_axle_box_bush", "rear"}));
-  EXPECT_EQ(channels_[1]->report().counters.not_finite, 1U);
+  EXPECT_EQ(channels_[1]->report().not_finite, 1U);
 }
 
 TEST_F(NodeCore, AMalformedBundleTouchesNothing) {
@@ -155,12 +155,12 @@ TEST_F(NodeCore, ServesMillionsOfSamplesWithoutAllocation) {
   }
   EXPECT_EQ(allocations.count(), 0U);
   const node::ChannelReport report = channels_[0]->report();
-  EXPECT_EQ(report.counters.accepted + report.counters.dropped(), static_cast<std::uint64_t>(kSamples) + 64U);
+  EXPECT_EQ(report.accepted + report.dropped(), static_cast<std::uint64_t>(kSamples) + 64U);
   EXPECT_GT(report.lost, 0U);
-  EXPECT_GT(report.counters.not_finite, 0U);
-  EXPECT_GT(report.counters.force_not_finite, 0U);
-  EXPECT_GT(report.counters.repeated, 0U);
-  EXPECT_GT(report.counters.stepped_back, 0U);
+  EXPECT_GT(report.not_finite, 0U);
+  EXPECT_GT(report.force_not_finite, 0U);
+  EXPECT_GT(report.repeated, 0U);
+  EXPECT_GT(report.stepped_back, 0U);
   for (const double value : channels_[0]->save().memory) {
     EXPECT_TRUE(std::isfinite(value));
   }
@@ -177,7 +177,7 @@ TEST_F(NodeCore, AnswersBundlesWithoutAllocation) {
     ros_interface::answerBundle(message, *group_, answer);
   }
   EXPECT_EQ(allocations.count(), 0U);
-  EXPECT_EQ(channels_[0]->report().counters.accepted, 10000U);
+  EXPECT_EQ(channels_[0]->report().accepted, 10000U);
 }
 
 }  // namespace

@@ -216,7 +216,7 @@ TEST(Promotion, AStateThatWasTamperedWithIsRefused) {
   for (const std::string& bad :
        {replaced("maximum_force: 1500", "maximum_force: 1600"), replaced("\"promoted\"", "\"configured\""),
         replaced("\"promoted\"", "\"sideways\""), replaced("\"weight\": 1.0", "\"weight\": 0.5")}) {
-    EXPECT_THROW(node::parseStates(bad, "state.json"), node::StateFileError);
+    EXPECT_THROW(node::parseStates(bad, "state.json"), node::FileError);
   }
 }
 

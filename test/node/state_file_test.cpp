@@ -44,7 +44,7 @@ void expectRefusal(const std::string& text, const std::string& word) {
   try {
     node::parseStates(text, "state.json");
     ADD_FAILURE() << "accepted, though " << word;
-  } catch (const node::StateFileError& error) {
+  } catch (const node::FileError& error) {
     EXPECT_THAT(error.what(), HasSubstr("state.json"));
     EXPECT_THAT(error.what(), HasSubstr(word));
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);

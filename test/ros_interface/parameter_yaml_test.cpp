@@ -22,7 +22,8 @@ TEST(ParameterYaml, KeepsEveryBitOfANumber) {
 
 TEST(ParameterYaml, TextThatIsANumberBecomesOne) {
   // PyYAML, which loads parameters, reads 3.0e6 (no sign in the exponent) as text.
-  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("3.0e6")), "3.0e6");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("3.0e6")), "3000000.0");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("1.e6")), "1000000.0");
   EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("-1")), "-1");
 }
 
@@ -32,7 +33,7 @@ TEST(ParameterYaml, OtherTextIsQuoted) {
   EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("nan")), "\"nan\"");
   EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("0x10")), "\"0x10\"");
   EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("1e999")), "\"1e999\"");
-  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("a\"b\\c\nd")), "\"a\\\"b\\\\c\\x0ad\"");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("a\"b\\c\nd")), "\"a\\\"b\\\\c\\nd\"");
 }
 
 TEST(ParameterYaml, NestsMapsAndLists) {
@@ -40,7 +41,7 @@ TEST(ParameterYaml, NestsMapsAndLists) {
   value["a"]["list"][0] = 1;
   value["a"]["list"][1] = 2.5;
   value["b"] = "x: {y}";
-  EXPECT_EQ(ros_interface::toYamlText(value), R"({"a": {"list": [1, 2.5]}, "b": "x: {y}"})");
+  EXPECT_EQ(ros_interface::toYamlText(value), R"({"a":{"list":[1,2.5]},"b":"x: {y}"})");
 }
 
 TEST(ParameterYaml, RefusesWhatNoComponentFileHolds) {

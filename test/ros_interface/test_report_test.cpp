@@ -1,12 +1,12 @@
 // The report of a test node is what rostest reads: read back here with the same kind of parser.
-#include "ros_interface/test_report.h"
-
 #include <gtest/gtest.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <sstream>
 #include <stdexcept>
+
+#include "ros_interface/force_check.h"
 
 namespace rubber_suspension {
 namespace {

@@ -12,7 +12,7 @@
 #include <set>
 
 #include "bench.h"
-#include "roscpp_fixes/loopback.h"
+#include "roscpp_fixes/process_fixes.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
 

@@ -39,7 +39,7 @@ class ForceCheckNode : public testing::Test {
     try {
       boost::property_tree::ptree tree;
       boost::property_tree::read_xml(report, tree);
-      outcome.failures = tree.get<int>("testsuites.<xmlattr>.failures");
+      outcome.failures = tree.get<int>("testsuites.testsuite.<xmlattr>.failures");
       for (const auto& [tag, test] : tree.get_child("testsuites.testsuite")) {
         if (tag == "testcase") {
           outcome.message += test.get<std::string>("failure", "");

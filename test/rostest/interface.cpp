@@ -65,7 +65,7 @@ Names expected(Kind kind) {
 }
 
 void expectTable(Kind kind, int list) {
-  spinUntil([&] { return withoutThoseOfAllNodes(ofNode(list)) == expected(kind); }, 10.0);
+  spinUntil([&] { return withoutThoseOfAllNodes(ofNode(list)) == expected(kind); });
   EXPECT_EQ(withoutThoseOfAllNodes(ofNode(list)), expected(kind));
 }
 

@@ -448,6 +448,10 @@ class Masters(Attack):
         self.assertIn("/nowhere/kept.yaml", node.output())
         self.assertIn("the private parameter ~config_file, as it stands at the master", node.output())
         self.assertEqual(self.network.master.getParam(tcpros.CALLER, NODE + "/config_file")[2], "/nowhere/kept.yaml")
+        node = self.start()
+        self.network.call(NODE + "/reset")
+        self.assertEqual(node.end(), 0)
+        self.assertFalse(self.network.master.hasParam(tcpros.CALLER, NODE + "/config_file")[2])
 
     def test_services_of_twenty_components(self):
         names = [f"c{i}" for i in range(20)]
@@ -562,6 +566,28 @@ class Files(Attack):
         self.refused("/dev/zero", "/dev/zero", "a device", "regular file")
         self.refused(pipe, pipe, "a pipe")
         self.refused(self.folder, "a folder")
+
+    def test_a_diagnosis_that_is_not_installed(self):
+        """The library of the node, copied to where it does not find that of the diagnosis."""
+        if SANITIZED:
+            self.skipTest("its program has no library of the node")
+        installed = os.path.dirname(PROGRAMS)
+        for name in os.listdir(installed):
+            if name.startswith("librubber_suspension") and not name.endswith(("_live.so", "_ros.so")):
+                os.symlink(os.path.join(installed, name), os.path.join(self.folder, name))
+        with open(os.path.join(installed, "librubber_suspension_ros.so"), "rb") as file:
+            library = file.read().replace(installed.encode(), b"/" + b"x" * (len(installed) - 1))
+        with open(os.path.join(self.folder, "librubber_suspension_ros.so"), "wb") as file:
+            file.write(library)
+        folders = [folder for folder in os.environ.get("LD_LIBRARY_PATH", "").split(":") if folder and
+                   not os.path.exists(os.path.join(folder, "librubber_suspension_live.so"))]
+        node = self.network.start([SIMULATE, f"_config_file:={self.components(['left'])}", "_diagnose:=true"],
+                                  "simulate", LD_LIBRARY_PATH=":".join([self.folder, *folders]))
+        self.assertEqual(node.process.wait(20.0), 1)
+        self.assertEqual(len(node.output().splitlines()), 1, node.output())
+        for word in ("~diagnose", "librubber_suspension_live.so", "No such file", "accepted:"):
+            self.assertIn(word, node.output())
+        self.assertEqual(self.registrations(), [])
 
     def test_names_that_are_taken(self):
         for name in ("simulate", "displacements", "forces", "reset", "save_state", "set_enabled", "diagnostics"):

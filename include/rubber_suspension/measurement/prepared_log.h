@@ -26,9 +26,9 @@ PreparedLog prepareLog(const log::Log& log);
 /// The same of a piece of a longer log, all of which the component has taken: its first cycle counts.
 PreparedLog preparePiece(const log::Log& log);
 
-/// Orthonormal columns of what a motion before each record may have left in a component: where the log starts in motion,
-/// what decays, and what motions before it would have left (in its friction, above all). A tolerance of 0 takes them
-/// out. `simulated`: force of that component over the records [N]; `simulate`: over other displacements.
+/// Orthonormal columns of what a motion before each record may have left in a component: where the log starts in
+/// motion, what decays, and what motions before it would have left (in its friction, above all). A tolerance of 0 takes
+/// them out. `simulated`: force of that component over the records [N]; `simulate`: over other displacements.
 std::vector<Eigen::MatrixXd> initialStates(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
                                            const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate);
 

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -44,8 +43,6 @@ class BundleClient {
   ForceArray receive(std::int64_t stamp);
 
  private:
-  bool waitFor(const std::function<bool()>& condition);
-
   ros::NodeHandle handle_;
   ros::CallbackQueue queue_;
   double timeout_;

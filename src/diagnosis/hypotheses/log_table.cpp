@@ -41,8 +41,8 @@ std::vector<double> sizesOfMember(const fit::Candidate& candidate, const std::ve
   const fit::FreeInLog free = candidate.free_in_log;
   std::vector<double> sizes;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const double size = sizeOf(records[r], added[r], candidate.on_rig) +
-                        (free.any() ? takenInLog(free, records[r], with[r]) : 0.0);
+    const double size =
+        sizeOf(records[r], added[r], candidate.on_rig) + (free.any() ? takenInLog(free, records[r], with[r]) : 0.0);
     sizes.push_back(std::isfinite(size) ? size : std::numeric_limits<double>::infinity());
   }
   return sizes;

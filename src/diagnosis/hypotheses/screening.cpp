@@ -36,8 +36,8 @@ struct Solution {
   double squares = 0.0;  // that they leave
 };
 
-Solution solutionOf(const Eigen::MatrixXd& total, const std::vector<Eigen::Index>& columns, const Eigen::VectorXd& lower,
-               const Eigen::VectorXd& upper) {
+Solution solutionOf(const Eigen::MatrixXd& total, const std::vector<Eigen::Index>& columns,
+                    const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
   const Eigen::Index last = total.rows() - 1;
   const auto count = static_cast<Eigen::Index>(columns.size());
   Eigen::MatrixXd gram(count, count);

@@ -27,6 +27,7 @@ constexpr std::size_t kMostEffects = 3;
 // takes laws for linear: its odds are off by some more.
 constexpr double kWithinReach = 4.6;
 constexpr double kScreeningKnown = 2.3;
+constexpr double kWorthAFit = 2.3;  // sets with one more effect that could be a tenth as likely as the best
 // Fits that promise no less than so many times the error of the best of their size end: that, too, is by screening.
 constexpr double kHopeless = 2.0;
 
@@ -156,7 +157,7 @@ class Searcher {
   }
 
   // Whether a set of so many effects can come near the best of fewer.
-  bool isWorthMore(std::size_t effects) const { return odds().mostOf(effects) > bestOdds() - kWithinReach; }
+  bool isWorthMore(std::size_t effects) const { return odds().mostOf(effects) > bestOdds() - kWorthAFit; }
 
   // The likeliest of one size, from which further effects are added: an effect that is unlikely alone may be one of a
   // pair, so that one more than those within reach is taken.
@@ -167,9 +168,8 @@ class Searcher {
         chosen.push_back(fitted);
       }
     }
-    std::stable_sort(chosen.begin(), chosen.end(), [&](const FittedHypothesis* x, const FittedHypothesis* y) {
-      return oddsOf(*x) > oddsOf(*y);
-    });
+    std::stable_sort(chosen.begin(), chosen.end(),
+                     [&](const FittedHypothesis* x, const FittedHypothesis* y) { return oddsOf(*x) > oddsOf(*y); });
     std::size_t count = 0;
     while (count < std::min(kMostStarts, chosen.size()) &&
            oddsOf(*chosen[count]) > oddsOf(*chosen.front()) - kWithinReach) {
@@ -267,9 +267,8 @@ class Searcher {
     for (std::size_t i = 0; i < members.size(); ++i) {
       std::vector<int> part = members;
       part.erase(part.begin() + static_cast<std::ptrdiff_t>(i));
-      const bool fitted = std::any_of(result_.pairs.begin(), result_.pairs.end(), [&](const FittedHypothesis& pair) {
-        return pair.hypothesis.members == part;
-      });
+      const bool fitted = std::any_of(result_.pairs.begin(), result_.pairs.end(),
+                                      [&](const FittedHypothesis& pair) { return pair.hypothesis.members == part; });
       if (!fitted) {
         parts.push_back({part, std::numeric_limits<double>::infinity(), 0.0,
                          fitter_.configured(fit::makeHypothesis(result_.candidates, part))});

@@ -1,4 +1,5 @@
-// The search over candidate effects: all singles, and the likeliest pairs and triples until more effects are no likelier.
+// The search over candidate effects: all singles, and the likeliest pairs and triples until more effects are no
+// likelier.
 #pragma once
 
 #include <functional>

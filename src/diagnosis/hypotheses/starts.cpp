@@ -112,7 +112,8 @@ void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_es
   const fit::FitLimits limits{kSingleIterations, reach};
   single.fit = fitter.fit(single.hypothesis, common.fit.parameters, limits);
   if (single.fit.gap <= reach) {
-    keepBetter({single.hypothesis, fitter.fit(single.hypothesis, fitter.configured(single.hypothesis), limits)}, single);
+    keepBetter({single.hypothesis, fitter.fit(single.hypothesis, fitter.configured(single.hypothesis), limits)},
+               single);
   }
   if (single.fit.score() > kClearlyBetter * common.fit.score()) {
     single = std::move(common);
@@ -129,7 +130,8 @@ void fitFurther(const fit::HypothesisFitter& fitter, const std::vector<fit::Cand
   fitFrom(fitter, first, {kFurtherIterations, reach, mayMove(candidates, from, hypothesis, first)}, further);
   if (further.fit.gap <= reach && from.fit.parameters.largestChange() > kFar && hypothesis.isAdditive()) {
     FittedHypothesis again{hypothesis, {}};
-    fitFrom(fitter, fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1), {kSingleIterations, reach}, again);
+    fitFrom(fitter, fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1), {kSingleIterations, reach},
+            again);
     keepBetter(std::move(again), further);
   }
 }

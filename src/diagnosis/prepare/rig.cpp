@@ -53,17 +53,18 @@ void allowError(const log::Record& record, double one_deviation, measurement::Ri
   const Eigen::Index count = columns.cols();
   const numerics::Cholesky factor(columns.transpose() * columns + Eigen::MatrixXd::Identity(count, count));
   fit.values = fit.rig.priors.cwiseProduct(factor.solve(Eigen::VectorXd(columns.transpose() * residual)));
-  fit.covariance = fit.rig.priors.asDiagonal() * factor.solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count))) *
-                   fit.rig.priors.asDiagonal();
+  fit.covariance = fit.rig.priors.asDiagonal() *
+                   factor.solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count))) * fit.rig.priors.asDiagonal();
 }
 
 // The rig's part in each record about a model.
 std::vector<measurement::RigFit> fitRig(const measurement::RigModel& rig,
                                         const std::vector<element::ElementDescription>& elements,
                                         const std::vector<fit::DisplacementZero>& zeros) {
-  auto fits = rig.fitAll(gap::simulate(elements, rig.records()), [&](const std::vector<Eigen::VectorXd>& displacements) {
-    return simulateAt(elements, rig.records(), displacements);
-  });
+  auto fits =
+      rig.fitAll(gap::simulate(elements, rig.records()), [&](const std::vector<Eigen::VectorXd>& displacements) {
+        return simulateAt(elements, rig.records(), displacements);
+      });
   for (std::size_t r = 0; r < fits.size(); ++r) {
     allowError(rig.records()[r], zeros[r].one_deviation, fits[r]);
   }
@@ -163,9 +164,8 @@ Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
   double squares = 0.0;
   for (Eigen::Index k = 0; k < kCosines; ++k) {
     const double order = static_cast<double>(k + 1);
-    columns.col(k) = (Eigen::ArrayXd::LinSpaced(record.size(), 0.5, samples - 0.5) * (element::kPi * order / samples))
-                         .cos() /
-                     order;
+    columns.col(k) =
+        (Eigen::ArrayXd::LinSpaced(record.size(), 0.5, samples - 0.5) * (element::kPi * order / samples)).cos() / order;
     squares += 0.5 / (order * order);
   }
   return columns * (deviation / std::sqrt(squares));
@@ -174,9 +174,9 @@ Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
 // One standard deviation of anything that the rig does counts as an error of this size in one of `logs` logs, in units
 // of the force's standard deviation: the judgement takes it for as improbable as any number at its deviation.
 double oneDeviation(double floor, std::size_t logs) {
-  constexpr double kAccepted = 0.005;   // of the force, that a model may err by
-  constexpr double kFloorKnown = 0.5;   // of the floor, that it may be off by
-  constexpr double kSharpness = 9.0;    // independent errors that all logs are worth
+  constexpr double kAccepted = 0.005;  // of the force, that a model may err by
+  constexpr double kFloorKnown = 0.5;  // of the floor, that it may be off by
+  constexpr double kSharpness = 9.0;   // independent errors that all logs are worth
   return std::hypot(kAccepted, kFloorKnown * floor) * std::sqrt(static_cast<double>(logs) / kSharpness);
 }
 
@@ -279,8 +279,7 @@ ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigToleranc
   const fit::ParameterVector parameters = fitter.fit(alone, fitter.configured(alone), {kIterations}).parameters;
   const auto elements = model.apply(parameters.model).allElements();
   const Noise noise = noiseOf(elements, training, held_out);
-  const Limits limits =
-      scatter == RigScatter::as_found ? limitsBy(elements, tolerances, training, held_out) : Limits();
+  const Limits limits = scatter == RigScatter::as_found ? limitsBy(elements, tolerances, training, held_out) : Limits();
   const std::vector<double> of_training = oneDeviations(noise.training, logs);
   const std::vector<double> of_held_out = oneDeviations(noise.held_out, logs);
   setNuisances(elements, gap::simulate(elements, training), tolerances, limits, of_training, training);

@@ -1,5 +1,5 @@
-// The rig's part in the logs of a diagnosis: what it may have added to each, as columns with a prior that every fit has,
-// and what is told of it.
+// The rig's part in the logs of a diagnosis: what it may have added to each, as columns with a prior that every fit
+// has, and what is told of it.
 #pragma once
 
 #include <vector>
@@ -32,8 +32,8 @@ ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigToleranc
                         RigScatter scatter = RigScatter::as_found);
 
 /// What the rig did to each record by what `judged` leaves of it: the values that the priors and the accepted error
-/// allow, each with the uncertainty that the accepted error leaves it. Not told where `rival`, the next likely elements,
-/// gives a value outside of its interval. `zeros`: of the records.
+/// allow, each with the uncertainty that the accepted error leaves it. Not told where `rival`, the next likely
+/// elements, gives a value outside of its interval. `zeros`: of the records.
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,

@@ -189,9 +189,10 @@ void LogAccount::takeOut(const std::string& kind, double left) {
 }
 
 std::vector<TakenOut> LogAccount::entries() const {
+  constexpr double kNothing = 1e-12;  // rounding
   std::vector<TakenOut> entries;
   for (const auto& [kind, square] : squares_) {
-    if (square != 0.0) {
+    if (std::abs(square) > kNothing) {
       entries.push_back({log_, kind, signedRoot(square)});
     }
   }

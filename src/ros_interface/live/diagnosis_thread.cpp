@@ -20,16 +20,11 @@ namespace {
 constexpr std::chrono::milliseconds kPause(200);
 constexpr std::size_t kPiece = 4096;  // samples that are read at a time
 
-diagnosis::LiveSettings liveSettings(const LiveDiagnoserSettings& settings) {
+std::unique_ptr<diagnosis::LiveDiagnosis> liveDiagnosis(const io::ComponentDescription& configured,
+                                                        const LiveDiagnoserSettings& settings) {
   diagnosis::LiveSettings live;
   live.memory = static_cast<std::size_t>(settings.memory);
-  return live;
-}
-
-// True where listeners have not been told this yet.
-bool isNews(const diagnosis::LiveFindings& before, const diagnosis::LiveFindings& now) {
-  return before.looks != now.looks || before.now.verdict != now.now.verdict || before.now.effects != now.now.effects ||
-         before.now.since != now.now.since;
+  return std::make_unique<diagnosis::LiveDiagnosis>(configured, live);
 }
 
 Diagnosis diagnosisMessage(const diagnosis::LiveFindings& findings) {
@@ -62,17 +57,12 @@ DiagnosisThread::DiagnosisThread(ros::NodeHandle& handle, const std::vector<node
                                  const LiveDiagnoserSettings& settings)
     : settings_(settings) {
   for (node::ComponentChannel* channel : channels) {
-    auto configured = channel->configured();
-    auto live = std::make_unique<diagnosis::LiveDiagnosis>(*configured, liveSettings(settings_));
-    const diagnosis::LiveFindings findings = live->findings();
-    watched_.push_back({channel,
-                        std::move(configured),
-                        std::move(live),
-                        0,
-                        handle.advertise<Diagnosis>(channel->name() + "/diagnosis", 10, true),
-                        findings,
-                        {}});
-    watched_.back().publisher.publish(diagnosisMessage(findings));
+    const auto configured = channel->configured();
+    Watched& watched = watched_[channel->name()];
+    watched = {channel, configured, liveDiagnosis(*configured, settings_), 0,
+               handle.advertise<Diagnosis>(channel->name() + "/diagnosis", 10, true)};
+    watched.findings = watched.live->findings();
+    watched.publisher.publish(diagnosisMessage(watched.findings));
   }
   thread_ = std::thread([this] { run(); });
   pthread_setname_np(thread_.native_handle(), "diagnosis");
@@ -81,19 +71,11 @@ DiagnosisThread::DiagnosisThread(ros::NodeHandle& handle, const std::vector<node
 DiagnosisThread::~DiagnosisThread() { DiagnosisThread::stop(); }
 
 void DiagnosisThread::stop() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stopping_ = true;
-  }
-  wake_.notify_all();
   if (thread_.joinable()) {
+    stopping_ = true;
+    wake_.set_value();
     thread_.join();
   }
-}
-
-bool DiagnosisThread::isStopping() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return stopping_;
 }
 
 // On Linux niceness belongs to the thread.
@@ -101,38 +83,36 @@ void DiagnosisThread::run() {
   if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), settings_.nice) != 0) {
     ROS_WARN("the live diagnosis runs at normal priority");
   }
-  while (!isStopping()) {
-    for (Watched& watched : watched_) {
+  const std::future<void> woken = wake_.get_future();
+  do {
+    for (auto& [name, watched] : watched_) {
       try {
         serve(watched);
       } catch (const io::Cancelled&) {
         return;
       } catch (const std::exception& error) {
-        ROS_ERROR_THROTTLE(60.0, "live diagnosis of %s: %s", watched.channel->name().c_str(), error.what());
+        ROS_ERROR_THROTTLE(60.0, "live diagnosis of %s: %s", name.c_str(), error.what());
       }
     }
-    std::unique_lock<std::mutex> lock(mutex_);
-    wake_.wait_for(lock, kPause, [this] { return stopping_; });
-  }
+  } while (woken.wait_for(kPause) == std::future_status::timeout);
 }
 
 void DiagnosisThread::serve(Watched& watched) {
   auto configured = watched.channel->configured();
   if (configured != watched.configured) {  // the component file was read again
     watched.configured = std::move(configured);
-    watched.live = std::make_unique<diagnosis::LiveDiagnosis>(*watched.configured, liveSettings(settings_));
+    watched.live = liveDiagnosis(*watched.configured, settings_);
   }
   std::vector<node::MatchedSample> samples;
   do {
-    samples.clear();
-    watched.channel->gap().read(watched.next, kPiece, samples);
+    samples = watched.channel->gap().read(watched.next, kPiece);
     for (const node::MatchedSample& sample : samples) {
       watched.live->add({sample.stamp, sample.displacement, sample.measured});
     }
-  } while (samples.size() >= kPiece && !isStopping());
+  } while (samples.size() >= kPiece && !stopping_);
   tell(watched);
   if (watched.live->lookIsDue()) {
-    watched.live->look([this] { return isStopping(); });
+    watched.live->look([this] { return stopping_.load(); });
     tell(watched);
   }
 }
@@ -140,9 +120,9 @@ void DiagnosisThread::serve(Watched& watched) {
 void DiagnosisThread::tell(Watched& watched) {
   const diagnosis::LiveFindings findings = watched.live->findings();
   auto found = watched.live->found();
-  const bool news = isNews(watched.findings, findings);
-  const bool other =
-      watched.findings.now.verdict != findings.now.verdict || watched.findings.now.effects != findings.now.effects;
+  const diagnosis::LiveVerdict& told = watched.findings.now;
+  const bool other = told.verdict != findings.now.verdict || told.effects != findings.now.effects;
+  const bool news = other || told.since != findings.now.since || watched.findings.looks != findings.looks;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     watched.findings = findings;
@@ -156,17 +136,8 @@ void DiagnosisThread::tell(Watched& watched) {
   }
 }
 
-const DiagnosisThread::Watched& DiagnosisThread::at(const std::string& component) const {
-  const auto found = std::find_if(watched_.begin(), watched_.end(),
-                                  [&](const Watched& watched) { return watched.channel->name() == component; });
-  if (found == watched_.end()) {
-    throw std::invalid_argument(fmt::format("{}: no such component", component));
-  }
-  return *found;
-}
-
 io::ComponentDescription DiagnosisThread::found(const std::string& component) const {
-  const Watched& watched = at(component);
+  const Watched& watched = watched_.at(component);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!watched.found) {
     throw std::invalid_argument(fmt::format("{}: nothing to promote: the live diagnosis says `{}`: {}", component,
@@ -177,7 +148,7 @@ io::ComponentDescription DiagnosisThread::found(const std::string& component) co
 
 void DiagnosisThread::fillStatus(const std::string& component,
                                  diagnostic_updater::DiagnosticStatusWrapper& status) const {
-  const Watched& watched = at(component);
+  const Watched& watched = watched_.at(component);
   const std::lock_guard<std::mutex> lock(mutex_);
   const diagnosis::LiveFindings& findings = watched.findings;
   using diagnostic_msgs::DiagnosticStatus;

@@ -3,8 +3,10 @@
 
 #include <ros/node_handle.h>
 
-#include <condition_variable>
+#include <atomic>
 #include <cstdint>
+#include <future>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -32,26 +34,24 @@ class DiagnosisThread final : public LiveDiagnoser {
 
  private:
   struct Watched {
-    node::ComponentChannel* channel;
+    node::ComponentChannel* channel = nullptr;
     std::shared_ptr<const io::ComponentDescription> configured;
     std::unique_ptr<diagnosis::LiveDiagnosis> live;
     std::uint64_t next = 0;  // number of the next sample
     ros::Publisher publisher;
-    diagnosis::LiveFindings findings;               // under the mutex
-    std::optional<io::ComponentDescription> found;  // under the mutex
+    diagnosis::LiveFindings findings{};               // under the mutex
+    std::optional<io::ComponentDescription> found{};  // under the mutex
   };
 
   void run();
   void serve(Watched& watched);
   void tell(Watched& watched);
-  bool isStopping() const;
-  const Watched& at(const std::string& component) const;
 
   LiveDiagnoserSettings settings_;
-  std::vector<Watched> watched_;
+  std::map<std::string, Watched> watched_;  // by component
   mutable std::mutex mutex_;
-  std::condition_variable wake_;
-  bool stopping_ = false;
+  std::promise<void> wake_;
+  std::atomic<bool> stopping_{false};
   std::thread thread_;
 };
 

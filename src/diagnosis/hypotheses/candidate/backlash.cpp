@@ -14,9 +14,8 @@ std::vector<fit::BasisTerm> termsAt(const fit::Excitation& excitation, double ga
     terms.push_back(fit::additiveTerm("friction_behind_play", "stiffness", typical,
                                       {{"yield_displacement", {yield * largest}}, {"gap", {gap}}}));
   }
-  terms.push_back(
-      fit::additiveTerm("maxwell_behind_play", "stiffness", 3.0 * typical,
-                        {{"break_frequency", {3.0 * excitation.highest_frequency}}, {"gap", {gap}}}));
+  terms.push_back(fit::additiveTerm("maxwell_behind_play", "stiffness", 3.0 * typical,
+                                    {{"break_frequency", {3.0 * excitation.highest_frequency}}, {"gap", {gap}}}));
   const auto addDamper = [&](double exponent, double share) {
     terms.push_back(fit::additiveTerm("power_dashpot_behind_play", "stiffness", 3.0 * typical,
                                       {{"displacement", {share * largest}},

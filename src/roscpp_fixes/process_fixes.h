@@ -1,4 +1,4 @@
-// The service ~get_loggers of this process, answered by ourselves.
+// What roscpp does wrongly for a process as a whole: its service ~get_loggers, and a slave API that all may call.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -16,5 +16,10 @@ std::shared_ptr<ros::ServiceServer> takeOverLoggerService();
 
 /// Resolved names of the services about loggers, roscpp's own ~set_logger_level among them.
 std::vector<std::string> loggerServices();
+
+/// Where ROS_IP or ROS_HOSTNAME keeps this process to the loopback interface, roscpp listens for samples there only,
+/// but for the calls of its slave API on all interfaces: bind these to it as well. Call once ROS runs. Returns why that
+/// was not possible, or nothing. Linux before 5.7 permits it to root only.
+std::string keepSlaveApiToLoopback();
 
 }  // namespace rubber_suspension::roscpp_fixes
