@@ -386,9 +386,9 @@ int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::Earli
     fmt::print(stderr, "\r\033[K");
   }
   const std::string whole = diagnosis::wholeText(diagnosis);
-  fmt::print("{}\n{}{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), whole.empty() ? "" : whole + "\n",
-             takenOut(diagnosis),
-             excerptsTaken(diagnosis), toText(diagnosis.comparison), options.output);
+  fmt::print("{}\n{}{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence),
+             whole.empty() ? "" : whole + "\n", takenOut(diagnosis), excerptsTaken(diagnosis),
+             toText(diagnosis.comparison), options.output);
   return kSuccess;
 }
 

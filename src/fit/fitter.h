@@ -27,7 +27,6 @@ class Fitter final : public HypothesisFitter {
   const std::vector<double>& weights() const { return weights_; }
   double gapOf(const Hypothesis& hypothesis, const std::vector<Eigen::VectorXd>& forces) const override;
 
-
   /// Find the unit effects of these candidates (findUnitEffects()) and their products with each other, which fits then
   /// need not find again. Not while fits run.
   void prepare(std::vector<Candidate>& candidates, int threads);

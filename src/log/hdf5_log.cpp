@@ -150,7 +150,9 @@ herr_t visitObject(hid_t root, const char* name, const H5O_info_t* info, void* d
 std::string leafOf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 // That a column belongs to; the dataset itself is one for its members.
-std::string groupOf(const Hdf5Column& column) { return column.member.empty() ? log::groupOf(column.path) : column.path; }
+std::string groupOf(const Hdf5Column& column) {
+  return column.member.empty() ? log::groupOf(column.path) : column.path;
+}
 
 // Short names where they are clear.
 void nameColumns(std::vector<Hdf5Column>& columns) {

@@ -17,7 +17,7 @@ namespace {
 using diagnosis::Closing;
 using diagnosis::Evidence;
 
-constexpr double kGap = 0.2;      // before
+constexpr double kGap = 0.2;       // before
 constexpr double kRemoved = 0.03;  // square of what the law adds
 constexpr Closing kFirst{Evidence::kFirstSingle, 1.0, true};
 
@@ -94,7 +94,8 @@ TEST(ClosedOnFurtherLogs, IsWiderBesideARest) {
   const Evidence evidence = evidenceOf(std::vector<double>(3, std::pow(0.08, 2)));
   Closing beside = kFirst;
   beside.alone = 0.0;
-  EXPECT_GT(width(closedOnFurtherLogs(evidence, beside, 1000, 1)), width(closedOnFurtherLogs(evidence, kFirst, 1000, 1)));
+  EXPECT_GT(width(closedOnFurtherLogs(evidence, beside, 1000, 1)),
+            width(closedOnFurtherLogs(evidence, kFirst, 1000, 1)));
 }
 
 // A law that is at work opens no gap; one that is not may.

@@ -215,7 +215,7 @@ TEST(Headline, AddsUpTheLimitsOfAllThatYields) {
 TEST(Headline, IsShortForPeople) {
   const auto softening =
       diagnosis::headlineValuesOf({{"stress_softening", {{"reduction", {0.2}}, {"width", {0.05}}, {"path", {1.0}}}},
-                                  {"stress_softening", {{"reduction", {0.3}}, {"width", {0.5}}, {"path", {2.0}}}}});
+                                   {"stress_softening", {{"reduction", {0.3}}, {"width", {0.5}}, {"path", {2.0}}}}});
   ASSERT_EQ(softening.size(), 1U);
   EXPECT_EQ(softening[0].name, "total_reduction");
   EXPECT_DOUBLE_EQ(softening[0].value, 0.5);
