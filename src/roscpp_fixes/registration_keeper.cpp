@@ -6,6 +6,7 @@
 #include <ros/connection_manager.h>
 #include <ros/console.h>
 #include <ros/network.h>
+#include <ros/this_node.h>
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcException.h>
 

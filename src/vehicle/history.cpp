@@ -35,6 +35,14 @@ void writeCsv(const std::string& path, Write write) {
   new_file.commit();
 }
 
+// Behind others, to the last bit.
+template <class Numbers>
+void writeNumbers(std::ofstream& file, const Numbers& numbers) {
+  for (const double number : numbers) {
+    file << fmt::format(",{:.17g}", number);
+  }
+}
+
 }  // namespace
 
 PerStrut displacementDifference(const History& history, const History& reference) {
@@ -103,9 +111,9 @@ void writeHistoryCsv(const std::string& path, const PerBush<std::string>& names,
       for (std::size_t i = 0; i < components.size(); ++i) {
         const component::SixNumbers q = components[i].coordinates(history.pose[n][i]);
         const component::Wrench& wrench = history.wrench[n][i];
-        file << fmt::format(",{:.17g}", fmt::join(q.data(), q.data() + q.size(), ","))
-             << fmt::format(",{:.17g}", fmt::join(wrench.force.data(), wrench.force.data() + 3, ","))
-             << fmt::format(",{:.17g}", fmt::join(wrench.moment.data(), wrench.moment.data() + 3, ","));
+        writeNumbers(file, q);
+        writeNumbers(file, wrench.force);
+        writeNumbers(file, wrench.moment);
       }
       file << '\n';
     }

@@ -306,7 +306,7 @@ TEST(FirstScreen, AnswersTheFiveQuestions) {
   const std::string html = diagnosis::firstScreen(d, "<figure>LOOP</figure>");
   for (const char* answer :
        {"bush &lt;1&gt;", "<h1>The model lacks friction.</h1>", "maximum force 6 kN (5.7 to 6.4 kN)",
-        "half of the force at 0.35 mm (0.3 to 0.4 mm)", "97 % that friction", "gap 14.0 % as configured", "2.0 % after",
+        "half of it at 0.35 mm (0.3 to 0.4 mm)", "97 % that friction", "gap 14.0 % as configured", "2.0 % after",
         "94 % (95 % on further logs: 92 to 100 %)", "sines", "2 to 4 Hz", "stiffness", "31 %", "sine at 4 Hz",
         "next_experiment.csv", "(2 s at 100 Hz", "LOOP"}) {
     EXPECT_THAT(html, HasSubstr(answer));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <vector>
 
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/replay.h"
@@ -13,6 +14,20 @@ namespace rubber_suspension {
 namespace {
 
 const std::string kFolder = TEST_DIR "/../config";
+
+// The component, or those of its directions that are not free.
+std::vector<io::ComponentDescription> directionsOf(const io::ComponentDescription& component) {
+  if (component.six == nullptr) {
+    return {component};
+  }
+  std::vector<io::ComponentDescription> directions;
+  for (const auto& direction : component.six->directions) {
+    if (direction) {
+      directions.push_back(*direction);
+    }
+  }
+  return directions;
+}
 
 TEST(ExampleFiles, AllLoadAndGiveFiniteForces) {
   log::Log sine;
@@ -28,7 +43,9 @@ TEST(ExampleFiles, AllLoadAndGiveFiniteForces) {
     }
     ++files;
     for (const io::ComponentDescription& component : io::loadComponentFile(entry.path().string())) {
-      EXPECT_NO_THROW(gap::simulateLog(component.makeComponent(), sine)) << component.name;
+      for (const io::ComponentDescription& direction : directionsOf(component)) {
+        EXPECT_NO_THROW(gap::simulateLog(direction.makeComponent(), sine)) << direction.name;
+      }
     }
   }
   EXPECT_GE(files, 2);

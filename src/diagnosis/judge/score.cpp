@@ -65,6 +65,13 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
   }
 }
 
+// What other values remove is the size of the error that wrong ones make.
+void fillSizeOfWrongValues(ScoreTable& table) {
+  const ArrayXd removed =
+      (table.left.row(Evidence::kAsConfigured) - table.left.row(Evidence::kReEstimated)).transpose();
+  table.sizes[Evidence::kReEstimated] = {0.5 * std::log(std::max((removed * table.weight).sum(), kLeastSquare))};
+}
+
 // Of a set: its effects, and what it frees.
 double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const std::vector<int>& members = table.members[hypothesis];
@@ -78,7 +85,7 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
          numbers.per_gain * table.gains[row];
 }
 
-// An effect has a size: what adds a small part of the force is seldom one.
+// An effect has a size, and so have wrong values: what makes up a small part of the force is seldom one.
 double priorOfSizes(const std::vector<double>& sizes, const JudgeNumbers& numbers) {
   double prior = 0.0;
   for (const double size : sizes) {
@@ -99,7 +106,7 @@ double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t
     case Evidence::kAsConfigured:
       return numbers.none;
     case Evidence::kReEstimated:
-      return numbers.wrong_values;
+      return numbers.wrong_values + priorOfSizes(table.sizes[hypothesis], numbers);
     default:
       return priorOfSet(table, numbers, hypothesis) + priorOfSizes(table.sizes[hypothesis], numbers);
   }
@@ -126,6 +133,7 @@ ScoreTable scoreTable(const Evidence& evidence) {
     fillErrors(hypothesis, row, table);
     fillMembers(evidence, hypothesis, row, table);
   }
+  fillSizeOfWrongValues(table);
   return table;
 }
 
@@ -160,7 +168,8 @@ LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
     weights.alone[static_cast<Index>(h)] += prior;
     weights.beside[static_cast<Index>(h)] += prior;
   }
-  weights.beside[Evidence::kReEstimated] -= numbers.wrong_values;  // whether values are wrong does not matter there
+  // Whether values are wrong does not matter there.
+  weights.beside[Evidence::kReEstimated] -= priorOf(table, numbers, Evidence::kReEstimated);
   weights.beside[Evidence::kAsConfigured] = -std::numeric_limits<double>::infinity();
   refuseInfinite(weights.alone);
   refuseInfinite(weights.beside);

@@ -15,17 +15,18 @@ namespace rubber_suspension::diagnosis {
 struct ScoreTable {
   std::vector<std::string> effects;
   std::vector<std::vector<int>> members;
-  Eigen::ArrayXXd left;                    ///< squares beyond the noise floor, each log shrunk half way to all logs
-  Eigen::ArrayXXd added;                   ///< squares of the forces of the members that belong to the rubber
-  Eigen::ArrayXXd added_rig;               ///< of those that belong to the rig
-  Eigen::ArrayXd moved;                    ///< square of the penalty of moved model parameters
-  Eigen::ArrayXd numbers;                  ///< that the members add
-  Eigen::ArrayXd trends;                   ///< of logs, that are free
-  Eigen::ArrayXd gains;                    ///< likewise
-  std::vector<std::vector<double>> sizes;  ///< logarithm of the size of each member over all logs
-  Eigen::ArrayXd floor;                    ///< of each log, squared
-  Eigen::ArrayXd weight;                   ///< of each log; they add up to 1
-  double blocks = 0.0;                     ///< of the logs that errors are known of
+  Eigen::ArrayXXd left;       ///< squares beyond the noise floor, each log shrunk half way to all logs
+  Eigen::ArrayXXd added;      ///< squares of the forces of the members that belong to the rubber
+  Eigen::ArrayXXd added_rig;  ///< of those that belong to the rig
+  Eigen::ArrayXd moved;       ///< square of the penalty of moved model parameters
+  Eigen::ArrayXd numbers;     ///< that the members add
+  Eigen::ArrayXd trends;      ///< of logs, that are free
+  Eigen::ArrayXd gains;       ///< likewise
+  std::vector<std::vector<double>>
+      sizes;              ///< logarithm of the size of each member over all logs; of wrong values, alone
+  Eigen::ArrayXd floor;   ///< of each log, squared
+  Eigen::ArrayXd weight;  ///< of each log; they add up to 1
+  double blocks = 0.0;    ///< of the logs that errors are known of
 };
 
 /// Throws std::invalid_argument where the evidence has no logs or a hypothesis no errors by log.

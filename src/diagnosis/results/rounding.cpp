@@ -30,8 +30,9 @@ std::string toDecimals(double value, int decimals) {
   if (std::abs(value) > kMostFixed || decimals > kMostDigits) {
     return fmt::format("{}", value);
   }
-  const double step = std::pow(10.0, -std::min(decimals, 0));
-  const std::string text = fmt::format("{:.{}f}", std::round(value / step) * step, std::max(decimals, 0));
+  const double step = std::pow(10.0, -decimals);
+  const double rounded = decimals < 0 ? std::round(value / step) * step : value;
+  const std::string text = fmt::format("{:.{}f}", rounded, std::max(decimals, 0));
   return std::stod(text) == 0.0 ? fmt::format("{:.1g}", value) : text;  // no number is rounded to none
 }
 
