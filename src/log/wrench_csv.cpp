@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "log/log_columns.h"
 #include "log/new_file.h"
 #include "rubber_suspension/log/pose_log.h"
 
