@@ -111,7 +111,8 @@ int main(int argc, char** argv) {
          "--config component.yaml --largest-displacement '10 mm' --frequency 4 --amplitude '1 mm' --axis x --points "
          "201 --output bush.bus"},
         {"One of six directions, for Altair",
-         "--config bush.yaml --largest-displacement '5 mm' --largest-rotation '10 deg' --frequency 10 --amplitude "
+         "--config hung_body.yaml --component front_left --largest-displacement '5 mm' --largest-rotation '10 deg' "
+         "--frequency 10 --amplitude "
          "'0.5 mm' --rotation-amplitude '1 deg' --output bush.gbs"}}},
       options.table(), [&] { return run(options); });
 }

@@ -240,7 +240,6 @@ int main(int argc, char** argv) {
                      "Simulates a vehicle on rubber components with Simbody, their forces from the library or, over "
                      "topics, from the node.",
                      {{"The largest stable step", "--config half_bogie.yaml --stability"},
-                      {"Over a track", "--config half_bogie.yaml --track track.csv --plot vehicle.svg"},
                       {"With forces from the node, a step late",
                        "--config half_bogie.yaml --track track.csv --forces topics --delay 1 --output vehicle.csv"},
                       {"A body on four bushes of six directions",

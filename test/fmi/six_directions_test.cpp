@@ -136,8 +136,12 @@ TEST_P(SixDirections, ASavedStateGoesOnWithTheSameBits) {
 TEST_P(SixDirections, ARotationBeyondTheMeasureIsAnErrorThatLeavesAllAsItWas) {
   start(0);
   drive(0, 50);
-  component::SixNumbers beyond = inputsAt(51);
-  beyond[component::kRy] = 1.55;  // 88.8 deg; cardan angles end at 85
+  component::SixNumbers of_bush = component::SixNumbers::Zero();
+  of_bush[component::kRy] = 1.55;  // 88.8 deg; cardan angles of the bush's own axes end at 85
+  const Eigen::Isometry3d pose = bush().six->makeComponent().pose(of_bush);
+  component::SixNumbers beyond;
+  beyond << pose.translation(),
+      component::coordinatesOf(component::RotationMeasure::cardan, Eigen::Quaterniond(pose.linear())).value;
   ASSERT_EQ(set(beyond), kOk);
   EXPECT_EQ(importer_->step(0.05, 1e-3), kError);
   EXPECT_EQ(drive(50, 60).size(), 10U);

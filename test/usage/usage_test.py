@@ -91,7 +91,7 @@ class Examples(unittest.TestCase):
     def test_work_as_printed(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            for path in (BUSH, EXAMPLE, CONFIG / "half_bogie.yaml"):
+            for path in (BUSH, EXAMPLE, CONFIG / "half_bogie.yaml", CONFIG / "hung_body.yaml"):
                 (folder / pathlib.Path(path).name).write_text(pathlib.Path(path).read_text(encoding="utf-8"), encoding="utf-8")
             rows = pathlib.Path(LOG).read_text(encoding="utf-8").splitlines()[:2001]
             cells = [row.split(",") for row in rows]

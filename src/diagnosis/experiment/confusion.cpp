@@ -47,6 +47,16 @@ Outcome outcomeOf(const Answer& answer, int effect) {
   return listed ? Outcome::confounded : Outcome::taken_for;
 }
 
+// Of outcomes with their shares the commonest. Where half is found, alone or among others, it is one of these two.
+Outcome commonest(std::map<Outcome, double> outcomes) {
+  if (outcomes[Outcome::found] + outcomes[Outcome::confounded] >= 0.5) {
+    return outcomes[Outcome::found] < outcomes[Outcome::confounded] ? Outcome::confounded : Outcome::found;
+  }
+  return std::max_element(outcomes.begin(), outcomes.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
 // Effects are named, and wrong values may be all the same.
 bool valuesWouldDo(const Answer& answer) {
   return !answer.effects.empty() &&
@@ -88,9 +98,7 @@ class EffectRow {
         in_its_place[other] += share;
       }
     }
-    row.outcome = outcomeName(std::max_element(outcomes.begin(), outcomes.end(), [](const auto& a, const auto& b) {
-                                return a.second < b.second;
-                              })->first);
+    row.outcome = outcomeName(commonest(outcomes));
     row.taken_for = byShare(in_its_place);
     row.least_size = leastSize();
     return row;

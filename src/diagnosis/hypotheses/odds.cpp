@@ -6,17 +6,12 @@
 #include <limits>
 
 #include "diagnosis/judge/numbers.h"
+#include "diagnosis/judge/score.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
 double square(double value) { return value * value; }
-
-double priorOfCount(std::size_t effects) {
-  const JudgeNumbers& numbers = fittedNumbers();
-  return static_cast<double>(effects) * numbers.effect + (effects > 1 ? numbers.second : 0.0) +
-         (effects > 2 ? numbers.third : 0.0);
-}
 
 }  // namespace
 
@@ -29,13 +24,12 @@ double Odds::ofError(double error) const {
   const double expected =
       square(numbers.floor_known * floor_) + square(numbers.accepted) + square(numbers.form_error) * removed;
   const double left = std::max(0.0, square(error) - square(floor_));
-  return -0.5 * numbers.sharpness *
-         (std::log(expected) + (numbers.tails + 1.0) * std::log1p(left / (numbers.tails * expected)));
+  return -0.5 * numbers.sharpness * lossOf(left, expected, numbers);
 }
 
 double Odds::of(const std::vector<int>& members, double error) const {
   const JudgeNumbers& numbers = fittedNumbers();
-  double prior = priorOfCount(members.size());
+  double prior = priorOfCount(members.size(), numbers);
   std::size_t terms = 0;
   for (const int member : members) {
     const fit::Candidate& candidate = candidates_[static_cast<std::size_t>(member)];
@@ -46,8 +40,9 @@ double Odds::of(const std::vector<int>& members, double error) const {
 }
 
 double Odds::mostOf(std::size_t effects) const {
-  return ofError(floor_) + priorOfCount(effects) -
-         fittedNumbers().per_number * std::log1p(static_cast<double>(effects));
+  const JudgeNumbers& numbers = fittedNumbers();
+  return ofError(floor_) + priorOfCount(effects, numbers) -
+         numbers.per_number * std::log1p(static_cast<double>(effects));
 }
 
 }  // namespace rubber_suspension::diagnosis

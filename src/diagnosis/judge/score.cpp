@@ -76,20 +76,19 @@ void fillSizeOfWrongValues(ScoreTable& table) {
 double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const std::vector<int>& members = table.members[hypothesis];
   const auto row = static_cast<Index>(hypothesis);
-  double prior = members.size() > 1 ? numbers.second : 0.0;
-  prior += members.size() > 2 ? numbers.third : 0.0;
+  double prior = priorOfCount(members.size(), numbers);
   for (const int member : members) {
-    prior += numbers.effect + numbers.rateOf(table.effects[static_cast<std::size_t>(member)]);
+    prior += numbers.rateOf(table.effects[static_cast<std::size_t>(member)]);
   }
   return prior - numbers.per_number * std::log1p(table.numbers[row]) - numbers.per_trend * table.trends[row] -
          numbers.per_gain * table.gains[row];
 }
 
-// An effect has a size, and so have wrong values: what makes up a small part of the force is seldom one.
-double priorOfSizes(const std::vector<double>& sizes, const JudgeNumbers& numbers) {
+// An effect has a size, and so have wrong values: what is smaller than the least size is seldom one.
+double priorOfSizes(const std::vector<double>& sizes, double least, const JudgeNumbers& numbers) {
   double prior = 0.0;
   for (const double size : sizes) {
-    const double below = std::min(size - std::log(numbers.least_size), 0.0) / numbers.size_spread;
+    const double below = std::min(size - std::log(least), 0.0) / numbers.size_spread;
     prior -= 0.5 * below * below;
   }
   return prior;
@@ -106,9 +105,11 @@ double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t
     case Evidence::kAsConfigured:
       return numbers.none;
     case Evidence::kReEstimated:
-      return numbers.wrong_values + priorOfSizes(table.sizes[hypothesis], numbers);
+      // Values are wrong by more than an engineer accepts.
+      return numbers.wrong_values + priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers);
     default:
-      return priorOfSet(table, numbers, hypothesis) + priorOfSizes(table.sizes[hypothesis], numbers);
+      return priorOfSet(table, numbers, hypothesis) +
+             priorOfSizes(table.sizes[hypothesis], numbers.least_size, numbers);
   }
 }
 
@@ -144,6 +145,11 @@ ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& numbers) {
   const ArrayXd others = numbers.floor_known * numbers.floor_known * table.floor + numbers.accepted * numbers.accepted;
   squares.rowwise() += others.transpose();
   return squares;
+}
+
+double priorOfCount(std::size_t effects, const JudgeNumbers& numbers) {
+  return static_cast<double>(effects) * numbers.effect + (effects > 1 ? numbers.second : 0.0) +
+         (effects > 2 ? numbers.third : 0.0);
 }
 
 double sharpnessOf(const ScoreTable& table, const JudgeNumbers& numbers) {

@@ -38,6 +38,9 @@ Eigen::ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& num
 /// The sharpness kappa for this many blocks.
 double sharpnessOf(const ScoreTable& table, const JudgeNumbers& numbers);
 
+/// Prior of so many effects at work, whichever they are.
+double priorOfCount(std::size_t effects, const JudgeNumbers& numbers);
+
 /// What squares left cost where these are expected: ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2)).
 double lossOf(double left, double expected, const JudgeNumbers& numbers);
 

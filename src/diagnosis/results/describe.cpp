@@ -19,7 +19,6 @@
 #include "diagnosis/results/augmented.h"
 #include "diagnosis/results/characteristics.h"
 #include "diagnosis/results/model_parameters_by_log.h"
-#include "diagnosis/results/predictive.h"
 #include "diagnosis/results/recorded_gap.h"
 #include "diagnosis/results/surrogate.h"
 #include "diagnosis/results/taken_out.h"
@@ -153,16 +152,7 @@ class Describer {
       result_.gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
     }
     boundFloor();
-    result_.closed = closed(result_.gap.augmented);
-    result_.closed_interval = answer_.effects.empty() ? std::array{result_.closed, result_.closed}
-                                                      : holding(result_.closed, closingOf(answer_));
-  }
-
-  // Predicted of further logs; those that the gap is of are further logs, too.
-  std::array<double, 2> holding(double closed, const Closing& closing) const {
-    const std::array<double, 2> interval =
-        closedOnFurtherLogs(workings_->evidence, closing, options_.resamplings, options_.seed);
-    return {std::min(interval[0], closed), std::max(interval[1], closed)};
+    addClosed(*workings_, options_, result_);
   }
 
   // What of the gap is due to the model's own values, and what to the effects: each alone. In sample where there are no
@@ -199,10 +189,6 @@ class Describer {
     if (result_.surrogate) {
       result_.surrogate->gap = gaps[3];
     }
-  }
-
-  double closed(double gap) const {
-    return std::min(1.0, gap::closedFraction(result_.gap.re_estimated, gap, result_.gap.noise_floor));
   }
 
   // Errors over frequency, amplitude and time, on the logs that the gap is of; where the configured model is wrong.
@@ -268,33 +254,10 @@ class Describer {
 
   void describeCandidates() {
     result_.candidates.resize(search_.candidates.size());
-    fit::parallelFor(result_.candidates.size(), options_.threads,
-                     [&](std::size_t c) { result_.candidates[c] = describeCandidate(c); });
-    std::stable_sort(result_.candidates.begin(), result_.candidates.end(),
-                     [](const CandidateResult& a, const CandidateResult& b) {
-                       return a.probability != b.probability ? a.probability > b.probability : a.closed > b.closed;
-                     });
-  }
-
-  CandidateResult describeCandidate(std::size_t c) const {
-    const FittedHypothesis& single = search_.singles[c];
-    const std::vector<gap::PartError>& errors = of_candidates_[c];
-    CandidateResult candidate;
-    candidate.effect = search_.candidates[c].effect;
-    candidate.documentation = search_.candidates[c].documentation;
-    candidate.on_rig = search_.candidates[c].on_rig;
-    candidate.probability = answer_.candidates[c];
-    candidate.gap = gap::gapOfParts(errors);
-    candidate.closed = closed(candidate.gap);
-    candidate.interval = &single == &judged_
-                             ? result_.closed_interval
-                             : holding(candidate.closed, {Evidence::kFirstSingle + static_cast<int>(c)});
-    candidate.visible_share = search_.visible_share[c];
-    candidate.testable =
-        search_.testable[c] || std::count(answer_.effects.begin(), answer_.effects.end(), static_cast<int>(c)) > 0;
-    candidate.add = entriesOf(single);
-    candidate.parameters = headlineOf(candidate.add);
-    return candidate;
+    fit::parallelFor(result_.candidates.size(), options_.threads, [&](std::size_t c) {
+      result_.candidates[c] = candidateResult(*workings_, options_, result_, c, gap::gapOfParts(of_candidates_[c]));
+    });
+    sortByProbability(result_.candidates);
   }
 
   void describeParameters() {

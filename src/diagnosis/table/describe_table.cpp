@@ -8,7 +8,6 @@
 #include "diagnosis/report/sentence.h"
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/augmented.h"
-#include "diagnosis/results/predictive.h"
 #include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/sizes.h"
 #include "diagnosis/table/next_row.h"
@@ -103,25 +102,13 @@ class TableDescriber {
       gap.noise_floor = std::min(gap.noise_floor, gap::gapOfParts(single.fit.blocks));
     }
     result_.noise_source = search_.noise_source;
-    result_.closed = closed(gap.augmented);
-    result_.closed_interval = answer_.effects.empty() ? std::array{result_.closed, result_.closed}
-                                                      : holding(result_.closed, closingOf(answer_));
+    addClosed(*workings_, options_, result_);
     io::ComponentDescription values = result_.augmented;
     values.add = component_.add;
     io::ComponentDescription effects = component_;
     effects.add = result_.augmented.add;
     result_.gap_of_values = gapOf(values);
     result_.gap_of_effects = gapOf(effects);
-  }
-
-  double closed(double gap) const {
-    return std::min(1.0, gap::closedFraction(result_.gap.re_estimated, gap, result_.gap.noise_floor));
-  }
-
-  std::array<double, 2> holding(double closed, const Closing& closing) const {
-    const std::array<double, 2> interval =
-        closedOnFurtherLogs(workings_->evidence, closing, options_.resamplings, options_.seed);
-    return {std::min(interval[0], closed), std::max(interval[1], closed)};
   }
 
   // Where the configured model is wrong: two cells for each row.
@@ -149,30 +136,10 @@ class TableDescriber {
 
   void describeCandidates() {
     for (std::size_t c = 0; c < search_.candidates.size(); ++c) {
-      result_.candidates.push_back(describeCandidate(c));
+      result_.candidates.push_back(
+          candidateResult(*workings_, options_, result_, c, gap::gapOfParts(search_.singles[c].fit.blocks)));
     }
-    std::stable_sort(result_.candidates.begin(), result_.candidates.end(),
-                     [](const CandidateResult& a, const CandidateResult& b) {
-                       return a.probability != b.probability ? a.probability > b.probability : a.closed > b.closed;
-                     });
-  }
-
-  CandidateResult describeCandidate(std::size_t c) const {
-    const FittedHypothesis& single = search_.singles[c];
-    CandidateResult candidate;
-    candidate.effect = search_.candidates[c].effect;
-    candidate.documentation = search_.candidates[c].documentation;
-    candidate.on_rig = search_.candidates[c].on_rig;
-    candidate.probability = answer_.candidates[c];
-    candidate.gap = gap::gapOfParts(single.fit.blocks);
-    candidate.closed = closed(candidate.gap);
-    candidate.interval = holding(candidate.closed, {Evidence::kFirstSingle + static_cast<int>(c)});
-    candidate.visible_share = search_.visible_share[c];
-    candidate.testable =
-        search_.testable[c] || std::count(answer_.effects.begin(), answer_.effects.end(), static_cast<int>(c)) > 0;
-    candidate.add = entriesOf(single);
-    candidate.parameters = headlineOf(candidate.add);
-    return candidate;
+    sortByProbability(result_.candidates);
   }
 
   void describeParameters() {
