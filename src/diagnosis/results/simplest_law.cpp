@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -46,6 +47,10 @@ struct Start {
   double square = std::numeric_limits<double>::infinity();
 };
 
+// Of each number of numbers, by the kind of the first term: linear equations about the full law do not tell which kind
+// comes nearer once it is fitted.
+using Starts = std::map<std::size_t, std::map<std::string, Start>>;
+
 // Least squares over some of the terms of a member, all else being free.
 class Subsets {
  public:
@@ -75,8 +80,7 @@ class Subsets {
     }
   }
 
-  // The best one of each number of numbers.
-  std::map<std::size_t, Start> best() {
+  Starts best() {
     tryFrom(0, {}, 0);
     return std::move(best_);
   }
@@ -90,7 +94,7 @@ class Subsets {
       }
       Indices more = chosen;
       more.push_back(static_cast<Eigen::Index>(t));
-      rate(more, best_[numbers + numbers_[t]]);
+      rate(more, best_[numbers + numbers_[t]][types_[static_cast<std::size_t>(more.front())]]);
       if (more.size() < kMostTerms) {
         tryFrom(t + 1, more, numbers + numbers_[t]);
       }
@@ -132,7 +136,7 @@ class Subsets {
   Eigen::MatrixXd gram_;
   Eigen::VectorXd moment_;
   double square_;
-  std::map<std::size_t, Start> best_;
+  Starts best_;
 };
 
 class Chooser {
@@ -213,8 +217,8 @@ class Chooser {
     return std::sqrt(std::max(0.0, scales.dot(pick(blocks_.sum, own, own) * scales)));
   }
 
-  // The best law of each number of numbers by the normal equations.
-  std::map<std::size_t, Start> startsOf(std::size_t m) const {
+  // The best laws by the normal equations.
+  Starts startsOf(std::size_t m) const {
     const Eigen::Index last = blocks_.sum.cols() - 1;
     Eigen::VectorXd moment = blocks_.sum.col(last);
     double square = blocks_.sum(last, last);
@@ -240,20 +244,32 @@ class Chooser {
   void simplify(std::size_t m, double allowed) {
     const std::vector<Entries> full = result_.fitted.law.at(result_.fitted.fit.parameters.scales);
     const std::size_t most = numbersOf(full[m]).size();
-    for (const auto& [numbers, start] : startsOf(m)) {
-      if (numbers > most || start.entries.empty()) {
+    for (const auto& [numbers, starts] : startsOf(m)) {
+      const std::optional<FittedLaw> simple = numbers > most ? std::nullopt : bestOf(m, starts);
+      if (simple && std::pow(gapOf(*simple), 2) <= allowed) {
+        result_.fitted = *simple;
+        return;
+      }
+    }
+  }
+
+  // The fit that leaves least.
+  std::optional<FittedLaw> bestOf(std::size_t m, const std::map<std::string, Start>& starts) const {
+    std::optional<FittedLaw> best;
+    for (const auto& [type, start] : starts) {
+      if (start.entries.empty()) {
         continue;
       }
       try {
-        const FittedLaw simple = fitted(m, start.entries);
-        if (std::pow(gapOf(simple), 2) <= allowed) {
-          result_.fitted = simple;
-          return;
+        FittedLaw simple = fitted(m, start.entries);
+        if (!best || gapOf(simple) < gapOf(*best)) {
+          best = std::move(simple);
         }
       } catch (const std::invalid_argument&) {
         continue;  // its numbers have no model
       }
     }
+    return best;
   }
 
   FittedLaw fitted(std::size_t m, const Entries& start) const {
