@@ -2,6 +2,7 @@
 #include "diagnosis/judge/score.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -148,8 +149,12 @@ ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& numbers) {
 }
 
 double priorOfCount(std::size_t effects, const JudgeNumbers& numbers) {
-  return static_cast<double>(effects) * numbers.effect + (effects > 1 ? numbers.second : 0.0) +
-         (effects > 2 ? numbers.third : 0.0);
+  const std::array<double, 2> further = {numbers.second, numbers.third};
+  double prior = static_cast<double>(effects) * numbers.effect;
+  for (std::size_t n = 1; n < effects && n <= further.size(); ++n) {
+    prior += further[n - 1];
+  }
+  return prior;
 }
 
 double sharpnessOf(const ScoreTable& table, const JudgeNumbers& numbers) {
