@@ -23,24 +23,27 @@ struct Options {
   OptionTable table() {
     command::BushingCurve& along = bushing.translation;
     command::BushingCurve& about = bushing.rotation;
-    return {component.table(),
-            Option("--output", output, "FILE", "file to write, .bus of Adams or .gbs of Altair")
-                .required()
-                .writes(io::FileKind::bushing_file),
-            Option("--largest-displacement", Quantity{&along.largest, "m"}, "METRES",
-                   "the curves of forces go as far to both sides, such as '10 mm'"),
-            Option("--largest-rotation", Quantity{&about.largest, "rad"}, "RADIANS",
-                   "the curves of moments go as far to both sides, such as '10 deg'"),
-            Option("--frequency", Quantity{&bushing.frequency, "Hz"}, "HZ",
-                   "frequency of the sine whose loss the damping has")
-                .required(),
-            Option("--amplitude", Quantity{&along.amplitude, "m"}, "METRES", "amplitude of this sine, such as '1 mm'"),
-            Option("--rotation-amplitude", Quantity{&about.amplitude, "rad"}, "RADIANS",
-                   "amplitude of this sine about an axis, such as '2 deg'"),
-            Option("--axis", axis, "AXIS",
-                   "axis of the bushing that a component of one direction is along: x, y or z (z by itself)")
-                .oneOf({"x", "y", "z"}),
-            Option("--points", bushing.points, "COUNT", "points of the curves, an odd number").within(3, 100001)};
+    return {
+        component.table(),
+        Option("--output", output, "FILE", "file to write, .bus of Adams or .gbs of Altair")
+            .required()
+            .writes(io::FileKind::bushing_file),
+        Option("--largest-displacement", Quantity{&along.largest, "m"}, "METRES",
+               "the curves of forces go as far to both sides, such as '10 mm'"),
+        Option("--largest-rotation", Quantity{&about.largest, "rad"}, "RADIANS",
+               "the curves of moments go as far to both sides, such as '10 deg'"),
+        Option("--frequency", Quantity{&bushing.frequency, "Hz"}, "HZ",
+               "frequency of the sine whose loss the damping has")
+            .required(),
+        Option("--amplitude", Quantity{&along.amplitude, "m"}, "METRES", "amplitude of this sine, such as '1 mm'"),
+        Option("--rotation-amplitude", Quantity{&about.amplitude, "rad"}, "RADIANS",
+               "amplitude of this sine about an axis, such as '2 deg'")
+            .rare(),
+        Option("--axis", axis, "AXIS",
+               "axis of the bushing that a component of one direction is along: x, y or z (z by itself)")
+            .rare()
+            .oneOf({"x", "y", "z"}),
+        Option("--points", bushing.points, "COUNT", "points of the curves, an odd number").rare().within(3, 100001)};
   }
 };
 

@@ -199,9 +199,7 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
 // Each way to run takes some of the options; none is passed over.
 OptionTable Options::table() {
   OptionTable options = {
-      Option("--config", config, "FILE",
-             "component file with front_primary, rear_primary and secondary, or front_left, front_right, rear_left and "
-             "rear_right of the body")
+      Option("--config", config, "FILE", "component file with all components of the vehicle (docs/vehicle.md)")
           .required()
           .reads(),
       Option("--vehicle", vehicle, "NAME",
@@ -214,7 +212,9 @@ OptionTable Options::table() {
              "where the forces come from: library and topics at fixed steps, implicit with iterations")
           .oneOf({"library", "topics", "implicit"}),
       Option("--time-step", time_step, "SECONDS", "step of the loop").within(1e-6, 0.1),
-      Option("--delay", delay, "COUNT", "steps that pass before a force acts; 0 waits for each answer").within(0, 100),
+      Option("--delay", delay, "COUNT", "steps that pass before a force acts; 0 waits for each answer")
+          .rare()
+          .within(0, 100),
       Option("--speed", speed, "M/S", "speed of the vehicle").rare().within(0.1, 1000),
       Option("--output", output, "FILE", "CSV to write: positions, displacements and forces")
           .writes(io::FileKind::vehicle_csv),

@@ -297,6 +297,15 @@ Evidence evidenceOf(const log::Record& record, const VectorXd& simulated) {
   return e;
 }
 
+// Whether the force while the displacement stands still is more than what follows no motion anyway: a hum of the mains
+// continues in a hold as it does in all of the log.
+bool isOfAMotion(const log::Record& record, const DeadPart& dead) {
+  constexpr double kMore = 1.25;  // two parts of a log tell a hum within a quarter
+  const Index length = dead.end - dead.begin;
+  return deviationOf(record.force.segment(dead.begin, length)) >
+         kMore * deviationOfNoMotion(record.raw_displacement, record.force, dead);
+}
+
 // A channel that measured nothing, all along or in a part of the log.
 std::optional<RigFinding> constantFinding(const log::Record& record) {
   constexpr double kAsMuch = 0.5;   // of the force's deviation in the rest
@@ -312,7 +321,7 @@ std::optional<RigFinding> constantFinding(const log::Record& record) {
                                name, channel[0], is_force ? "N" : "m", name));
     }
     const DeadPart dead = deadPart(channel, other, is_force ? kFarther : kAsMuch);
-    if (dead.end > dead.begin) {
+    if (dead.end > dead.begin && (is_force || isOfAMotion(record, dead))) {
       const auto time = [&](Index sample) { return static_cast<double>(sample) * record.dt; };
       return fatal(
           record, finding::kConstant, time(dead.end - dead.begin),

@@ -204,6 +204,23 @@ DeadPart deadPart(const VectorXd& channel, const VectorXd& other, double least_o
   return goes_on ? longest : DeadPart{};
 }
 
+double deviationOfNoMotion(const VectorXd& displacement, const VectorXd& force, const DeadPart& dead) {
+  const auto rest = [&](const VectorXd& values) {
+    VectorXd kept(values.size() - (dead.end - dead.begin));
+    kept << values.head(dead.begin), values.tail(values.size() - dead.end);
+    return VectorXd(kept.array() - kept.mean());
+  };
+  const auto without = [](const VectorXd& values, const VectorXd& direction) -> VectorXd {
+    const double square = direction.squaredNorm();
+    return square > 0.0 ? values - values.dot(direction) / square * direction : values;
+  };
+  VectorXd rate = VectorXd::Zero(displacement.size());
+  rate.tail(displacement.size() - 1) =
+      displacement.tail(displacement.size() - 1) - displacement.head(displacement.size() - 1);
+  const VectorXd position = rest(displacement);
+  return deviationOf(without(without(rest(force), position), without(rest(rate), position)));
+}
+
 double correlationOf(const VectorXd& one, const VectorXd& other) {
   const VectorXd x = one.array() - one.mean();
   const VectorXd y = other.array() - other.mean();

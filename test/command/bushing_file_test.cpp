@@ -122,10 +122,21 @@ TEST(BushingFile, RefusesOptionsThatMakeNoFile) {
   refuses(11, 4.0, {5e-3, -1.0});
 }
 
+// F = 3e6 z + 2e10 z^3 at eleven points to both sides.
+element::ElementDescription springTable() {
+  std::vector<double> displacement;
+  std::vector<double> force;
+  for (int i = -5; i <= 5; ++i) {
+    displacement.push_back(1e-3 * i);
+    force.push_back(3e6 * displacement.back() + 2e10 * std::pow(displacement.back(), 3));
+  }
+  return {"spring_table", {{"displacement", displacement}, {"force", force}}};
+}
+
 // x and y share a law with a curve, z is linear, rx has a spring and a dashpot; ry and rz are free.
 component::SixDirections sixDirections() {
   component::SixDirectionsLaws laws;
-  laws.elements[component::kX] = {{"spring", {{"stiffness", {3e6}}}}, {"progressive_stiffness", {{"cubic", {2e10}}}}};
+  laws.elements[component::kX] = {springTable()};
   laws.elements[component::kZ] = {{"spring", {{"stiffness", {1e6}}}}};
   laws.elements[component::kRx] = {{"spring", {{"stiffness", {900.0}}}}, {"dashpot", {{"damping", {5.0}}}}};
   laws.translation = component::Coupling::cylindrical;

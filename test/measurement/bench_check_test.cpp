@@ -295,6 +295,20 @@ TEST(BenchCheck, TakesNoWeakFrictionForADeadChannel) {
   EXPECT_TRUE(checkBench(kSpring, {seal}).empty());
 }
 
+// Ramps and holds with a hum of the mains, which is as large as what the ramps do.
+TEST(BenchCheck, TakesNoHoldWithAHumForADeadChannel) {
+  log::Record record = sine(2.0, 1e6, 0.1);
+  const Eigen::Index held = record.raw_displacement.size() / 2;
+  record.raw_displacement.tail(held).setConstant(record.raw_displacement[record.raw_displacement.size() - held]);
+  record.displacement = record.raw_displacement;
+  record.force = 1e6 * record.displacement;
+  const double hum = 0.8 * record.force.maxCoeff();
+  for (Eigen::Index i = 0; i < record.force.size(); ++i) {
+    record.force[i] += hum * std::sin(0.3 * static_cast<double>(i));
+  }
+  EXPECT_TRUE(checkBench(kSpring, {record}).empty());
+}
+
 // A hold, in which rubber relaxes, and a part of small amplitude within a free play.
 TEST(BenchCheck, TakesNoHoldForADeadChannel) {
   log::Record record = sine(2.0, 1e6, 0.1);

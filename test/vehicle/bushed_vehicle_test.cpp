@@ -11,6 +11,7 @@
 #include "rubber_suspension/io/component_file.h"
 #include "vehicle/components.h"
 #include "vehicle/simulation.h"
+#include "vehicle/soft_track.h"
 
 namespace rubber_suspension::vehicle {
 namespace {
@@ -180,21 +181,7 @@ TEST(SixDirectionsInSimbody, RotationVectorComesToItInProportionToTheAngle) {
   EXPECT_NEAR(coarse / fine, 2.0, 0.1);
 }
 
-// A track of some sines that starts softly.
-Scene someTrack() {
-  log::Log log;
-  log.name = "track";
-  for (int i = 0; i <= 1500; ++i) {
-    const double t = 1e-3 * i;
-    const double fade = t < 0.5 ? 0.5 - 0.5 * std::cos(2.0 * element::kPi * t) : 1.0;
-    log.stamp.push_back(i * 1000000LL);
-    log.displacement.push_back(fade * (2e-3 * std::sin(9.0 * t) + 1e-3 * std::sin(31.0 * t + 1.0)));
-  }
-  Scene scene;
-  scene.track = Track(log);
-  scene.duration = 1.0;
-  return scene;
-}
+Scene someTrack() { return softTrack({{4e-3, 9.0, 0.0}, {2e-3, 31.0, 1.0}}, 1.0); }
 
 // With vertical laws alone the half bogie is that of the struts. The secondary one's axes turn with the frame, and the
 // arms of the primary ones with it: of second order in the pitch of 1 mrad.

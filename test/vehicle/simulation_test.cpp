@@ -7,6 +7,7 @@
 
 #include "rubber_suspension/element/constants.h"
 #include "vehicle/components.h"
+#include "vehicle/soft_track.h"
 #include "vehicle/stability.h"
 
 namespace rubber_suspension::vehicle {
@@ -18,22 +19,7 @@ std::vector<component::Component> loadedComponents(const std::vector<element::El
   return loadStruts(kConfig, further);
 }
 
-// Somewhat more than a second of a track of some sines that start softly.
-Scene someTrack() {
-  log::Log log;
-  log.name = "track";
-  for (int i = 0; i <= 2000; ++i) {
-    const double t = 1e-3 * i;
-    const double fade = t < 0.5 ? 0.5 - 0.5 * std::cos(2.0 * element::kPi * t) : 1.0;
-    log.stamp.push_back(i * 1000000LL);
-    log.displacement.push_back(
-        fade * (2e-3 * std::sin(7.0 * t) + 1e-3 * std::sin(31.0 * t + 1.0) + 5e-4 * std::sin(63.0 * t + 2.0)));
-  }
-  Scene scene;
-  scene.track = Track(log);
-  scene.duration = 1.2;
-  return scene;
-}
+Scene someTrack() { return softTrack({{2e-3, 7.0, 0.0}, {1e-3, 31.0, 1.0}, {5e-4, 63.0, 2.0}}, 1.2); }
 
 double largest(const PerStrut& values) { return std::max({values[0], values[1], values[2]}); }
 
