@@ -199,15 +199,12 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
 // Each way to run takes some of the options; none is passed over.
 OptionTable Options::table() {
   OptionTable options = {
-      Option("--config", config, "FILE", "component file with all components of the vehicle (docs/vehicle.md)")
-          .required()
-          .reads(),
+      Option("--config", config, "FILE", "component file of the vehicle (docs/vehicle.md)").required().reads(),
       Option("--vehicle", vehicle, "NAME",
              "struts: half a bogie on components of one direction; bushes: the same on components of six; body: a body "
              "on four bushes of six directions")
           .oneOf({"struts", "bushes", "body"}),
-      Option("--track", track, "FILE", "log whose displacement is the height of the track under the front wheel")
-          .reads(),
+      Option("--track", track, "FILE", "log of the height of the track under the front wheel").reads(),
       Option("--forces", forces, "NAME",
              "where the forces come from: library and topics at fixed steps, implicit with iterations")
           .oneOf({"library", "topics", "implicit"}),
@@ -218,7 +215,7 @@ OptionTable Options::table() {
       Option("--speed", speed, "M/S", "speed of the vehicle").rare().within(0.1, 1000),
       Option("--output", output, "FILE", "CSV to write: positions, displacements and forces")
           .writes(io::FileKind::vehicle_csv),
-      plotOption(plot, "displacements over time, or of growth over the step,"),
+      plotOption(plot, "displacements, or of growth over the step,"),
       Option("--reset", reset, "SERVICE", "service of the node to call first, as simulate/reset").rare(),
       Option("--stability", stability, "print the largest stable step of a loop instead of running"),
       log_options.table()};

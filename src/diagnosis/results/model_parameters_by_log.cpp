@@ -10,7 +10,7 @@ namespace rubber_suspension::diagnosis {
 
 std::vector<ParameterByLog> parametersByLog(const fit::Fitter& fitter, const fit::Fit& joint) {
   constexpr double kPrior = 0.1;  // standard deviation of a logarithm
-  constexpr double kFarthest = 2.0;
+  constexpr double kFarthestByLog = 2.0;
   std::vector<ParameterByLog> result;
   const fit::BlockGrams blocks = fitter.linearise({}, joint.parameters);
   const Eigen::Index size = fitter.model().size();
@@ -24,7 +24,7 @@ std::vector<ParameterByLog> parametersByLog(const fit::Fitter& fitter, const fit
     const double variance = std::max(gram(size, size), 1e-12);
     Eigen::MatrixXd normal = gram.topLeftCorner(size, size);
     normal.diagonal().array() += variance / (kPrior * kPrior) / 100.0;
-    const Eigen::VectorXd farthest = Eigen::VectorXd::Constant(size, kFarthest);
+    const Eigen::VectorXd farthest = Eigen::VectorXd::Constant(size, kFarthestByLog);
     const Eigen::VectorXd step = fit::boundedLeastSquares(normal, gram.col(size).head(size), -farthest, farthest);
     const log::Record& record = fitter.records()[r];
     ParameterByLog row;
