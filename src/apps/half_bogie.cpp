@@ -215,7 +215,7 @@ OptionTable Options::table() {
       Option("--speed", speed, "M/S", "speed of the vehicle").rare().within(0.1, 1000),
       Option("--output", output, "FILE", "CSV to write: positions, displacements and forces")
           .writes(io::FileKind::vehicle_csv),
-      plotOption(plot, "displacements, or of growth over the step,"),
+      plotOption(plot, "displacements, or growth over the step,"),
       Option("--reset", reset, "SERVICE", "service of the node to call first, as simulate/reset").rare(),
       Option("--stability", stability, "print the largest stable step of a loop instead of running"),
       log_options.table()};

@@ -73,7 +73,7 @@ void addSteps(std::vector<Case>& cases, std::size_t samples) {
   cases.push_back(forceCase(uneven, "`Component::step`, every dt another", stepThrough, "plain loop, every dt its own",
                             plainLoopOfEachStep));
   for (const auto& [name, side] :
-       {std::pair("`Component::step`", stepThrough), std::pair("`SampleStream::push`", pushThrough)}) {
+       {std::pair("`Component::step`", &stepThrough), std::pair("`SampleStream::push`", &pushThrough)}) {
     cases.push_back(forceCase(uneven, std::string(name) + ", every dt another", side, constant, plainLoop));
     cases.back().error = [uneven] {  // measured against the loop of constant dt, but the forces are of the steps
       plainLoopOfEachStep(*uneven);

@@ -27,7 +27,7 @@ BundleClientOf<Bundle, Sample, Answer>::BundleClientOf(const ros::NodeHandle& ha
     : handle_(handle), timeout_(timeout) {
   constexpr std::uint32_t kBundleQueueSize = 10000;
   handle_.setCallbackQueue(&queue_);
-  message_.components = std::move(components);
+  message_.components.swap(components);
   publisher_ = handle_.advertise<Bundle>(topicOf(message_), kBundleQueueSize);
   const boost::function<void(const boost::shared_ptr<const Answer>&)> callback =
       [this](const boost::shared_ptr<const Answer>& answer) { answers_.push_back(*answer); };

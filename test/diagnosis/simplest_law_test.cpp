@@ -65,8 +65,8 @@ class SimplestLaw : public testing::Test {
   }
 
   const fit::ModelParameters model_{rigComponent(), fit::Level::specification};
-  const std::vector<log::Record> none_;
-  const std::vector<fit::DisplacementZero> no_zeros_;
+  const std::vector<log::Record> none_ = {};
+  const std::vector<fit::DisplacementZero> no_zeros_ = {};
   std::unique_ptr<fit::Fitter> fitter_;
   std::vector<fit::Candidate> candidates_;
   diagnosis::FittedHypothesis full_;

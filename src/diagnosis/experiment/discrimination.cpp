@@ -54,7 +54,6 @@ double rms(const Eigen::VectorXd& values) {
 Discriminator::Discriminator(const fit::Fitter& fitter, const Search& search,
                              const std::vector<Explanation>& explanations, double force_limit, int threads)
     : fitter_(fitter),
-      search_(search),
       explanations_(explanations),
       noise_{std::max(search.noise, kLeastNoise) * search.excitation.force,
              std::max(fittedNumbers().accepted, search.discretisation)},

@@ -64,7 +64,6 @@ class Discriminator {
   std::vector<element::ElementDescription> elementsOf(std::size_t explanation, const fit::ParameterVector& at) const;
 
   const fit::Fitter& fitter_;
-  const Search& search_;
   const std::vector<Explanation>& explanations_;
   NewLogNoise noise_;
   double force_limit_;
