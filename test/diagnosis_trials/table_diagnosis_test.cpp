@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"progressive_stiffness", kZener, "{type: progressive_stiffness, cubic: 1.0e11}"},
                     Case{"bump_stop", kZener, "{type: bump_stop, stiffness: 2.0e6, gap: 1.2e-3}"},
                     Case{"free_play", kZener, "{type: free_play, gap: 3.0e-5}"},
-                    Case{"inertia", kZener, "{type: inertia, mass: 30}"},
+                    Case{"inertia", kZener, "{type: inertia, mass: 60}"},
                     Case{"rate_amplitude_coupling", kZener,
                          "{type: nonlinear_maxwell, stiffness: 6.0e5, break_frequency: 3, displacement: 2.0e-4}"}),
     [](const auto& test) { return std::string(test.param.effect); });
