@@ -221,6 +221,7 @@ void setNuisances(const std::vector<element::ElementDescription>& elements, cons
       columns.array().colwise() *= record.counts.array();
     }
     record.nuisances = numerics::whiteningColumns(columns);
+    record.one_deviation = one_deviation[r];
     record.slow_noise = io::kTolerated * slow;
   }
 }
