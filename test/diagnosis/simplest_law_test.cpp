@@ -89,6 +89,16 @@ TEST_F(SimplestLaw, OfASymmetricStopIsOneEntry) {
   EXPECT_NEAR(found()[0].value("stiffness"), 2e6, 4e4);
 }
 
+// The candidate has tracks on either side of this resonance, 4.1 Hz, and of its damping, 0.2 of the critical one.
+TEST_F(SimplestLaw, OfAHydraulicMountIsOneTrack) {
+  fit("fluid_inertia", {{"inertia_track", {{"mass", {600.0}}, {"damping", {6200.0}}, {"stiffness", {4e5}}}}});
+  expectPaid();
+  ASSERT_EQ(found().size(), 1U);
+  EXPECT_EQ(numbersIn(found()), 3U);
+  EXPECT_NEAR(found()[0].value("mass"), 600.0, 12.0);
+  EXPECT_NEAR(found()[0].value("stiffness"), 4e5, 8e3);
+}
+
 diagnosis::SizedValue written(const std::string& place, const std::string& unit, double configured, double value,
                               std::array<double, 2> interval) {
   return {"", place, unit, configured, value, interval};
