@@ -148,9 +148,9 @@ bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 
 // The text with each of its words as a unit of this field is written, where it is near one.
 std::string respelt(const std::string& text) {
-  static const std::vector<std::string> kUnits = {"N", "kN",  "MN",  "m",    "mm",     "um",    "cm",
-                                                  "s", "ms",  "Hz",  "kHz",  "rad",    "deg",   "kg",
-                                                  "J", "min", "rpm", "degC", "newton", "metre", "degree", "Grad"};
+  static const std::vector<std::string> kUnits = {"N",   "kN",   "MN",     "m",     "mm",     "um",  "cm", "s",
+                                                  "ms",  "Hz",   "kHz",    "rad",   "deg",    "kg",  "J",  "min",
+                                                  "rpm", "degC", "newton", "metre", "degree", "Grad"};
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     const auto end = static_cast<std::size_t>(

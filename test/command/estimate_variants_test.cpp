@@ -201,6 +201,9 @@ TEST(MeasuredTable, ReadsGermanTables) {
   const fit::MeasuredTable storage = parseTable(
       "Frequenz [Hz];Amplitude [mm];Speichersteifigkeit [kN/mm];Verlustfaktor [-]\n4;0,5;3,0;0,2\n", "labor.csv");
   EXPECT_DOUBLE_EQ(storage.points[0].stiffness, 3e6 / std::cos(std::atan(0.2)));
+  const fit::MeasuredTable angle =
+      parseTable("f [Hz];A [mm];K* [kN/mm];Verlustwinkel [Grad]\n4;0,5;3,0;6,0\n", "labor.csv");
+  EXPECT_NEAR(angle.points[0].loss_angle, 0.10471975511965977, 1e-12);
   EXPECT_THROW(parseTable("Frequenz [Hz];Amplitude [mm];K' [kN/mm]\n4;0,5;3,0\n", "labor.csv"), std::runtime_error);
 }
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension {
 namespace {
@@ -123,7 +123,7 @@ RigEffect eyring(double stiffness) {
 /// The rig's component, recorded late by some samples.
 RigEffect late(int samples) {
   return [past = std::deque<double>(static_cast<std::size_t>(samples), 0.0)](double /*time*/, double z,
-                                                                            double /*rate*/) mutable {
+                                                                             double /*rate*/) mutable {
     past.push_back(z);
     const double before = past.front();
     past.pop_front();
@@ -150,13 +150,13 @@ std::function<RigEffect()> without(int number) {
   return kinds[static_cast<std::size_t>(number % 10)];
 }
 
-/// Two logs of one component.
+/// Of two logs of one component: so few leave wide intervals, which say nothing of the names.
 diagnosis::Diagnosis diagnosisOf(int number, const std::function<RigEffect()>& effect) {
   std::vector<log::Log> logs;
   for (int i = 0; i < 2; ++i) {
     logs.push_back(runRig("log " + std::to_string(i + 1), static_cast<unsigned>(2 * number + i), effect()));
   }
-  return checkedDiagnosis(rigComponent(), logs, {});
+  return diagnosis::diagnose(rigComponent(), logs, {});
 }
 
 TEST(FluidInertia, IsNamedFirstWhereTheLawOfTheMountIsAnother) {
@@ -167,8 +167,8 @@ TEST(FluidInertia, IsNamedFirstWhereTheLawOfTheMountIsAnother) {
     const bool first = !result.effects.empty() && result.effects.front() == "fluid_inertia";
     named += first ? 1 : 0;
     EXPECT_GT(result.gap.as_configured, 0.03) << i << ": there is something to be found";
-    if (true) {
-      std::cout << i << (first ? ": " : " MISSED: ") << result.sentence << std::endl;
+    if (!first) {
+      std::cout << i << ": " << result.sentence << std::endl;
     }
   }
   EXPECT_GE(named, 18);
