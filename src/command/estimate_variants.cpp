@@ -86,8 +86,29 @@ Specification numbersFor(const Specification& from, const WantedModel& wanted) {
   return to;
 }
 
-// What other models ask for and the specification lacks, from what it has: the loss angle of the component, the break
-// frequency of M2 (the paper has nearly the same in M6), and the end of the range of frequencies that is drawn.
+bool isRequired(const std::string& key, Model model) {
+  const std::vector<std::string>& required = estimation::modelInfo(model).required;
+  return std::find(required.begin(), required.end(), key) != required.end();
+}
+
+// Of M2 that has K_n and the loss angle at f_n. Throws std::invalid_argument where there is none.
+double breakFrequencyByLoss(Specification from) {
+  for (const char* other : {"break_frequency", "maximum_stiffness", "high_frequency_stiffness", "high_frequency"}) {
+    from.erase(other);
+  }
+  const WantedModel one = wantedModel("M2");
+  const io::ComponentDescription maxwell(one.label, one.model, numbersFor(from, one));
+  for (const element::ElementDescription& element : maxwell.elements()) {
+    if (element.type == "maxwell") {
+      return element.value("break_frequency");
+    }
+  }
+  throw std::invalid_argument(
+      "break_frequency is missing; accepted: a number, as M2 along a curve has none of its own");
+}
+
+// What other models ask for and the specification lacks, from what it has: the loss angle of the component, a break
+// frequency by that of M2 (the paper has nearly the same in M6), and the end of the range of frequencies that is drawn.
 Specification completed(const io::ComponentDescription& description, const WantedModel& wanted,
                         std::vector<std::string>& added) {
   Specification from = description.written();
@@ -115,17 +136,11 @@ Specification completed(const io::ComponentDescription& description, const Wante
       constexpr double kRange = 10.0;  // as in the sweep over frequency
       add("high_frequency", kRange * frequency, fmt::format("{:g} Hz, the end of the range", kRange * frequency));
     }
-  } else if (!from.has("break_frequency")) {
-    const WantedModel one = wantedModel("M2");
-    const bool has_one = description.written().has("maximum_stiffness");
-    const io::ComponentDescription maxwell(one.label, one.model,
-                                           numbersFor(has_one ? description.written() : from, one));
-    for (const element::ElementDescription& element : maxwell.elements()) {
-      if (element.type == "maxwell") {
-        const double found = element.value("break_frequency");
-        add("break_frequency", found, fmt::format("{:.4g} Hz, that of M2", found));
-      }
-    }
+  } else if (isRequired("break_frequency", wanted.model) && !from.has("break_frequency")) {
+    const bool with_dashpot = wanted.model == Model::maxwell_dashpot;
+    const double share = with_dashpot ? 1.0 / 3.0 : 1.0;  // M2's own leaves nothing of the loss to the dashpot
+    const double found = share * breakFrequencyByLoss(from);
+    add("break_frequency", found, fmt::format("{:.4g} Hz, {}that of M2", found, with_dashpot ? "a third of " : ""));
   }
   return from;
 }

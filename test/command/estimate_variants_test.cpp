@@ -57,12 +57,14 @@ TEST(InModels, CompletesWhatTheSpecificationLacks) {
       "    model: multi_maxwell\n    specification: {static_stiffness: 3e6, dynamic_stiffness: 4.2e6, "
       "nominal_frequency: 4, nominal_amplitude: 2 mm, maximum_stiffness: 4.9e6, high_frequency: 25}\n");
   notes.clear();
-  const auto models = inModels(multi, {"M1", "M2", "M6", "5"}, notes);
-  ASSERT_EQ(models.size(), 4u);
+  const auto models = inModels(multi, {"M1", "M2", "M3", "M4", "M5", "M6", "3", "5"}, notes);
+  ASSERT_EQ(models.size(), 8u);
   // The loss angle of five elements is that of theory.md.
-  EXPECT_NEAR(models[2].specification().at("loss_angle") * 180.0 / element::kPi, 5.98, 5e-3);
-  EXPECT_EQ(models[2].specification().at("break_frequency"), models[1].elements()[1].value("break_frequency"));
-  EXPECT_EQ(notes.size(), 2u) << "of M1 and M6";
+  const double angle = models[5].specification().at("loss_angle");
+  EXPECT_NEAR(angle * 180.0 / element::kPi, 5.98, 5e-3);
+  EXPECT_NEAR(models[5].specification().at("break_frequency"),
+              4.0 * 4.2 * std::sin(angle) / (4.2 * std::cos(angle) - 3.0), 1e-9);
+  EXPECT_EQ(notes.size(), 5u) << "of M1 and M3 to M6";
   EXPECT_THROW(inModels(maxwell(), {"M4"}, notes), std::invalid_argument) << "no amplitude";
 }
 
