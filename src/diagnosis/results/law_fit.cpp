@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "diagnosis/results/augmented.h"
@@ -43,6 +44,16 @@ fit::BasisTerm unknownOf(const Entries& start, const NumberPlace& place) {
 bool addsUp(const element::ElementDescription& entry) {
   const element::ElementPointer element = element::makeElement(entry);
   return std::holds_alternative<std::shared_ptr<const element::ParallelElement>>(element);
+}
+
+// Numbers that move each by itself may leave what a law allows of them together.
+bool canBeMade(const Entries& entries) {
+  try {
+    std::for_each(entries.begin(), entries.end(), element::makeElement);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -152,6 +163,9 @@ Entries LawForces::entriesAt(const Eigen::VectorXd& scales) const {
 
 std::optional<gap::Forces> LawForces::at(const fit::ParameterVector& parameters) const {
   const Entries entries = entriesAt(parameters.scales);
+  if (!canBeMade(entries)) {
+    return std::nullopt;
+  }
   if (adds_up_ || entries.empty()) {
     auto forces = restAt(ofTerms(parameters));
     for (std::size_t r = 0; forces && !entries.empty() && r < forces->size(); ++r) {
