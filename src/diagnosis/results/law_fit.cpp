@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "diagnosis/results/augmented.h"
@@ -44,6 +45,16 @@ fit::BasisTerm unknownOf(const Entries& start, const NumberPlace& place) {
 bool addsUp(const element::ElementDescription& entry) {
   const element::ElementPointer element = element::makeElement(entry);
   return std::holds_alternative<std::shared_ptr<const element::ParallelElement>>(element);
+}
+
+// Numbers that move each by itself may leave what a law allows of them together.
+bool canBeMade(const Entries& entries) {
+  try {
+    std::for_each(entries.begin(), entries.end(), element::makeElement);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -148,7 +159,7 @@ void LawForces::keep(const fit::ParameterVector& parameters) const {
 }
 
 std::optional<gap::Forces> LawForces::at(const fit::ParameterVector& parameters) const {
-  if (adds_up_) {
+  if (adds_up_ && canBeMade(entriesAt(parameters.scales))) {
     keep(parameters);
   }
   return forcesAt(parameters);
@@ -157,6 +168,9 @@ std::optional<gap::Forces> LawForces::at(const fit::ParameterVector& parameters)
 std::optional<gap::Forces> LawForces::forcesAt(const fit::ParameterVector& parameters) const {
   const fit::ParameterVector of_terms = ofTerms(parameters);
   const Entries entries = entriesAt(parameters.scales);
+  if (!canBeMade(entries)) {
+    return std::nullopt;
+  }
   if (adds_up_) {
     const bool kept = rest_->first.model == of_terms.model && rest_->first.scales == of_terms.scales;
     auto forces = kept ? rest_->second : forces_.at(terms_, of_terms);

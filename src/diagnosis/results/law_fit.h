@@ -64,7 +64,7 @@ class LawForces {
   /// The model has to outlive it.
   LawForces(std::shared_ptr<const std::vector<log::Record>> records, const fit::ModelParameters& model, const Law& law);
 
-  /// Nothing where the model has no solution.
+  /// Nothing where the model has no solution, or a law none of these numbers.
   std::optional<gap::Forces> at(const fit::ParameterVector& parameters) const;
 
   /// Derivatives by the model's parameters and by the scales, `base` being the forces there; on up to `threads`
