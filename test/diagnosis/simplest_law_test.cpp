@@ -101,7 +101,7 @@ TEST_F(SimplestLaw, OfFrictionMayBeBoucWens) {
   diagnosis::Law law;
   law.members = {
       {full_.hypothesis.members[0], {}, {{"bouc_wen", {{"stiffness", {1.5e6}}, {"beta", {4e3}}, {"gamma", {2e3}}}}}}};
-  const diagnosis::LawFitter fitter(*fitter_, law);
+  const diagnosis::LawFitter fitter(*fitter_, law, 1);
   const fit::Hypothesis hypothesis = law.hypothesis();
   const fit::Fit found = fitter.fit(hypothesis, fitter.configured(hypothesis), {20});
   const element::ElementDescription entry = law.at(found.parameters.scales).at(0).at(0);
