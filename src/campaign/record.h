@@ -4,20 +4,30 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "campaign/job.h"
+#include "rubber_suspension/diagnosis/verdict.h"
 
 namespace rubber_suspension::campaign {
 
+/// What the statistics of a fleet take of one job.
+struct Findings {
+  std::optional<diagnosis::Verdict> verdict;  ///< of diagnose
+  std::vector<std::string> effects;           ///< that are named
+  /// By parameter: logarithm of re-estimated over configured value.
+  std::map<std::string, double> changes;
+};
+
 struct Record {
   std::string id;
-  std::string version;                                                 ///< of the program that worked the job off
-  std::string error;                                                   ///< why it failed; empty: done
-  nlohmann::ordered_json values = nlohmann::ordered_json::object();    ///< numbers and texts by name, for the table
-  nlohmann::ordered_json evidence = nlohmann::ordered_json::object();  ///< what the fleet's statistics take
-  std::map<std::string, std::uint64_t> files;                          ///< of the report: size [bytes] by name
-  double seconds = 0.0;                                                ///< that the job took
+  std::string version;                                               ///< of the program that worked the job off
+  std::string error;                                                 ///< why it failed; empty: done
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();  ///< numbers and texts by name, for the table
+  Findings findings;
+  std::map<std::string, std::uint64_t> files;  ///< of the report: size [bytes] by name
+  double seconds = 0.0;                        ///< that the job took
 
   bool failed() const { return !error.empty(); }
 };
