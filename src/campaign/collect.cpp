@@ -134,8 +134,8 @@ CollectSummary collect(const Manifest& manifest, const std::string& folder) {
   std::vector<Row> rows;
   for (const Job& job : manifest.jobs) {
     const FoundRecord found = findRecord(folder, job.id, manifest.version);
-    const Record* record = found.state == FoundRecord::State::good ? &found.record : nullptr;
-    if (found.state == FoundRecord::State::broken) {
+    const Record* const record = found.record ? &*found.record : nullptr;
+    if (!found.problem.empty()) {
       summary.broken.push_back(found.problem);
     }
     const char* const status = record == nullptr ? "missing" : (record->failed() ? "failed" : "done");

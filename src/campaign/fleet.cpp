@@ -65,12 +65,12 @@ std::size_t rankOfInterval(std::size_t count) {
 }
 
 std::vector<ComponentValue> farOut(const std::vector<ComponentValue>& values, const Distribution& distribution) {
-  constexpr double kOuterFence = 3.0;
+  constexpr double kFar = 4.0;  // distances of the quartiles: of normal values six standard deviations from the median
   const auto& [lower, upper] = distribution.quartiles;
   std::vector<ComponentValue> result;
   for (const ComponentValue& one : values) {
     const double beyond = std::max(lower - one.value, one.value - upper);
-    if (values.size() >= kFewestComponents && beyond > kOuterFence * (upper - lower) &&
+    if (values.size() >= kFewestComponents && beyond > kFar * (upper - lower) &&
         std::abs(one.value - distribution.median) > kWorthSaying) {
       result.push_back(one);
     }

@@ -52,7 +52,7 @@ struct ComponentValue {
 struct FleetParameter {
   std::string name;
   Distribution distribution;
-  /// Beyond Tukey's outer fences, three times the distance of the quartiles from them, and by more than a bench holds.
+  /// Farther from the quartiles than four times their distance, and from the median by more than a bench holds.
   std::vector<ComponentValue> far_out;
 };
 
@@ -82,8 +82,8 @@ struct FleetFindings {
 /// Less than this logarithm is within what a bench can hold: no value is far out for it.
 constexpr double kWorthSaying = 0.02;
 
-/// Fewer values have no fences.
-constexpr std::size_t kFewestComponents = 5;
+/// Of fewer values none is far out.
+constexpr std::size_t kFewestComponents = 6;
 
 /// Collects components job by job, in the order of the manifest, and counts.
 class Fleet {

@@ -117,7 +117,7 @@ std::string farOutTable(const FleetType& type) {
     }
   }
   return section("Components that are far out", {"component", "parameter", "#change"}, rows,
-                 "Three times the distance of the quartiles, or more, beyond these.");
+                 "Farther from the quartiles than four times their distance.");
 }
 
 std::string rigTable(const std::vector<RigParameter>& rigs) {

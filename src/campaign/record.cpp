@@ -94,15 +94,8 @@ std::string damagedFile(const std::string& folder, const Record& record) {
   return "";
 }
 
-// What is wrong with the text of a record; "" where it is good, and then `record` holds it.
-std::string problemOf(const std::string& text, const std::string& id, const std::string& version, Record& record) {
-  try {
-    record = recordFromJson(parsedShallow(text));
-  } catch (const nlohmann::json::exception&) {
-    return "cut off, or no record";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
+// What is wrong with a record; "" where nothing is.
+std::string problemOf(const Record& record, const std::string& id, const std::string& version) {
   if (record.id != id) {
     return "the record of another job";
   }
@@ -130,20 +123,26 @@ void writeRecord(const Record& record, const std::string& folder) {
 FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version, bool files) {
   const std::string path = recordPath(folder, id);
   std::ifstream file(path, std::ios::binary);
-  if (!file && errno == ENOENT) {
-    return {};
+  if (!file) {
+    return {std::nullopt, errno == ENOENT ? "" : path + ": cannot be read"};
   }
-  FoundRecord found;
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  std::string problem = file ? problemOf(text, id, version, found.record) : "cannot be read";
-  if (problem.empty() && files) {
-    problem = damagedFile(folder, found.record);
+  std::string problem;
+  try {
+    Record record = recordFromJson(parsedShallow(text));
+    problem = problemOf(record, id, version);
+    if (problem.empty() && files) {
+      problem = damagedFile(folder, record);
+    }
+    if (problem.empty()) {
+      return {std::move(record), ""};
+    }
+  } catch (const nlohmann::json::exception&) {
+    problem = "cut off, or no record";
+  } catch (const std::exception& error) {
+    problem = error.what();
   }
-  if (!problem.empty()) {
-    return {FoundRecord::State::broken, path + ": " + problem, {}};
-  }
-  found.state = FoundRecord::State::good;
-  return found;
+  return {std::nullopt, path + ": " + problem};
 }
 
 }  // namespace rubber_suspension::campaign

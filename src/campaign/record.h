@@ -39,16 +39,10 @@ std::string reportPath(const Record& record);
 /// have to be there already. Throws std::runtime_error.
 void writeRecord(const Record& record, const std::string& folder);
 
-/// What stands where the record of a job should.
+/// What stands where the record of a job should; nothing of both where there is none.
 struct FoundRecord {
-  enum class State {
-    missing,  ///< nothing
-    good,     ///< a record of this job
-    broken,   ///< cut off, of another version or another job, or files of its report are missing or cut off
-  };
-  State state = State::missing;
-  std::string problem;  ///< of a broken one: path and reason
-  Record record;        ///< of a good one
+  std::optional<Record> record;  ///< of this job, and all files of its report are there
+  std::string problem;           ///< of one that is cut off, of another version or job, or with a damaged report
 };
 
 /// Read and check it; `files` says whether those of its report are looked for, too.

@@ -76,16 +76,16 @@ std::vector<std::size_t> jobsToDo(const Manifest& manifest, const std::string& f
                                   const Say& say, RunSummary& summary) {
   const std::vector<std::size_t> distinct = manifest.distinctJobs();
   std::vector<std::size_t> jobs;
-  for (std::size_t place = 0; place < distinct.size() && (options.most == 0 || jobs.size() < options.most); ++place) {
+  for (std::size_t place = 0; place < distinct.size(); ++place) {
     if (!options.shard.holds(place)) {
       continue;
     }
     const FoundRecord found = findRecord(folder, manifest.jobs[distinct[place]].id, manifest.version);
-    if (found.state == FoundRecord::State::good && !(options.retry_failed && found.record.failed())) {
+    if (found.record && !(options.retry_failed && found.record->failed())) {
       ++summary.passed_over;
       continue;
     }
-    if (found.state == FoundRecord::State::broken) {
+    if (!found.problem.empty()) {
       say(found.problem + "; the job is done again");
     }
     jobs.push_back(distinct[place]);
@@ -138,7 +138,8 @@ RunSummary run(const std::string& folder, const std::string& version, const RunO
     if (done) {
       ++summary.done;
     } else {
-      failed(job, findRecord(folder, manifest.jobs[job].id, manifest.version, false).record.error);
+      const FoundRecord found = findRecord(folder, manifest.jobs[job].id, manifest.version, false);
+      failed(job, found.record ? found.record->error : found.problem);
     }
   };
   callbacks.died = [&](std::size_t job, const std::string& reason) {
