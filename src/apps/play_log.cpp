@@ -117,7 +117,7 @@ ros_interface::BenchTrack poseTrack(const Options& options, const std::string& c
   ros_interface::BenchTrack track;
   track.component = component;
   track.wrenches = recordPaths(options, component).forces;
-  track.poses = options.log_options.readPoses("play_log", path);
+  track.poses = options.log_options.readPoses("play_log", path, component, *options.play.rotation);
   track.log.name = track.poses->name;
   track.log.stamp = track.poses->stamp;
   track.log.displacement = track.poses->coordinate[0];
