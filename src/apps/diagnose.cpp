@@ -495,7 +495,11 @@ std::vector<log::PoseLog> readPoseLogs(const std::vector<std::string>& paths, co
 int runDirections(const Options& options) {
   std::vector<component::Direction> directions;
   for (const std::string& name : options.directions) {
-    directions.push_back(*component::directionFromString(name));
+    const component::Direction direction = *component::directionFromString(name);
+    if (std::find(directions.begin(), directions.end(), direction) != directions.end()) {
+      throw UsageError("--direction: " + name + " is given twice; accepted: once");
+    }
+    directions.push_back(direction);
   }
   const diagnosis::DiagnosisOptions settings = settingsOf(options);
   const io::FolderLock lock(options.output);

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -49,9 +48,9 @@ void requireDirection(const io::SixDirectionsDescription& six, Direction directi
     const char* const force = std::array{"Fx", "Fy", "Fz", "Mx", "My", "Mz"}[direction];
     throw std::invalid_argument(fmt::format(
         "direction {}: its force depends on the radius, which it shares with others (key coupling); accepted: {}"
-        "rectangular coupling, or a component of one direction for a log along {} alone, with --columns time=time "
+        "rectangular coupling; or a component of one direction for a log along {} alone, with --columns time=time "
         "displacement={} force={}",
-        toString(direction), others.empty() ? "" : others + ", ", toString(direction), toString(direction), force));
+        toString(direction), others.empty() ? "" : others + "; ", toString(direction), toString(direction), force));
   }
 }
 
@@ -144,12 +143,8 @@ void requireDirections(const io::ComponentDescription& component, const std::vec
     throw std::invalid_argument(
         fmt::format("has six directions; accepted: --direction with some of {}", acceptedDirections(*component.six)));
   }
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    requireDirection(*component.six, directions[i]);
-    if (std::find(directions.begin(), directions.begin() + static_cast<std::ptrdiff_t>(i), directions[i]) !=
-        directions.begin() + static_cast<std::ptrdiff_t>(i)) {
-      throw std::invalid_argument(fmt::format("direction {}: is given twice; accepted: once", toString(directions[i])));
-    }
+  for (const Direction direction : directions) {
+    requireDirection(*component.six, direction);
   }
 }
 

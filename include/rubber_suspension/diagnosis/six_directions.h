@@ -36,8 +36,8 @@ struct SixDirectionsDiagnosis {
   RunRecord run;
 };
 
-/// Throws std::invalid_argument that names the direction, where one of them is free, is coupled with others by its
-/// radius, or is given twice: of coupled directions no force belongs to one alone.
+/// Throws std::invalid_argument that names the direction, where one of them is free, or is coupled with others by its
+/// radius: of coupled directions no force belongs to one alone.
 void requireDirections(const io::ComponentDescription& component, const std::vector<component::Direction>& directions);
 
 /// Diagnose directions of a component of six, each as diagnose() does it, with its own generalised force divided by its

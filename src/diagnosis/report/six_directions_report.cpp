@@ -4,9 +4,12 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "diagnosis/report/page_style.h"
 #include "diagnosis/report/text.h"
+#include "diagnosis/results/rounding.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/six_directions.h"
 
@@ -84,12 +87,34 @@ std::string crossTable(const SixDirectionsDiagnosis& diagnosis) {
   return table.html();
 }
 
+// The style of the direction that a place is in, and the place in that; nothing where it was not diagnosed.
+std::optional<std::pair<const Diagnosis*, std::string>> placeIn(const SixDirectionsDiagnosis& diagnosis,
+                                                                const std::string& place) {
+  for (const auto& [direction, d] : diagnosis.directions) {
+    const std::string prefix = fmt::format("directions.{}.", toString(direction));
+    if (d.workings && place.compare(0, prefix.size(), prefix) == 0) {
+      return std::pair(&d, place.substr(prefix.size()));
+    }
+  }
+  return std::nullopt;
+}
+
 std::string componentText(const SixDirectionsDiagnosis& diagnosis) {
   io::YamlStyle style;
-  style.head = "# Written by diagnose. The origin of each number is in the file of its direction.\n";
+  style.number = [&](const std::string& place, double value) {
+    const auto found = placeIn(diagnosis, place);
+    return found ? augmentedStyle(*found->first).number(found->second, value) : fmt::format("{}", value);
+  };
+  style.note = [&](const std::string& place) {
+    const auto found = placeIn(diagnosis, place);
+    const std::string note = found ? augmentedStyle(*found->first).note(found->second) : "";
+    return found && found->first->turns ? inRotationUnits(note) : note;
+  };
+  style.head = fmt::format("# Diagnosis of {} by direction; others are as configured.\n", diagnosis.component);
   for (const auto& [direction, d] : diagnosis.directions) {
-    style.head +=
-        fmt::format("# {}: {} ({}/augmented.yaml)\n", toString(direction), toString(d.verdict), toString(direction));
+    style.head += fmt::format("# {}: {}. Gap {} as configured, {} with this file; noise floor {}.\n",
+                              toString(direction), toString(d.verdict), percent(d.gap.as_configured),
+                              percent(d.gap.augmented), percent(d.gap.noise_floor));
   }
   return io::toYaml({diagnosis.augmented}, style);
 }

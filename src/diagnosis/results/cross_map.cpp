@@ -12,13 +12,13 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr std::size_t kFolds = 5;
-constexpr std::size_t kBlocks = 100;          // of each log; every fifth is left out in turn
-constexpr std::size_t kMostSamples = 100000;  // of all logs
-constexpr double kLeastOfLargest = 0.02;      // of the motion of the largest translation or rotation
-constexpr double kLeastOfItsOwn = 0.01;       // of its variance, that does not follow the other direction
-constexpr Eigen::Index kOwn = 6;              // columns of the direction alone
-constexpr Eigen::Index kAll = 13;             // and with those of the other
-constexpr Eigen::Index kResidual = kAll;      // the column behind them
+constexpr std::size_t kBlocks = 100;         // of each log; every fifth is left out in turn
+constexpr std::size_t kMostMapped = 100000;  // samples of all logs
+constexpr double kLeastOfLargest = 0.02;     // of the motion of the largest translation or rotation
+constexpr double kLeastOfItsOwn = 0.01;      // of its variance, that does not follow the other direction
+constexpr Eigen::Index kOwn = 6;             // columns of the direction alone
+constexpr Eigen::Index kAll = 13;            // and with those of the other
+constexpr Eigen::Index kResidual = kAll;     // the column behind them
 using Moments = Eigen::Matrix<double, kAll + 1, kAll + 1>;
 
 double mean(const std::vector<double>& values) {
@@ -135,7 +135,7 @@ CrossShare crossShare(const std::vector<DirectionResiduals>& logs, component::Di
     scales.rate.take(ratesOf(log[of]));
     scales.other.take(log[by].displacement);
   }
-  const std::size_t stride = samples / kMostSamples + 1;
+  const std::size_t stride = samples / kMostMapped + 1;
   std::array<Moments, kFolds> moments;
   moments.fill(Moments::Zero());
   double rows = 0.0;
