@@ -73,7 +73,7 @@ OptionTable Options::table() {
       Option(
           "--rotation", rotation, "MEASURE",
           "the logs have poses of components of six directions (x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg, each in any "
-          "unit), their rotation as `vector` or `cardan`, as the component has it")
+          "unit, or a bag with COMPONENT/pose), their rotation as `vector` or `cardan`, as the component has it")
           .rare()
           .oneOf({"vector", "cardan"}),
       Option("--loop", passes, "COUNT",
