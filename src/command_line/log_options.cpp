@@ -76,6 +76,7 @@ log::PoseLog LogOptions::readPoses(const std::string& command, const std::string
   {
     const io::Activity reading("reading " + path);
     log = is_bag ? bag::readBagPoses(path, component, measure) : log::readPoseLog(path, format());
+    log.units = accept_units_ ? log::UnitsAre::accepted : log.units;
   }
   printNotes(command, path, log.notes);
   return log;

@@ -76,6 +76,9 @@ std::vector<log::Log> logsOf(const std::vector<SixLogs>& all, Direction directio
     for (double& force : logs.back().force) {
       force /= factor;
     }
+    if (factor != 1.0) {
+      logs.back().notes.push_back(fmt::format("forces divided by {:.6g}, the factor of stiffness_by_preload", factor));
+    }
   }
   return logs;
 }

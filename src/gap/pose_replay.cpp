@@ -79,6 +79,7 @@ std::array<log::Log, component::kDirections> directionLogs(const component::SixD
     direction.name = log.name;
     direction.stamp = log.stamp;
     direction.temperature = log.temperature;
+    direction.units = log.units;
   }
   for (std::size_t i = 0; i < log.size(); ++i) {
     const Eigen::Isometry3d pose =

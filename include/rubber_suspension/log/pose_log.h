@@ -21,6 +21,7 @@ struct PoseLog {
   std::array<std::vector<double>, 6> wrench;  ///< empty if the log has none
   std::vector<double> temperature;            ///< [degC]; empty if the log has none
   std::vector<std::string> notes;
+  UnitsAre units = UnitsAre::named;  ///< those of the least sure direction
 
   std::size_t size() const { return stamp.size(); }
 };

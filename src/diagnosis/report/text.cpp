@@ -77,7 +77,7 @@ std::string inRotationUnits(const std::string& text) {
     std::vector<std::pair<std::regex, std::string>> list;
     for (const auto& [unit, angular] : {std::pair("(k?)N/(m?)m", "$2N m/$3rad"), std::pair("(k?)N s/m", "$2N m s/rad"),
                                         std::pair("(k?)N", "$2N m"), std::pair("(m|µ)m", "$2rad")}) {
-      // Behind a number, or in brackets; nothing that goes on as another unit.
+      // Behind a number, or in brackets; nothing that continues as another unit.
       list.emplace_back(std::regex(std::string("([0-9] |\\[)") + unit + "(?![A-Za-z/]| m| s)"),
                         std::string("$1") + angular);
     }
