@@ -115,9 +115,9 @@ Files reportFiles(const Options& options) {
 OptionTable Options::table() {
   OptionTable options = {
       component.table(),
-      Option("--direction", directions, "DIRECTION",
-             "of a component of six directions: x, y, z, rx, ry, rz, one or several; the report of each goes into a "
-             "folder of its name, and a map says where they couple")
+      Option("--direction", directions, "NAME",
+             "of six directions: which to diagnose; the report of each goes into a folder of its name, and a map says "
+             "where they couple")
           .oneOf({"x", "y", "z", "rx", "ry", "rz"}),
       Option("--log", logs, "FILE",
              "measured logs of one component in the order of recording; text (CSV), .mat, HDF5 or .bag")
@@ -588,7 +588,7 @@ int main(int argc, char** argv) {
   return runCommand(
       argc, argv,
       {"diagnose",
-       "Finds where a model differs from measured logs, which effect is missing, and how far it closes the gap.",
+       "Finds where a model differs from logs, which effect is missing, and how far it closes the gap.",
        {{"What a model lacks against two logs", "--config component.yaml --log log.csv log_2.csv --output report"},
         {"On a rig whose force sensor has a zero error of up to 50 N",
          "--config component.yaml --log log.csv --rig force_zero=\"50 N\" --output report"},
