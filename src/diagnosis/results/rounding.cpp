@@ -115,6 +115,7 @@ io::YamlStyle augmentedStyle(const Diagnosis& d) {
 std::string augmentedYaml(const Diagnosis& d) {
   io::YamlStyle style = augmentedStyle(d);
   style.head = originOf(d, d.gap.augmented);
+  style.head += d.turns ? "# A rotation as a component of one direction: m stands for rad, N for N m.\n" : "";
   return io::toYaml({d.augmented}, style);
 }
 
