@@ -164,11 +164,6 @@ Eigen::VectorXd deviationsOf(const Eigen::MatrixXd& jacobian, const Eigen::Vecto
 
 }  // namespace
 
-double tableMisfit(const component::Component& component, const std::vector<TablePoint>& points) {
-  checkPoints(points);
-  return misfitOf(differences(component, points));
-}
-
 TableFit fitToTable(const io::ComponentDescription& description, const std::vector<TablePoint>& points) {
   checkPoints(points);
   const Unknowns unknowns(description, points);

@@ -462,23 +462,6 @@ Eigen::MatrixXd Whitener::operator()(const Eigen::MatrixXd& columns) const {
   return result;
 }
 
-double Whitener::logLikelihood(const VectorXd& residual) const {
-  const VectorXd white = (*this)(residual).col(0);
-  double logarithms = 0.0;
-  std::size_t known = 0;
-  for (Index i = 0; i < mask_.size(); ++i) {
-    if (!mask_[i]) {
-      known = 0;
-      continue;
-    }
-    const Index gain = poles_.size() == 0 ? 0 : gain_of_[static_cast<std::size_t>(i)];
-    logarithms += std::log(deviation_[gain] * stage_[std::min(known, reflection_.size())]);
-    ++known;
-  }
-  return -0.5 * white.squaredNorm() - logarithms -
-         0.5 * std::log(2.0 * element::kPi) * static_cast<double>(mask_.count());
-}
-
 std::optional<RigFinding> colouredNoiseFinding(const std::string& log, const NoiseModel& model) {
   // Beyond the criterion of information: by chance in less than one log in a thousand (chi-square of 2 parameters).
   constexpr double kEvidence = 6.9;

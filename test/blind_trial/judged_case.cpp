@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "campaign/manifest.h"
-#include "diagnosis/judge/evidence_json.h"
+#include "judge/read_evidence.h"
 
 namespace rubber_suspension::blind_trial {
 namespace {
