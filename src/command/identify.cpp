@@ -28,10 +28,6 @@ std::string directionText(const fit::UndeterminedDirection& direction) {
   return text;
 }
 
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
 io::Axes emptyAxes(const std::string& title, const std::string& x_label, const std::string& y_label) {
   io::Axes axes;
   axes.title = title;
@@ -184,7 +180,7 @@ std::string toJson(const std::string& component, const fit::Identification& resu
                                   {"name", parameter.name},
                                   {"unit", parameter.unit},
                                   {"value", parameter.value},
-                                  {"interval_95", {number(parameter.lower), number(parameter.upper)}},
+                                  {"interval_95", {parameter.lower, parameter.upper}},
                                   {"given", parameter.given},
                                   {"determined", parameter.determined}});
   }
@@ -200,7 +196,7 @@ std::string toJson(const std::string& component, const fit::Identification& resu
     for (const auto& [name, weight] : direction.weights) {
       weights[name] = weight;
     }
-    json["undetermined"].push_back({{"deviation", number(direction.standard_deviation)}, {"weights", weights}});
+    json["undetermined"].push_back({{"deviation", direction.standard_deviation}, {"weights", weights}});
   }
   json["notes"] = result.notes;
   return json.dump(2) + "\n";

@@ -14,14 +14,6 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::string_view kBlanks = " \t";
-
-std::string_view trimmedView(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 bool separates(char c, Separator separator) {
   switch (separator) {
     case Separator::comma:

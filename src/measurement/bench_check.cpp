@@ -16,6 +16,7 @@
 #include "measurement/statistics.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -292,8 +293,8 @@ Evidence evidenceOf(const log::Record& record, const VectorXd& simulated) {
   e.work.backward = spectrum.work(-apart).first;
   std::tie(e.work.forward, e.work.deviation) = spectrum.work(apart);
   e.force_correlation = correlationOf(record.force, simulated);
-  const double simulated_deviation = deviationOf(simulated);
-  e.force_ratio = simulated_deviation > 0.0 ? deviationOf(record.force) / simulated_deviation : 0.0;
+  const double simulated_deviation = gap::standardDeviation(simulated);
+  e.force_ratio = simulated_deviation > 0.0 ? gap::standardDeviation(record.force) / simulated_deviation : 0.0;
   return e;
 }
 
@@ -302,7 +303,7 @@ Evidence evidenceOf(const log::Record& record, const VectorXd& simulated) {
 bool isOfAMotion(const log::Record& record, const DeadPart& dead) {
   constexpr double kMore = 1.25;  // two parts of a log tell a hum within a quarter
   const Index length = dead.end - dead.begin;
-  return deviationOf(record.force.segment(dead.begin, length)) >
+  return gap::standardDeviation(record.force.segment(dead.begin, length)) >
          kMore * deviationOfNoMotion(record.raw_displacement, record.force, dead);
 }
 

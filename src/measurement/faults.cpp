@@ -443,10 +443,6 @@ void bridge(std::vector<double>& values, const Mask& mask) {
   }
 }
 
-VectorXd vectorOf(const std::vector<double>& values) {
-  return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
-}
-
 }  // namespace
 
 Faults findFaults(const std::string& name, const VectorXd& displacement, const VectorXd& force) {
@@ -474,7 +470,7 @@ Faults findFaults(const log::Log& log) {
     faults.force = faults.displacement;
     return faults;
   }
-  return findFaults(log.name, vectorOf(log.displacement), vectorOf(log.force));
+  return findFaults(log.name, asVector(log.displacement), asVector(log.force));
 }
 
 log::Log repaired(const log::Log& log, const Faults& faults) {

@@ -12,6 +12,7 @@
 #include "measurement/statistics.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -489,7 +490,7 @@ RigFit RigModel::fit(std::size_t log, const RigColumns& columns, int iterations)
   // A start that leaves neither zeros nor trends in what the noise is estimated from: as white noise of the residual's
   // own size.
   const VectorXd counted = mask.cast<double>();
-  const double scale = std::max(deviationOf(residual), 1e-12 * rangeOf(record.force));
+  const double scale = std::max(gap::standardDeviation(residual), 1e-12 * rangeOf(record.force));
   const MatrixXd masked = counted.asDiagonal() * columns.columns / scale;
   NormalEquations equations{masked.transpose() * masked, masked.transpose() * residual / scale};
   Solution solution = solveWithPriors(equations.gram, equations.moment, columns.priors);

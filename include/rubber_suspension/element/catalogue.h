@@ -22,6 +22,12 @@ inline const Element& lawOf(const ElementPointer& element) {
   return std::visit([](const auto& law) -> const Element& { return *law; }, element);
 }
 
+/// The law as one beside others, or nullptr where it is of another kind.
+inline const ParallelElement* parallelLaw(const ElementPointer& element) {
+  const auto* law = std::get_if<std::shared_ptr<const ParallelElement>>(&element);
+  return law == nullptr ? nullptr : law->get();
+}
+
 /// A law as users see it: its name, what it is for, its parameters and how to make one.
 struct ElementType {
   std::string name;

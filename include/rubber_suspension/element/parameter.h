@@ -77,6 +77,9 @@ struct ElementDescription {
     const auto found = values.find(name);
     return found != values.end() ? found->second : throw std::out_of_range(name);
   }
+
+  bool operator==(const ElementDescription& other) const { return type == other.type && values == other.values; }
+  bool operator!=(const ElementDescription& other) const { return !(*this == other); }
 };
 
 /// Throws std::invalid_argument in the form of all errors about a value: law, parameter, value, what is accepted.
