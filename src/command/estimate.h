@@ -1,4 +1,5 @@
-// What the command `estimate` shows of a component: parameters, stiffness and loss angle over frequency and amplitude.
+// The output of the command `estimate` on a component: parameters, stiffness and loss angle over frequency and
+// amplitude.
 #pragma once
 
 #include <optional>

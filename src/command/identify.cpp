@@ -111,7 +111,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
   const RecordsOfLogs records = recordsOf(repaired);
   checkBenchOf(description.allElements(), records, bench_notes);
   fit::Identification result = fit::identify(description.allElements(), repaired, options);
-  // What a start in motion leaves depends on the parameters: a second look suffices, since it is a small part.
+  // The remains of a start in motion depend on the parameters: a second look suffices, since they are a small part.
   constexpr int kLooks = 2;
   for (int look = 0; look < kLooks; ++look) {
     RigOfLogs rig = rigOfLogs(result.elements, description.rig.value_or(io::RigTolerances{}), repaired, records);

@@ -1,4 +1,5 @@
-// What each model family gives to the estimation: why a specification has no solution, and the elements if it has one.
+// The interface of each model family to the estimation: why a specification has no solution, and the elements if it has
+// one.
 #pragma once
 
 #include <functional>

@@ -38,7 +38,7 @@ const element::ParallelElement* lawOfComponent(const element::ElementPointer& el
   return law == nullptr || law->onRig() ? nullptr : law;
 }
 
-// What never settles under a sine: drift of the rig, factors that the history changes.
+// False for laws that never settle under a sine: drift of the rig, factors that the history changes.
 bool settles(const element::ElementDescription& entry) {
   const element::ElementPointer element = element::makeElement(entry);
   const element::Element& law = element::lawOf(element);
@@ -165,7 +165,7 @@ class Whole {
     return whole.loss / (element::kPi * amplitude() * amplitude());
   }
 
-  // What is added, on a spring of K_n.
+  // The added elements, on a spring of K_n.
   response::Characteristics ofAdded(double at_frequency) const {
     return characteristics({{"spring", {{"stiffness", {given_.at("dynamic_stiffness")}}}}}, at_frequency);
   }

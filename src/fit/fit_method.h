@@ -1,4 +1,4 @@
-// What a fit needs of a method: a search from a start, and force and derivatives where it ended.
+// The interface of a fitting method: a search from a start, and force and derivatives where it ended.
 #pragma once
 
 #include <Eigen/Core>

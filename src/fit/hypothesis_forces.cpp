@@ -103,7 +103,7 @@ bool HypothesisForces::isKnown(const BasisTerm& term, const Interaction& interac
 
 std::optional<std::vector<Eigen::VectorXd>> HypothesisForces::at(const Hypothesis& hypothesis,
                                                                  const ParameterVector& parameters) const {
-  // What is known by its unit effect is added or multiplied; the rest has to be simulated.
+  // Terms known by their unit effect are added or multiplied; the others have to be simulated.
   const Interaction interaction = interactionOf(hypothesis, parameters);
   ParameterVector rest = parameters;
   ParameterVector known = parameters;

@@ -165,7 +165,7 @@ Searches searchFrom(const std::vector<Eigen::VectorXd>& starts, FitMethod& metho
   return searches;
 }
 
-// What the searches lead to: the best fit, and what it knows of the parameters.
+// The result of the searches: the best fit, and what it knows of the parameters.
 struct BestFit {
   ModelFit fit;
   Eigen::MatrixXd products;  // J'J of FitMethod's Jacobian J
@@ -305,7 +305,7 @@ class Summary {
     result.parameters.push_back(parameter);
   }
 
-  // What the rig added is no parameter.
+  // Columns of the rig are no parameters.
   Eigen::Index parameters() const {
     return static_cast<Eigen::Index>(model_.nonlinear().size() + model_.linear().size());
   }

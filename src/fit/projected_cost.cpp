@@ -151,7 +151,7 @@ UnitColumnValues ProjectedCost::valuesAt(const Eigen::VectorXd& search) const {
   return {values(maxwells_), values(frictions_)};
 }
 
-// What the basis takes of derivatives, in its coefficients; columns that are held at zero take nothing.
+// The share of derivatives that the basis takes, in its coefficients; columns that are held at zero take nothing.
 Eigen::MatrixXd ProjectedCost::takenByBasis(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& shared,
                                             const Eigen::VectorXd& coefficients) const {
   Scaled scaled(basis);

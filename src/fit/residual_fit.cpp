@@ -20,7 +20,7 @@ ModelFit evaluate(ForceModel& model, const Eigen::VectorXd& force, const Eigen::
   return fit;
 }
 
-// What is left of columns once the basis has taken its share, without the columns of the basis that are held at zero.
+// The rest of columns once the basis has taken its share, without the columns of the basis that are held at zero.
 Eigen::MatrixXd withoutBasis(const ForceModel& model, const Eigen::VectorXd& coefficients,
                              const Eigen::MatrixXd& columns) {
   std::vector<Eigen::Index> taken;

@@ -45,7 +45,7 @@ std::vector<double> secondsOf(const log::Log& log) {
   return seconds;
 }
 
-// What was measured broad and below, what was simulated thin and above: both are to be seen.
+// The measured curve is broad and below, the simulated one thin and above: both are to be seen.
 io::Axes forceAxes(const std::string& x_label, const std::vector<double>& x, const log::Log& log,
                    const std::vector<double>& force, const Stretch& stretch, const ForceLabels& labels) {
   io::Axes axes;

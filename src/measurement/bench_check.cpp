@@ -24,9 +24,9 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// What effects can do to the stiffness of a whole log: friction raises it up to 3 times at small amplitude and 1.5
-// times over all amplitudes, progressive stiffness doubles it; softening, free play, heat and a series compliance lower
-// it to a third; with 15 % of tolerance of the specification on top.
+// Limits of the change that effects make to the stiffness of a whole log: friction raises it up to 3 times at small
+// amplitude and 1.5 times over all amplitudes, progressive stiffness doubles it; softening, free play, heat and a
+// series compliance lower it to a third; with 15 % of tolerance of the specification on top.
 constexpr double kLargestRatio = 3.5;
 constexpr double kSmallestRatio = 0.3;
 constexpr double kTolerance = 1.15;  // of a specification
@@ -397,9 +397,9 @@ std::optional<RigFinding> lengthFinding(const log::Record& record) {
   return std::nullopt;
 }
 
-// What a record cannot be, and whether nothing but the phase says so: it gives energy, and is as stiff as configured or
-// only late; or nothing but stiffness that is too low by less than a power of ten, or negative, as a mass makes it in
-// fast motion.
+// Why a record cannot be right, and whether nothing but the phase says so: it gives energy, and is as stiff as
+// configured or only late; or nothing but stiffness that is too low by less than a power of ten, or negative, as a mass
+// makes it in fast motion.
 struct Checked {
   std::optional<RigFinding> finding;
   bool by_phase = false;

@@ -412,7 +412,7 @@ void addSaturation(const std::string& name, const Channel& channel, const Channe
     if (!found) {
       continue;
     }
-    // What is just below the stop is there because noise did not lift it further: one-sided, so left out, too.
+    // Samples just below the stop are there because noise did not lift them further: one-sided, so left out, too.
     mask = mask && (channel.scale.array() * kSpikeLimit < outward * (found->limit - channel.values.array()));
     const double share = static_cast<double>(found->samples) / static_cast<double>(mask.size());
     findings.push_back(counted(

@@ -386,7 +386,7 @@ void Whitener::prepareGains(const NoiseModel& model) {
       gains_.col(used) = sum / innovation;
       deviation_[used] = std::sqrt(innovation);
       covariance -= (sum.matrix() * sum.matrix().transpose()).array() / innovation;
-      // What is still to come is then below a millionth of the gain in a thousand samples.
+      // The change still to come is then below a millionth of the gain in a thousand samples.
       settled = used > 0 && ((gains_.col(used) - gains_.col(used - 1)).abs() < 1e-9 * gains_.col(used).abs()).all();
       gain_of_[static_cast<std::size_t>(i)] = static_cast<int>(used);
       ++used;

@@ -81,7 +81,7 @@ VectorXd delayed(const VectorXd& values, double delay, double clock) {
   return result;
 }
 
-// What a machine may have done before the log; each leaves another force.
+// Motions of a machine before the log; each leaves another force.
 enum class Before {
   same_motion,  // the log's first quarter, turned about its start: place and speed go on steadily
   from_above,   // down from the highest displacement

@@ -63,7 +63,7 @@ class ComponentChannel::Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  // What is asked of either kind, by its component and stream.
+  // Asks either kind, by its component and stream.
   template <class Ask>
   auto ask(Ask question) const {
     return six ? question(six->component, six->stream) : question(one->component, one->stream);

@@ -1,4 +1,4 @@
-// What a user may write for a parameter: one table from which checks, errors and reference pages follow.
+// The values that a user may write for a parameter: one table from which checks, errors and reference pages follow.
 #pragma once
 
 #include <limits>

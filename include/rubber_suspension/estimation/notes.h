@@ -1,4 +1,4 @@
-// What a user should know about an estimation beside its numbers: inputs unused, reconstructions, limits.
+// Remarks on an estimation beside its numbers: inputs unused, reconstructions, limits.
 #pragma once
 
 #include <string>

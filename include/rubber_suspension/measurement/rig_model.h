@@ -1,5 +1,5 @@
-// What a rig adds to each log beside the component: zeros, delay, clock, gain and a start in motion; found and taken
-// out by generalised least squares.
+// The force that a rig adds to each log beside the component: zeros, delay, clock, gain and a start in motion; found
+// and taken out by generalised least squares.
 #pragma once
 
 #include <Eigen/Core>

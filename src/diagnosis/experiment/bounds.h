@@ -1,4 +1,4 @@
-// What a proposed experiment has to stay within: what the user allows, or what the logs reached.
+// Bounds of a proposed experiment: those that the user allows, or that the logs reached.
 #pragma once
 
 #include <vector>

@@ -46,7 +46,7 @@ class Discriminator {
     Eigen::VectorXd upper;
     fit::FreeInLog free;
   };
-  // What an explanation says of the motions.
+  // The forces of an explanation on the motions.
   struct Says {
     std::vector<Eigen::VectorXd> force;
     std::vector<Eigen::MatrixXd> derivatives;  // by model parameters and scales

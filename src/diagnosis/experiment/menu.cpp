@@ -32,7 +32,7 @@ double eased(double t, double duration) {
 // A triangle of amplitude 1 and period 1 that begins at 0.
 double triangle(double t) { return 2.0 / element::kPi * std::asin(std::sin(kTwoPi * t)); }
 
-// What a motion of the menu is made of.
+// The parts of a motion of the menu.
 struct Shape {
   std::string kind;
   double length;     // [s]

@@ -1,4 +1,4 @@
-// What fitted hypotheses say of logs that took no part in the fit.
+// Errors of fitted hypotheses on logs that took no part in the fit.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What may be said of a component while its bench runs, from looks at windows and the errors on the blocks since: the
+// The judgement of a component while its bench runs, from looks at windows and the errors on the blocks since: the
 // rule, without data and without time.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What small reversals and the time before a log make of a model with Berg's friction.
+// The error of a model with Berg's friction by small reversals and by the time before a log.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// What a search asks of a measurement, be it logs or a table.
+// The interface of a measurement to a search, be it logs or a table.
 #pragma once
 
 #include <vector>

@@ -147,7 +147,7 @@ ordered_json wholeJson(const WholeStiffness& whole) {
           {"after", at(1)}};
 }
 
-// What made the report; nothing where it was made by a program that says nothing of itself.
+// The program that made the report; nothing where it says nothing of itself.
 ordered_json metaJson(const RunRecord& run) {
   ordered_json files = ordered_json::array();
   for (const InputFile& file : run.files) {

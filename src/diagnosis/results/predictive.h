@@ -1,4 +1,4 @@
-// What may be expected of further logs of a rig: a posterior predictive of what a law leaves there.
+// The gap to expect on further logs of a rig: a posterior predictive of what a law leaves there.
 #pragma once
 
 #include <array>

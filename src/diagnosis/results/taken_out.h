@@ -1,4 +1,4 @@
-// What was taken out of each log before a model was held against it, accounted for by kind.
+// The force taken out of each log before a model was held against it, accounted for by kind.
 #pragma once
 
 #include <Eigen/Core>
