@@ -281,16 +281,7 @@ bool significant(const VectorXd& values, const MatrixXd& covariance) {
 }
 
 bool significantAt(const RigFit& fit, const std::vector<Index>& columns) {
-  const auto size = static_cast<Index>(columns.size());
-  VectorXd values(size);
-  MatrixXd covariance(size, size);
-  for (Index i = 0; i < size; ++i) {
-    values[i] = fit.values[columns[static_cast<std::size_t>(i)]];
-    for (Index j = 0; j < size; ++j) {
-      covariance(i, j) = fit.covariance(columns[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
-    }
-  }
-  return significant(values, covariance);
+  return significant(fit.values(columns), fit.covariance(columns, columns));
 }
 
 // A start matters while it lasts, over the samples that hold its weight; everything else over the whole log.
