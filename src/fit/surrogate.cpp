@@ -168,7 +168,7 @@ class RidgeRegression {
     return unseen;
   }
 
-  /// What is left without any surrogate.
+  /// The error without any surrogate.
   double errorBefore() const { return total_(total_.rows() - 1, total_.rows() - 1); }
 
   /// Weight of each function [N].

@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::io {
 
-/// What a file is, told by its content.
+/// The kind of a file, told by its content.
 enum class FileKind {
   force_csv,            ///< time_s,displacement_m, and force_N, as this package writes them
   gap_csv,              ///< the live gap over time

@@ -17,7 +17,7 @@ using ElementPointer = std::variant<std::shared_ptr<const ParallelElement>, std:
                                     std::shared_ptr<const ForceEffect>, std::shared_ptr<const SeriesElement>,
                                     std::shared_ptr<const TemperatureShift>>;
 
-/// What all laws have in common.
+/// The part that all laws have in common.
 inline const Element& lawOf(const ElementPointer& element) {
   return std::visit([](const auto& law) -> const Element& { return *law; }, element);
 }

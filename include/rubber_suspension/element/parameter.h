@@ -30,7 +30,7 @@ struct Range {
 /// Text such as "greater than 0" or "in [0, 1)"; what an error message offers as accepted.
 std::string describe(const Range& range);
 
-/// What a parameter does to the force, and thus whether a fit moves it.
+/// The effect of a parameter on the force, and thus whether a fit moves it.
 enum class Role {
   scale,      ///< the force is linear in it, the others kept: moved, and found by linear least squares
   shape,      ///< acts on the force in any other way: moved

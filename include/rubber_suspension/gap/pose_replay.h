@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::gap {
 
-/// What a simulation of a log gave.
+/// The result of a simulation of a log.
 struct PoseReplay {
   std::array<std::vector<double>, 6> wrench;  ///< [N, N m], one of each per sample
   component::StreamCounters counters;

@@ -18,7 +18,7 @@ struct Stroke {
 /// Of displacements from `low` to `high`. Where that is nearly symmetric, the centre is 0 and the smaller side counts.
 Stroke strokeOf(double low, double high);
 
-/// What an experiment stays within.
+/// The bounds of an experiment.
 struct Bounds {
   Stroke stroke;
   double speed = 0.0;      ///< largest |dz/dt| [m/s]

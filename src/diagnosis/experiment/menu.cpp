@@ -50,7 +50,7 @@ class Menu {
     travel_ = 0.5 * element::kPi * std::abs(bounds.stroke.centre) / bounds.speed / kWithin;
   }
 
-  /// What is left for a motion about the centre [s].
+  /// The time left for a motion about the centre [s].
   double room() const { return bounds_.duration - 2.0 * travel_; }
 
   /// Left out where it takes longer than there is room.

@@ -27,7 +27,7 @@ class Measured {
   virtual std::vector<fit::Candidate> candidates(const fit::Excitation& excitation,
                                                  const FittedHypothesis& re_estimated, int threads) const = 0;
 
-  /// What the time steps of the simulation make of a model, as a gap.
+  /// The error of a model by the time steps of the simulation, as a gap.
   virtual double discretisationError(const FittedHypothesis& model) const = 0;
 
   /// Sets the noise of the search by what the best hypothesis so far leaves; called again where a better one is found.

@@ -20,7 +20,7 @@ struct NoiseLimit {
 /// 1.5 times the median of the logs' noise, given as gaps: noise of 1/f differs by that much from log to log.
 NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::Record>& records);
 
-/// What the rig did to a record beside a residual of it [N], as a gap: that of an error as large as its values, in
+/// The error of the rig in a record beside a residual of it [N], as a gap: that of an error as large as its values, in
 /// standard deviations, count as. Any model leaves it.
 double rigCost(const log::Record& record, const Eigen::VectorXd& residual);
 

@@ -43,7 +43,7 @@ struct PreparedCase {
   ZeroPriors zeros;
 };
 
-/// What the report draws and lists besides the result.
+/// Data that the report draws and lists besides the result.
 struct Workings {
   Search search;
   Evidence evidence;
