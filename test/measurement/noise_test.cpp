@@ -73,8 +73,7 @@ TEST(Whitener, PrefersTheColourThatIsThere) {
   EXPECT_GT(logLikelihood(estimateNoise(noise, mask), mask, noise), logLikelihood(white, mask, noise) + 10.0);
   // In closed form for white noise.
   EXPECT_NEAR(logLikelihood(white, mask, noise),
-              -0.5 * noise.squaredNorm() - 0.5 * std::log(2.0 * element::kPi) * static_cast<double>(kFew),
-              1e-6 * kFew);
+              -0.5 * noise.squaredNorm() - 0.5 * std::log(2.0 * element::kPi) * static_cast<double>(kFew), 1e-6 * kFew);
 }
 
 // Within a factor of 1.3 in 90 % of the rigs, whatever the noise.
