@@ -78,7 +78,7 @@ int run(int argc, char** argv) {
     std::cout << "rubber-suspension " << RUBBER_SUSPENSION_VERSION << '\n';
     return 0;
   }
-  const std::vector<std::string> names = command_line::commandNames();
+  const std::vector<std::string> names = rubber_suspension::command_line::commandNames();
   for (const std::string& name : names) {
     if (name == command) {
       return become(command, argv + 1);
