@@ -1,4 +1,4 @@
-// What commands that speak to a running node share.
+// Code that commands which speak to a running node share.
 #pragma once
 
 #include <ros/node_handle.h>

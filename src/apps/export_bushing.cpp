@@ -55,7 +55,7 @@ command::BushingFormat formatOf(const std::string& path) {
   return ending == ".bus" ? command::BushingFormat::adams : command::BushingFormat::altair;
 }
 
-// What the curves of the component need, neither less nor more.
+// The directions that the curves of the component need, neither fewer nor more.
 void requireCurve(const command::BushingCurve& curve, bool needed, const char* largest, const char* amplitude) {
   for (const auto& [value, name] : {std::pair(curve.largest, largest), std::pair(curve.amplitude, amplitude)}) {
     if (needed != (value > 0.0)) {

@@ -144,7 +144,7 @@ ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   return track;
 }
 
-// What --output and its like name may lie in the folder, too; the folder itself is new.
+// Files that --output and its like name may lie in the folder, too; the folder itself is new.
 void checkRecords(const Options& options) {
   std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::FileKind::figure}};
   for (const std::string& component : options.components) {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 
+#include "apps/command_names.h"
 #include "command/help_page.h"
 #include "command_line/command.h"
 #include "diagnosis/report/effect_reference.h"
@@ -19,15 +19,6 @@ using namespace rubber_suspension;
 using namespace rubber_suspension::command_line;
 
 namespace {
-
-std::vector<std::string> commandNames() {
-  std::istringstream words(RUBBER_SUSPENSION_COMMANDS);
-  std::vector<std::string> names;
-  for (std::string name; words >> name;) {
-    names.push_back(name);
-  }
-  return names;
-}
 
 using command::HelpPage;
 

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "apps/command_names.h"
 #include "element/suggestion.h"
 #include "log/text.h"
 
@@ -19,15 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
-
-std::vector<std::string> subcommands() {
-  std::istringstream words(RUBBER_SUSPENSION_COMMANDS);
-  std::vector<std::string> names;
-  for (std::string name; words >> name;) {
-    names.push_back(name);
-  }
-  return names;
-}
 
 // Beside this program's folder, wherever it was installed or linked to.
 fs::path programsFolder() {
@@ -87,7 +78,7 @@ int run(int argc, char** argv) {
     std::cout << "rubber-suspension " << RUBBER_SUSPENSION_VERSION << '\n';
     return 0;
   }
-  const std::vector<std::string> names = subcommands();
+  const std::vector<std::string> names = rubber_suspension::command_line::commandNames();
   for (const std::string& name : names) {
     if (name == command) {
       return become(command, argv + 1);

@@ -219,7 +219,7 @@ class BagChecker {
     return content;
   }
 
-  // What follows a length at this place, which moves behind it.
+  // The bytes that follow a length at this place, which moves behind them.
   std::string takePart(const std::string& data, std::size_t& at) const {
     const std::size_t left = data.size() - at;
     const std::uint32_t length = left < 4 ? 0 : numberAt<std::uint32_t>(&data[at]);

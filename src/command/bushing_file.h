@@ -14,7 +14,7 @@ namespace rubber_suspension::command {
 /// Which program reads the file.
 enum class BushingFormat { adams, altair };
 
-/// What the file is to have of a direction.
+/// The data of a direction that the file is to have.
 struct BushingCurve {
   double largest = 0.0;    ///< the curve goes as far to both sides [m, rad]
   double amplitude = 0.0;  ///< of the sine whose loss the damping has [m, rad]

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kWidest = 1.0;  // [m]; no component of a suspension moves so far
 
-// What the settled loops under sines do not show, or do not tell apart, by law.
+// The limits of settled loops under sines, by law: effects that they do not show, or do not tell apart.
 const std::map<std::string, std::string>& losses() {
   static const std::map<std::string, std::string> table = {
       {"stress_softening", "softening goes on over the first cycles; the table has the state after them"},

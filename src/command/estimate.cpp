@@ -54,7 +54,7 @@ Sweeps complete(const SweepOptions& options, const estimation::Specification& sp
   return sweeps;
 }
 
-// What is missing from the models' closed forms: friction in a simulation takes noise for reversals.
+// A remark that the models' closed forms lack: friction in a simulation takes noise for reversals.
 void addFrictionNote(EstimateReport& report) {
   for (const element::ElementDescription& element : report.elements) {
     if (element.type == "friction" && element.value("dead_band") == 0.0) {
@@ -309,7 +309,7 @@ io::Curve curveOf(const EstimateReport& report, const FigureColumn& column, Swee
   return curve;
 }
 
-// What inputs that are a little off make of the sweep over frequency: a band between two thin lines.
+// The effect of inputs that are a little off on the sweep over frequency: a band between two thin lines.
 void addBand(io::Axes& axes, const EstimateReport& report, const FigureColumn& column, SweepQuantity y, int colour) {
   if (!report.sensitivity || column.points != &EstimateReport::over_frequency) {
     return;

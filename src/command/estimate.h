@@ -1,4 +1,5 @@
-// What the command `estimate` shows of a component: parameters, stiffness and loss angle over frequency and amplitude.
+// The output of the command `estimate` on a component: parameters, stiffness and loss angle over frequency and
+// amplitude.
 #pragma once
 
 #include <optional>
@@ -23,7 +24,7 @@ struct SweepOptions {
   int points = 13;                          ///< of each sweep
 };
 
-/// What a change of one input does at the lowest, a middle and the highest frequency of the sweep.
+/// The effect of a change of one input at the lowest, a middle and the highest frequency of the sweep.
 struct SensitivityRow {
   std::string input;
   std::vector<double> frequencies;  ///< [Hz]

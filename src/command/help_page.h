@@ -1,5 +1,5 @@
-// What a command prints with --help-all, taken apart again: the one table behind man pages, completion and the list of
-// commands.
+// The text that a command prints with --help-all, taken apart again: the one table behind man pages, completion and the
+// list of commands.
 #pragma once
 
 #include <string>

@@ -28,10 +28,6 @@ std::string directionText(const fit::UndeterminedDirection& direction) {
   return text;
 }
 
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
 io::Axes emptyAxes(const std::string& title, const std::string& x_label, const std::string& y_label) {
   io::Axes axes;
   axes.title = title;
@@ -115,7 +111,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
   const RecordsOfLogs records = recordsOf(repaired);
   checkBenchOf(description.allElements(), records, bench_notes);
   fit::Identification result = fit::identify(description.allElements(), repaired, options);
-  // What a start in motion leaves depends on the parameters: a second look suffices, since it is a small part.
+  // The remains of a start in motion depend on the parameters: a second look suffices, since they are a small part.
   constexpr int kLooks = 2;
   for (int look = 0; look < kLooks; ++look) {
     RigOfLogs rig = rigOfLogs(result.elements, description.rig.value_or(io::RigTolerances{}), repaired, records);
@@ -184,7 +180,7 @@ std::string toJson(const std::string& component, const fit::Identification& resu
                                   {"name", parameter.name},
                                   {"unit", parameter.unit},
                                   {"value", parameter.value},
-                                  {"interval_95", {number(parameter.lower), number(parameter.upper)}},
+                                  {"interval_95", {parameter.lower, parameter.upper}},
                                   {"given", parameter.given},
                                   {"determined", parameter.determined}});
   }
@@ -200,7 +196,7 @@ std::string toJson(const std::string& component, const fit::Identification& resu
     for (const auto& [name, weight] : direction.weights) {
       weights[name] = weight;
     }
-    json["undetermined"].push_back({{"deviation", number(direction.standard_deviation)}, {"weights", weights}});
+    json["undetermined"].push_back({{"deviation", direction.standard_deviation}, {"weights", weights}});
   }
   json["notes"] = result.notes;
   return json.dump(2) + "\n";

@@ -1,4 +1,4 @@
-// What `estimate --from-log` shows: parameters found from measured logs, their intervals, what the logs do not tell.
+// The output of `estimate --from-log`: parameters found from measured logs, their intervals, what the logs do not tell.
 #pragma once
 
 #include <string>

@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t kLargestFile = 16 * 1024 * 1024;  // bytes
 constexpr std::size_t kMostRows = 1000;                 // a fit takes seconds for each
 
-// What a column of a table may hold, by the words that laboratories write in English and German.
+// The quantities that a column of a table may hold, by the words that laboratories write in English and German.
 struct TableQuantity {
   const char* name;
   const char* unit;  // SI

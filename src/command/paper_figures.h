@@ -28,7 +28,7 @@ struct PaperFigure {
 ///   4: M1 to M6 over frequency at A_n, then over amplitude at f_n       5: M1 to M6 over frequency at A = P/f
 ///   6: M2 for break frequencies from 0.5 to 8 Hz over frequency, 1.43 Hz among them
 ///   8: M2 with one, three and five Maxwell elements and M6 over frequency at A = P/f
-/// What is reconstructed: ranges of the axes; surfaces are drawn as maps; the low frequency of figure 8, as Eq. 22 is
+/// The reconstructed parts: ranges of the axes; surfaces are drawn as maps; the low frequency of figure 8, as Eq. 22 is
 /// illegible (f_l = n_M f_h/10^(n_M-1)); and the inputs of figure 8, f_h = 25 Hz and K_max = 4.9 kN/mm, with which one
 /// element is M2 from K_max. All curves then pass through the working point and differ as the text says.
 std::vector<PaperFigure> paperFigures();

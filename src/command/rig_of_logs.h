@@ -1,4 +1,4 @@
-// What the rig did to logs from which parameters are to be found.
+// Faults of the rig in logs from which parameters are to be found.
 #pragma once
 
 #include <Eigen/Core>

@@ -92,8 +92,8 @@ int runAsked(int argc, char** argv, const Command& command, const OptionTable& o
   return kFailed;
 }
 
-// What goes to standard output, line by line and with nothing that a terminal would obey: names of files and folders
-// may hold anything.
+// Text for standard output, line by line and with nothing that a terminal would obey: names of files and folders may
+// hold anything.
 class SafeOutput : std::streambuf {
  public:
   SafeOutput() : terminal_(std::cout.rdbuf(this)) {}

@@ -14,7 +14,7 @@ struct Example {
   std::string arguments;  ///< behind the name of the command
 };
 
-/// What a command is called and does.
+/// The name and purpose of a command.
 struct Command {
   std::string name;
   /// Begins with a sentence "Simulates ..."; lines that begin with blanks stay as they are. What follows the first

@@ -25,11 +25,12 @@ struct Quantity {
   std::string accepted = {};  ///< for errors; by itself what describes the range
 };
 
-/// What an option fills: a flag, text, a number, or a list of these. It has to live as long as the command.
+/// The variable that an option fills: a flag, text, a number, or a list of these. It has to live as long as the
+/// command.
 using Target = std::variant<bool*, std::string*, std::vector<std::string>*, double*, int*, std::vector<int>*,
                             std::uint64_t*, Quantity>;
 
-/// What a command reads and writes besides the files that its options name, such as those in a folder.
+/// Files that a command reads and writes besides those that its options name, such as those in a folder.
 struct Files {
   std::vector<io::InputFile> inputs;
   std::vector<io::OutputFile> outputs;
@@ -69,7 +70,7 @@ struct Option {
   /// Default of a quantity, as a user would write it.
   Option& defaultText(std::string text) { return default_text = std::move(text), *this; }
 
-  /// What is wrong with a value of this text, empty where nothing is.
+  /// The error of a value of this text, empty where there is none.
   Option& checkedBy(std::function<std::string(const std::string&)> check) { return problem = std::move(check), *this; }
 
   /// A file, or several. No file is written that is also read, nor, without --force, one that is of another kind:

@@ -19,7 +19,7 @@ namespace {
 
 struct VersionRequest {};
 
-// What is wrong with a number; one that is not finite lies in no range.
+// The fault of a number; one that is not finite lies in no range.
 std::string outOfBounds(const Option& option, const std::string& text) {
   const auto [lowest, highest] = *option.bounds;
   const std::optional<double> number = log::parseNumber(text);

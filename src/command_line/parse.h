@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::command_line {
 
-/// What a command line asks for.
+/// The request of a command line.
 enum class Request { run, help, help_all, version };
 
 /// Fills the targets of the table. Throws UsageError, in one line, where the words do not fit the table or its rules;

@@ -1,4 +1,4 @@
-// What is legal and odd in what a command was given.
+// Options of a command that are legal and odd.
 #include "command_line/warnings.h"
 
 #include "command_line/command.h"

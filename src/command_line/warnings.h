@@ -1,4 +1,4 @@
-// What is legal and odd in what a command was given, one line each on stderr: the same words for every command.
+// Options of a command that are legal and odd, one line each on stderr: the same words for every command.
 #pragma once
 
 #include <optional>

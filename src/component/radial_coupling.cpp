@@ -27,11 +27,6 @@ bool isOneOf(const element::ParallelElement* law) {
   return ((dynamic_cast<const Laws*>(law) != nullptr) || ...);
 }
 
-bool equal(const std::vector<element::ElementDescription>& one, const std::vector<element::ElementDescription>& other) {
-  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
-                    [](const auto& a, const auto& b) { return a.type == b.type && a.values == b.values; });
-}
-
 // Berg's friction has no form by the radius; the bank of the same numbers has, but is not the same friction.
 [[noreturn]] void refuseBerg(const element::BergFriction& berg) {
   const double amplitude = berg.displacement();
@@ -62,15 +57,10 @@ struct SortedElements {
   std::vector<element::ElementDescription> friction;
 };
 
-const element::ParallelElement* parallelLaw(const element::ElementPointer& element) {
-  const auto* law = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
-  return law == nullptr ? nullptr : law->get();
-}
-
 std::vector<element::ElementDescription>& listFor(const element::ElementDescription& description,
                                                   SortedElements& sorted) {
   const element::ElementPointer element = element::makeElement(description);
-  const element::ParallelElement* law = parallelLaw(element);
+  const element::ParallelElement* law = element::parallelLaw(element);
   if (isOneOf<element::Spring, element::Maxwell, element::Dashpot, element::SmoothDashpot, element::Springpot>(law)) {
     return sorted.along;
   }
@@ -237,8 +227,8 @@ RadialCoupling::RadialCoupling(std::vector<Direction> directions, SixElements& e
       first = axis == 0 ? sorted : first;
       takeElastic(axis, sorted.elastic);
       takeScaled(axis, sorted.scaled);
-      one_law_ = one_law_ && equal(sorted.elastic, first.elastic);
-      if (!equal(sorted.friction, first.friction)) {
+      one_law_ = one_law_ && sorted.elastic == first.elastic;
+      if (sorted.friction != first.friction) {
         throw std::invalid_argument(
             fmt::format("its friction is not that of {}; accepted: one friction for both, as "
                         "its limit is round",

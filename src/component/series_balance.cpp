@@ -1,4 +1,4 @@
-// What yields in series with the test piece, and the displacement that this leaves to it.
+// A compliance in series with the test piece, and the displacement that it leaves to it.
 #include "rubber_suspension/component/series_balance.h"
 
 #include "component/series_root.h"

@@ -23,12 +23,12 @@ double directDamping(const std::vector<element::ElementDescription>& elements) {
   element::BasicLaws sum;
   for (const element::ElementDescription& description : elements) {
     const element::ElementPointer element = element::makeElement(description);
-    const auto* law = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
+    const element::ParallelElement* law = element::parallelLaw(element);
     if (law == nullptr) {
       return 0.0;
     }
-    if (dynamic_cast<const element::Dashpot*>(law->get()) != nullptr) {
-      (*law)->addTo(sum);
+    if (dynamic_cast<const element::Dashpot*>(law) != nullptr) {
+      law->addTo(sum);
     }
   }
   return sum.damping;

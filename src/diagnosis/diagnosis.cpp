@@ -68,7 +68,7 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
   return findings;
 }
 
-// What each hypothesis leaves of unseen logs; nothing without such logs.
+// The error that each hypothesis leaves in unseen logs; nothing without such logs.
 std::vector<UnseenErrors> unseenErrorsOf(const PreparedCase& prepared, const Search& search, std::size_t hypotheses,
                                          int threads) {
   std::vector<UnseenErrors> unseen(prepared.held_out.empty() ? 0 : hypotheses);

@@ -5,14 +5,6 @@
 
 namespace rubber_suspension::element {
 
-double SliderBank::backbone(double displacement) const {
-  double force = 0.0;
-  for (const JenkinsSlider& slider : sliders_) {
-    force += slider.stiffness * std::clamp(displacement, -slider.yield_displacement, slider.yield_displacement);
-  }
-  return force;
-}
-
 double SliderBank::initialise(double displacement, double* memory) const {
   std::fill(memory, memory + sliders_.size(), displacement);
   return 0.0;

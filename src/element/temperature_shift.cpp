@@ -1,4 +1,4 @@
-// What laws of temperature share.
+// Code that laws of temperature share.
 #include "rubber_suspension/element/temperature_shift.h"
 
 namespace rubber_suspension::element {

@@ -42,7 +42,7 @@ element::ElementDescription bergElement(double u, double peak_force, double ampl
   return {"friction", {{"maximum_force", {peak_force / mu}}, {"displacement", {2.0 * amplitude / (u * (1.0 + mu))}}}};
 }
 
-// What the working point asks for, loss and stiffness over amplitude.
+// Loss and stiffness over amplitude that the working point asks for.
 struct WorkingPoint {
   double k_st;            // [N/m]
   double k_n;             // [N/m]

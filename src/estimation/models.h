@@ -1,4 +1,5 @@
-// What each model family gives to the estimation: why a specification has no solution, and the elements if it has one.
+// The interface of each model family to the estimation: why a specification has no solution, and the elements if it has
+// one.
 #pragma once
 
 #include <functional>
@@ -23,7 +24,7 @@ struct Obstacle {
 /// 10).
 double lossAngle(const Specification& specification);
 
-/// What all models ask of their stiffnesses: K_st < K_n < K_max, and none more than ten times K_st.
+/// The condition of all models on their stiffnesses: K_st < K_n < K_max, and none more than ten times K_st.
 std::optional<Obstacle> stiffnessObstacle(const Specification& specification);
 
 /// The specification with the tangent of its curve at the working point in place of the curve.
@@ -64,7 +65,7 @@ double breakFrequencyForHighStiffness(const Specification& specification);
 /// |K*(f_h)| [N/m] of one Maxwell element of this break frequency [Hz] that meets K_n.
 double highStiffnessOfOne(const Specification& specification, double break_frequency);
 
-/// What high_frequency_stiffness asks of the others: f_n < f_h, K_n < K(f_h).
+/// The condition of high_frequency_stiffness on the others: f_n < f_h, K_n < K(f_h).
 std::optional<Obstacle> highFrequencyObstacle(const Specification& specification);
 
 /// The storage stiffness K_n cos(delta) has to exceed K_st, else nothing is left for a Maxwell element.

@@ -58,7 +58,7 @@ class PointFit {
   }
 
  private:
-  // What Eigen's method asks for.
+  // The functor that Eigen's method asks for.
   struct Functor {
     using Scalar = double;
     using InputType = Eigen::VectorXd;

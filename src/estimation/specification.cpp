@@ -157,7 +157,7 @@ void checkRange(const std::string& key, double value) {
   }
 }
 
-// What is missing comes first: "loss_angle is missing, or relative_damping in its place".
+// The missing key comes first: "loss_angle is missing, or relative_damping in its place".
 std::string missingText(const std::vector<std::string>& missing, std::size_t needed) {
   const auto split = missing.begin() + static_cast<std::ptrdiff_t>(needed);
   const std::vector<std::string> first(missing.begin(), split);
@@ -514,7 +514,7 @@ std::optional<Obstacle> stiffnessObstacle(const Specification& specification) {
   const std::optional<double> k_h = specification.find("high_frequency_stiffness");
   for (const auto& [key, value] :
        {std::make_pair("dynamic_stiffness", k_n), {"maximum_stiffness", k_max}, {"high_frequency_stiffness", k_h}}) {
-    // What is derived for a base may be any part of a component.
+    // A quantity derived for a base may be any part of a component.
     if (specification.describes() != Describes::base && orNone(value) > kLargestStiffnessRatio * orNone(k_st)) {
       return Obstacle{key, fmt::format("is more than {:g} times {}, which no rubber component reaches",
                                        kLargestStiffnessRatio, inputText(specification, "static_stiffness"))};

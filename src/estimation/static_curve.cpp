@@ -124,8 +124,7 @@ std::optional<element::ElementDescription> scaledEntry(const SlopeFactor& slope,
              {{"displacement", slope.displacement}, {"damping", slope.times(entry.value("damping"))}}}};
   }
   const element::ElementPointer element = element::makeElement(entry);
-  const auto* law = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
-  const auto* bank = law == nullptr ? nullptr : dynamic_cast<const element::SliderBank*>(law->get());
+  const auto* bank = dynamic_cast<const element::SliderBank*>(element::parallelLaw(element));
   if (bank == nullptr) {
     return std::nullopt;
   }

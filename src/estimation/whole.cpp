@@ -32,12 +32,13 @@ struct Unsolvable {
 
 using Entries = std::vector<element::ElementDescription>;
 
-const element::ParallelElement* parallelLaw(const element::ElementPointer& element) {
-  const auto* law = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
-  return law == nullptr || (*law)->onRig() ? nullptr : law->get();
+// None for what sits on the rig.
+const element::ParallelElement* lawOfComponent(const element::ElementPointer& element) {
+  const element::ParallelElement* law = element::parallelLaw(element);
+  return law == nullptr || law->onRig() ? nullptr : law;
 }
 
-// What never settles under a sine: drift of the rig, factors that the history changes.
+// False for laws that never settle under a sine: drift of the rig, factors that the history changes.
 bool settles(const element::ElementDescription& entry) {
   const element::ElementPointer element = element::makeElement(entry);
   const element::Element& law = element::lawOf(element);
@@ -62,7 +63,7 @@ struct AddedStiffness {
     constexpr double kAlways = 1e12;  // [rad/s]
     for (const element::ElementDescription& entry : add) {
       const element::ElementPointer element = element::makeElement(entry);
-      const element::ParallelElement* law = parallelLaw(element);
+      const element::ParallelElement* law = lawOfComponent(element);
       if (law != nullptr && law->linear()) {
         at_rest += law->complexStiffness(kNever)->real();
         limit += law->complexStiffness(kAlways)->real();
@@ -96,7 +97,7 @@ class Whole {
   // Whether loops take no time: forces that add up, and no Maxwell elements that have to settle along a curve.
   bool isQuick() const {
     return given_.curve() == nullptr && std::all_of(add_.begin(), add_.end(), [](const auto& entry) {
-             return parallelLaw(element::makeElement(entry)) != nullptr;
+             return lawOfComponent(element::makeElement(entry)) != nullptr;
            });
   }
 
@@ -164,7 +165,7 @@ class Whole {
     return whole.loss / (element::kPi * amplitude() * amplitude());
   }
 
-  // What is added, on a spring of K_n.
+  // The added elements, on a spring of K_n.
   response::Characteristics ofAdded(double at_frequency) const {
     return characteristics({{"spring", {{"stiffness", {given_.at("dynamic_stiffness")}}}}}, at_frequency);
   }

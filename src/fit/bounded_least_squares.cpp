@@ -26,20 +26,10 @@ struct Problem {
 };
 
 Eigen::VectorXd solveFree(const Problem& problem, const std::vector<int>& free, const Eigen::VectorXd& x) {
-  const auto count = static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd gram(count, count);
-  Eigen::VectorXd moment(count);
   Eigen::VectorXd fixed = x;
-  for (const int i : free) {
-    fixed[i] = 0.0;
-  }
-  const Eigen::VectorXd rest = problem.moment - problem.gram * fixed;
-  for (Eigen::Index a = 0; a < count; ++a) {
-    moment[a] = rest[free[static_cast<std::size_t>(a)]];
-    for (Eigen::Index b = 0; b < count; ++b) {
-      gram(a, b) = problem.gram(free[static_cast<std::size_t>(a)], free[static_cast<std::size_t>(b)]);
-    }
-  }
+  fixed(free).setZero();
+  const Eigen::MatrixXd gram = problem.gram(free, free);
+  const Eigen::VectorXd moment = (problem.moment - problem.gram * fixed)(free);
   if (problem.exact) {
     return numerics::solveLeastNorm(gram, moment);
   }

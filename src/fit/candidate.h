@@ -32,8 +32,8 @@ struct BasisTerm {
       false;  ///< a zero of the displacement changes more of it than its mean; set by Fitter::prepare
   /// Force of the entry alone at scale 1 where samples to come tell it better than the entry, which may not look ahead.
   std::function<Eigen::VectorXd(const log::Record&)> exact;
-  /// What the entry does to each log at scale 1: the force that it adds [N], or the share of the component's force that
-  /// it takes [-]. Set by findUnitEffects for additive and softening terms.
+  /// The effect of the entry on each log at scale 1: the force that it adds [N], or the share of the component's force
+  /// that it takes [-]. Set by findUnitEffects for additive and softening terms.
   std::shared_ptr<const std::vector<Eigen::VectorXd>> unit_effect;
 };
 

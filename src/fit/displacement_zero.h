@@ -9,14 +9,14 @@
 
 namespace rubber_suspension::fit {
 
-/// What is known of it before any fit.
+/// The knowledge of it before any fit.
 struct DisplacementZero {
   double deviation = 0.0;      ///< standard deviation [m]; 0: there is none
   double one_deviation = 0.0;  ///< what that counts as, in units of the standard deviation of the force
 };
 
-/// What one standard deviation of the zero does to the force of elements on each record [N], its mean taken out, which
-/// is a zero of the force; over what it counts as.
+/// The effect of one standard deviation of the zero on the force of elements on each record [N], its mean taken out,
+/// which is a zero of the force; over what it counts as.
 std::vector<Eigen::VectorXd> byZero(const std::vector<element::ElementDescription>& elements,
                                     const std::vector<log::Record>& records,
                                     const std::vector<DisplacementZero>& zeros);

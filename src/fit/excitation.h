@@ -1,4 +1,4 @@
-// What the logs have in common; candidates choose their grids by it.
+// Frequencies and amplitudes that the logs have in common; candidates choose their grids by them.
 #pragma once
 
 #include <cstddef>

@@ -31,11 +31,11 @@ class Fitter final : public HypothesisFitter {
   /// need not find again. Not while fits run.
   void prepare(std::vector<Candidate>& candidates, int threads);
 
-  /// What zeros of the displacement do to the force of a hypothesis; frees them where that matters. None without
+  /// The effect of zeros of the displacement on the force of a hypothesis; frees them where that matters. None without
   /// setZeros().
   void freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis) const override;
 
-  /// What is known of zeros of the displacement of each log.
+  /// Priors of the zeros of the displacement of each log.
   void setZeros(std::vector<DisplacementZero> zeros) { zeros_ = std::move(zeros); }
 
  private:

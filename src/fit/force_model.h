@@ -26,7 +26,7 @@ struct Unknown {
   double toValue(double search) const;
 };
 
-/// What rate, length and amplitude of the logs can show.
+/// Limits that rate, length and amplitude of the logs set.
 struct LogScales {
   double sampling_rate;  ///< [Hz]
   double duration;       ///< of the longest log [s]

@@ -1,4 +1,4 @@
-// What is free in each log alone, as no model run reproduces it.
+// Unknowns of each log alone, which no model run reproduces.
 #pragma once
 
 #include <Eigen/Core>

@@ -16,8 +16,8 @@ struct Hypothesis {
   std::vector<int> members;      ///< the candidates at work by their index, ascending
   std::vector<BasisTerm> terms;  ///< of all members, one member after the other
   FreeInLog free_in_log;         ///< is free as well
-  /// What one standard deviation of the displacement's zero does to the force of each log [N], over what it counts as
-  /// in units of the force's standard deviation (DisplacementZero); null: nothing.
+  /// The effect of one standard deviation of the displacement's zero on the force of each log [N], over what it counts
+  /// as in units of the force's standard deviation (DisplacementZero); null: nothing.
   std::shared_ptr<const std::vector<Eigen::VectorXd>> by_zero;
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
 

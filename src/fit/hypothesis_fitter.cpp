@@ -41,7 +41,7 @@ double promised(const Eigen::MatrixXd& total, const Eigen::VectorXd& step) {
   return std::sqrt(std::max(0.0, total(last, last) - step.dot(2.0 * total.col(last).head(last) - gram * step)));
 }
 
-// What the gains of all logs have in common is that of the term, where there is one.
+// The common part of the gains of all logs is that of the term, where there is one.
 void takeOutCommonGain(const Hypothesis& hypothesis, Fit& fit) {
   const auto term = std::find_if(hypothesis.terms.begin(), hypothesis.terms.end(),
                                  [](const BasisTerm& other) { return other.is_gain; });
@@ -192,7 +192,8 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
     if (hopeless || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
       break;
     }
-    // What the first step leaves at nothing takes no further part: its force would have to be simulated each time.
+    // Terms that the first step leaves at nothing take no further part: their force would have to be simulated each
+    // time.
     std::vector<bool> active(hypothesis.terms.size());
     for (std::size_t t = 0; t < active.size(); ++t) {
       active[t] = hypothesis.terms[t].additive || place.parameters.scales[static_cast<Eigen::Index>(t)] != 0.0;

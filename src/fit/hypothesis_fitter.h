@@ -89,7 +89,7 @@ class HypothesisFitter {
 
   explicit HypothesisFitter(const ModelParameters& model) : model_(model) {}
 
-  /// What is measured errs by this, in units of the force's standard deviation: the penalty follows from it.
+  /// The error of what is measured, in units of the force's standard deviation: the penalty follows from it.
   void setNoise(double noise);
 
  private:
@@ -114,7 +114,7 @@ class HypothesisFitter {
     Forces forces;
     double cost = 0.0;  ///< gap and prior together
   };
-  /// What departing from the configured model parameters costs within a fit, as a gap.
+  /// The cost of departing from the configured model parameters within a fit, as a gap.
   double priorOf(const Eigen::VectorXd& logarithms) const;
   Place placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const;
   /// The same; throws std::invalid_argument where there is no model.

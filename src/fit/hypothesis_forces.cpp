@@ -69,8 +69,8 @@ HypothesisForces::Interaction HypothesisForces::interactionOf(const ModelParamet
   const auto elements = model.elements(Eigen::VectorXd::Zero(model.size()));
   for (const element::ElementDescription& description : elements.value_or(std::vector<element::ElementDescription>{})) {
     const element::ElementPointer element = element::makeElement(description);
-    if (const auto* parallel = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element)) {
-      interaction.on_rig = interaction.on_rig || (*parallel)->onRig();
+    if (const element::ParallelElement* parallel = element::parallelLaw(element)) {
+      interaction.on_rig = interaction.on_rig || parallel->onRig();
     } else if (std::holds_alternative<std::shared_ptr<const element::ForceEffect>>(element)) {
       interaction.scales = true;
     } else {
@@ -103,7 +103,7 @@ bool HypothesisForces::isKnown(const BasisTerm& term, const Interaction& interac
 
 std::optional<std::vector<Eigen::VectorXd>> HypothesisForces::at(const Hypothesis& hypothesis,
                                                                  const ParameterVector& parameters) const {
-  // What is known by its unit effect is added or multiplied; the rest has to be simulated.
+  // Terms known by their unit effect are added or multiplied; the others have to be simulated.
   const Interaction interaction = interactionOf(hypothesis, parameters);
   ParameterVector rest = parameters;
   ParameterVector known = parameters;

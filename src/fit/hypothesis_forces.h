@@ -19,7 +19,7 @@ std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelPa
                                                                    const Hypothesis& hypothesis,
                                                                    const ParameterVector& parameters);
 
-/// What hypotheses about one model say of some logs. Thread-safe once constructed; the model has to outlive it.
+/// The forces of hypotheses about one model on some logs. Thread-safe once constructed; the model has to outlive it.
 class HypothesisForces {
  public:
   HypothesisForces(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model);
@@ -36,7 +36,7 @@ class HypothesisForces {
   /// Force of each log [N]; nothing where the model parameters have no solution.
   std::optional<std::vector<Eigen::VectorXd>> at(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 
-  /// What the force of each log has more than with other scales of the same terms [N]. Throws std::invalid_argument
+  /// The force of each log beyond that with other scales of the same terms [N]. Throws std::invalid_argument
   /// where there is no model.
   std::vector<Eigen::VectorXd> moreThanWith(const Eigen::VectorXd& scales, const Hypothesis& hypothesis,
                                             const ParameterVector& parameters) const;
@@ -56,7 +56,7 @@ class HypothesisForces {
                          const std::vector<Eigen::VectorXd>& base) const;
 
  private:
-  /// What else is at work, besides elements of the component that add up.
+  /// Effects at work besides elements of the component that add up.
   struct Interaction {
     bool displaces = false;  ///< what acts on the displacement, or in a way that has to be simulated
     bool scales = false;     ///< force effects of the model itself

@@ -145,11 +145,22 @@ struct Searches {
   int at_best = 0;
 };
 
-Searches searchFrom(const std::vector<Eigen::VectorXd>& starts, FitMethod& method, double force_square) {
+Limits limitsOf(const ForceModel& model) {
+  const auto size = static_cast<Eigen::Index>(model.nonlinear().size());
+  Limits limits{Eigen::VectorXd(size), Eigen::VectorXd(size)};
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const Unknown& unknown = model.nonlinear()[static_cast<std::size_t>(i)];
+    limits.lower[i] = unknown.toSearch(unknown.lower);
+    limits.upper[i] = unknown.toSearch(unknown.upper);
+  }
+  return limits;
+}
+
+Searches searchFrom(const std::vector<Eigen::VectorXd>& starts, const Limits& limits, FitMethod& method) {
   Searches searches;
   std::vector<double> costs;
   for (const Eigen::VectorXd& start : starts) {
-    const Optimum optimum = method.search(start);
+    const Optimum optimum = searchLeast(method, start, limits);
     if (std::isfinite(optimum.cost)) {
       costs.push_back(optimum.cost);
       if (costs.size() == 1 || optimum.cost < searches.best.cost) {
@@ -160,12 +171,12 @@ Searches searchFrom(const std::vector<Eigen::VectorXd>& starts, FitMethod& metho
   if (costs.empty()) {
     throw std::invalid_argument("the simulated force is not finite from any start");
   }
-  const double limit = searches.best.cost * (1.0 + kSameResidual) + method.rounding() * force_square;
+  const double limit = searches.best.cost * (1.0 + kSameResidual) + 10.0 * method.rounding() * method.unit();
   searches.at_best = static_cast<int>(std::count_if(costs.begin(), costs.end(), [&](double c) { return c <= limit; }));
   return searches;
 }
 
-// What the searches lead to: the best fit, and what it knows of the parameters.
+// The result of the searches: the best fit, and what it knows of the parameters.
 struct BestFit {
   ModelFit fit;
   Eigen::MatrixXd products;  // J'J of FitMethod's Jacobian J
@@ -184,21 +195,21 @@ BestFit bestFit(ForceModel& model, const Eigen::VectorXd& force, const std::vect
                 const std::vector<Eigen::Index>& runs, const IdentificationOptions& options, Identification& result) {
   const std::vector<Eigen::VectorXd> starts = startsOf(model, options);
   result.starts = static_cast<int>(starts.size());
-  const double force_square = force.squaredNorm();
+  const Limits limits = limitsOf(model);
   ResidualFit by_residuals(model, force);
   if (!options.by_products || !options.rig.empty() || !ProductFit::appliesTo(model, logs)) {
-    const Searches searches = searchFrom(starts, by_residuals, force_square);
+    const Searches searches = searchFrom(starts, limits, by_residuals);
     result.starts_at_best = searches.at_best;
     return describeFit(by_residuals, by_residuals.fitAt(searches.best.search), runs);
   }
   ProductFit by_products(model, logs);
-  const Searches searches = searchFrom(starts, by_products, force_square);
+  const Searches searches = searchFrom(starts, limits, by_products);
   result.starts_at_best = searches.at_best;
   const ModelFit fit = by_products.fitAt(searches.best.search);
-  if (fit.cost() > kSmallestByProducts * force_square) {
+  if (fit.cost() > kSmallestByProducts * by_products.unit()) {
     return describeFit(by_products, fit, runs);
   }
-  return describeFit(by_residuals, by_residuals.fitAt(by_residuals.search(fit.search).search), runs);
+  return describeFit(by_residuals, by_residuals.fitAt(searchLeast(by_residuals, fit.search, limits).search), runs);
 }
 
 // Covariance of the unknowns in the coordinates of the Jacobian, and directions that the log does not show at all.
@@ -305,7 +316,7 @@ class Summary {
     result.parameters.push_back(parameter);
   }
 
-  // What the rig added is no parameter.
+  // Columns of the rig are no parameters.
   Eigen::Index parameters() const {
     return static_cast<Eigen::Index>(model_.nonlinear().size() + model_.linear().size());
   }

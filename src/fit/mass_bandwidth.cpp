@@ -6,7 +6,7 @@
 namespace rubber_suspension::fit {
 namespace {
 
-// What the node errs by, from the displacement as recorded and without samples to come: sum of mean squares per mass,
+// The error of the node, from the displacement as recorded and without samples to come: sum of mean squares per mass,
 // in units of the logs' forces. The start of a log, where the motion sets in with a jerk, does not count.
 double errorInTime(const std::vector<log::Record>& records, double bandwidth) {
   const auto in_time =

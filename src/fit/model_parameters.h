@@ -48,9 +48,9 @@ class ModelParameters {
   /// Its elements; nothing where the specification has no solution or an element refuses its parameters.
   std::optional<std::vector<element::ElementDescription>> elements(const Eigen::VectorXd& logarithms) const;
 
-  /// What the user would have to write: new over old value of every number of the specification, or of every parameter
-  /// of the elements, that is not equal. Of any point, also of one that no component has, as the values that a single
-  /// log asks for can be.
+  /// The changes that the user would have to write: new over old value of every number of the specification, or of
+  /// every parameter of the elements, that is not equal. Of any point, also of one that no component has, as the values
+  /// that a single log asks for can be.
   std::vector<std::pair<std::string, double>> ratios(const Eigen::VectorXd& logarithms) const;
 
  private:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/median.h"
 #include "rubber_suspension/fit/identification.h"
 
 namespace rubber_suspension::fit {
@@ -44,9 +45,7 @@ class Differences {
   double standardDeviation() const {
     std::vector<double> magnitude(values_.size());
     std::transform(values_.begin(), values_.end(), magnitude.begin(), [](double value) { return std::abs(value); });
-    const auto middle = magnitude.begin() + static_cast<std::ptrdiff_t>(magnitude.size() / 2);
-    std::nth_element(magnitude.begin(), middle, magnitude.end());
-    return *middle / unit();
+    return numerics::medianOf(std::move(magnitude)) / unit();
   }
 
  private:

@@ -182,31 +182,10 @@ std::vector<Eigen::Index> placesOfFresh(const Columns& all, const Sorted& sorted
   return places;
 }
 
-// A matrix without the columns that are not listed.
-Eigen::MatrixXd chosen(const Eigen::MatrixXd& matrix, const std::vector<Eigen::Index>& columns) {
-  Eigen::MatrixXd result(matrix.rows(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    result.col(static_cast<Eigen::Index>(j)) = matrix.col(columns[j]);
-  }
-  return result;
-}
-
 void place(const Eigen::MatrixXd& small, const std::vector<Eigen::Index>& rows,
            const std::vector<Eigen::Index>& columns, Eigen::MatrixXd& gram) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = 0; j < columns.size(); ++j) {
-      gram(rows[i], columns[j]) = small(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      gram(columns[j], rows[i]) = gram(rows[i], columns[j]);
-    }
-  }
-}
-
-void placeKnown(const Sorted& sorted, const Eigen::MatrixXd& products, Eigen::MatrixXd& gram) {
-  for (std::size_t i = 0; i < sorted.known_places.size(); ++i) {
-    for (std::size_t j = 0; j < sorted.known_places.size(); ++j) {
-      gram(sorted.known_places[i], sorted.known_places[j]) = products(sorted.known_index[i], sorted.known_index[j]);
-    }
-  }
+  gram(rows, columns) = small;
+  gram(columns, rows) = small.transpose();
 }
 
 // Grams of the blocks of one log, from place `first` on among all blocks.
@@ -225,12 +204,13 @@ void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::siz
   }
   const Eigen::VectorXd of_log = squaresOf(of_fresh);
   squares = Eigen::VectorXd::Zero(all.width());
-  for (std::size_t j = 0; j < places.size(); ++j) {
-    squares[places[j]] = of_log[static_cast<Eigen::Index>(j)];
-  }
+  squares(places) = of_log;
   const Eigen::MatrixXd shares = sumOf(of_fresh);
   const bool known = !sorted.known.empty();
-  const Eigen::MatrixXd known_shares = known ? chosen(all.known->shares(r), sorted.known_index) : Eigen::MatrixXd();
+  Eigen::MatrixXd known_shares;
+  if (known) {
+    known_shares = all.known->shares(r)(Eigen::all, sorted.known_index);
+  }
   for (std::size_t i = 0; i < of_fresh.size(); ++i) {
     const Rows& rows = blocks[first + i];
     const OfBlock& block = of_fresh[i];
@@ -243,10 +223,11 @@ void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::siz
     }
     const Eigen::MatrixXd of_block = blockOf(sorted.known, rows, all.weights[r]);
     const Eigen::MatrixXd mixed = fresh.middleRows(rows.first, of_block.rows()).transpose() * of_block;
-    const Eigen::MatrixXd on_nuisances = chosen(all.known->onNuisances(first + i), sorted.known_index);
+    const Eigen::MatrixXd on_nuisances = all.known->onNuisances(first + i)(Eigen::all, sorted.known_index);
     place(freed(mixed, block.nuisances, block.on_nuisances, shares, on_nuisances, known_shares), places,
           sorted.known_places, gram);
-    placeKnown(sorted, all.known->products(first + i), gram);
+    gram(sorted.known_places, sorted.known_places) =
+        all.known->products(first + i)(sorted.known_index, sorted.known_index);
   }
 }
 
@@ -366,38 +347,30 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
   return result;
 }
 
+Eigen::VectorXd solveColumns(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
+                             const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  return boundedLeastSquares(gram(columns, columns), gram(columns, gram.cols() - 1), lower, upper);
+}
+
+double squaresLeft(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
+                   const Eigen::VectorXd& coefficients) {
+  const Eigen::Index last = gram.cols() - 1;
+  const Eigen::MatrixXd of_columns = gram(columns, columns);
+  const Eigen::VectorXd moment = gram(columns, last);
+  return gram(last, last) - coefficients.dot(2.0 * moment - of_columns * coefficients);
+}
+
 std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
                                   const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  const auto count = static_cast<Eigen::Index>(columns.size());
-  const Eigen::Index last = blocks.gram[0].rows() - 1;
   std::vector<double> errors(blocks.gram.size());
-  Eigen::MatrixXd small(count, count);
-  Eigen::VectorXd moment(count);
   for (int fold = 0; fold < kFolds; ++fold) {
-    const Eigen::MatrixXd& total = blocks.without_fold[static_cast<std::size_t>(fold)];
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const auto row = columns[static_cast<std::size_t>(i)];
-      moment[i] = total(row, last);
-      for (Eigen::Index j = 0; j < count; ++j) {
-        small(i, j) = total(row, columns[static_cast<std::size_t>(j)]);
-      }
-    }
-    const Eigen::VectorXd x = boundedLeastSquares(small, moment, lower, upper);
+    const Eigen::VectorXd x = solveColumns(blocks.without_fold[static_cast<std::size_t>(fold)], columns, lower, upper);
     for (std::size_t b = 0; b < blocks.gram.size(); ++b) {
-      if (blocks.fold[b] != fold) {
-        continue;
+      if (blocks.fold[b] == fold) {
+        const double error = squaresLeft(blocks.gram[b], columns, x);
+        errors[b] =
+            std::isfinite(error) ? std::max(error, 0.0) / blocks.weight[b] : std::numeric_limits<double>::infinity();
       }
-      const Eigen::MatrixXd& gram = blocks.gram[b];
-      double error = gram(last, last);
-      for (Eigen::Index i = 0; i < count; ++i) {
-        const auto row = columns[static_cast<std::size_t>(i)];
-        error -= 2.0 * x[i] * gram(row, last);
-        for (Eigen::Index j = 0; j < count; ++j) {
-          error += x[i] * x[j] * gram(row, columns[static_cast<std::size_t>(j)]);
-        }
-      }
-      errors[b] =
-          std::isfinite(error) ? std::max(error, 0.0) / blocks.weight[b] : std::numeric_limits<double>::infinity();
     }
   }
   return errors;

@@ -69,6 +69,14 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
                            FreeInLog free, int threads, const KnownColumns* known = nullptr,
                            const ForceColumn& by_zero = nullptr);
 
+/// The coefficients of some columns within bounds that leave least of the last column, by the products of all columns.
+Eigen::VectorXd solveColumns(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
+                             const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+
+/// The squares that coefficients of some columns leave of the last column.
+double squaresLeft(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
+                   const Eigen::VectorXd& coefficients);
+
 /// Held-out mean square error of each block, from its normal equations: each fold is predicted by a fit to the others.
 std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
                                   const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);

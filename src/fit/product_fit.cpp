@@ -1,121 +1,237 @@
-// Levenberg-Marquardt within limits.
+// Variable projection on products of columns.
 #include "fit/product_fit.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <numeric>
 
+#include "fit/bounded_least_squares.h"
+#include "numerics/least_squares.h"
 #include "numerics/symmetric.h"
 
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr double kFirstRadius = 1e4;     // the first step is damped by 1e-4 of the diagonal of J'J
-constexpr double kLargestRadius = 1e16;  // no damping
-constexpr double kSmallestRadius = 1e-32;
-constexpr double kLeastDamped = 1e-6;       // share of the force's square below which a coordinate is damped like that
-constexpr double kLeastImprovement = 1e-3;  // of what a step promised, for it to be taken
+// Square of the part of a column across the others, relative to its length, above which coefficients are unique.
+constexpr double kIndependent = 1e-10;
 
-// The region in which the quadratic model of the cost is trusted.
-class TrustRegion {
- public:
-  double radius() const { return radius_; }
+struct LawName {
+  const char* type;
+  const char* parameter;  // that its force is not linear in
+  const char* scale;      // that its force is proportional to
+};
+constexpr LawName kMaxwellName{"maxwell", "break_frequency", "stiffness"};
+constexpr LawName kFrictionName{"friction", "displacement", "maximum_force"};
 
-  // After a step that kept this part of what it promised.
-  void adapt(double improvement) {
-    if (improvement > kLeastImprovement) {
-      radius_ = std::min(kLargestRadius, radius_ / std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * improvement - 1.0, 3)));
-      shrinking_ = 2.0;
-    } else {
-      radius_ /= shrinking_;
-      shrinking_ *= 2.0;
+std::vector<const element::ElementDescription*> ofType(const ForceModel& model, const std::string& type) {
+  std::vector<const element::ElementDescription*> elements;
+  for (const element::ElementDescription& element : model.elements()) {
+    if (element.type == type) {
+      elements.push_back(&element);
     }
   }
+  return elements;
+}
 
- private:
-  double radius_ = kFirstRadius;
-  double shrinking_ = 2.0;
+std::vector<double> deadBands(const ForceModel& model) {
+  std::vector<double> dead_bands;
+  for (const element::ElementDescription* friction : ofType(model, kFrictionName.type)) {
+    dead_bands.push_back(friction->value("dead_band"));
+  }
+  return dead_bands;
+}
+
+// Of the unknown that belongs to an element; unknowns.size() where there is none.
+std::size_t find(const std::vector<Unknown>& unknowns, std::size_t element) {
+  const auto at =
+      std::find_if(unknowns.begin(), unknowns.end(), [&](const Unknown& u) { return u.element == element; });
+  return static_cast<std::size_t>(at - unknowns.begin());
+}
+
+// Products of columns scaled to length 1, and the scales.
+struct Scaled {
+  Eigen::MatrixXd products;
+  Eigen::VectorXd scale;
+
+  explicit Scaled(const Eigen::MatrixXd& of) {
+    scale = of.diagonal().cwiseSqrt().unaryExpr([](double length) { return length > 0.0 ? 1.0 / length : 0.0; });
+    products = scale.asDiagonal() * of * scale.asDiagonal();
+  }
 };
 
-// By how much the quadratic model says that the cost falls.
-double promise(const ProjectedCost::Value& value, const Eigen::VectorXd& step) {
-  return -step.dot(2.0 * value.gradient + value.curvature * step);
+// Where the columns are independent and no coefficient meets its bound, the plain solution is the bounded one.
+Eigen::VectorXd solve(const Eigen::MatrixXd& products, const Eigen::VectorXd& moments,
+                      const std::vector<bool>& signed_columns) {
+  const Scaled scaled(products);
+  const numerics::Cholesky cholesky(scaled.products);
+  if (cholesky.exists() && cholesky.diagonal().array().square().minCoeff() > kIndependent) {
+    Eigen::VectorXd x =
+        scaled.scale.asDiagonal() * cholesky.solve(Eigen::VectorXd(scaled.scale.asDiagonal() * moments));
+    bool inside = true;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      inside = inside && (signed_columns[static_cast<std::size_t>(i)] || x[i] > 0.0);
+    }
+    if (inside) {
+      return x;
+    }
+  }
+  return nonNegativeLeastSquares(products, moments, signed_columns);
 }
 
 }  // namespace
 
+bool ProductFit::appliesTo(const ForceModel& model, const std::vector<log::Log>& logs) {
+  return !model.nonlinear().empty() && UnitColumns::steady(logs) &&
+         std::all_of(model.elements().begin(), model.elements().end(), [](const element::ElementDescription& element) {
+           return element.type == "spring" || (element.type == "dashpot" && element.value("order") == 1.0) ||
+                  element.type == kMaxwellName.type || element.type == kFrictionName.type;
+         });
+}
+
 ProductFit::ProductFit(const ForceModel& model, const std::vector<log::Log>& logs)
-    : cost_(model, logs), lower_(model.nonlinear().size()), upper_(model.nonlinear().size()) {
-  for (std::size_t i = 0; i < model.nonlinear().size(); ++i) {
-    const Unknown& unknown = model.nonlinear()[i];
-    lower_[static_cast<Eigen::Index>(i)] = unknown.toSearch(unknown.lower);
-    upper_[static_cast<Eigen::Index>(i)] = unknown.toSearch(unknown.upper);
+    : columns_(logs, ofType(model, kMaxwellName.type).size(), deadBands(model)),
+      signed_columns_(model.signedColumns()),
+      owner_(model.nonlinear().size(), kNone) {
+  const auto basis = static_cast<Eigen::Index>(signed_columns_.size());
+  combination_ = Eigen::MatrixXd::Zero(columns_.count(), 1 + basis + static_cast<Eigen::Index>(owner_.size()));
+  combination_(UnitColumns::kForce, 0) = 1.0;
+  combination_(UnitColumns::kOne, basis) = 1.0;
+  for (const log::Log& log : logs) {
+    unit_ += std::inner_product(log.force.begin(), log.force.end(), log.force.begin(), 0.0);
+  }
+  for (std::size_t i = 0; i < model.elements().size(); ++i) {
+    addElement(model, i);
   }
 }
 
-// The least of the damped quadratic model within the limits: coordinates that a step would take beyond theirs are set
-// to it, one round after the other, and the step of the others is sought again.
-Eigen::VectorXd ProductFit::stepFrom(const Eigen::VectorXd& x, const ProjectedCost::Value& here, double radius) const {
-  Eigen::MatrixXd damped = here.curvature;
-  damped.diagonal() += here.curvature.diagonal().cwiseMax(kLeastDamped * cost_.unit()) / radius;
-  Eigen::VectorXd descent = -here.gradient;
-  Eigen::VectorXd step = Eigen::VectorXd::Zero(x.size());
-  for (Eigen::Index round = 0; round <= x.size(); ++round) {
-    step = numerics::solveSymmetric(damped, descent);
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      if (x[i] + step[i] < lower_[i] || x[i] + step[i] > upper_[i]) {
-        step[i] = (step[i] < 0.0 ? lower_[i] : upper_[i]) - x[i];
-        descent -= damped.col(i) * step[i];
-        damped.row(i).setZero();
-        damped.col(i).setZero();
-        damped(i, i) = 1.0;
-        descent[i] = step[i];
-      }
+void ProductFit::addElement(const ForceModel& model, std::size_t position) {
+  const element::ElementDescription& element = model.elements()[position];
+  const auto addLaw = [&](const LawName& name, std::vector<Law>& laws, Eigen::Index unit) {
+    const std::size_t unknown = find(model.nonlinear(), position);
+    const bool held = unknown == model.nonlinear().size();
+    laws.push_back({element.value(name.parameter), held ? kNone : static_cast<Eigen::Index>(unknown)});
+    const double scale = element.value(name.scale);
+    const Eigen::Index column = addColumn(model, position, unit, scale);
+    if (!held) {
+      owner_[unknown] = column;
+      combination_(unit + 1, 1 + static_cast<Eigen::Index>(signed_columns_.size() + unknown)) = scale;
     }
+  };
+  if (element.type == kMaxwellName.type) {
+    addLaw(kMaxwellName, maxwells_, UnitColumns::maxwell(maxwells_.size()));
+  } else if (element.type == kFrictionName.type) {
+    addLaw(kFrictionName, frictions_, columns_.friction(frictions_.size()));
+  } else if (element.type == "spring") {
+    addColumn(model, position, UnitColumns::kDisplacement, element.value("stiffness"));
+  } else {
+    addColumn(model, position, UnitColumns::kRate, element.value("damping"));
   }
-  return inside(x + step) - x;
 }
 
-Optimum ProductFit::search(const Eigen::VectorXd& start) {
-  const double rounding = UnitColumns::rounding() * cost_.unit();
-  TrustRegion region;
-  Eigen::VectorXd x = inside(start);
-  ProjectedCost::Value here = cost_.at(x);
-  double last_promise = HUGE_VAL;
-  for (int i = 0; i < SearchTolerances::kMostSteps && region.radius() > kSmallestRadius; ++i) {
-    const Eigen::VectorXd step = stepFrom(x, here, region.radius());
-    const double promised = promise(here, step);
-    if (std::abs(promised) <= SearchTolerances::kCost * here.cost ||
-        step.norm() <= SearchTolerances::kStep * x.norm()) {
-      return {x + step, here.cost};
-    }
-    ProjectedCost::Value there = cost_.at(x + step);
-    if (promised > rounding || promised < 0.0) {
-      const double improvement = promised > 0.0 ? (here.cost - there.cost) / promised : 0.0;
-      region.adapt(improvement);
-      if (!(improvement > kLeastImprovement)) {
-        continue;
-      }
-    } else if (promised > 0.5 * last_promise) {
-      break;  // the gradient has come down to its rounding
-    } else {
-      last_promise = promised;  // the cost cannot tell any more, but the gradient falls
-    }
-    x += step;
-    here = std::move(there);
+// The column of the basis that the element has, or kNone and its force as given taken from the measured one.
+Eigen::Index ProductFit::addColumn(const ForceModel& model, std::size_t position, Eigen::Index unit, double scale) {
+  const std::size_t linear = find(model.linear(), position);
+  if (linear == model.linear().size()) {
+    combination_(unit, 0) -= scale;
+    return kNone;
   }
-  return {x, here.cost};
+  combination_(unit, 1 + static_cast<Eigen::Index>(linear)) = scale;
+  return static_cast<Eigen::Index>(linear);
 }
 
+UnitColumnValues ProductFit::valuesAt(const Eigen::VectorXd& search) const {
+  const auto values = [&](const std::vector<Law>& laws) {
+    std::vector<double> result;
+    for (const Law& law : laws) {
+      result.push_back(law.unknown == kNone ? law.given : std::exp(search[law.unknown]));
+    }
+    return result;
+  };
+  return {values(maxwells_), values(frictions_)};
+}
+
+// The share of derivatives that the basis takes, in its coefficients; columns that are held at zero take nothing.
+Eigen::MatrixXd ProductFit::takenByBasis(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& shared,
+                                         const Eigen::VectorXd& coefficients) const {
+  Scaled scaled(basis);
+  for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
+    if (coefficients[i] == 0.0 && !signed_columns_[static_cast<std::size_t>(i)]) {
+      scaled.products.row(i).setZero();
+      scaled.products.col(i).setZero();
+      scaled.scale[i] = 0.0;
+    }
+  }
+  const Eigen::MatrixXd moments = scaled.scale.asDiagonal() * shared;
+  return scaled.scale.asDiagonal() * numerics::solveLeastNorm(scaled.products, moments);
+}
+
+// By what the derivatives of the basis' columns are multiplied: the coefficients of those columns.
+Eigen::VectorXd ProductFit::scales(const Eigen::VectorXd& coefficients) const {
+  Eigen::VectorXd scales(static_cast<Eigen::Index>(owner_.size()));
+  for (Eigen::Index i = 0; i < scales.size(); ++i) {
+    const Eigen::Index owner = owner_[static_cast<std::size_t>(i)];
+    scales[i] = owner == kNone ? 1.0 : coefficients[owner];
+  }
+  return scales;
+}
+
+const Eigen::MatrixXd& ProductFit::productsAt(const Eigen::VectorXd& search) {
+  if (last_products_.size() == 0 || last_search_ != search) {
+    last_products_ = columns_.products(valuesAt(search));
+    last_search_ = search;
+  }
+  return last_products_;
+}
+
+const ProductFit::Value& ProductFit::valueAt(const Eigen::VectorXd& search) {
+  const auto size = static_cast<Eigen::Index>(signed_columns_.size());
+  products_ = combination_.transpose() * productsAt(search) * combination_;
+  const Eigen::MatrixXd basis = products_.block(1, 1, size, size);
+  const Eigen::VectorXd moments = products_.col(0).segment(1, size);
+  value_.coefficients = solve(basis, moments, signed_columns_);
+  const Eigen::VectorXd& x = value_.coefficients;
+  value_.cost = products_(0, 0) - 2.0 * x.dot(moments) + x.dot(basis * x);
+  return value_;
+}
+
+SumOfSquares::Slope ProductFit::slope() {
+  const auto size = static_cast<Eigen::Index>(signed_columns_.size());
+  const Eigen::Index nonlinear = last_search_.size();
+  const Eigen::MatrixXd basis = products_.block(1, 1, size, size);
+  const Eigen::MatrixXd derivatives = products_.bottomRightCorner(nonlinear, nonlinear);
+  const Eigen::MatrixXd shared = products_.block(1, 1 + size, size, nonlinear);
+  const Eigen::VectorXd& x = value_.coefficients;
+  const Eigen::VectorXd scale = scales(x);
+  return {
+      scale.asDiagonal() * (shared.transpose() * x - products_.bottomLeftCorner(nonlinear, 1)),
+      scale.asDiagonal() * (derivatives - shared.transpose() * takenByBasis(basis, shared, x)) * scale.asDiagonal()};
+}
+
+// Measured less simulated force, with the best coefficients.
 ModelFit ProductFit::fitAt(const Eigen::VectorXd& search) {
-  const ProjectedCost::Value value = cost_.at(search);
-  return {search, value.coefficients, cost_.residual(search, value.coefficients)};
+  const Eigen::VectorXd coefficients = valueAt(search).coefficients;
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(combination_.cols());
+  shares[0] = 1.0;
+  shares.segment(1, coefficients.size()) = -coefficients;
+  return {search, coefficients, columns_.combined(valuesAt(search), combination_ * shares)};
 }
 
-Eigen::MatrixXd ProductFit::jacobian(const ModelFit& fit) { return cost_.jacobian(fit.search, fit.coefficients); }
+// The Jacobian in unit columns.
+Eigen::MatrixXd ProductFit::jacobianCombination(const Eigen::VectorXd& coefficients) const {
+  const Eigen::Index nonlinear = combination_.cols() - 1 - coefficients.size();
+  Eigen::MatrixXd combination(combination_.rows(), combination_.cols() - 1);
+  combination << combination_.rightCols(nonlinear) * scales(coefficients).asDiagonal(),
+      combination_.middleCols(1, coefficients.size()) * coefficients.unaryExpr(&relativeUnit).asDiagonal();
+  return combination;
+}
+
+Eigen::MatrixXd ProductFit::jacobian(const ModelFit& fit) {
+  return columns_.combined(valuesAt(fit.search), jacobianCombination(fit.coefficients));
+}
 
 Eigen::MatrixXd ProductFit::jacobianProducts(const ModelFit& fit) {
-  return cost_.jacobianProducts(fit.search, fit.coefficients);
+  const Eigen::MatrixXd combination = jacobianCombination(fit.coefficients);
+  return combination.transpose() * productsAt(fit.search) * combination;
 }
 
 }  // namespace rubber_suspension::fit

@@ -6,21 +6,29 @@
 
 namespace rubber_suspension::fit {
 
-/// Variable projection with columns of all samples, the search by Ceres.
+/// Variable projection with columns of all samples.
 class ResidualFit final : public FitMethod {
  public:
   /// Both must outlive this.
-  ResidualFit(ForceModel& model, const Eigen::VectorXd& force) : model_(model), force_(force) {}
+  ResidualFit(ForceModel& model, const Eigen::VectorXd& force)
+      : model_(model), force_(force), unit_(force.squaredNorm()) {}
 
-  Optimum search(const Eigen::VectorXd& start) override;
+  double at(const Eigen::VectorXd& search) override;
+  Slope slope() override;
+  double unit() const override { return unit_; }
+  double rounding() const override { return 1e-21; }
+
   ModelFit fitAt(const Eigen::VectorXd& search) override;
   Eigen::MatrixXd jacobian(const ModelFit& fit) override;
   Eigen::MatrixXd jacobianProducts(const ModelFit& fit) override;
-  double rounding() const override { return 1e-20; }
 
  private:
+  Eigen::MatrixXd derivatives(const ModelFit& fit) const;
+
   ForceModel& model_;
   const Eigen::VectorXd& force_;
+  double unit_;
+  ModelFit last_;  // where the sum was asked for last, like the model
 };
 
 }  // namespace rubber_suspension::fit

@@ -168,16 +168,14 @@ class RidgeRegression {
     return unseen;
   }
 
-  /// What is left without any surrogate.
+  /// The error without any surrogate.
   double errorBefore() const { return total_(total_.rows() - 1, total_.rows() - 1); }
 
   /// Weight of each function [N].
   Eigen::VectorXd weights(const Choice& choice) const {
     const Eigen::VectorXd x = solve(total_, choice);
     Eigen::VectorXd result = Eigen::VectorXd::Zero(total_.rows() - 1);
-    for (std::size_t i = 0; i < choice.functions.size(); ++i) {
-      result[choice.functions[i]] = x[static_cast<Eigen::Index>(i)] * scale_[choice.functions[i]];
-    }
+    result(choice.functions) = x.cwiseProduct(scale_(choice.functions));
     return result;
   }
 
@@ -191,9 +189,7 @@ class RidgeRegression {
   UnseenBlock errorOf(std::size_t block, const std::vector<Eigen::Index>& functions, const Eigen::VectorXd& x) const {
     const Eigen::MatrixXd& gram = blocks_.gram[block];
     const Eigen::Index last = gram.rows() - 1;
-    const Eigen::VectorXd moment = gram(functions, last);
-    const double after =
-        gram(last, last) - 2.0 * x.dot(moment) + x.dot(Eigen::MatrixXd(gram(functions, functions)) * x);
+    const double after = squaresLeft(gram, functions, x);
     UnseenBlock result;
     result.record = blocks_.record[block];
     result.weight = blocks_.weight[block];

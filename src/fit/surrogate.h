@@ -24,7 +24,7 @@ struct SurrogateFit {
   bool predicts = false;  ///< it leaves less than the model does, unseen; without, all of its weights are 0
 };
 
-/// What its operators are spread over: the strokes, time constants and frequencies that the logs have.
+/// The ranges of its operators: the strokes, time constants and frequencies that the logs have.
 element::ResidualBasis::Layout surrogateLayout(const std::vector<log::Record>& records);
 
 /// Fit a surrogate to measured less simulated force. `simulated`: force of the model over each record's displacement as

@@ -1,7 +1,6 @@
-// Fit to a table: the settled loops of the model against the points, by Ceres.
+// Fit to a table: the settled loops of the model against the points.
 #include "fit/table_fit.h"
 
-#include <ceres/ceres.h>
 #include <fmt/format.h>
 
 #include <Eigen/Core>
@@ -46,10 +45,10 @@ double misfitOf(const Eigen::VectorXd& residual) {
   return residual.norm() / std::sqrt(0.5 * static_cast<double>(residual.size()));
 }
 
-// The parameters that are moved, and the residuals over their logarithms.
-class Unknowns {
+// The squares of the differences over the logarithms of the parameters that are moved.
+class TableSquares final : public SumOfSquares {
  public:
-  Unknowns(const io::ComponentDescription& description, const std::vector<TablePoint>& points)
+  TableSquares(const io::ComponentDescription& description, const std::vector<TablePoint>& points)
       : parameters_(description, Level::elements), points_(points) {
     // The break frequencies spread the elements over the range: with them kept the stiffnesses have one best fit.
     const bool spread = description.model() == estimation::Model::multi_maxwell;
@@ -62,11 +61,18 @@ class Unknowns {
   }
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(free_.size()); }
-  const std::vector<TablePoint>& points() const { return points_; }
   double bound(Eigen::Index i) const { return parameters_.bound(place(i)); }
   const std::string& name(Eigen::Index i) const { return parameters_.names()[static_cast<std::size_t>(place(i))]; }
   double given(Eigen::Index i) const { return parameters_.configured(place(i)); }
   io::ComponentDescription apply(const Eigen::VectorXd& x) const { return parameters_.apply(all(x)); }
+
+  Limits limits() const {
+    Eigen::VectorXd bounds(size());
+    for (Eigen::Index i = 0; i < size(); ++i) {
+      bounds[i] = bound(i);
+    }
+    return {-bounds, bounds};
+  }
 
   /// Throws std::invalid_argument where there is no such component.
   Eigen::VectorXd residuals(const Eigen::VectorXd& x) const { return differences(apply(x).makeComponent(), points_); }
@@ -79,6 +85,25 @@ class Unknowns {
     }
     return result;
   }
+
+  double at(const Eigen::VectorXd& x) override {
+    last_ = x;
+    try {
+      return residuals(x).squaredNorm();
+    } catch (const std::invalid_argument&) {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+  Slope slope() override {
+    try {
+      const Eigen::MatrixXd derivatives = jacobian(last_);
+      return {derivatives.transpose() * residuals(last_), derivatives.transpose() * derivatives};
+    } catch (const std::invalid_argument&) {
+      return {Eigen::VectorXd::Constant(size(), std::numeric_limits<double>::quiet_NaN()), {}};
+    }
+  }
+  double unit() const override { return 1.0; }
+  double rounding() const override { return 1e-20; }
 
  private:
   Eigen::Index place(Eigen::Index i) const { return free_[static_cast<std::size_t>(i)]; }
@@ -94,54 +119,8 @@ class Unknowns {
   ModelParameters parameters_;
   const std::vector<TablePoint>& points_;
   std::vector<Eigen::Index> free_;
+  Eigen::VectorXd last_;
 };
-
-// The same as Ceres calls them.
-class Cost final : public ceres::CostFunction {
- public:
-  explicit Cost(const Unknowns& unknowns) : unknowns_(unknowns) {
-    set_num_residuals(static_cast<int>(2 * unknowns.points().size()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(unknowns.size()));
-  }
-
-  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
-    const Eigen::Map<const Eigen::VectorXd> x(parameters[0], unknowns_.size());
-    Eigen::Map<Eigen::VectorXd> result(residuals, num_residuals());
-    try {
-      result = unknowns_.residuals(x);
-      if (jacobians != nullptr && jacobians[0] != nullptr) {
-        using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-        Eigen::Map<RowMajor>(jacobians[0], num_residuals(), unknowns_.size()) = unknowns_.jacobian(x);
-      }
-    } catch (const std::invalid_argument&) {
-      return false;  // no component has these parameters
-    }
-    return result.allFinite();
-  }
-
- private:
-  const Unknowns& unknowns_;
-};
-
-Eigen::VectorXd search(const Unknowns& unknowns) {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns.size());
-  ceres::Problem problem;
-  problem.AddResidualBlock(new Cost(unknowns), nullptr, x.data());
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    problem.SetParameterLowerBound(x.data(), static_cast<int>(i), -unknowns.bound(i));
-    problem.SetParameterUpperBound(x.data(), static_cast<int>(i), unknowns.bound(i));
-  }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = 200;
-  options.function_tolerance = 1e-12;
-  options.parameter_tolerance = 1e-9;
-  options.logging_type = ceres::SILENT;
-  options.max_num_line_search_step_size_iterations = 0;  // steps beyond a bound are cut; no search along each step
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  return x;
-}
 
 // Standard deviations of the logarithms: sigma^2 (J'J)^-1, infinite along what no point shows.
 Eigen::VectorXd deviationsOf(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual) {
@@ -164,27 +143,23 @@ Eigen::VectorXd deviationsOf(const Eigen::MatrixXd& jacobian, const Eigen::Vecto
 
 }  // namespace
 
-double tableMisfit(const component::Component& component, const std::vector<TablePoint>& points) {
-  checkPoints(points);
-  return misfitOf(differences(component, points));
-}
-
 TableFit fitToTable(const io::ComponentDescription& description, const std::vector<TablePoint>& points) {
   checkPoints(points);
-  const Unknowns unknowns(description, points);
-  if (unknowns.size() == 0) {
+  TableSquares squares(description, points);
+  if (squares.size() == 0) {
     throw std::invalid_argument(description.name + ": has no parameter that a fit moves");
   }
-  const Eigen::VectorXd x = search(unknowns);
-  const Eigen::VectorXd residual = unknowns.residuals(x);
-  const Eigen::VectorXd deviations = deviationsOf(unknowns.jacobian(x), residual);
+  const Eigen::VectorXd x =
+      searchLeast(squares, Eigen::VectorXd::Zero(squares.size()), squares.limits(), {200, 1e-12}).search;
+  const Eigen::VectorXd residual = squares.residuals(x);
+  const Eigen::VectorXd deviations = deviationsOf(squares.jacobian(x), residual);
   TableFit fit;
-  fit.component = unknowns.apply(x);
-  fit.misfit_before = misfitOf(unknowns.residuals(0.0 * x));
+  fit.component = squares.apply(x);
+  fit.misfit_before = misfitOf(squares.residuals(0.0 * x));
   fit.misfit = misfitOf(residual);
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const bool at_bound = unknowns.bound(i) - std::abs(x[i]) < 1e-6;
-    fit.parameters.push_back({unknowns.name(i), unknowns.given(i), unknowns.given(i) * std::exp(x[i]),
+    const bool at_bound = squares.bound(i) - std::abs(x[i]) < 1e-6;
+    fit.parameters.push_back({squares.name(i), squares.given(i), squares.given(i) * std::exp(x[i]),
                               !at_bound && deviations[i] < kUndetermined, deviations[i]});
   }
   return fit;

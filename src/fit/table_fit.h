@@ -25,9 +25,6 @@ struct TableFit {
   double misfit = 0.0;         ///< the same after the fit
 };
 
-/// RMS of |K*_model - K*|/|K*| over the points [-].
-double tableMisfit(const component::Component& component, const std::vector<TablePoint>& points);
-
 /// Least squares of (K*_model - K*)/|K*| over all points, in the logarithms of the parameters, each within a factor of
 /// 10 of what is given; counts, tables, dead bands and reference quantities are kept. The result is a local optimum:
 /// begin with a component of about the right size. Throws std::invalid_argument for fewer points than two, for points

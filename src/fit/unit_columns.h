@@ -12,7 +12,7 @@
 
 namespace rubber_suspension::fit {
 
-/// What the laws of the columns depend on nonlinearly.
+/// The parameters that the laws of the columns depend on nonlinearly.
 struct UnitColumnValues {
   std::vector<double> break_frequency;  ///< of each Maxwell element [Hz]
   std::vector<double> displacement;     ///< z2 of each friction [m]

@@ -8,10 +8,6 @@
 
 namespace rubber_suspension::gap {
 
-double secondsBetween(const log::Log& log, std::size_t first, std::size_t last) {
-  return static_cast<double>(log.stamp[last] - log.stamp[first]) * 1e-9;
-}
-
 double meanFrequency(const log::Log& log) {
   constexpr double kHysteresis = 0.25;  // of the standard deviation, against noise of the sensor
   const auto size = static_cast<double>(log.size());
@@ -28,13 +24,13 @@ double meanFrequency(const log::Log& log) {
     crossings += side != 0 && now != side ? 1 : 0;
     side = now;
   }
-  const double duration = secondsBetween(log, 0, log.size() - 1);
+  const double duration = log.duration(0, log.size() - 1);
   return duration > 0.0 ? 0.5 * crossings / duration : 0.0;
 }
 
 std::size_t firstOfLastCycles(const log::Log& log, double frequency, double cycles) {
   std::size_t first = 0;
-  while (frequency > 0.0 && first + 2 < log.size() && secondsBetween(log, first, log.size() - 1) > cycles / frequency) {
+  while (frequency > 0.0 && first + 2 < log.size() && log.duration(first, log.size() - 1) > cycles / frequency) {
     ++first;
   }
   return first;

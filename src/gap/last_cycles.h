@@ -7,9 +7,6 @@
 
 namespace rubber_suspension::gap {
 
-/// Time from one sample to another [s].
-double secondsBetween(const log::Log& log, std::size_t first, std::size_t last);
-
 /// Mean frequency of the motion [Hz]: half the number of crossings of its mean, noise apart, over the duration; 0 where
 /// there are none.
 double meanFrequency(const log::Log& log);

@@ -9,24 +9,24 @@
 
 namespace rubber_suspension::gap {
 
-/// What a component says about the motion that it is made for.
+/// The motion that a component is made for.
 struct MotionScale {
   std::optional<double> amplitude;  ///< its nominal amplitude, else the longest displacement among its parameters [m]
 };
 
 MotionScale motionScaleOf(const io::ComponentDescription& description);
 
-/// What is odd about an amplitude [m] for a component, as "5 m is 2500 times ..."; nothing where it is not.
+/// The oddity of an amplitude [m] for a component, as "5 m is 2500 times ..."; nothing where it is not.
 std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& scale);
 
-/// What is odd about a log for a component: with a measured force, its stiffness against that of `force`, the
+/// The oddity of a log for a component: with a measured force, its stiffness against that of `force`, the
 /// component's for the same displacements [N]; else the amplitude. Nothing where neither is.
 std::optional<std::string> oddMotion(const log::Log& log, const std::vector<double>& force, const MotionScale& scale);
 
 /// The same before a simulation, by the component's static force at the ends of the log's displacement.
 std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDescription& description);
 
-/// What of a log lies beyond the displacements for which a component is valid; nothing where all is within, or where it
+/// The part of a log beyond the displacements for which a component is valid; nothing where all is within, or where it
 /// says nothing of them.
 std::optional<std::string> beyondValid(const log::Log& log, const io::ComponentDescription& description);
 

@@ -40,12 +40,12 @@ std::vector<double> thinned(const std::vector<double>& values, const Stretch& st
 std::vector<double> secondsOf(const log::Log& log) {
   std::vector<double> seconds(log.size());
   for (std::size_t i = 0; i < log.size(); ++i) {
-    seconds[i] = secondsBetween(log, 0, i);
+    seconds[i] = log.duration(0, i);
   }
   return seconds;
 }
 
-// What was measured broad and below, what was simulated thin and above: both are to be seen.
+// The measured curve is broad and below, the simulated one thin and above: both are to be seen.
 io::Axes forceAxes(const std::string& x_label, const std::vector<double>& x, const log::Log& log,
                    const std::vector<double>& force, const Stretch& stretch, const ForceLabels& labels) {
   io::Axes axes;
@@ -170,7 +170,7 @@ Replay replay(const component::Component& component, const log::Log& log) {
 
 std::string summary(const std::string& component, const log::Log& log, const Replay& replay) {
   const auto range = std::minmax_element(replay.force.begin(), replay.force.end());
-  const double duration = static_cast<double>(log.stamp.back() - log.stamp.front()) * 1e-9;
+  const double duration = log.duration(0, log.size() - 1);
   std::string text = fmt::format("{}: {} samples, {:.6g} s, force {:.6g} to {:.6g} N", component, log.size(), duration,
                                  *range.first, *range.second);
   const bool varies = !log.force.empty() && *std::min_element(log.force.begin(), log.force.end()) <

@@ -146,7 +146,7 @@ std::vector<std::string> shiftNames() {
   return names;
 }
 
-// What a unit of translation is for a rotation: rad for m, N m for N. Itself where it has neither.
+// The unit of a rotation for one of a translation: rad for m, N m for N. Itself where it has neither.
 std::string rotationalUnit(const std::string& unit) {
   static const std::map<std::string, std::string> units = {
       {"m", "rad"},     {"N", "N m"},           {"N/m", "N m/rad"},    {"N s/m", "N m s/rad"},
@@ -791,7 +791,7 @@ class Loader {
     return specification;
   }
 
-  // What a specification has beside numbers.
+  // The words that a specification has beside numbers.
   void loadDescribed(const YAML::Node& node, estimation::Specification& specification) {
     if (const YAML::Node describes = node["describes"]) {
       specification.describe(loadWord(describes, "specification.describes", {"component", "base"}) == 0

@@ -1,4 +1,4 @@
-// What a command may write over: the one rule for every file that a command or a launch file writes.
+// The files that a command may write over: the one rule for every file that a command or a launch file writes.
 #include "io/output_files.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What a command may write over: the one rule for every file that a command or a launch file writes.
+// The files that a command may write over: the one rule for every file that a command or a launch file writes.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::io {
 
-/// What a file is, told by its content.
+/// The kind of a file, told by its content.
 enum class FileKind {
   force_csv,            ///< time_s,displacement_m, and force_N, as this package writes them
   gap_csv,              ///< the live gap over time

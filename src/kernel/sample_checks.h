@@ -1,4 +1,4 @@
-// What has to hold for many samples, looked at side by side.
+// Conditions on many samples, checked side by side.
 #pragma once
 
 #include <cstddef>

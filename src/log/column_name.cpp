@@ -1,4 +1,4 @@
-// What the name of a column tells: which quantity it holds, in which unit.
+// The quantity and unit that the name of a column tells.
 #include "log/column_name.h"
 
 #include <algorithm>

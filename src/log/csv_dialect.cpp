@@ -14,14 +14,6 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::string_view kBlanks = " \t";
-
-std::string_view trimmedView(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 bool separates(char c, Separator separator) {
   switch (separator) {
     case Separator::comma:
@@ -115,7 +107,7 @@ bool anyNumber(const std::vector<Field>& fields) {
   return std::any_of(fields.begin(), fields.end(), [](const Field& field) { return isNumberField(field.text); });
 }
 
-// What stands below the names of `count` columns, where it holds a unit; empty where it is no row of units.
+// The fields below the names of `count` columns, where they hold a unit; empty where they are no row of units.
 std::vector<std::string> cellsBelow(std::string_view line, Separator separator, std::size_t count) {
   std::vector<std::string> cells;
   bool any_unit = false;

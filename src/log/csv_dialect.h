@@ -18,7 +18,7 @@ struct TextLine {
   std::string text;
 };
 
-/// What separates fields; `blanks` are any number of blanks and tabs.
+/// The separator of fields; `blanks` are any number of blanks and tabs.
 enum class Separator { comma, semicolon, tab, blanks };
 
 std::string toString(Separator separator);

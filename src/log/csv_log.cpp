@@ -31,8 +31,8 @@ namespace {
 
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
-// What instruments and spreadsheets write where nothing was measured: nothing, words without a digit such as Overrun,
-// #N/A and --, and the C library's 1.#QNAN.
+// Fields that instruments and spreadsheets write where nothing was measured: nothing, words without a digit such as
+// Overrun, #N/A and --, and the C library's 1.#QNAN.
 bool isUnmeasured(const std::string& text) {
   return text.find_first_of("0123456789") == std::string::npos || text.find(".#") != std::string::npos;
 }
@@ -532,7 +532,7 @@ class CsvLogReader {
   NumberMarks marks_;
 };
 
-// What `read` makes of a reader of the file; errors with their line.
+// The result of `read` on a reader of the file; errors get their line.
 template <class Read>
 auto withReader(const std::string& path, const LogFormat& format, const Read& read, char found_mark = '\0') {
   std::unique_ptr<CsvLogReader> reader;

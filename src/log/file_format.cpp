@@ -1,4 +1,4 @@
-// What format a file has, by its first bytes.
+// The format of a file, by its first bytes.
 #include "log/file_format.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What format a file has, by its first bytes, and what makes a readable file of one that has no reader here.
+// The format of a file, by its first bytes, and the program that makes a readable file of one without a reader here.
 #pragma once
 
 #include <cstddef>

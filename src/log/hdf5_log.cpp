@@ -255,7 +255,7 @@ class Hdf5File {
   std::vector<Hdf5Column> columns_;
 };
 
-// What `read` makes of a file, which nobody else reads meanwhile.
+// The result of `read` on a file, which nobody else reads meanwhile.
 template <class Read>
 auto withFile(const std::string& path, const Read& read) {
   const std::lock_guard<std::mutex> lock(hdf5Mutex());

@@ -33,7 +33,7 @@ bool isWritten(hid_t dataset, hid_t properties) {
   return H5Dget_num_chunks(dataset, space.get(), &there) >= 0 && there >= needed;
 }
 
-// What is wrong goes past the library, which is of C.
+// Exceptions go past the library, which is of C.
 herr_t checkObject(hid_t root, const char* name, const H5O_info_t* info, void* error) {
   try {
     requireShallow(name);

@@ -69,7 +69,7 @@ struct LogExtent {
   std::int64_t last_stamp;
 };
 
-/// What was taken for what: "time from 'Zeit [s]', displacement from 'Weg [mm]', 1000 Hz".
+/// The column taken for each quantity: "time from 'Zeit [s]', displacement from 'Weg [mm]', 1000 Hz".
 std::string describeColumns(const Columns& columns, const LogExtent& extent);
 
 /// The stamp [ns] of a time in the unit of its column. Throws std::runtime_error where it is out of range.

@@ -22,7 +22,8 @@
 namespace rubber_suspension::log {
 namespace {
 
-// What a signal removes: a signal handler may neither lock nor take memory, so the names stand in fixed places.
+// Names of the files that a signal removes: a signal handler may neither lock nor take memory, so the names stand in
+// fixed places.
 constexpr int kSlots = 64;
 struct Slot {
   std::atomic<bool> used{false};
@@ -103,7 +104,7 @@ std::mutex& maskMutex() {
   return mutex;
 }
 
-// What a new file may be used for, which can only be asked for by setting it.
+// The permissions of a new file (umask), which can only be read by setting them.
 int permissionsOfNewFiles() {
   const std::lock_guard<std::mutex> lock(maskMutex());
   const mode_t mask = umask(0);

@@ -55,7 +55,7 @@ class NumberMarks {
 
  private:
   struct Marks;
-  // What is known of the numbers of one column.
+  // All that is known of the numbers of one column.
   struct ColumnMarks {
     char told = '\0';       // its decimal mark; '\0': that of the file
     bool decimals = false;  // some that can be nothing else, or are told

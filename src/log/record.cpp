@@ -11,6 +11,7 @@
 
 #include "log/even_blocks.h"
 #include "numerics/fourier.h"
+#include "numerics/median.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::log {
@@ -20,12 +21,6 @@ namespace {
 // closer to one, by about 1 - 1/(3 segments).
 double medianToMean(Eigen::Index segments) {
   return segments == 1 ? std::log(2.0) : 1.0 - 1.0 / (3.0 * static_cast<double>(segments));
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 Eigen::Index segmentLength(Eigen::Index samples) {
@@ -252,7 +247,7 @@ double whiteNoiseAbove(const Eigen::VectorXd& signal, double dt, double frequenc
   }
   const std::vector<double> lines(density.data() + first, density.data() + density.size() - 1);
   const Eigen::Index segments = std::max<Eigen::Index>(1, 2 * (signal.size() / segment) - 1);
-  return std::sqrt(median(lines) / medianToMean(segments) * 0.5 / dt);
+  return std::sqrt(numerics::medianOf(lines) / medianToMean(segments) * 0.5 / dt);
 }
 
 void requireForce(const Log& log) {

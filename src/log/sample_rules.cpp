@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "log/text.h"
+#include "numerics/median.h"
 
 namespace rubber_suspension::log {
 namespace {
@@ -32,9 +33,7 @@ double rateOfStamps(std::vector<std::int64_t> stamps) {
     stamps[i] = stamps[i + 1] - stamps[i];
   }
   stamps.pop_back();
-  const auto middle = stamps.begin() + static_cast<std::ptrdiff_t>(stamps.size() / 2);
-  std::nth_element(stamps.begin(), middle, stamps.end());
-  return share * 1e9 / static_cast<double>(*middle);
+  return share * 1e9 / static_cast<double>(numerics::medianOf(stamps));
 }
 
 const char* pluralOf(std::size_t count) { return count == 1 ? "" : "s"; }

@@ -14,7 +14,7 @@
 
 namespace rubber_suspension::log {
 
-/// What is wrong with a row of a file, which need not be the one that was read last.
+/// The error of a row of a file, which need not be the one that was read last.
 class RowError : public std::runtime_error {
  public:
   RowError(std::size_t row, const std::string& reason) : std::runtime_error(reason), row_(row) {}
@@ -46,7 +46,7 @@ class SampleRules {
   /// Once all rows are taken: throws RowError for what only shows then.
   void finish() const;
 
-  /// What was left out, merged or replaced.
+  /// Notes on what was left out, merged or replaced.
   std::vector<std::string> notes() const;
 
   LogExtent extent() const { return {kept_, first_stamp_, last_.stamp.value_or(0)}; }

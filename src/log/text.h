@@ -16,11 +16,15 @@ inline locale_t cLocale() {
   return locale;
 }
 
+constexpr std::string_view kBlanks = " \t";
+
 /// The text without blanks at its ends.
-inline std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+inline std::string_view trimmedView(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  return first == std::string_view::npos ? std::string_view()
+                                         : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
+inline std::string trimmed(std::string_view text) { return std::string(trimmedView(text)); }
 
 inline bool startsWith(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 

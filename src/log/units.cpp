@@ -175,7 +175,7 @@ std::string spellingHint(const std::string& text, const ut_unit* wanted) {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-// What stands behind a number and is no unit: a decimal comma, or separators of thousands.
+// Text behind a number that is no unit: a decimal comma, or separators of thousands.
 void refuseSeparators(const std::string& text, std::size_t length) {
   const char separator = length < text.size() ? text[length] : ' ';
   if (text.compare(length, 3, " 1/") == 0) {  // "2e-4 1/J"

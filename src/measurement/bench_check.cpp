@@ -16,6 +16,7 @@
 #include "measurement/statistics.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -23,9 +24,9 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// What effects can do to the stiffness of a whole log: friction raises it up to 3 times at small amplitude and 1.5
-// times over all amplitudes, progressive stiffness doubles it; softening, free play, heat and a series compliance lower
-// it to a third; with 15 % of tolerance of the specification on top.
+// Limits of the change that effects make to the stiffness of a whole log: friction raises it up to 3 times at small
+// amplitude and 1.5 times over all amplitudes, progressive stiffness doubles it; softening, free play, heat and a
+// series compliance lower it to a third; with 15 % of tolerance of the specification on top.
 constexpr double kLargestRatio = 3.5;
 constexpr double kSmallestRatio = 0.3;
 constexpr double kTolerance = 1.15;  // of a specification
@@ -292,8 +293,8 @@ Evidence evidenceOf(const log::Record& record, const VectorXd& simulated) {
   e.work.backward = spectrum.work(-apart).first;
   std::tie(e.work.forward, e.work.deviation) = spectrum.work(apart);
   e.force_correlation = correlationOf(record.force, simulated);
-  const double simulated_deviation = deviationOf(simulated);
-  e.force_ratio = simulated_deviation > 0.0 ? deviationOf(record.force) / simulated_deviation : 0.0;
+  const double simulated_deviation = gap::standardDeviation(simulated);
+  e.force_ratio = simulated_deviation > 0.0 ? gap::standardDeviation(record.force) / simulated_deviation : 0.0;
   return e;
 }
 
@@ -302,7 +303,7 @@ Evidence evidenceOf(const log::Record& record, const VectorXd& simulated) {
 bool isOfAMotion(const log::Record& record, const DeadPart& dead) {
   constexpr double kMore = 1.25;  // two parts of a log tell a hum within a quarter
   const Index length = dead.end - dead.begin;
-  return deviationOf(record.force.segment(dead.begin, length)) >
+  return gap::standardDeviation(record.force.segment(dead.begin, length)) >
          kMore * deviationOfNoMotion(record.raw_displacement, record.force, dead);
 }
 
@@ -396,9 +397,9 @@ std::optional<RigFinding> lengthFinding(const log::Record& record) {
   return std::nullopt;
 }
 
-// What a record cannot be, and whether nothing but the phase says so: it gives energy, and is as stiff as configured or
-// only late; or nothing but stiffness that is too low by less than a power of ten, or negative, as a mass makes it in
-// fast motion.
+// Why a record cannot be right, and whether nothing but the phase says so: it gives energy, and is as stiff as
+// configured or only late; or nothing but stiffness that is too low by less than a power of ten, or negative, as a mass
+// makes it in fast motion.
 struct Checked {
   std::optional<RigFinding> finding;
   bool by_phase = false;

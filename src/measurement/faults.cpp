@@ -412,7 +412,7 @@ void addSaturation(const std::string& name, const Channel& channel, const Channe
     if (!found) {
       continue;
     }
-    // What is just below the stop is there because noise did not lift it further: one-sided, so left out, too.
+    // Samples just below the stop are there because noise did not lift them further: one-sided, so left out, too.
     mask = mask && (channel.scale.array() * kSpikeLimit < outward * (found->limit - channel.values.array()));
     const double share = static_cast<double>(found->samples) / static_cast<double>(mask.size());
     findings.push_back(counted(
@@ -443,10 +443,6 @@ void bridge(std::vector<double>& values, const Mask& mask) {
   }
 }
 
-VectorXd vectorOf(const std::vector<double>& values) {
-  return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
-}
-
 }  // namespace
 
 Faults findFaults(const std::string& name, const VectorXd& displacement, const VectorXd& force) {
@@ -474,7 +470,7 @@ Faults findFaults(const log::Log& log) {
     faults.force = faults.displacement;
     return faults;
   }
-  return findFaults(log.name, vectorOf(log.displacement), vectorOf(log.force));
+  return findFaults(log.name, asVector(log.displacement), asVector(log.force));
 }
 
 log::Log repaired(const log::Log& log, const Faults& faults) {

@@ -1,4 +1,4 @@
-// What of a residual is a function of the motion, and so a law that is missing and no noise.
+// The part of a residual that is a function of the motion, and so a missing law and no noise.
 #pragma once
 
 #include <Eigen/Core>

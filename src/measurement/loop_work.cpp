@@ -4,6 +4,7 @@
 #include "measurement/statistics.h"
 #include "numerics/fourier.h"
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -81,7 +82,7 @@ VectorXd withoutTrend(const VectorXd& values) {
 double typicalPhase(const VectorXd& displacement) {
   const Index count = displacement.size();
   const VectorXd step = displacement.tail(count - 1) - displacement.head(count - 1);
-  return rmsOf(step) / std::max(deviationOf(displacement), 1e-300);
+  return rmsOf(step) / std::max(gap::standardDeviation(displacement), 1e-300);
 }
 
 Slope slopeOf(const VectorXd& displacement, const VectorXd& force) {
@@ -198,9 +199,9 @@ DeadPart deadPart(const VectorXd& channel, const VectorXd& other, double least_o
   const VectorXd meanwhile = withoutTrend(other.segment(longest.begin, dead));
   VectorXd rest(other.size() - dead);
   rest << other.head(longest.begin), other.tail(other.size() - longest.end);
-  const double deviation = deviationOf(meanwhile);
+  const double deviation = gap::standardDeviation(meanwhile);
   const bool goes_on =
-      deviation > least_of_other * deviationOf(rest) && swingsOf(meanwhile, deviation) >= kFewestSwings;
+      deviation > least_of_other * gap::standardDeviation(rest) && swingsOf(meanwhile, deviation) >= kFewestSwings;
   return goes_on ? longest : DeadPart{};
 }
 
@@ -218,7 +219,7 @@ double deviationOfNoMotion(const VectorXd& displacement, const VectorXd& force, 
   rate.tail(displacement.size() - 1) =
       displacement.tail(displacement.size() - 1) - displacement.head(displacement.size() - 1);
   const VectorXd position = rest(displacement);
-  return deviationOf(without(without(rest(force), position), without(rest(rate), position)));
+  return gap::standardDeviation(without(without(rest(force), position), without(rest(rate), position)));
 }
 
 double correlationOf(const VectorXd& one, const VectorXd& other) {

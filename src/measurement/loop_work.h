@@ -1,4 +1,4 @@
-// What a log says of itself: the stiffness and the work of its loops, and which of its channels measured nothing.
+// Properties of a log alone: the stiffness and the work of its loops, and which of its channels measured nothing.
 #pragma once
 
 #include <Eigen/Core>

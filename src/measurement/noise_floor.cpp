@@ -10,6 +10,7 @@
 #include "measurement/statistics.h"
 #include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/measurement/noise_model.h"
 
 namespace rubber_suspension::measurement {
@@ -73,7 +74,7 @@ bool hasRepeat(const VectorXd& z, Index begin, Index lag) {
     return false;
   }
   const VectorXd first = z.segment(begin, lag);
-  const double size = deviationOf(first);
+  const double size = gap::standardDeviation(first);
   return rmsOf(z.segment(begin + lag, lag) - first) < kSameMotion * size &&
          rmsOf(z.segment(begin + 2 * lag, lag) - first) < kSameMotion * size;
 }
@@ -101,10 +102,6 @@ Differences secondDifferences(const log::Record& record, const Mask& mask) {
     }
   }
   return differences;
-}
-
-VectorXd asVector(const std::vector<double>& values) {
-  return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
 }
 
 // Share of the noise's variance that second differences at a lag keep, 1 for white noise.

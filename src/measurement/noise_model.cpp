@@ -386,7 +386,7 @@ void Whitener::prepareGains(const NoiseModel& model) {
       gains_.col(used) = sum / innovation;
       deviation_[used] = std::sqrt(innovation);
       covariance -= (sum.matrix() * sum.matrix().transpose()).array() / innovation;
-      // What is still to come is then below a millionth of the gain in a thousand samples.
+      // The change still to come is then below a millionth of the gain in a thousand samples.
       settled = used > 0 && ((gains_.col(used) - gains_.col(used - 1)).abs() < 1e-9 * gains_.col(used).abs()).all();
       gain_of_[static_cast<std::size_t>(i)] = static_cast<int>(used);
       ++used;
@@ -460,23 +460,6 @@ Eigen::MatrixXd Whitener::operator()(const Eigen::MatrixXd& columns) const {
     result.col(j) = column;
   }
   return result;
-}
-
-double Whitener::logLikelihood(const VectorXd& residual) const {
-  const VectorXd white = (*this)(residual).col(0);
-  double logarithms = 0.0;
-  std::size_t known = 0;
-  for (Index i = 0; i < mask_.size(); ++i) {
-    if (!mask_[i]) {
-      known = 0;
-      continue;
-    }
-    const Index gain = poles_.size() == 0 ? 0 : gain_of_[static_cast<std::size_t>(i)];
-    logarithms += std::log(deviation_[gain] * stage_[std::min(known, reflection_.size())]);
-    ++known;
-  }
-  return -0.5 * white.squaredNorm() - logarithms -
-         0.5 * std::log(2.0 * element::kPi) * static_cast<double>(mask_.count());
 }
 
 std::optional<RigFinding> colouredNoiseFinding(const std::string& log, const NoiseModel& model) {

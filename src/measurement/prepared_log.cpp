@@ -38,11 +38,7 @@ Eigen::MatrixXd statesOf(const RigColumns& rig) {
       chosen.push_back(static_cast<Eigen::Index>(j));
     }
   }
-  Eigen::MatrixXd columns(rig.columns.rows(), static_cast<Eigen::Index>(chosen.size()));
-  for (std::size_t j = 0; j < chosen.size(); ++j) {
-    columns.col(static_cast<Eigen::Index>(j)) = rig.columns.col(chosen[j]) * rig.priors[chosen[j]];
-  }
-  return columns;
+  return rig.columns(Eigen::all, chosen) * rig.priors(chosen).asDiagonal();
 }
 
 // Without columns that others stand for, such as exponentials that are over before the first sample that counts.

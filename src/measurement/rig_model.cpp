@@ -12,6 +12,7 @@
 #include "measurement/statistics.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -80,7 +81,7 @@ VectorXd delayed(const VectorXd& values, double delay, double clock) {
   return result;
 }
 
-// What a machine may have done before the log; each leaves another force.
+// Motions of a machine before the log; each leaves another force.
 enum class Before {
   same_motion,  // the log's first quarter, turned about its start: place and speed go on steadily
   from_above,   // down from the highest displacement
@@ -280,16 +281,7 @@ bool significant(const VectorXd& values, const MatrixXd& covariance) {
 }
 
 bool significantAt(const RigFit& fit, const std::vector<Index>& columns) {
-  const auto size = static_cast<Index>(columns.size());
-  VectorXd values(size);
-  MatrixXd covariance(size, size);
-  for (Index i = 0; i < size; ++i) {
-    values[i] = fit.values[columns[static_cast<std::size_t>(i)]];
-    for (Index j = 0; j < size; ++j) {
-      covariance(i, j) = fit.covariance(columns[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
-    }
-  }
-  return significant(values, covariance);
+  return significant(fit.values(columns), fit.covariance(columns, columns));
 }
 
 // A start matters while it lasts, over the samples that hold its weight; everything else over the whole log.
@@ -489,7 +481,7 @@ RigFit RigModel::fit(std::size_t log, const RigColumns& columns, int iterations)
   // A start that leaves neither zeros nor trends in what the noise is estimated from: as white noise of the residual's
   // own size.
   const VectorXd counted = mask.cast<double>();
-  const double scale = std::max(deviationOf(residual), 1e-12 * rangeOf(record.force));
+  const double scale = std::max(gap::standardDeviation(residual), 1e-12 * rangeOf(record.force));
   const MatrixXd masked = counted.asDiagonal() * columns.columns / scale;
   NormalEquations equations{masked.transpose() * masked, masked.transpose() * residual / scale};
   Solution solution = solveWithPriors(equations.gram, equations.moment, columns.priors);

@@ -6,19 +6,17 @@
 #include <cmath>
 #include <vector>
 
+#include "numerics/median.h"
 #include "rubber_suspension/measurement/faults.h"
 
 namespace rubber_suspension::measurement {
 
 constexpr double kMadToDeviation = 1.4826;  // of a normal variable
 
-inline double medianOf(std::vector<double> values) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+using numerics::medianOf;
+
+inline Eigen::VectorXd asVector(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 inline double rangeOf(const Eigen::VectorXd& values) { return values.maxCoeff() - values.minCoeff(); }
@@ -31,10 +29,6 @@ inline double rmsOf(const Eigen::VectorXd& values) {
 inline double meanSquare(const Eigen::VectorXd& signal, const Mask& mask) {
   return (signal.array() * mask.cast<double>()).square().sum() /
          std::max<double>(1.0, static_cast<double>(mask.count()));
-}
-
-inline double deviationOf(const Eigen::VectorXd& values) {
-  return std::sqrt((values.array() - values.mean()).square().mean());
 }
 
 /// The smallest difference between neighbours that is not 0: the step of a coarse sensor, tiny for a fine one.

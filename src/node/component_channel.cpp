@@ -15,12 +15,6 @@
 namespace rubber_suspension::node {
 namespace {
 
-bool sameElements(const std::vector<element::ElementDescription>& a,
-                  const std::vector<element::ElementDescription>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const auto& x, const auto& y) { return x.type == y.type && x.values == y.values; });
-}
-
 void add(const component::StreamCounters& news, component::StreamCounters& sum) {
   using Counters = component::StreamCounters;
   for (const auto counter :
@@ -69,7 +63,7 @@ class ComponentChannel::Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  // What is asked of either kind, by its component and stream.
+  // Asks either kind, by its component and stream.
   template <class Ask>
   auto ask(Ask question) const {
     return six ? question(six->component, six->stream) : question(one->component, one->stream);
@@ -335,7 +329,7 @@ std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::checkState(const 
   if (state.component != name_) {
     throw std::invalid_argument(fmt::format("state of component {} does not belong to {}", state.component, name_));
   }
-  if (!sameElements(state.elements, model->elements())) {
+  if (state.elements != model->elements()) {
     throw std::invalid_argument(fmt::format("{}: the state was saved with other elements or parameters", name_));
   }
   try {
@@ -375,7 +369,7 @@ void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
   std::shared_ptr<Promotion> promotion;
   clearGaps();
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!sameElements(model_->elements(), model->elements())) {
+  if (model_->elements() != model->elements()) {
     std::swap(promotion_, promotion);
     note_ = promotion ? "the component file was read again and has another model" : "";
     since_ = model_->save().stamp;

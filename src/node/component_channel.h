@@ -41,7 +41,7 @@ struct SavedState : SavedStream {
   std::optional<SavedPromotion> promotion;            ///< of the model beside, where there is one
 };
 
-/// What gives the force of a component.
+/// The source of a component's force.
 struct RunningModel {
   RunStage stage = RunStage::configured;
   double weight = 0.0;             ///< of the other model's force in the published one
@@ -57,7 +57,7 @@ struct RunningModel {
   }
 };
 
-/// What a channel did since it was made, over resets and reloads, and since the last report.
+/// Counts of a channel since it was made, over resets and reloads, and since the last report.
 struct ChannelReport : component::StreamCounters {
   std::uint64_t beyond_valid = 0;       ///< samples that were answered beyond `valid`
   std::optional<element::Range> valid;  ///< displacements [m] for which the component says that it is valid
@@ -154,7 +154,7 @@ class ComponentChannel {
   /// Measured forces go here; what is accepted and answered is already there. Of six directions one each.
   GapMonitor& gap(std::size_t direction = 0) { return gaps_[direction]; }
 
-  /// What happened so far; starts a new interval of the latency.
+  /// The counts so far; starts a new interval of the latency.
   ChannelReport report();
 
  private:

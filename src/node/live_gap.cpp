@@ -29,8 +29,8 @@ log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) 
   return log;
 }
 
-// What the rig added to the force within its tolerances; beyond them it is a gap. By least squares: slow noise says
-// little of a zero, which must not make the gap larger.
+// The part of the force that the rig added within its tolerances; beyond them it is a gap. By least squares: slow noise
+// says little of a zero, which must not make the gap larger.
 Eigen::VectorXd tolerated(const measurement::RigModel& rig, const measurement::RigColumns& columns) {
   const measurement::RigFit fit = rig.fit(0, columns, 0);
   Eigen::VectorXd part = Eigen::VectorXd::Zero(fit.residual.size());

@@ -1,4 +1,4 @@
-// What a message on the wire may be before it is decoded.
+// Bounds of a message on the wire, checked before it is decoded.
 #include "node/message_bounds.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What a message on the wire may be before it is decoded: decoders make room for what a message claims to hold. Knows
-// no ROS.
+// Bounds of a message on the wire, checked before it is decoded: decoders make room for what a message claims to hold.
+// Knows no ROS.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::node {
 
-/// What gives the force of a component.
+/// The source of a component's force.
 enum class RunStage {
   configured,    ///< the configured model alone
   shadow,        ///< the configured model, while the other is computed beside it

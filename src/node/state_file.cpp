@@ -151,7 +151,7 @@ std::string stateText(const std::vector<SavedState>& states) {
 }
 
 std::vector<SavedState> parseStates(const std::string& text, const std::string& source) {
-  // What a parser says may quote the text, line breaks among it.
+  // A parser's message may quote the text, with its line breaks.
   const auto refusal = [&](const std::exception& error) {
     return FileError(log::oneLine(fmt::format("{}: no state file: {}", source, error.what())));
   };

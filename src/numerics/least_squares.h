@@ -16,7 +16,7 @@ Eigen::VectorXd solveLeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorX
 /// The same for columns that are known to be independent.
 Eigen::VectorXd solveIndependent(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-/// What the best A X leaves of B, and the rank of A.
+/// The rest of B that the best A X leaves, and the rank of A.
 struct Remainder {
   Eigen::MatrixXd values;
   Eigen::Index rank = 0;

@@ -1,4 +1,4 @@
-// What this processor can do.
+// The instructions that this processor has.
 #include "rubber_suspension/processor/instructions.h"
 
 #include <algorithm>

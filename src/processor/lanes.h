@@ -3,7 +3,7 @@
 
 /// GCC's vector type, which Clang knows, too.
 using Lanes = double __attribute__((vector_size(kWidth * sizeof(double))));
-/// What a comparison gives: all bits of a lane set, or none.
+/// The result of a comparison: all bits of a lane set, or none.
 using LaneMask = decltype(Lanes{} < Lanes{});
 
 inline Lanes load(const double* numbers) {

@@ -1,4 +1,4 @@
-// What the parts of the Python module share: how values cross the border, and who adds what.
+// Code that the parts of the Python module share: how values cross the border, and who adds what.
 #pragma once
 
 #include <pybind11/numpy.h>

@@ -9,12 +9,17 @@
 #include <optional>
 #include <stdexcept>
 
-#include "response/extent.h"
 #include "rubber_suspension/element/berg_friction.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::response {
 namespace {
+
+// Largest value less the smallest.
+double extent(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low;
+}
 
 using ParallelPointer = std::shared_ptr<const element::ParallelElement>;
 

@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// What one component has to play, and where its forces go.
+/// The log that one component has to play, and where its forces go.
 struct BenchTrack {
   std::string component;
   log::Log log;

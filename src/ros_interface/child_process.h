@@ -28,7 +28,7 @@ class ChildProcess {
 /// The path of another program that lies beside the running one.
 std::string siblingProgram(const std::string& name);
 
-/// What a command, which lies beside the running one, prints with an option such as --help. Throws std::runtime_error
+/// The output of a command, which lies beside the running one, with an option such as --help. Throws std::runtime_error
 /// that names the command where it fails or prints nothing.
 std::string outputOf(const std::string& command, const std::string& option);
 

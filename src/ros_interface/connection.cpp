@@ -20,7 +20,7 @@ namespace {
 using roscpp_fixes::callArguments;
 using XmlRpc::XmlRpcValue;
 
-// What came with the answer to a call; throws XmlRpcException where there is none.
+// The value in the answer to a call; throws XmlRpcException where there is none.
 XmlRpcValue ask(const std::string& uri, const std::string& method, const std::vector<std::string>& arguments = {}) {
   constexpr double kLimit = 5.0;  // [s]
   const auto answer = roscpp_fixes::call(kLimit, uri, method, callArguments(arguments));

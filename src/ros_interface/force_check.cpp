@@ -35,18 +35,14 @@ Tree caseTree(const std::string& suite, const TestCase& test) {
   return tree;
 }
 
-double sinceStart(const log::Log& log, std::size_t i) {
-  return 1e-9 * static_cast<double>(log.stamp[i] - log.stamp[0]);
-}
-
 std::ptrdiff_t firstCompared(const log::Log& log, double skip) {
   std::size_t first = 0;
-  while (first < log.size() && sinceStart(log, first) < skip) {
+  while (first < log.size() && log.duration(0, first) < skip) {
     ++first;
   }
   if (first + 2 > log.size()) {
     throw std::invalid_argument(fmt::format("{}: nothing is left to compare after {:g} s; the log lasts {:g} s",
-                                            log.name, skip, sinceStart(log, log.size() - 1)));
+                                            log.name, skip, log.duration(0, log.size() - 1)));
   }
   return static_cast<std::ptrdiff_t>(first);
 }
@@ -62,7 +58,7 @@ ForceDifference compareForces(const log::Log& log, const std::vector<double>& re
     const double difference = std::abs(force[i] - reference[i]);
     if (!(difference <= result.largest)) {
       result.largest = difference;
-      result.largest_time = sinceStart(log, i);
+      result.largest_time = log.duration(0, i);
     }
   }
   return result;

@@ -42,7 +42,7 @@ struct ForceDifference {
 ForceDifference compareForces(const log::Log& log, const std::vector<double>& reference,
                               const std::vector<double>& force, double skip);
 
-/// What the reference is, for messages: "the force measured in track.csv".
+/// The reference, for messages: "the force measured in track.csv".
 struct ForceReference {
   std::string name;
   std::vector<double> force;  ///< [N], one per sample

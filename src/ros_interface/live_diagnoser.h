@@ -27,11 +27,11 @@ class LiveDiagnoser {
   /// The model that closes what was found of a component. Throws std::invalid_argument that says why there is none.
   virtual io::ComponentDescription found(const std::string& component) const = 0;
 
-  /// What was found of a component, as of the last round of the thread.
+  /// The findings on a component, as of the last round of the thread.
   virtual void fillStatus(const std::string& component, diagnostic_updater::DiagnosticStatusWrapper& status) const = 0;
 };
 
-/// What the library of the diagnosis has under that name; the channels must outlive what is made. Throws
+/// The function of that name in the library of the diagnosis; the channels must outlive what it makes. Throws
 /// std::invalid_argument where a component has no solution.
 using MakeLiveDiagnoser = LiveDiagnoser*(ros::NodeHandle&, const std::vector<node::ComponentChannel*>&,
                                          const LiveDiagnoserSettings&);

@@ -36,7 +36,7 @@ struct PlayOptions {
   std::function<void(const std::string&)> notify = [](const std::string&) {};  ///< told what is being waited for
 };
 
-/// What came back. The vectors have one entry per sample of the log.
+/// The forces that came back. The vectors have one entry per sample of the log.
 struct PlayResult {
   std::vector<element::ComponentForce> force;  ///< the first answer to each sample
   std::array<std::vector<double>, 6> wrench;   ///< the same of poses [N, N m]

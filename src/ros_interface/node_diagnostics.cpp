@@ -1,4 +1,4 @@
-// What the node tells about itself once per second.
+// The node's report about itself, once per second.
 #include "ros_interface/node_diagnostics.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ using node::ChannelReport;
 constexpr std::size_t kLongestLine = 2000;
 constexpr std::size_t kMostCells = 20;
 
-// What is counted of a component: its row on /diagnostics, and its words in a warning.
+// A count of a component: its row on /diagnostics, and its words in a warning.
 struct Fault {
   const char* row;
   const char* words;
@@ -49,7 +49,7 @@ constexpr Fault kFaults[] = {
      &ChannelReport::refused_temperatures},
 };
 
-// What is worth a warning between two reports of one component; empty if nothing is.
+// The warning between two reports of one component; empty if there is none.
 std::string describeFaults(const ChannelReport& before, const ChannelReport& now) {
   std::string text;
   for (const Fault& fault : kFaults) {

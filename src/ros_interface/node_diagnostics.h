@@ -1,4 +1,4 @@
-// What the node tells about itself once per second: /diagnostics and, if something went wrong, a line of log.
+// The node's report about itself, once per second: /diagnostics and, if something went wrong, a line of log.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>

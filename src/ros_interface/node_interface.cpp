@@ -1,4 +1,4 @@
-// What the node `simulate` can be asked over ROS, in one table.
+// Topics, services and parameters of the node `simulate`, in one table.
 #include "ros_interface/node_interface.h"
 
 #include <diagnostic_msgs/DiagnosticArray.h>

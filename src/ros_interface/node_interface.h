@@ -1,5 +1,5 @@
-// What the node `simulate` can be asked over ROS, in one table; the reference page is written from it, and a rostest
-// holds a running node to it.
+// Topics, services and parameters of the node `simulate`, in one table; the reference page is written from it, and a
+// rostest holds a running node to it.
 #pragma once
 
 #include <string>

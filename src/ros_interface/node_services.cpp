@@ -1,4 +1,4 @@
-// What a bench may ask of the node besides forces.
+// Services of the node besides forces.
 #include "ros_interface/node_services.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What a bench may ask of the node besides forces: reset, save and load the state, enable, reload.
+// Services of the node besides forces: reset, save and load the state, enable, reload.
 #pragma once
 
 #include <ros/node_handle.h>

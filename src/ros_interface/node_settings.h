@@ -1,4 +1,4 @@
-// What a user may set on the node besides its components: one table of private parameters, checked strictly.
+// Settings of the node besides its components: one table of private parameters, checked strictly.
 #pragma once
 
 #include <ros/node_handle.h>

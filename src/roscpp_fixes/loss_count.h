@@ -20,7 +20,7 @@ class LossCount {
 
   /// A message comes, and no queue has it yet.
   void begin(const Buffer& message) {
-    // What is just being sent to a subscriber is in no queue any more, however old it is.
+    // A message that is just being sent to a subscriber is in no queue any more, however old it is.
     while (window_.size() > queue_size_ || (!window_.empty() && window_.front().use_count() == 1)) {
       window_.pop_front();
     }

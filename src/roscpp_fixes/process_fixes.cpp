@@ -1,4 +1,4 @@
-// What roscpp does wrongly for a process as a whole.
+// Faults of roscpp that concern a process as a whole.
 #include "roscpp_fixes/process_fixes.h"
 
 #include <netinet/in.h>

@@ -1,4 +1,4 @@
-// What roscpp does wrongly for a process as a whole: its service ~get_loggers, and a slave API that all may call.
+// Faults of roscpp that concern a process as a whole: its service ~get_loggers, and a slave API that all may call.
 #pragma once
 
 #include <ros/node_handle.h>

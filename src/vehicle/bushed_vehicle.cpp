@@ -99,7 +99,7 @@ PerBush<Eigen::Isometry3d> BushedVehicle::motions(const SimTK::State& state) con
   return poses;
 }
 
-// What acts on the ground moves nothing.
+// A force on the ground moves nothing.
 void BushedVehicle::apply(const SimTK::State& state, const Mount& mount, const component::Reactions& reactions,
                           SimTK::Vector_<SimTK::SpatialVec>& body_forces) const {
   const auto& a = matter_.getMobilizedBody(mount.a);

@@ -1,4 +1,4 @@
-// What a simulation of the vehicle gave.
+// The result of a simulation of the vehicle.
 #include "vehicle/history.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What a simulation of the vehicle gave, at even times, and how two of them differ.
+// The result of a simulation of the vehicle, at even times, and how two of them differ.
 #pragma once
 
 #include <string>

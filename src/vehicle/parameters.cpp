@@ -1,4 +1,4 @@
-// What everything about the vehicle knows of it.
+// The data of the vehicle.
 #include "vehicle/parameters.h"
 
 namespace rubber_suspension::vehicle {

@@ -1,4 +1,4 @@
-// What everything about the vehicle knows of it: its rubber components, coordinates, masses and lengths.
+// The data of the vehicle: its rubber components, coordinates, masses and lengths.
 #pragma once
 
 #include <array>

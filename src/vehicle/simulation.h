@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::vehicle {
 
-/// What every run needs.
+/// The settings of every run.
 struct Scene {
   VehicleParameters parameters;
   Track track;
@@ -29,7 +29,7 @@ struct VariableStep {
   double longest = 0.5e-3;  ///< [s]; see TrialStepper for why there is such a bound
 };
 
-/// What an integrator did.
+/// The counts of an integrator.
 struct StepCount {
   int accepted = 0;
   int taken_back = 0;  ///< steps tried and rejected

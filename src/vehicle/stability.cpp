@@ -30,7 +30,7 @@ struct LinearVehicle {
     damping = parameters.secondary_damping * direction.col(2) * direction.col(2).transpose();
   }
 
-  // What exp(-i w T) has to be for the vehicle to oscillate on at w.
+  // The value of exp(-i w T) for which the vehicle oscillates on at w.
   Roots factors(double omega) const {
     ComplexMatrix stiffness = ComplexMatrix::Zero();
     for (std::size_t i = 0; i < kStruts; ++i) {

@@ -9,10 +9,6 @@ namespace {
 constexpr int kCubic = 3;
 constexpr std::size_t kFewest = 4;
 
-double sinceStart(const log::Log& log, std::size_t i) {
-  return 1e-9 * static_cast<double>(log.stamp[i] - log.stamp[0]);
-}
-
 }  // namespace
 
 struct Track::Spline {
@@ -27,12 +23,12 @@ Track::Track(const log::Log& log) {
   SimTK::Vector time(static_cast<int>(log.size()));
   SimTK::Vector height(static_cast<int>(log.size()));
   for (std::size_t i = 0; i < log.size(); ++i) {
-    time[static_cast<int>(i)] = sinceStart(log, i);
+    time[static_cast<int>(i)] = log.duration(0, i);
     height[static_cast<int>(i)] = log.displacement[i];
   }
   spline_ = std::make_shared<Spline>(
       Spline{SimTK::SplineFitter<double>::fitForSmoothingParameter(kCubic, time, height, 0.0).getSpline()});
-  duration_ = sinceStart(log, log.size() - 1);
+  duration_ = log.duration(0, log.size() - 1);
   first_ = log.displacement.front();
   last_ = log.displacement.back();
 }

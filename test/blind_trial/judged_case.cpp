@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "campaign/manifest.h"
-#include "diagnosis/judge/evidence_json.h"
+#include "judge/read_evidence.h"
 
 namespace rubber_suspension::blind_trial {
 namespace {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "element/driver.h"
 #include "rubber_suspension/element/coulomb_friction.h"
 #include "rubber_suspension/element/iwan.h"
@@ -10,13 +12,22 @@
 namespace rubber_suspension::test {
 namespace {
 
+// Force at a displacement reached from rest without reversal [N].
+double backbone(const element::SliderBank& law, double displacement) {
+  double force = 0.0;
+  for (const element::JenkinsSlider& slider : law.sliders()) {
+    force += slider.stiffness * std::clamp(displacement, -slider.yield_displacement, slider.yield_displacement);
+  }
+  return force;
+}
+
 TEST(Iwan, BackboneReachesHalfAtItsDisplacementAndAllAtTheEnd) {
   for (const int count : {2, 3, 4, 16, 17, 64}) {
     const element::Iwan law(5e3, 2.2e-3, count);
     EXPECT_EQ(law.sliders().size(), static_cast<std::size_t>(count));
-    EXPECT_NEAR(law.backbone(2.2e-3), 2.5e3, 1e-8) << count;
-    EXPECT_NEAR(law.backbone(50.0 * 2.2e-3), 5e3, 1e-8) << count;
-    EXPECT_NEAR(law.backbone(1.0), 5e3, 1e-8) << count;
+    EXPECT_NEAR(backbone(law, 2.2e-3), 2.5e3, 1e-8) << count;
+    EXPECT_NEAR(backbone(law, 50.0 * 2.2e-3), 5e3, 1e-8) << count;
+    EXPECT_NEAR(backbone(law, 1.0), 5e3, 1e-8) << count;
     for (const element::JenkinsSlider& slider : law.sliders()) {
       EXPECT_GT(slider.stiffness, 0.0) << count;
     }
@@ -27,7 +38,7 @@ TEST(Iwan, BackboneReachesHalfAtItsDisplacementAndAllAtTheEnd) {
 TEST(Iwan, BackboneIsCloseToBergs) {
   const element::Iwan law(5.0, 2.2, 64);
   for (const double z : {0.2, 1.0, 2.0, 4.0, 10.0}) {
-    EXPECT_NEAR(law.backbone(z), 5.0 * z / (2.2 + z), 0.04 * law.backbone(z)) << z;
+    EXPECT_NEAR(backbone(law, z), 5.0 * z / (2.2 + z), 0.04 * backbone(law, z)) << z;
   }
 }
 
@@ -35,7 +46,7 @@ TEST(Iwan, FirstLoadingFollowsTheBackbone) {
   const element::Iwan law(5.0, 2.2, 16);
   Driver<element::SliderBank> driver(law);
   for (const double z : {0.1, 1.0, 3.0, 200.0}) {
-    EXPECT_NEAR(driver.step(1.0, z), law.backbone(z), 1e-12);
+    EXPECT_NEAR(driver.step(1.0, z), backbone(law, z), 1e-12);
   }
 }
 
@@ -47,7 +58,7 @@ TEST(Iwan, MinorLoopClosesToTheLastBit) {
   driver.step(1.0, 1.8);
   driver.step(1.0, 1.6);
   EXPECT_EQ(driver.step(1.0, 2.0), left);
-  EXPECT_NEAR(driver.step(1.0, 3.0), law.backbone(3.0), 1e-12) << "goes on along the backbone";
+  EXPECT_NEAR(driver.step(1.0, 3.0), backbone(law, 3.0), 1e-12) << "goes on along the backbone";
 }
 
 // Masing: the settled peak is that of the backbone (2.37 for this example, where Berg's element has 1.99), and the
@@ -58,9 +69,9 @@ TEST(Iwan, SettledLoopObeysMasing) {
   for (const double z : {2.0, -2.0, 2.0, -2.0}) {
     driver.step(1.0, z);
   }
-  EXPECT_NEAR(driver.output(), -law.backbone(2.0), 1e-12);
-  EXPECT_NEAR(law.backbone(2.0), 2.37, 0.03);
-  EXPECT_NEAR(driver.step(1.0, -0.7), -law.backbone(2.0) + 2.0 * law.backbone(1.3 / 2.0), 1e-12);
+  EXPECT_NEAR(driver.output(), -backbone(law, 2.0), 1e-12);
+  EXPECT_NEAR(backbone(law, 2.0), 2.37, 0.03);
+  EXPECT_NEAR(driver.step(1.0, -0.7), -backbone(law, 2.0) + 2.0 * backbone(law, 1.3 / 2.0), 1e-12);
 }
 
 TEST(SliderBank, LossOfASettledLoopInClosedForm) {

@@ -11,6 +11,7 @@
 #include "diagnosis/judge/answer.h"
 #include "diagnosis/judge/evidence_json.h"
 #include "judge/made_evidence.h"
+#include "judge/read_evidence.h"
 
 namespace rubber_suspension::test {
 namespace {

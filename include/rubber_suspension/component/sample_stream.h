@@ -103,7 +103,7 @@ class SampleStream : public StampedStream {
   void deserialise(std::int64_t last_stamp, double displacement, const std::vector<double>& memory);
 
  private:
-  // What a push did to the state since it was saved.
+  // The change that a push made to the state since it was saved.
   struct Step {
     double dt;            // [s]
     double displacement;  // [m]

@@ -1,4 +1,4 @@
-// What yields in series with the test piece, and the displacement that this leaves to it. Throws nothing.
+// A compliance in series with the test piece, and the displacement that it leaves to it. Throws nothing.
 #pragma once
 
 #include <memory>
@@ -31,7 +31,7 @@ class SeriesBalance {
   /// kernel's. In closed form where nothing hardens and a single friction, if any, keeps its direction.
   double solve(const kernel::BasicLawsKernel& laws, const element::Motion& path, double start, const double* memory,
                const kernel::PreparedStep& prepared) const {
-    // What is linear in the displacement is summed up once, not for each trial.
+    // The part linear in the displacement is summed up once, not for each trial.
     const kernel::LinearForce linear = laws.withoutFriction(start, memory, prepared);
     if (hardening_.empty()) {
       const Equation equation = equationOf(laws, linear, path, memory);

@@ -1,5 +1,5 @@
-// What logs could have shown: each effect implanted into them at a stated size, and what would be found.
-// Throws nothing.
+// Effects that logs could have shown: each implanted into them at a stated size, and what would be found. Throws
+// nothing.
 #pragma once
 
 #include <string>

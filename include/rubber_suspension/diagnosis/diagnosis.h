@@ -30,7 +30,7 @@ namespace rubber_suspension::diagnosis {
 /// Samples that a search takes unless it is told otherwise; memory and time grow with them.
 constexpr std::size_t kMostSamples = 300000;
 
-/// What a diagnosis is told besides the component and the logs.
+/// The options of a diagnosis besides the component and the logs.
 struct DiagnosisOptions {
   int threads = 2;
   /// Called with the stage's name and the fraction done.
@@ -44,7 +44,7 @@ struct DiagnosisOptions {
   std::size_t most_samples = kMostSamples;
 };
 
-/// What the diagnosis says of one candidate effect.
+/// The result of the diagnosis on one candidate effect.
 struct CandidateResult {
   std::string effect;
   std::string documentation;
@@ -76,7 +76,7 @@ struct Gap {
   double noise_floor = 0.0;
 };
 
-/// What closes a rest that no effect explains, without a claim to its cause.
+/// A component that closes a rest that no effect explains, without a claim to its cause.
 struct Surrogate {
   io::ComponentDescription component;  ///< the augmented one with a `residual` on top
   double gap = 0.0;                    ///< of the logs as they are, which `replay` of the component gives
@@ -109,7 +109,7 @@ struct Admission {
   std::vector<std::string> notes;
 };
 
-/// What of one kind was taken out of a log before a model was held against it.
+/// The part of one kind that was taken out of a log before a model was held against it.
 struct TakenOut {
   std::string log;
   std::string kind;  ///< spikes, zero, drift, delay, gain, displacement_zero, initial_state, displacement_noise
@@ -136,7 +136,7 @@ struct InputFile {
   std::string sha256;  ///< of its bytes, 64 hexadecimal digits
 };
 
-/// What made a report, so that it can be filed and repeated; the program that diagnoses fills it in.
+/// The run that made a report, so that it can be filed and repeated; the program that diagnoses fills it in.
 struct RunRecord {
   std::string version;
   std::string date;  ///< UTC, ISO 8601
@@ -210,7 +210,7 @@ struct DiagnosedTable {
 struct BenchEvidence;  // what the report draws of logs that cannot be what they say
 struct Workings;       // what the report draws and lists besides: every hypothesis that was tried, the simulated forces
 
-/// What a diagnosis found.
+/// The result of a diagnosis.
 struct Diagnosis {
   std::string component;
   bool turns = false;  ///< of a rotation: m stands for rad, and N for N m; the page says these
@@ -287,7 +287,8 @@ Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSour
 /// The report as JSON text, schema rubber_suspension/gap_report/1.
 std::string toJson(const Diagnosis& diagnosis);
 
-/// What every hypothesis leaves, of which the judgement is made, as JSON text; empty where it was not asked for.
+/// The errors that every hypothesis leaves, of which the judgement is made, as JSON text; empty where they were not
+/// asked for.
 std::string evidenceJson(const Diagnosis& diagnosis);
 
 /// The report as a page that needs no network.

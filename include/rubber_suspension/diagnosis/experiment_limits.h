@@ -1,4 +1,4 @@
-// What a machine may do in an experiment that a diagnosis proposes.
+// Limits of a machine in an experiment that a diagnosis proposes.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What logs could show before any is recorded: a plan of displacement programmes alone.
+// Effects that logs could show before any is recorded: a plan of displacement programmes alone.
 #pragma once
 
 #include <string>

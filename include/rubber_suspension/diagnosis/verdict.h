@@ -1,4 +1,4 @@
-// What a diagnosis may say. Throws nothing but what its functions say.
+// The verdicts of a diagnosis. Throws nothing but what its functions say.
 #pragma once
 
 #include <iosfwd>

@@ -5,7 +5,8 @@
 
 namespace rubber_suspension::element {
 
-/// What most components are made of, in parallel. A law that is such a sum adds itself by addTo(). Throws nothing.
+/// The laws that most components are made of, in parallel. A law that is such a sum adds itself by addTo(). Throws
+/// nothing.
 struct BasicLaws {
   struct MaxwellNumbers {
     double stiffness;  ///< k [N/m]

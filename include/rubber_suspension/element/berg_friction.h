@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::element {
 
-/// What the forces on one side of a branch's reference point have in common.
+/// The numbers that the forces on one side of a branch's reference point have in common.
 struct BergSide {
   double reference_force;  ///< F_s [N]
   double left;             ///< what is left of the force to F_max or -F_max there [N]

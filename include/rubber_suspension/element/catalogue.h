@@ -17,9 +17,15 @@ using ElementPointer = std::variant<std::shared_ptr<const ParallelElement>, std:
                                     std::shared_ptr<const ForceEffect>, std::shared_ptr<const SeriesElement>,
                                     std::shared_ptr<const TemperatureShift>>;
 
-/// What all laws have in common.
+/// The part that all laws have in common.
 inline const Element& lawOf(const ElementPointer& element) {
   return std::visit([](const auto& law) -> const Element& { return *law; }, element);
+}
+
+/// The law as one beside others, or nullptr where it is of another kind.
+inline const ParallelElement* parallelLaw(const ElementPointer& element) {
+  const auto* law = std::get_if<std::shared_ptr<const ParallelElement>>(&element);
+  return law == nullptr ? nullptr : law->get();
 }
 
 /// A law as users see it: its name, what it is for, its parameters and how to make one.

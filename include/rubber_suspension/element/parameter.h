@@ -1,4 +1,4 @@
-// What a user may write for a parameter: one table from which checks, errors and reference pages follow.
+// The values that a user may write for a parameter: one table from which checks, errors and reference pages follow.
 #pragma once
 
 #include <limits>
@@ -30,7 +30,7 @@ struct Range {
 /// Text such as "greater than 0" or "in [0, 1)"; what an error message offers as accepted.
 std::string describe(const Range& range);
 
-/// What a parameter does to the force, and thus whether a fit moves it.
+/// The effect of a parameter on the force, and thus whether a fit moves it.
 enum class Role {
   scale,      ///< the force is linear in it, the others kept: moved, and found by linear least squares
   shape,      ///< acts on the force in any other way: moved
@@ -77,6 +77,9 @@ struct ElementDescription {
     const auto found = values.find(name);
     return found != values.end() ? found->second : throw std::out_of_range(name);
   }
+
+  bool operator==(const ElementDescription& other) const { return type == other.type && values == other.values; }
+  bool operator!=(const ElementDescription& other) const { return !(*this == other); }
 };
 
 /// Throws std::invalid_argument in the form of all errors about a value: law, parameter, value, what is accepted.

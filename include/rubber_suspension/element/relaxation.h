@@ -7,7 +7,7 @@ namespace rubber_suspension::element {
 
 #include "rubber_suspension/element/relaxation_mean.h"
 
-/// What is left of a relaxing force after a step of x = dt/tau > 0, and its mean over the step, both relative to the
+/// The rest of a relaxing force after a step of x = dt/tau > 0, and its mean over the step, both relative to the
 /// force at the begin of the step. Both are within 4e-16 of the exact value, relative to it. Throws nothing.
 struct Relaxation {
   double decay;  ///< exp(-x) [-]

@@ -25,7 +25,7 @@ class ResidualBasis {
   static constexpr std::size_t kStates = kStops + kRelaxing + 1;  ///< s_i, m_j, q
   static constexpr std::size_t kFactors = 4;                      ///< 1, q, q^2, a
 
-  /// What the operators are spread over.
+  /// The ranges of the operators.
   struct Layout {
     double stroke = 1.0;                            ///< S [m]
     double lowest = 0.0;                            ///< of the displacements that were seen [m], at most 0

@@ -35,9 +35,6 @@ class SliderBank : public ParallelElement {
 
   const std::vector<JenkinsSlider>& sliders() const { return sliders_; }
 
-  /// Force at a displacement reached from rest without reversal [N].
-  double backbone(double displacement) const;
-
   std::size_t memorySize() const override { return sliders_.size(); }
   double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;

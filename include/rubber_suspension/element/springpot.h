@@ -5,7 +5,7 @@
 
 namespace rubber_suspension::element {
 
-/// What a springpot is meant to be.
+/// The law that a springpot is meant to be.
 struct SpringpotLaw {
   double stiffness;            ///< K_r = |K*| at the reference frequency [N/m]
   double reference_frequency;  ///< f_r [Hz]

@@ -33,14 +33,14 @@ class TemperatureShift : public Element {
   Action action() const final { return Action::shifts_with_temperature; }
   /// At constant temperature.
   bool linear() const final { return true; }
-  /// What is loaded cold and unloaded hot gives back another energy than it took.
+  /// A component loaded cold and unloaded hot gives back another energy than it took.
   bool passive() const final { return false; }
 };
 
 /// Slower or faster than this, in decades, no law holds.
 constexpr double kMostDecades = 20.0;
 
-/// What is in both.
+/// The range in both.
 Range intersection(const Range& a, const Range& b);
 
 /// The row of a coefficient beta of b_T = 1 + beta (T - T_0).

@@ -30,7 +30,7 @@ class TimeDelay final : public DisplacementEffect {
   double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
 
-  /// What is late is the record of a displacement or force.
+  /// The record of a displacement or force is late.
   bool ofSensor() const override { return true; }
 
   /// exp(-i w T) for T > 0, 1 + i w |T| for T < 0, which is what the extrapolation does.

@@ -121,7 +121,7 @@ double nominalDisplacement(const Specification& specification);
 /// The table of all numbers that `specification:` may hold.
 const std::vector<element::ParameterInfo>& specificationParameters();
 
-/// What a model takes from its specification.
+/// The keys that a model takes from its specification.
 struct ModelInfo {
   Model model;
   std::string documentation;

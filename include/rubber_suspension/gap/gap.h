@@ -18,7 +18,7 @@ double standardDeviation(const Eigen::VectorXd& values);
 /// The gap of a residual [N], by the standard deviation of the measured force [N].
 double gapOfResidual(const Eigen::VectorXd& residual, double standard_deviation);
 
-/// What a gap is beyond a noise floor, both [-]: sqrt(gap^2 - floor^2), and 0 for a gap below the floor.
+/// The part of a gap beyond a noise floor, both [-]: sqrt(gap^2 - floor^2), and 0 for a gap below the floor.
 double residualAboveFloor(double gap, double floor);
 
 /// Share of the closable gap, which is that above the floor, that a better model closes: 1 closes all, a negative one

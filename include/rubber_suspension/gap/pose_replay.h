@@ -14,7 +14,7 @@ namespace rubber_suspension::gap {
 /// The rotation of a sample, as a topic has it.
 Eigen::Quaterniond rotationAt(const log::PoseLog& log, component::RotationMeasure measure, std::size_t sample);
 
-/// What a simulation of a log gave.
+/// The result of a simulation of a log.
 struct PoseReplay {
   std::array<std::vector<double>, 6> wrench;  ///< [N, N m], one of each per sample
   component::StreamCounters counters;

@@ -22,7 +22,7 @@ void checkTemperature(const component::Component& component, const log::Log& log
 std::vector<double> simulateLog(const component::Component& component, const log::Log& log,
                                 component::StreamCounters* counters = nullptr);
 
-/// What a simulation of a log gave.
+/// The result of a simulation of a log.
 struct Replay {
   std::vector<double> force;  ///< [N], one per sample
   std::uint64_t bridged = 0;  ///< time gaps longer than the stream's max_gap
@@ -34,7 +34,7 @@ Replay replay(const component::Component& component, const log::Log& log);
 /// One line for the terminal: samples, duration, range of the force and, with a measured force, the gap.
 std::string summary(const std::string& component, const log::Log& log, const Replay& replay);
 
-/// What a figure calls the force of the log and the other one.
+/// The names of the force of the log and of the other one in a figure.
 struct ForceLabels {
   std::string log = "measured";
   std::string force = "simulated";

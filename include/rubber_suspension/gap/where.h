@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::gap {
 
-/// What of the force is wrong in a cell.
+/// The quantity of the force that is wrong in a cell.
 enum class Quantity { stiffness, loss, harmonics, mean, drift };
 
 std::string toString(Quantity quantity);

@@ -56,7 +56,7 @@ class ComponentDescription {
   /// As it was given: of the whole component, say, or points.
   const estimation::Specification& written() const { return written_; }
 
-  /// What was found on the way from written() to specification(): notes, misfits of points.
+  /// Findings on the way from written() to specification(): notes, misfits of points.
   const estimation::Resolved& resolved() const { return resolved_; }
 
   /// Those that the model estimates from the specification, or lists; without those added.

@@ -1,4 +1,4 @@
-// What a rig may do to a log without anybody calling it a fault: tolerances of its sensors and its clock.
+// Changes that a rig may make to a log without a fault: tolerances of its sensors and its clock.
 #pragma once
 
 #include <string>

@@ -17,7 +17,8 @@
 
 namespace rubber_suspension::kernel {
 
-/// What a kernel derives from step length and memory to make the next step fast. It need not be saved. Throws nothing.
+/// The numbers that a kernel derives from step length and memory to make the next step fast. It need not be saved.
+/// Throws nothing.
 struct PreparedStep {
   double dt = -1.0;                    ///< step length that the coefficients are for [s]
   double dashpot_gain = 0.0;           ///< c/dt [N/m]

@@ -34,6 +34,10 @@ struct Log {
 
   std::size_t size() const { return stamp.size(); }
   double time(std::size_t i) const { return static_cast<double>(stamp[i]) * 1e-9; }  ///< [s]
+  /// From one sample to another [s].
+  double duration(std::size_t first, std::size_t last) const {
+    return static_cast<double>(stamp[last] - stamp[first]) * 1e-9;
+  }
 };
 
 /// A log that was refused. what() is one line: file:line and reason.

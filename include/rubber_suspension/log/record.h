@@ -52,7 +52,7 @@ struct Record {
   double counted(Eigen::Index first, Eigen::Index count) const;
   double counted() const { return counted(0, size()); }
 
-  /// What is left of a residual or of a derivative of the force [N] once samples that do not count and everything that
+  /// The rest of a residual or of a derivative of the force [N] once samples that do not count and everything that
   /// the rig may have added are taken out (Frisch and Waugh, Econometrica 1, 1933).
   Eigen::VectorXd withoutRig(const Eigen::VectorXd& column) const;
 };

@@ -16,7 +16,7 @@ using Mask = Eigen::Array<bool, Eigen::Dynamic, 1>;
 /// The samples of a record that count.
 Mask maskOf(const log::Record& record);
 
-/// What is wrong with single samples of a log.
+/// The faults of single samples of a log.
 struct Faults {
   Mask displacement;                 ///< false where the displacement was not measured
   Mask force;                        ///< false where the force was not measured

@@ -59,9 +59,6 @@ class Whitener {
   /// Whitened columns; rows that do not count are 0.
   Eigen::MatrixXd operator()(const Eigen::MatrixXd& columns) const;
 
-  /// Log-likelihood of a residual under the model.
-  double logLikelihood(const Eigen::VectorXd& residual) const;
-
  private:
   void prepareGains(const NoiseModel& model);
   void prepareFilter(const NoiseModel& model);

@@ -1,4 +1,4 @@
-// What the rig between component and log did to a log, as a report tells it. Throws nothing.
+// A fault of the rig between component and log, as a report tells it. Throws nothing.
 #pragma once
 
 #include <array>

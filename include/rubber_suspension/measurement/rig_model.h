@@ -1,5 +1,5 @@
-// What a rig adds to each log beside the component: zeros, delay, clock, gain and a start in motion; found and taken
-// out by generalised least squares.
+// The force that a rig adds to each log beside the component: zeros, delay, clock, gain and a start in motion; found
+// and taken out by generalised least squares.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@
 
 namespace rubber_suspension::measurement {
 
-/// What a column stands for; its value is in the unit in brackets.
+/// The meaning of a column; its value is in the unit in brackets.
 enum class Nuisance {
   force_zero,         ///< by which the recorded force is too high [N]
   displacement_zero,  ///< by which the recorded displacement is too high [m]
@@ -33,7 +33,7 @@ struct RigPoint {
   double clock = 0.0;              ///< [-]
 };
 
-/// What the rig may add to the force of one log, linear in its values: recorded = base + columns * values.
+/// The force that the rig may add to one log, linear in its values: recorded = base + columns * values.
 struct RigColumns {
   Eigen::VectorXd base;             ///< simulated force; with a point, that of the point minus columns * point [N]
   std::vector<Nuisance> nuisances;  ///< of each column; initial_state has several, others one at most
@@ -85,9 +85,9 @@ class RigModel {
   /// All logs at once, linearised a second time where the first values are.
   std::vector<RigFit> fitAll(const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate) const;
 
-  /// What a fit found beyond chance (1 in 1000 for each value) and large enough to matter (a tenth of the noise, RMS
-  /// over the log), each with its 95 % interval. Where the logs cannot
-  /// tell a zero of the force from one of the displacement, both are told as one `force_zero`.
+  /// The findings of a fit beyond chance (1 in 1000 for each value) and large enough to matter (a tenth of the noise,
+  /// RMS over the log), each with its 95 % interval. Where the logs cannot tell a zero of the force from one of the
+  /// displacement, both are told as one `force_zero`.
   std::vector<RigFinding> findings(std::size_t log, const RigFit& fit) const;
 
   const std::vector<log::Record>& records() const { return records_; }

@@ -1,4 +1,4 @@
-// What a proposed experiment has to stay within: what the user allows, or what the logs reached.
+// Bounds of a proposed experiment: those that the user allows, or that the logs reached.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ struct Stroke {
 /// Of displacements from `low` to `high`. Where that is nearly symmetric, the centre is 0 and the smaller side counts.
 Stroke strokeOf(double low, double high);
 
-/// What an experiment stays within.
+/// The bounds of an experiment.
 struct Bounds {
   Stroke stroke;
   double speed = 0.0;      ///< largest |dz/dt| [m/s]

@@ -43,12 +43,6 @@ Eigen::MatrixXd withoutFree(Eigen::MatrixXd columns, fit::FreeInLog free, const 
   return columns;
 }
 
-Eigen::VectorXd withoutZero(const Eigen::VectorXd& force) { return force.array() - force.mean(); }
-
-double rms(const Eigen::VectorXd& values) {
-  return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
-}
-
 }  // namespace
 
 Discriminator::Discriminator(const fit::Fitter& fitter, const Search& search,
@@ -99,10 +93,11 @@ double Discriminator::unrefitted(std::size_t motion) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t wrong = 0; wrong < says_.size(); ++wrong) {
       if (wrong != right) {
-        least = std::min(least, rms(withoutZero(force - says_[wrong].force[motion])));
+        least = std::min(least, gap::standardDeviation(force - says_[wrong].force[motion]));
       }
     }
-    expected += explanations_[right].probability * std::min(kMostFloors, least / floorOf(rms(withoutZero(force))));
+    expected +=
+        explanations_[right].probability * std::min(kMostFloors, least / floorOf(gap::standardDeviation(force)));
   }
   return expected;
 }
@@ -194,7 +189,7 @@ double Discriminator::leftAfterRefit(std::size_t right, std::size_t wrong, std::
   const Normal& normal = normal_[wrong];
   const Eigen::VectorXd& force = says_[right].force[motion];
   const Eigen::VectorXd& said = says_[wrong].force[motion];
-  const double deviation = rms(withoutZero(force));
+  const double deviation = gap::standardDeviation(force);
   const auto samples = static_cast<double>(force.size());
   const auto logs = static_cast<double>(fitter_.records().size());
   // Relative to the force of the new log, which weighs as much as each of the others.
@@ -216,7 +211,7 @@ Discrimination Discriminator::weigh(std::size_t motion) const {
   Discrimination result;
   result.experiment = played_.motions()[motion];
   for (std::size_t right = 0; right < explanations_.size(); ++right) {
-    const double deviation = rms(withoutZero(says_[right].force[motion]));
+    const double deviation = gap::standardDeviation(says_[right].force[motion]);
     double least = std::numeric_limits<double>::infinity();
     std::size_t nearest = right;
     std::vector<double> left;

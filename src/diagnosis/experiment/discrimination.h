@@ -18,7 +18,7 @@ struct Discrimination {
   std::size_t nearest = 0;   ///< the explanation nearest to the first
 };
 
-/// What counts as noise in a new log.
+/// The error that counts as noise in a new log.
 struct NewLogNoise {
   double force = 0.0;     ///< [N]
   double relative = 0.0;  ///< of the force's standard deviation: less is within the accuracy of models
@@ -46,7 +46,7 @@ class Discriminator {
     Eigen::VectorXd upper;
     fit::FreeInLog free;
   };
-  // What an explanation says of the motions.
+  // The forces of an explanation on the motions.
   struct Says {
     std::vector<Eigen::VectorXd> force;
     std::vector<Eigen::MatrixXd> derivatives;  // by model parameters and scales

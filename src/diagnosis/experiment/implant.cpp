@@ -37,7 +37,7 @@ class Projected {
   // Of what the rig may do to a log, too.
   double gapOf(Eigen::Index column) const { return std::sqrt(squares_[column]); }
 
-  // What is left of `scale` times a column by the model parameters and the columns of a candidate.
+  // The rest of `scale` times a column that the model parameters and the columns of a candidate leave.
   Leaves leave(Eigen::Index column, double scale, const std::vector<Eigen::Index>& columns,
                const std::vector<bool>& is_signed) const {
     const auto count = static_cast<Eigen::Index>(columns.size());
@@ -90,7 +90,7 @@ std::vector<std::size_t> shapesOf(std::size_t terms) {
   return places;
 }
 
-// What a candidate is fitted with: its basis terms, and what is free in each log with it.
+// Unknowns that a candidate is fitted with: its basis terms, and those free in each log with it.
 struct Fitted {
   std::vector<Eigen::Index> columns;
   std::vector<bool> is_signed;

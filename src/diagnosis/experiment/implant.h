@@ -10,8 +10,8 @@ namespace rubber_suspension::diagnosis {
 
 class Screening;
 
-/// What a hypothesis leaves of an implanted effect, about a fitted model taken as linear. Gaps, for an effect that
-/// makes a gap of 1 before any refit; all of it grows in proportion to the effect.
+/// The rest of an implanted effect that a hypothesis leaves, about a fitted model taken as linear. Gaps, for an effect
+/// that makes a gap of 1 before any refit; all of it grows in proportion to the effect.
 struct Leaves {
   double gap = 1.0;      ///< RMS force over the force's standard deviation
   double penalty = 0.0;  ///< regularisation penalty of the model parameters that moved

@@ -32,7 +32,7 @@ double eased(double t, double duration) {
 // A triangle of amplitude 1 and period 1 that begins at 0.
 double triangle(double t) { return 2.0 / element::kPi * std::asin(std::sin(kTwoPi * t)); }
 
-// What a motion of the menu is made of.
+// The parts of a motion of the menu.
 struct Shape {
   std::string kind;
   double length;     // [s]
@@ -50,7 +50,7 @@ class Menu {
     travel_ = 0.5 * element::kPi * std::abs(bounds.stroke.centre) / bounds.speed / kWithin;
   }
 
-  /// What is left for a motion about the centre [s].
+  /// The time left for a motion about the centre [s].
   double room() const { return bounds_.duration - 2.0 * travel_; }
 
   /// Left out where it takes longer than there is room.

@@ -21,7 +21,7 @@ double meanSquare(const log::Record& record, const Eigen::VectorXd& force) {
   return record.withoutRig(force).squaredNorm() / record.counted() / std::pow(record.force_deviation, 2);
 }
 
-// What a slow trend or a gain of a log takes of what is left of it.
+// The part of a log's rest that a slow trend or a gain takes.
 double takenInLog(fit::FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated) {
   const Eigen::VectorXd residual = record.force - simulated;
   const log::Record freed = fit::withFreeInLog(free, record, simulated);

@@ -22,34 +22,6 @@ std::vector<int> allOf(const std::vector<fit::Candidate>& candidates) {
   return members;
 }
 
-Eigen::VectorXd chosen(const Eigen::VectorXd& values, const std::vector<Eigen::Index>& places) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(places.size()));
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    result[static_cast<Eigen::Index>(i)] = values[places[i]];
-  }
-  return result;
-}
-
-// The normal equations of some columns, solved within bounds.
-struct Solution {
-  Eigen::VectorXd values;
-  double squares = 0.0;  // that they leave
-};
-
-Solution solutionOf(const Eigen::MatrixXd& total, const std::vector<Eigen::Index>& columns,
-                    const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  const Eigen::Index last = total.rows() - 1;
-  const auto count = static_cast<Eigen::Index>(columns.size());
-  Eigen::MatrixXd gram(count, count);
-  for (Eigen::Index j = 0; j < count; ++j) {
-    gram.col(j) = chosen(total.col(columns[static_cast<std::size_t>(j)]), columns);
-  }
-  const Eigen::VectorXd moment = chosen(total.col(last), columns);
-  Solution solution{fit::boundedLeastSquares(gram, moment, lower, upper), 0.0};
-  solution.squares = total(last, last) - solution.values.dot(2.0 * moment - gram * solution.values);
-  return solution;
-}
-
 }  // namespace
 
 Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
@@ -89,8 +61,8 @@ Screening::Part Screening::partOf(const std::vector<int>& members) const {
   }
   const std::vector<Eigen::Index> in_log = freeColumns(free);
   part.columns.insert(part.columns.end(), in_log.begin(), in_log.end());
-  part.lower = chosen(lower_, part.columns);
-  part.upper = chosen(upper_, part.columns);
+  part.lower = lower_(part.columns);
+  part.upper = upper_(part.columns);
   return part;
 }
 
@@ -103,7 +75,8 @@ Screened Screening::screen(std::vector<int> members) const {
 
 double Screening::leftBy(const std::vector<int>& members) const {
   const Part part = partOf(members);
-  return std::sqrt(std::max(0.0, solutionOf(blocks_.sum, part.columns, part.lower, part.upper).squares));
+  const Eigen::VectorXd step = fit::solveColumns(blocks_.sum, part.columns, part.lower, part.upper);
+  return std::sqrt(std::max(0.0, fit::squaresLeft(blocks_.sum, part.columns, step)));
 }
 
 // No farther than a step of a fit goes: beyond, the force is not linear in the model parameters.
@@ -112,7 +85,7 @@ fit::ParameterVector Screening::bestOf(const std::vector<int>& members) const {
   Part part = partOf(members);
   part.lower.head(model_size_) = part.lower.head(model_size_).cwiseMax(-kLongestStep);
   part.upper.head(model_size_) = part.upper.head(model_size_).cwiseMin(kLongestStep);
-  const Eigen::VectorXd step = solutionOf(blocks_.sum, part.columns, part.lower, part.upper).values;
+  const Eigen::VectorXd step = fit::solveColumns(blocks_.sum, part.columns, part.lower, part.upper);
   fit::ParameterVector best{about_.model + step.head(model_size_), {}};
   best.scales.resize(0);
   std::vector<double> scales;

@@ -102,7 +102,7 @@ class Searcher {
       }
     }
     const double reach = kHopeless * std::max(least, result_.discretisation);
-    // What has to be simulated takes longest and comes first, so that no thread waits for it at the end.
+    // Hypotheses that have to be simulated take longest and come first, so that no thread waits for them at the end.
     std::vector<std::size_t> order(result_.singles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_partition(order.begin(), order.end(),
@@ -115,7 +115,7 @@ class Searcher {
     measured_.estimateNoise(*bestOfAll(), result_);
   }
 
-  // What is visible, and what a flexible fit could close.
+  // The visible candidates, and the gap that a flexible fit could close.
   void look(const Screening& screening) {
     screening.measureVisibility(result_.noise, result_);
     result_.implants = implantAll(fitter_, screening, threads_);

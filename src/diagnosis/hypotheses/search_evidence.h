@@ -1,4 +1,4 @@
-// What the judgement is told of a search.
+// The evidence that a search gives to the judgement.
 #pragma once
 
 #include "diagnosis/hypotheses/search.h"

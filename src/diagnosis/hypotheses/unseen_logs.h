@@ -1,4 +1,4 @@
-// What fitted hypotheses say of logs that took no part in the fit.
+// Errors of fitted hypotheses on logs that took no part in the fit.
 #pragma once
 
 #include <vector>
@@ -37,7 +37,7 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
                                          const gap::Forces& simulated);
 
-/// What a noise floor has free of that: gains, which are no noise. Trends take slow noise with them.
+/// The part of it that is free in a noise floor: gains, which are no noise. Trends take slow noise with them.
 fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
 
 /// Noise floor of each record, by what a component leaves of its force, up to a limit; without what is free in each

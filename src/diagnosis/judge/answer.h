@@ -17,7 +17,7 @@ struct Explained {
   double probability = 0.0;
 };
 
-/// What is said, and how sure it is.
+/// The verdict, and how sure it is.
 struct Answer {
   Verdict verdict = Verdict::none;
   std::vector<int> effects;                  ///< named, what adds most to the force first

@@ -1,4 +1,4 @@
-// What the judgement is made of: plain numbers of the fits, no simulation and no logs.
+// The evidence that the judgement is made of: plain numbers of the fits, no simulation and no logs.
 #pragma once
 
 #include <cstddef>

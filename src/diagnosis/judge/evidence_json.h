@@ -1,4 +1,4 @@
-// Evidence as text: to judge it again without a simulation.
+// Evidence as text, which judge_again (test/blind_trial) judges again without a simulation.
 #pragma once
 
 #include <string>
@@ -11,8 +11,5 @@ namespace rubber_suspension::diagnosis {
 /// has its `log_errors` in the order of `logs`, and in `sizes` a list over the logs for each of its members. A number
 /// that no model run gives is null.
 std::string toJson(const Evidence& evidence);
-
-/// Reads schema 3, too. Throws std::invalid_argument for text that is not such evidence.
-Evidence parseEvidence(const std::string& text);
 
 }  // namespace rubber_suspension::diagnosis

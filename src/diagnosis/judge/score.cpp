@@ -66,7 +66,7 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
   }
 }
 
-// What other values remove is the size of the error that wrong ones make.
+// The error that other values remove is as large as the one that wrong values make.
 void fillSizeOfWrongValues(ScoreTable& table) {
   const ArrayXd removed =
       (table.left.row(Evidence::kAsConfigured) - table.left.row(Evidence::kReEstimated)).transpose();
@@ -114,7 +114,7 @@ double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t
   }
 }
 
-// What no model run follows has no weight.
+// A log that no model run follows has no weight.
 void refuseInfinite(ArrayXd& weights) {
   weights = weights.isFinite().select(weights, -std::numeric_limits<double>::infinity());
 }

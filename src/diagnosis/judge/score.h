@@ -10,8 +10,8 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// What the score takes of evidence, a row for each hypothesis, a column for each log. Squares are mean squares in
-/// units of the variance of the force.
+/// The part of the evidence that the score takes, a row for each hypothesis, a column for each log. Squares are mean
+/// squares in units of the variance of the force.
 struct ScoreTable {
   std::vector<std::string> effects;
   std::vector<std::vector<int>> members;
@@ -32,7 +32,7 @@ struct ScoreTable {
 /// Throws std::invalid_argument where the evidence has no logs or a hypothesis no errors by log.
 ScoreTable scoreTable(const Evidence& evidence);
 
-/// What each hypothesis is expected to leave of each log beyond its noise, s^2 below.
+/// The square that each hypothesis is expected to leave of each log beyond its noise, s^2 below.
 Eigen::ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& numbers);
 
 /// The sharpness kappa for this many blocks.
@@ -41,7 +41,7 @@ double sharpnessOf(const ScoreTable& table, const JudgeNumbers& numbers);
 /// Prior of so many effects at work, whichever they are.
 double priorOfCount(std::size_t effects, const JudgeNumbers& numbers);
 
-/// What squares left cost where these are expected: ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2)).
+/// The cost of squares left where these are expected: ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2)).
 double lossOf(double left, double expected, const JudgeNumbers& numbers);
 
 /// Logarithm of the weight of each hypothesis: alone, and beside a rest that no listed effect causes.

@@ -102,7 +102,7 @@ class LiveDiagnosis::Model {
   component::SampleStream stream_;
 };
 
-/// What a block comes to so far.
+/// The sums of a block so far.
 struct LiveDiagnosis::Block {
   /// Mean square about the mean of a stretch.
   class Spread {

@@ -32,7 +32,7 @@ struct LiveSettings {
   LiveCriteria criteria;
 };
 
-/// What the newest look found and what may be said of it.
+/// The findings of the newest look and their judgement.
 struct LiveFindings {
   LiveVerdict now;
   std::vector<double> probabilities;    ///< of the effects said, in their order

@@ -1,4 +1,4 @@
-// What may be said of a component while its bench runs.
+// The judgement of a component while its bench runs.
 #include "diagnosis/live/live_judgement.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What may be said of a component while its bench runs, from looks at windows and the errors on the blocks since: the
+// The judgement of a component while its bench runs, from looks at windows and the errors on the blocks since: the
 // rule, without data and without time.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// What a diagnosis of one window says.
+/// The diagnosis of one window.
 struct Look {
   Verdict verdict = Verdict::none;
   std::vector<std::string> effects;  ///< named
@@ -40,7 +40,7 @@ struct LiveCriteria {
   double threshold() const { return 3600.0 * hours_between_false_names / block; }
 };
 
-/// What may be said now.
+/// The judgement at the moment.
 struct LiveVerdict {
   std::optional<Verdict> verdict;  ///< none while nothing can be said
   std::vector<std::string> effects;

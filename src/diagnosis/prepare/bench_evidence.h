@@ -1,4 +1,4 @@
-// What a report of the verdict check_bench shows: logs that cannot be what they say, as they are and corrected.
+// Figures of the verdict check_bench: logs with a wrong sign, unit, column or component, as they are and corrected.
 #pragma once
 
 #include <Eigen/Core>

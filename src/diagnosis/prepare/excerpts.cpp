@@ -49,7 +49,7 @@ std::vector<double> motionOf(const LogSurvey& log, const std::vector<Window>& wi
   return motion;
 }
 
-// What moves less stands still.
+// A motion of less counts as standing still.
 double standstillOf(const std::vector<double>& motion) {
   return kMoves * *std::max_element(motion.begin(), motion.end());
 }

@@ -25,7 +25,7 @@ struct Excerpts {
 ///     that move least to those that move most, so that each amplitude of the log is there; windows that stand still
 ///     (less than a tenth of what moves most) are left out, windows that touch are one excerpt;
 ///   - a hold-out gives its beginning: what a new component does later depends on what came before.
-/// What lies between two excerpts leads the component from one to the other, in no more steps than the share has
+/// The motion between two excerpts leads the component from one to the other, in no more steps than the share has
 /// samples. A window holds at least ten cycles of the log, where the share is long enough. Each excerpt has a note of
 /// where it is from, and its name tells the seconds.
 /// Behind a time gap (log::EvenSteps) a log or excerpt continues as another, to which the exact step over it leads.

@@ -1,4 +1,4 @@
-// What small reversals and the time before a log make of a model with Berg's friction.
+// The error of a model with Berg's friction by small reversals and by the time before a log.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,14 +9,14 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// What small reversals make of the force of Berg's friction, for each log, in units of the force's standard deviation;
+/// The error of Berg's friction by small reversals, for each log, in units of the force's standard deviation;
 /// zero for models without. It forgets all but the last reversal, so one that is missed, or taken where none was,
 /// shifts all that follows: root mean square over some dead bands and draws of the sensor's noise. Other laws of a
 /// model err by no more than the noise itself.
 std::vector<double> frictionNoise(const std::vector<element::ElementDescription>& elements,
                                   const std::vector<log::Record>& records);
 
-/// What a motion before each log may have left in Berg's friction, which forgets it in the course of the log: the force
+/// The remains of a motion before each log in Berg's friction, which forgets it in the course of the log: the force
 /// that it adds over the log where the component came from the highest displacement of it, and from the lowest [N], one
 /// column each, less its mean, which is a zero. Without columns for models without such friction, and for excerpts,
 /// whose past is known.

@@ -1,4 +1,4 @@
-// What moves a component from one excerpt of a long log to the next.
+// The motion of a component from one excerpt of a long log to the next.
 #include "diagnosis/prepare/lead_in.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What moves a component from one excerpt of a long log to the next.
+// The motion of a component from one excerpt of a long log to the next.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// What leads to the first sample of an excerpt, in steps of so many samples of the log each.
+/// The motion that leads to the first sample of an excerpt, in steps of so many samples of the log each.
 struct LeadIn {
   double dt = 0.0;                   ///< [s]
   std::vector<double> displacement;  ///< [m]; empty where the component rested

@@ -1,4 +1,4 @@
-// What a diagnosis learns of a log before it takes any of it.
+// A survey of a log, before a diagnosis takes any of it.
 #include "diagnosis/prepare/log_survey.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What a search asks of a measurement, be it logs or a table.
+// The interface of a measurement to a search, be it logs or a table.
 #pragma once
 
 #include <vector>
@@ -27,7 +27,7 @@ class Measured {
   virtual std::vector<fit::Candidate> candidates(const fit::Excitation& excitation,
                                                  const FittedHypothesis& re_estimated, int threads) const = 0;
 
-  /// What the time steps of the simulation make of a model, as a gap.
+  /// The error of a model by the time steps of the simulation, as a gap.
   virtual double discretisationError(const FittedHypothesis& model) const = 0;
 
   /// Sets the noise of the search by what the best hypothesis so far leaves; called again where a better one is found.

@@ -17,8 +17,8 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// What the held-out blocks of all logs have left of the hypothesis that leaves least, as a gap; but for those with
-// trends, which take slow noise with them.
+// The gap that the best hypothesis leaves in the held-out blocks of all logs, but for those with trends, which take
+// slow noise with them.
 double leastLeft(const Search& search) {
   double least = search.re_estimated.fit.held_out;
   for (const FittedHypothesis* fitted : search.withEffects()) {
@@ -27,7 +27,7 @@ double leastLeft(const Search& search) {
   return least;
 }
 
-// What each log's held-out blocks have left of the hypothesis that leaves least there, as a gap.
+// The gap that the best hypothesis of each log leaves in its held-out blocks.
 std::vector<double> leastLeftOfLogs(const Search& search, std::size_t logs) {
   std::vector<double> least(logs, std::numeric_limits<double>::infinity());
   for (const FittedHypothesis* fitted : search.withEffects()) {

@@ -31,8 +31,8 @@ ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigToleranc
                         std::vector<log::Record>& training, std::vector<log::Record>& held_out,
                         RigScatter scatter = RigScatter::as_found);
 
-/// What the rig did to each record by what `judged` leaves of it: the values that the priors and the accepted error
-/// allow, each with the uncertainty that the accepted error leaves it. Not told where `rival`, the next likely
+/// The faults of the rig in each record, by what `judged` leaves of it: the values that the priors and the accepted
+/// error allow, each with the uncertainty that the accepted error leaves it. Not told where `rival`, the next likely
 /// elements, gives a value outside of its interval, but for gains that the verdict names. `zeros`: of the records.
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
                                                  const std::vector<element::ElementDescription>& rival,

@@ -7,7 +7,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
-#include "measurement/statistics.h"
+#include "numerics/median.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -19,7 +19,7 @@ NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::R
   for (std::size_t r = 0; r < noise.size(); ++r) {
     forces.push_back(noise[r] * records[r].force_deviation);
   }
-  return {kScatter * measurement::medianOf(forces), kScatter * measurement::medianOf(noise)};
+  return {kScatter * numerics::medianOf(forces), kScatter * numerics::medianOf(noise)};
 }
 
 // Of r'(I + C C')^-1 r, the part of the values: what is not that of (I + C C')^-1 r, which they leave.

@@ -1,4 +1,4 @@
-// What the report says of each log.
+// The report's words on each log.
 #pragma once
 
 #include "rubber_suspension/diagnosis/diagnosis.h"

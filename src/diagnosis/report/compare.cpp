@@ -1,4 +1,4 @@
-// What changed between two reports.
+// Changes between two reports.
 #include "diagnosis/report/compare.h"
 
 #include <fmt/format.h>

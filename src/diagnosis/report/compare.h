@@ -1,4 +1,4 @@
-// What changed between two reports, of two test days, say.
+// Changes between two reports, of two test days, say.
 #pragma once
 
 #include <memory>

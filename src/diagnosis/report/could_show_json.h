@@ -1,4 +1,4 @@
-// What the logs could have shown, for programs.
+// Effects that the logs could have shown, for programs.
 #pragma once
 
 #include <nlohmann/json.hpp>

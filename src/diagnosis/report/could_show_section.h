@@ -1,4 +1,4 @@
-// What the logs could have shown, on the report's page.
+// Effects that the logs could have shown, on the report's page.
 #pragma once
 
 #include <string>

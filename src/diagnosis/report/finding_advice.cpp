@@ -1,4 +1,4 @@
-// What each finding about the rig means, and how to mend it at the bench.
+// The meaning of each finding about the rig, and how to mend it at the bench.
 #include "diagnosis/report/finding_advice.h"
 
 #include <map>

@@ -1,4 +1,4 @@
-// What a finding about the rig means, and how to mend it at the bench.
+// The meaning of a finding about the rig, and how to mend it at the bench.
 #pragma once
 
 #include <string>

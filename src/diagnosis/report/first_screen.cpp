@@ -1,4 +1,4 @@
-// What a reader of the report sees first.
+// The part of the report that a reader sees first.
 #include "diagnosis/report/first_screen.h"
 
 #include <fmt/format.h>

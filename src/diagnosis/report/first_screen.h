@@ -1,4 +1,4 @@
-// What a reader of the report sees first: where, which, how far, how sure, what next, beside the loop.
+// The part of the report that a reader sees first: where, which, how far, how sure, what next, beside the loop.
 #pragma once
 
 #include <string>

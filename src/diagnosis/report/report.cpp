@@ -49,8 +49,8 @@ class NewReport {
     files_.push_back({name, std::move(file)});
   }
 
-  // What an earlier report has and this one lacks would be taken for part of it. Of that, only what is of the package's
-  // own making goes: the caller has checked. The page comes last: it speaks of the others.
+  // Files of an earlier report that this one lacks would be taken for part of it. Of these, only what is of the
+  // package's own making goes: the caller has checked. The page comes last: it speaks of the others.
   void commit() {
     for (const std::string& name : reportFiles()) {
       if (!has(name)) {

@@ -1,4 +1,4 @@
-// What made a report.
+// The run that made a report.
 #include "diagnosis/report/run_record.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What made a report: version, date, command line and the files read, so that it can be filed as a test record.
+// The run that made a report: version, date, command line and the files read, so that it can be filed as a test record.
 #pragma once
 
 #include <string>

@@ -24,7 +24,7 @@ std::string setsText(const std::vector<std::vector<std::string>>& sets) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-// What else may be right, where there is anything.
+// Other answers that may be right, where there are any.
 std::string otherwise(const Diagnosis& diagnosis) {
   std::vector<std::string> texts;
   for (const Alternative& other : diagnosis.alternatives) {
@@ -72,7 +72,7 @@ std::string effectsText(const Diagnosis& diagnosis) {
   return enumerated(texts);
 }
 
-// What few numbers cost, where that shows.
+// The cost of few numbers, where it shows.
 std::string priceText(const Diagnosis& diagnosis) {
   const std::string simple = gapText(diagnosis.gap.augmented);
   const std::string full = gapText(diagnosis.gap_of_full_law);

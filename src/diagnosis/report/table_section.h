@@ -1,4 +1,4 @@
-// What a report says of the table that it was made from.
+// The section of a report on the table that it was made from.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// What a report says of effects that a temperature nobody recorded may look like.
+// A report's note on effects that a temperature nobody recorded may look like.
 #include "diagnosis/report/temperature_note.h"
 
 #include <fmt/format.h>

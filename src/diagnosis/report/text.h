@@ -46,10 +46,10 @@ std::string rangeText(const std::array<double, 2>& band, double factor);
 /// "dynamic stiffness" of dynamic_stiffness.
 std::string spoken(const std::string& name);
 
-/// What a size is called beside its value: "maximum force", and "half of it at" of the displacement of friction.
+/// The name of a size beside its value: "maximum force", and "half of it at" of the displacement of friction.
 std::string sizeName(const SizedValue& size);
 
-/// What a specification calls the value, where it has a symbol: "K_n" of dynamic_stiffness, else spoken().
+/// The symbol of a value in a specification, where it has one: "K_n" of dynamic_stiffness, else spoken().
 std::string symbolOf(const std::string& name);
 
 /// A table whose rows become blocks with the titles before each field where the page is narrow.

@@ -14,7 +14,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// What series compliances of either side have in common as one, and one for the rest of the softer side.
+// The common part of series compliances of either side as one, and one for the rest of the softer side.
 void writeCommonCompliance(std::vector<element::ElementDescription>& entries) {
   const auto ofSide = [&](double side) {
     return std::find_if(entries.begin(), entries.end(), [&](const element::ElementDescription& entry) {
@@ -135,7 +135,7 @@ std::vector<HeadlineValue> changesWithTemperature(const std::vector<element::Ele
   return result;
 }
 
-// What a fit moves of entries of one type; of several, how much there is of all.
+// The numbers that a fit moves of entries of one type; of several, their sum.
 std::vector<HeadlineValue> movedOf(const std::vector<element::ElementDescription>& group) {
   std::vector<HeadlineValue> result;
   const std::vector<element::ParameterInfo>& table = element::findElementType(group.front().type)->parameters;

@@ -155,8 +155,8 @@ class Describer {
     addClosed(*workings_, options_, result_);
   }
 
-  // What of the gap is due to the model's own values, and what to the effects: each alone. In sample where there are no
-  // unseen logs, as both are.
+  // The gap with the model's own values alone, and with the effects alone. In sample where there are no unseen logs, as
+  // both are.
   void measureParts() {
     io::ComponentDescription values = result_.augmented;
     values.add = prepared_.component.add;
@@ -210,7 +210,7 @@ class Describer {
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
   }
 
-  // What the rig did to each log, by what the judged model and the next likely one leave of it; of a model that leaves
+  // Faults of the rig in each log, by what the judged model and the next likely one leave of it; of a model that leaves
   // more than it explains it is the model's.
   void describeRig() {
     if (leavesMoreThanItExplains()) {
@@ -284,7 +284,7 @@ class Describer {
     }
   }
 
-  // What no effect explains is closed all the same.
+  // A gap that no effect explains is closed all the same.
   void describeSurrogate() {
     if (!leavesRest(answer_.verdict)) {
       return;

@@ -130,11 +130,7 @@ LawForces::LawForces(std::shared_ptr<const std::vector<log::Record>> records, co
 }
 
 fit::ParameterVector LawForces::ofTerms(const fit::ParameterVector& parameters) const {
-  fit::ParameterVector result{parameters.model, Eigen::VectorXd(static_cast<Eigen::Index>(places_.size()))};
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    result.scales[static_cast<Eigen::Index>(i)] = parameters.scales[places_[i]];
-  }
-  return result;
+  return {parameters.model, parameters.scales(places_)};
 }
 
 Entries LawForces::entriesAt(const Eigen::VectorXd& scales) const {

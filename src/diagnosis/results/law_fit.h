@@ -44,7 +44,7 @@ struct Law {
   std::vector<MemberLaw> members;
   fit::Hypothesis about;  ///< what is free in each log; without terms
 
-  /// What the fit needs of it: bounds of each unknown.
+  /// The bounds of each unknown, for the fit.
   fit::Hypothesis hypothesis() const;
 
   /// Entries of each member at these scales.

@@ -61,7 +61,7 @@ class FurtherLogs {
     return floor;
   }
 
-  // What a hypothesis leaves beyond these floors.
+  // The error that a hypothesis leaves beyond these floors.
   ArrayXd beyond(int hypothesis, const ArrayXd& floor) const {
     const std::vector<double>& errors = evidence_.at(hypothesis).log_errors;
     return (Eigen::Map<const ArrayXd>(errors.data(), floor.size()) - floor).max(0.0);

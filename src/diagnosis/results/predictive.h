@@ -1,4 +1,4 @@
-// What may be expected of further logs of a rig: a posterior predictive of what a law leaves there.
+// The gap to expect on further logs of a rig: a posterior predictive of what a law leaves there.
 #pragma once
 
 #include <array>
@@ -15,19 +15,19 @@ struct Closing {
   bool at_work = false;  ///< a law that is at work closes some of the gap
 };
 
-/// What an answer names.
+/// The effects and values that an answer names.
 Closing closingOf(const Answer& answer);
 
 /// 95 % interval of the fraction of the gap that a hypothesis closes of as many further logs of the same rig as there
 /// are.
 ///
-/// What a law leaves of a log beyond its noise is normal with the variance v s^2, where s^2 is what the judgement
-/// expects of it there (score.h). Of v the judgement knows what logs of one rig scatter by: beforehand an inverse
-/// chi-square of nu degrees of freedom, after n logs with r^2 left of one of nu + n, so that what is left of a further
-/// log is Student's t. Beside a rest, which may have any size, the logs alone tell v. Noise floors are off by their
-/// standard error. Logs are drawn by their weights. Draws without a gap do not count, nor, of a law that is at work,
-/// those in which it closes none of it; without any the interval is that from 0 to 1. Throws std::invalid_argument as
-/// scoreTable() does.
+/// The error that a law leaves in a log beyond its noise is normal with the variance v s^2, where s^2 is what the
+/// judgement expects of it there (score.h). Of v the judgement knows what logs of one rig scatter by: beforehand an
+/// inverse chi-square of nu degrees of freedom, after n logs with r^2 left of one of nu + n, so that what is left of a
+/// further log is Student's t. Beside a rest, which may have any size, the logs alone tell v. Noise floors are off by
+/// their standard error. Logs are drawn by their weights. Draws without a gap do not count, nor, of a law that is at
+/// work, those in which it closes none of it; without any the interval is that from 0 to 1. Throws
+/// std::invalid_argument as scoreTable() does.
 std::array<double, 2> closedOnFurtherLogs(const Evidence& evidence, const Closing& closing, int draws, unsigned seed);
 
 }  // namespace rubber_suspension::diagnosis

@@ -25,22 +25,6 @@ constexpr double kOfTypical = 1e-6;      // a scale below this is none
 
 using Indices = std::vector<Eigen::Index>;
 
-Eigen::VectorXd pick(const Eigen::VectorXd& vector, const Indices& rows) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    result[static_cast<Eigen::Index>(i)] = vector[rows[i]];
-  }
-  return result;
-}
-
-Eigen::MatrixXd pick(const Eigen::MatrixXd& matrix, const Indices& rows, const Indices& columns) {
-  Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    result.col(static_cast<Eigen::Index>(j)) = pick(Eigen::VectorXd(matrix.col(columns[j])), rows);
-  }
-  return result;
-}
-
 // A law before its fit, and the squared gap that it leaves by the normal equations about the full law.
 struct Start {
   Entries entries;
@@ -60,19 +44,19 @@ class Subsets {
           const Eigen::VectorXd& moment, double square)
       : terms_(std::move(terms)), square_(square) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    const Eigen::MatrixXd of_free = pick(gram, free, free);
+    const Eigen::MatrixXd of_free = gram(free, free);
     const auto unbounded = Eigen::VectorXd::Constant(of_free.rows(), kInfinity).eval();
     const auto solve = [&](const Eigen::VectorXd& right) {
       return fit::boundedLeastSquares(of_free, right, -unbounded, unbounded);
     };
-    const Eigen::MatrixXd across = pick(gram, free, from);
-    const Eigen::VectorXd of_moment = solve(pick(moment, free));
-    gram_ = pick(gram, from, from);
+    const Eigen::MatrixXd across = gram(free, from);
+    const Eigen::VectorXd of_moment = solve(moment(free));
+    gram_ = gram(from, from);
     for (Eigen::Index j = 0; j < gram_.cols(); ++j) {
       gram_.col(j) -= across.transpose() * solve(across.col(j));
     }
-    moment_ = pick(moment, from) - across.transpose() * of_moment;
-    square_ -= of_moment.dot(pick(moment, free));
+    moment_ = moment(from) - across.transpose() * of_moment;
+    square_ -= of_moment.dot(moment(free));
     for (const fit::BasisTerm& term : terms_) {
       const Entries one = {term.at(term.typical)};
       numbers_.push_back(numbersOf(one).size());
@@ -109,8 +93,8 @@ class Subsets {
       lower[i] = term(chosen, i).lower;
       upper[i] = term(chosen, i).upper;
     }
-    const Eigen::VectorXd moment = pick(moment_, chosen);
-    const Eigen::MatrixXd gram = pick(gram_, chosen, chosen);
+    const Eigen::VectorXd moment = moment_(chosen);
+    const Eigen::MatrixXd gram = gram_(chosen, chosen);
     const Eigen::VectorXd scales = fit::boundedLeastSquares(gram, moment, lower, upper);
     const double square = square_ - 2.0 * scales.dot(moment) + scales.dot(gram * scales);
     if (!(square < best.square)) {
@@ -214,7 +198,7 @@ class Chooser {
     for (std::size_t i = 0; i < own.size(); ++i) {
       scales[static_cast<Eigen::Index>(i)] = scaleAt(own[i]);
     }
-    return std::sqrt(std::max(0.0, scales.dot(pick(blocks_.sum, own, own) * scales)));
+    return std::sqrt(std::max(0.0, scales.dot(Eigen::MatrixXd(blocks_.sum(own, own)) * scales)));
   }
 
   // The best laws by the normal equations.

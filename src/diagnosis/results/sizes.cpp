@@ -26,7 +26,7 @@ struct Value {
   bool is_scale = false;  // nothing of the effect is left at 0
 };
 
-// What one parameter vector amounts to.
+// The sizes of one parameter vector.
 struct Point {
   std::vector<Value> model;
   std::vector<Value> effects;
@@ -125,7 +125,7 @@ class Resampling {
   }
 
  private:
-  // What of a form error of this size a fit takes for numbers of the law: all directions that they span alike.
+  // The part of a form error of this size that a fit takes for numbers of the law: all directions that they span alike.
   void addMistakes(Eigen::Index first, Eigen::Index size, double form_error) {
     const auto system = numerics::eigensystem(blocks_.sum.block(first, first, size, size));
     for (Eigen::Index i = 0; i < size; ++i) {

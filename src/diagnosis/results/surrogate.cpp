@@ -80,7 +80,7 @@ void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, 
   }
   surrogate.unseen_before = std::sqrt(before / weight);
   surrogate.unseen_after = std::sqrt(after / weight);
-  // What is left where nothing was fitted is no less than the noise: a floor above it is not known.
+  // The rest where nothing was fitted is no less than the noise: a floor above it is not known.
   const double floor = noise_floor < surrogate.unseen_after ? noise_floor : 0.0;
   const double rest = gap::residualAboveFloor(surrogate.unseen_before, floor);
   const double left = gap::residualAboveFloor(surrogate.unseen_after, floor);

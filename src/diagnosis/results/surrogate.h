@@ -1,4 +1,4 @@
-// What nobody explains: whether it is a function of the motion, and a component that closes it all the same.
+// The unexplained rest: whether it is a function of the motion, and a component that closes it all the same.
 #pragma once
 
 #include <string>

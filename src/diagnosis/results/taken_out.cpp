@@ -99,8 +99,8 @@ KindColumns kindColumns(const log::Record& record, const VectorXd& simulated) {
   return result;
 }
 
-// What of a record's residual its nuisances take, by kind: each as far as they reach it. What is left is of the state
-// before the log.
+// The part of a record's residual that its nuisances take, by kind: each as far as they reach it. The rest is of the
+// state before the log.
 void takeNuisances(const log::Record& record, const VectorXd& counts, const VectorXd& simulated, LogAccount& account) {
   constexpr double kRidge = 1e-6;
   const VectorXd residual = (record.force - simulated).cwiseProduct(counts);
@@ -162,7 +162,7 @@ LogAccount accountOf(const log::Record& record, const RawChannels& raw, const St
   return account;
 }
 
-// What a zero of the displacement does to each record.
+// The effect of a zero of the displacement on each record.
 std::vector<VectorXd> byZeros(const std::vector<element::ElementDescription>& elements,
                               const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
                               const ZeroPriors& zeros) {

@@ -1,4 +1,4 @@
-// What was taken out of each log before a model was held against it, accounted for by kind.
+// The force taken out of each log before a model was held against it, accounted for by kind.
 #pragma once
 
 #include <Eigen/Core>
@@ -65,7 +65,8 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
                                    const std::vector<RawChannels>& raw, fit::FreeInLog free, const ZeroPriors& zeros);
 
-/// What was taken out of logs and is more than a hundredth of the force, a phrase for each log; empty where nothing is.
+/// The parts taken out of logs that are more than a hundredth of the force, a phrase for each log; empty where there
+/// are none.
 std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out);
 
 }  // namespace rubber_suspension::diagnosis

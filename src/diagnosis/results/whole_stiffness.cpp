@@ -5,16 +5,11 @@
 #include <cmath>
 #include <iterator>
 
+#include "numerics/median.h"
 #include "rubber_suspension/response/sweep.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double amplitudeOf(const log::Record& record) {
   const Eigen::ArrayXd z = record.displacement.array() - record.displacement.mean();
@@ -30,7 +25,7 @@ double medianAmplitude(const std::vector<log::Record>& logs, double frequency) {
       near.push_back(all.back());
     }
   }
-  return median(near.empty() ? all : near);
+  return numerics::medianOf(near.empty() ? all : near);
 }
 
 // A loop that is this near to its end is told: a sensor's zero, or heat, takes minutes.
@@ -55,7 +50,7 @@ std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& bef
   const auto& specification = before.specification();
   WholeStiffness whole;
   whole.frequency =
-      specification.has("nominal_frequency") ? specification.at("nominal_frequency") : median(frequencies);
+      specification.has("nominal_frequency") ? specification.at("nominal_frequency") : numerics::medianOf(frequencies);
   whole.nominal_amplitude = specification.has("nominal_amplitude");
   whole.amplitude =
       whole.nominal_amplitude ? specification.at("nominal_amplitude") : medianAmplitude(logs, whole.frequency);

@@ -1,4 +1,4 @@
-// What a diagnosis worked with: the logs made ready, the models to be fitted, what the search tried, the judgement.
+// The workings of a diagnosis: the logs made ready, the models to be fitted, what the search tried, the judgement.
 #pragma once
 
 #include <Eigen/Core>
@@ -43,7 +43,7 @@ struct PreparedCase {
   ZeroPriors zeros;
 };
 
-/// What the report draws and lists besides the result.
+/// Data that the report draws and lists besides the result.
 struct Workings {
   Search search;
   Evidence evidence;

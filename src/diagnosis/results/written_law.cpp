@@ -41,7 +41,7 @@ double roundTo(const io::ComponentDescription& exact, const std::vector<log::Rec
   return 1.0;
 }
 
-// What rounding adds to the force of the logs held out: that of a mass itself samples to come tell better.
+// The force that rounding adds on the logs held out: that of a mass itself samples to come tell better.
 gap::Forces byRounding(const io::ComponentDescription& exact, const io::ComponentDescription& component,
                        const std::vector<log::Record>& records) {
   const gap::Forces before = smoothedForces(exact, records);

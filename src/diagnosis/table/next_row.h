@@ -1,4 +1,4 @@
-// What to measure next where the diagnosis is of a table.
+// The row to measure next where the diagnosis is of a table.
 #pragma once
 
 #include <string>

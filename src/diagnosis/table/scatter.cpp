@@ -83,7 +83,7 @@ std::size_t levelsOf(const Points& points, double (*value)(const fit::TablePoint
   return levels.size();
 }
 
-// What a polynomial of these degrees leaves of ln K*.
+// The rest of ln K* that a polynomial of these degrees leaves.
 Rest leftBy(const Points& points, int in_frequency, int in_amplitude) {
   const auto rows = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd basis(rows, (in_frequency + 1) * (in_amplitude + 1));

@@ -1,0 +1,109 @@
+// Levenberg-Marquardt within limits.
+#include "fit/trust_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "numerics/symmetric.h"
+
+namespace rubber_suspension::fit {
+namespace {
+
+constexpr double kFirstRadius = 1e4;     // the first step is damped by 1e-4 of the diagonal of J'J
+constexpr double kLargestRadius = 1e16;  // no damping
+constexpr double kSmallestRadius = 1e-32;
+constexpr double kLeastDamped = 1e-6;       // share of the unit below which a coordinate is damped like that
+constexpr double kLeastImprovement = 1e-3;  // of what a step promised, for it to be taken
+
+// The region in which the quadratic model of the sum is trusted.
+class TrustRegion {
+ public:
+  double radius() const { return radius_; }
+
+  // After a step that kept this part of what it promised.
+  void adapt(double improvement) {
+    if (improvement > kLeastImprovement) {
+      radius_ = std::min(kLargestRadius, radius_ / std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * improvement - 1.0, 3)));
+      shrinking_ = 2.0;
+    } else {
+      radius_ /= shrinking_;
+      shrinking_ *= 2.0;
+    }
+  }
+
+ private:
+  double radius_ = kFirstRadius;
+  double shrinking_ = 2.0;
+};
+
+// The least of the damped quadratic model within the limits: coordinates that a step would take beyond theirs are set
+// to it, one round after the other, and the step of the others is sought again.
+Eigen::VectorXd stepFrom(const Eigen::VectorXd& x, const SumOfSquares::Slope& here, const Limits& limits,
+                         double least_damped, double radius) {
+  Eigen::MatrixXd damped = here.curvature;
+  damped.diagonal() += here.curvature.diagonal().cwiseMax(least_damped) / radius;
+  Eigen::VectorXd descent = -here.gradient;
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(x.size());
+  for (Eigen::Index round = 0; round <= x.size(); ++round) {
+    step = numerics::solveSymmetric(damped, descent);
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      if (x[i] + step[i] < limits.lower[i] || x[i] + step[i] > limits.upper[i]) {
+        step[i] = (step[i] < 0.0 ? limits.lower[i] : limits.upper[i]) - x[i];
+        descent -= damped.col(i) * step[i];
+        damped.row(i).setZero();
+        damped.col(i).setZero();
+        damped(i, i) = 1.0;
+        descent[i] = step[i];
+      }
+    }
+  }
+  return limits.inside(x + step) - x;
+}
+
+// By how much the quadratic model says that the sum falls.
+double promise(const SumOfSquares::Slope& here, const Eigen::VectorXd& step) {
+  return -step.dot(2.0 * here.gradient + here.curvature * step);
+}
+
+bool isFinite(const SumOfSquares::Slope& slope) { return slope.gradient.allFinite() && slope.curvature.allFinite(); }
+
+}  // namespace
+
+Optimum searchLeast(SumOfSquares& sum, const Eigen::VectorXd& start, const Limits& limits,
+                    const SearchTolerances& tolerances) {
+  const double rounding = sum.rounding() * sum.unit();
+  TrustRegion region;
+  Eigen::VectorXd x = limits.inside(start);
+  double cost = sum.at(x);
+  if (x.size() == 0 || !std::isfinite(cost)) {
+    return {x, cost};
+  }
+  SumOfSquares::Slope here = sum.slope();
+  double last_promise = HUGE_VAL;
+  for (int i = 0; i < tolerances.most_steps && region.radius() > kSmallestRadius && isFinite(here); ++i) {
+    const Eigen::VectorXd step = stepFrom(x, here, limits, kLeastDamped * sum.unit(), region.radius());
+    const double promised = promise(here, step);
+    if (std::abs(promised) <= tolerances.cost * cost || step.norm() <= tolerances.step * x.norm()) {
+      return {x + step, cost};
+    }
+    const double there = sum.at(x + step);
+    if (promised > rounding || promised < 0.0) {
+      const double improvement = promised > 0.0 ? (cost - there) / promised : 0.0;
+      region.adapt(improvement);
+      if (!(improvement > kLeastImprovement)) {
+        continue;
+      }
+    } else if (promised > 0.5 * last_promise) {
+      break;  // the gradient has come down to its rounding
+    } else {
+      last_promise = promised;  // the sum cannot tell any more, but the gradient falls
+    }
+    x += step;
+    cost = there;
+    here = sum.slope();
+  }
+  return {x, cost};
+}
+
+}  // namespace rubber_suspension::fit

@@ -1,0 +1,20 @@
+// The median.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace rubber_suspension::numerics {
+
+/// The upper one of the two in the middle where the count is even; 0 of none.
+template <class Number>
+Number medianOf(std::vector<Number> values) {
+  if (values.empty()) {
+    return 0;
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace rubber_suspension::numerics
