@@ -259,7 +259,7 @@ TEST_F(BagLog, SurvivesDamage) {
 class BagPoses : public BagLog {
  protected:
   static Eigen::Quaterniond rotationOf(int sample) {
-    return {Eigen::AngleAxisd(0.05 * sample, Eigen::Vector3d(1.0, 2.0, -0.5).normalized())};
+    return Eigen::Quaterniond(Eigen::AngleAxisd(0.05 * sample, Eigen::Vector3d(1.0, 2.0, -0.5).normalized()));
   }
 
   std::string write(double length = 1.0) const {

@@ -39,7 +39,8 @@ std::vector<DirectionResiduals> residuals(Coupling coupling) {
         log::Log& log = logs[k][direction];
         log.stamp.push_back(4000000LL * i);
         log.displacement.push_back(at[direction]);
-        log.force.push_back(noise(generator) + (direction == kX ? coupling(x, z) + 100.0 * static_cast<double>(k) : 0.0));
+        log.force.push_back(noise(generator) +
+                            (direction == kX ? coupling(x, z) + 100.0 * static_cast<double>(k) : 0.0));
       }
     }
   }
@@ -73,12 +74,12 @@ TEST(CrossMap, IsEmptyWhereTheOtherTellsNothing) {
 }
 
 std::string refusal(const std::string& coupling, const std::vector<component::Direction>& directions) {
-  const auto component =
-      io::parseComponentFile("components:\n  bush:\n    directions: {x: &e {model: elements, elements: [{type: spring, "
+  const auto component = io::parseComponentFile(
+                             "components:\n  bush:\n    directions: {x: &e {model: elements, elements: [{type: spring, "
                              "stiffness: 1 kN/mm}]}, y: *e, z: *e}\n    coupling: " +
                                  coupling + "\n",
                              "bush.yaml")
-          .front();
+                             .front();
   try {
     requireDirections(component, directions);
   } catch (const std::invalid_argument& error) {
