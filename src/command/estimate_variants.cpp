@@ -112,7 +112,7 @@ double breakFrequencyByLoss(Specification from) {
 std::vector<std::string> eachOf(const std::vector<std::string>& models) {
   std::vector<std::string> result;
   for (const std::string& text : models) {
-    std::istringstream stream(text);
+    std::istringstream stream(text.empty() ? "," : text);
     for (std::string one; std::getline(stream, one, ',');) {
       result.push_back(one);
     }
