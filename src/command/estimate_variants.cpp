@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include "command/sweep_values.h"
@@ -105,6 +106,18 @@ double breakFrequencyByLoss(Specification from) {
   }
   throw std::invalid_argument(
       "break_frequency is missing; accepted: a number, as M2 along a curve has none of its own");
+}
+
+// "M1,M2" are two.
+std::vector<std::string> eachOf(const std::vector<std::string>& models) {
+  std::vector<std::string> result;
+  for (const std::string& text : models) {
+    std::istringstream stream(text.empty() ? "," : text);
+    for (std::string one; std::getline(stream, one, ',');) {
+      result.push_back(one);
+    }
+  }
+  return result;
 }
 
 // What other models ask for and the specification lacks, from what it has: the loss angle of the component, a break
@@ -220,7 +233,7 @@ std::vector<io::ComponentDescription> inModels(const io::ComponentDescription& d
                                 "specification");
   }
   std::vector<io::ComponentDescription> result;
-  for (const std::string& text : models) {
+  for (const std::string& text : eachOf(models)) {
     const WantedModel wanted = wantedModel(text);
     try {
       result.push_back(inModel(description, wanted, notes));

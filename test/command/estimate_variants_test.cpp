@@ -57,7 +57,7 @@ TEST(InModels, CompletesWhatTheSpecificationLacks) {
       "    model: multi_maxwell\n    specification: {static_stiffness: 3e6, dynamic_stiffness: 4.2e6, "
       "nominal_frequency: 4, nominal_amplitude: 2 mm, maximum_stiffness: 4.9e6, high_frequency: 25}\n");
   notes.clear();
-  const auto models = inModels(multi, {"M1", "M2", "M3", "M4", "M5", "M6", "3", "5"}, notes);
+  const auto models = inModels(multi, {"M1,M2", "M3", "M4", "M5", "M6,3", "5"}, notes);
   ASSERT_EQ(models.size(), 8u);
   // The loss angle of five elements is that of theory.md.
   const double angle = models[5].specification().at("loss_angle");
