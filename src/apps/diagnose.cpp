@@ -504,9 +504,10 @@ int runDirections(const Options& options) {
   const diagnosis::DiagnosisOptions settings = settingsOf(options);
   const io::FolderLock lock(options.output);
   const io::ComponentDescription component = sixDirections(options, directions);
+  const std::vector<log::PoseLog> logs = readPoseLogs(options.logs, component, options);
+  const std::vector<log::PoseLog> hold_out = readPoseLogs(options.hold_out, component, options);
   diagnosis::SixDirectionsDiagnosis result =
-      diagnosis::diagnoseDirections(component, directions, readPoseLogs(options.logs, component, options),
-                                    readPoseLogs(options.hold_out, component, options), settings);
+      diagnosis::diagnoseDirections(component, directions, logs, hold_out, settings);
   result.run = runRecord(options);
   for (auto& [direction, diagnosis] : result.directions) {
     diagnosis.run = result.run;

@@ -20,14 +20,14 @@ using component::kX;
 using component::kY;
 using component::kZ;
 
-constexpr double kNoise = 5.0;  // of the residuals [N]
+constexpr double kNoiseLeft = 5.0;  // of the residuals [N]
 
 // x, y and z move at frequencies of their own, rx as x does, the others stand still. What is left of x is
 // coupling(x, z) [N] of millimetres, with noise and a zero of the log; of the others nothing but noise.
 template <class Coupling>
 std::vector<DirectionResiduals> residuals(Coupling coupling) {
   std::mt19937 generator(7);
-  std::normal_distribution<double> noise(0.0, kNoise);
+  std::normal_distribution<double> noise(0.0, kNoiseLeft);
   std::vector<DirectionResiduals> logs(2);
   for (std::size_t k = 0; k < logs.size(); ++k) {
     for (int i = 0; i < 6000; ++i) {
@@ -53,7 +53,7 @@ TEST(CrossMap, SaysWhichDisplacementPredictsTheRest) {
   // 40 N/mm^2 times 1.5/sqrt(2) and 1/sqrt(2) mm; the rest is noise.
   const double rms = 40.0 * 1.5 / 2.0;
   EXPECT_NEAR(by_z.force, rms, 0.02 * rms);
-  EXPECT_NEAR(by_z.share, rms * rms / (rms * rms + kNoise * kNoise), 0.01);
+  EXPECT_NEAR(by_z.share, rms * rms / (rms * rms + kNoiseLeft * kNoiseLeft), 0.01);
   EXPECT_LT(crossShare(logs, kX, kY).share, 0.01);
   EXPECT_LT(crossShare(logs, kZ, kX).share, 0.01);
 }
