@@ -25,13 +25,13 @@ fit::BasisTerm trackTerm(double typical, double resonance, double damping, doubl
 
 // Tracks about one frequency [Hz]: together any damping and a resonance between them, or one that the amplitude moves.
 std::vector<fit::BasisTerm> termsAt(const fit::Excitation& excitation, double frequency) {
-  constexpr double kBeside = 1.1;  // a resonance over the next
+  constexpr double kBeside = 1.18;  // a resonance over the next
   constexpr double kDecoupled = 0.25;
   const double typical = 0.2 * excitation.stiffness;
   const double resonance = 2.0 * element::kPi * frequency;
   std::vector<fit::BasisTerm> terms;
   for (const double ratio : {1.0 / kBeside, 1.0, kBeside}) {
-    for (const double damping : {0.07, 0.15, 0.3, 0.6}) {
+    for (const double damping : {0.08, 0.25, 0.6}) {
       terms.push_back(trackTerm(typical, ratio * resonance, damping, 0.0));
     }
   }
