@@ -48,7 +48,10 @@ Numbers Body::initialise(const Numbers& inputs) {
   return outputs;
 }
 
-bool Body::stepSix(double size, const Numbers& inputs, Numbers& outputs) {
+bool Body::step(double size, const Numbers& inputs, Numbers& outputs) {
+  if (!six_) {
+    return stepOne(size, inputs[0], outputs);
+  }
   outputs = numbersOf(six_->step(six_state_, size, pose(inputs)).wrench);
   return areFinite(outputs);
 }

@@ -30,13 +30,19 @@ class Body {
   /// At rest; gives the outputs. Throws std::invalid_argument where there are none.
   Numbers initialise(const Numbers& inputs);
 
+  bool isSix() const { return six_ != nullptr; }
+
   /// Gives the outputs; false where they are not finite. Allocates nothing.
-  bool step(double size, const Numbers& inputs, Numbers& outputs) {
-    if (six_) {
-      return stepSix(size, inputs, outputs);
-    }
-    outputs = numbersOf(one_->step(*state_, size, inputs[0]));
-    return std::isfinite(outputs[0]);
+  bool step(double size, const Numbers& inputs, Numbers& outputs);
+
+  /// The same of one direction, faster.
+  bool stepOne(double size, double displacement, Numbers& outputs) {
+    const element::ComponentForce force = one_->step(*state_, size, displacement);
+    outputs[0] = force.total;
+    outputs[1] = force.elastic;
+    outputs[2] = force.viscous;
+    outputs[3] = force.friction;
+    return std::isfinite(force.total);
   }
 
   void save(SavedState& state) const;
@@ -50,7 +56,6 @@ class Body {
   }
   static Numbers numbersOf(const component::Wrench& wrench);
   Eigen::Isometry3d pose(const Numbers& inputs) const;
-  bool stepSix(double size, const Numbers& inputs, Numbers& outputs);
 
   std::unique_ptr<const component::Component> one_;
   std::optional<component::ComponentState> state_;

@@ -243,6 +243,14 @@ Numbers Instance::extrapolated(double size) {
   return moved;
 }
 
+Status Instance::stepInFull(double time, double size) {
+  if (!body_->holds(inputs_)) {
+    return error("step: a rotation beyond the end of its measure");
+  }
+  time_ = time + size;
+  return body_->step(size, extrapolated(size), outputs_) ? Status::ok : fail();
+}
+
 Status Instance::refuseStep(double time, double size) {
   if (phase_ != Phase::stepping) {
     return refuseOrder("step");

@@ -76,12 +76,11 @@ class Instance {
     if (phase_ != Phase::stepping || !(size > 0.0) || !std::isfinite(size) || !isInTime(time, size)) {
       return refuseStep(time, size);
     }
-    if (!body_->holds(inputs_)) {
-      return error("step: a rotation beyond the end of its measure");
+    if (has_derivatives_ || body_->isSix()) {
+      return stepInFull(time, size);
     }
-    const bool finite = body_->step(size, has_derivatives_ ? extrapolated(size) : inputs_, outputs_);
     time_ = time + size;
-    return finite ? Status::ok : fail();
+    return body_->stepOne(size, inputs_[0], outputs_) ? Status::ok : fail();
   }
 
   double time() const { return time_; }
@@ -109,6 +108,7 @@ class Instance {
   double roomFor(double size) const;
   bool isInTime(double time, double size) const;
   Numbers extrapolated(double size);
+  Status stepInFull(double time, double size);
   Status refuseStep(double time, double size);
   Status fail();
   Status refuseOrder(const std::string& what);
