@@ -52,12 +52,8 @@ OptionTable Options::table() {
 
 std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
   std::vector<benchmark::Case> all;
-  for (const auto part :
-       {benchmark::forceCases, benchmark::surrogateCases, benchmark::sixDirectionCases,
-#ifdef RUBBER_SUSPENSION_WITH_FMU
-        benchmark::fmuCases,
-#endif
-        benchmark::logCases, benchmark::bundleCases, benchmark::estimationCases, benchmark::diagnosisCases}) {
+  for (const auto part : {benchmark::forceCases, benchmark::sixDirectionCases, benchmark::logCases,
+                          benchmark::bundleCases, benchmark::estimationCases, benchmark::diagnosisCases}) {
     for (benchmark::Case& work : part(size)) {
       all.push_back(std::move(work));
     }

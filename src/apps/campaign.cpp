@@ -125,11 +125,7 @@ int make(const Options& options) {
     }
     return kFailed;
   }
-  std::error_code failure;
-  std::filesystem::create_directories(options.output, failure);
-  if (failure) {
-    throw std::runtime_error(options.output + ": cannot be made: " + failure.message());
-  }
+  campaign::makeFolder(options.output);
   campaign::writeManifest(expansion.manifest, options.output);
   for (const std::string& note : expansion.notes) {
     printNote("campaign", note);

@@ -29,6 +29,7 @@
 #include "log/text.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/diagnosis/plan.h"
+#include "rubber_suspension/diagnosis/six_directions.h"
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -40,6 +41,7 @@ using namespace rubber_suspension::command_line;
 struct Options {
   std::vector<std::string> command_line;
   ComponentOptions component;
+  std::vector<std::string> directions;
   std::vector<std::string> logs;
   std::vector<std::string> hold_out;
   std::string output;
@@ -94,8 +96,18 @@ io::FileKind kindOf(const std::string& name) {
 // The files of the report, and those that stand beside it where the diagnosis has reason to write them.
 Files reportFiles(const Options& options) {
   Files files;
-  for (const std::string& name : options.plan.empty() ? diagnosis::reportFiles() : diagnosis::planFiles()) {
-    files.outputs.push_back({"--output", (std::filesystem::path(options.output) / name).string(), kindOf(name)});
+  const auto add = [&](const std::filesystem::path& folder, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      files.outputs.push_back({"--output", (folder / name).string(), kindOf(name)});
+    }
+  };
+  if (options.directions.empty()) {
+    add(options.output, options.plan.empty() ? diagnosis::reportFiles() : diagnosis::planFiles());
+    return files;
+  }
+  add(options.output, diagnosis::sixDirectionsFiles());
+  for (const std::string& direction : std::set<std::string>(options.directions.begin(), options.directions.end())) {
+    add(std::filesystem::path(options.output) / direction, diagnosis::reportFiles());
   }
   return files;
 }
@@ -103,6 +115,10 @@ Files reportFiles(const Options& options) {
 OptionTable Options::table() {
   OptionTable options = {
       component.table(),
+      Option("--direction", directions, "NAME",
+             "of six directions: which to diagnose; the report of each goes into a folder of its name, and a map says "
+             "where they couple")
+          .oneOf({"x", "y", "z", "rx", "ry", "rz"}),
       Option("--log", logs, "FILE",
              "measured logs of one component in the order of recording; text (CSV), .mat, HDF5 or .bag")
           .readsEachOnce(),
@@ -165,6 +181,7 @@ OptionTable Options::table() {
   options.excludes(
       {"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples", "--accept-units"},
       {"--plan"});
+  options.excludes({"--plan", "--from-table", "--compare", "--plot"}, {"--direction"});
   options.needs({"--uncertainty"}, {"--from-table"});
   options.excludes({"--log", "--hold-out", "--limits", "--most-samples"}, {"--from-table"});
   return options.excludes(LogOptions::names(), {"--from-table"});
@@ -286,6 +303,12 @@ void showStage(const std::string& stage, double fraction) {
   }
 }
 
+void clearStage() {
+  if (isatty(STDERR_FILENO) != 0) {
+    fmt::print(stderr, "\r\033[K");
+  }
+}
+
 // Version, date, command line and every file that is read.
 diagnosis::RunRecord runRecord(const Options& options) {
   std::vector<std::pair<std::string, std::string>> files = {{"--config", options.component.config}};
@@ -382,9 +405,7 @@ int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::Earli
   if (!options.plot.empty() && diagnosis.workings) {
     io::drawFigure(diagnosis::overviewFigure(diagnosis), options.plot);
   }
-  if (isatty(STDERR_FILENO) != 0) {
-    fmt::print(stderr, "\r\033[K");
-  }
+  clearStage();
   const std::string whole = diagnosis::wholeText(diagnosis);
   fmt::print("{}\n{}{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence),
              whole.empty() ? "" : whole + "\n", takenOut(diagnosis), excerptsTaken(diagnosis),
@@ -428,6 +449,95 @@ int runTable(const Options& options) {
   return publish(diagnosis::diagnoseTable(component, table, settings), earlier, options);
 }
 
+// What a search is told.
+diagnosis::DiagnosisOptions settingsOf(const Options& options) {
+  diagnosis::DiagnosisOptions settings;
+  settings.limits = limitsOf(options.limits);
+  settings.most_samples = options.most_samples;
+  settings.threads = options.threads;
+  settings.progress = showStage;
+  settings.evidence = options.evidence;
+  return settings;
+}
+
+// With the tolerances of the rig in the directions that are diagnosed.
+io::ComponentDescription sixDirections(const Options& options, const std::vector<component::Direction>& directions) {
+  io::ComponentDescription component = options.component.readAny("diagnose");
+  try {
+    diagnosis::requireDirections(component, directions);
+  } catch (const std::invalid_argument& error) {
+    throw io::ComponentFileError(
+        fmt::format("{}: component '{}': {}", options.component.config, component.name, error.what()));
+  }
+  auto six = std::make_shared<io::SixDirectionsDescription>(*component.six);
+  for (const component::Direction direction : directions) {
+    setTolerances(options.rig, *six->directions[direction]);
+  }
+  component.six = std::move(six);
+  return component;
+}
+
+std::vector<log::PoseLog> readPoseLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component,
+                                       const Options& options) {
+  std::vector<log::PoseLog> logs;
+  for (const std::string& path : paths) {
+    logs.push_back(options.log_options.readPoses("diagnose", path, component.name, component.six->arrangement.measure));
+    for (const auto& direction : component.six->directions) {
+      if (direction && direction->temperature) {
+        warnOfTemperature("diagnose", path, !logs.back().temperature.empty(), *direction);
+        break;
+      }
+    }
+  }
+  return logs;
+}
+
+int runDirections(const Options& options) {
+  std::vector<component::Direction> directions;
+  for (const std::string& name : options.directions) {
+    const component::Direction direction = *component::directionFromString(name);
+    if (std::find(directions.begin(), directions.end(), direction) != directions.end()) {
+      throw UsageError("--direction: " + name + " is given twice; accepted: once");
+    }
+    directions.push_back(direction);
+  }
+  const diagnosis::DiagnosisOptions settings = settingsOf(options);
+  const io::FolderLock lock(options.output);
+  const io::ComponentDescription component = sixDirections(options, directions);
+  const std::vector<log::PoseLog> logs = readPoseLogs(options.logs, component, options);
+  const std::vector<log::PoseLog> hold_out = readPoseLogs(options.hold_out, component, options);
+  diagnosis::SixDirectionsDiagnosis result =
+      diagnosis::diagnoseDirections(component, directions, logs, hold_out, settings);
+  result.run = runRecord(options);
+  for (auto& [direction, diagnosis] : result.directions) {
+    diagnosis.run = result.run;
+    diagnosis.write_full_law = options.law == "full";
+  }
+  showStage("writing the reports", 0.95);
+  diagnosis::writeReports(result, options.output);
+  clearStage();
+  for (const auto& [direction, diagnosis] : result.directions) {
+    fmt::print("{}: {}\n{}", toString(direction), log::oneLine(diagnosis.sentence), excerptsTaken(diagnosis));
+  }
+  fmt::print("{}\n{}report: {}/report.html\n", diagnosis::crossMapSentence(result), diagnosis::crossMapText(result),
+             options.output);
+  return kSuccess;
+}
+
+// The component, which has one direction.
+io::ComponentDescription oneDirection(const Options& options) {
+  io::ComponentDescription component = options.component.readAny("diagnose");
+  if (component.six) {
+    try {
+      diagnosis::requireDirections(component, {});
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(fmt::format("{}: component '{}' {}", options.component.config, component.name, error.what()));
+    }
+  }
+  setTolerances(options.rig, component);
+  return component;
+}
+
 int run(const Options& options) {
   if (!options.plan.empty()) {
     return runPlan(options);
@@ -440,19 +550,16 @@ int run(const Options& options) {
         "--log is missing; accepted: measured logs, --from-table with a table of stiffness and loss angle, or --plan "
         "with programmes of displacement");
   }
-  const diagnosis::ExperimentLimits limits = limitsOf(options.limits);
-  const io::FolderLock lock(options.output);
   std::vector<std::string> all_logs = options.logs;
   all_logs.insert(all_logs.end(), options.hold_out.begin(), options.hold_out.end());
   options.log_options.requireUse(all_logs);
-  io::ComponentDescription component = options.component.read("diagnose");
-  setTolerances(options.rig, component);
+  if (!options.directions.empty()) {
+    return runDirections(options);
+  }
+  diagnosis::DiagnosisOptions settings = settingsOf(options);
+  const io::FolderLock lock(options.output);
+  const io::ComponentDescription component = oneDirection(options);
   const std::optional<diagnosis::EarlierReport> earlier = earlierReport(options);
-  diagnosis::DiagnosisOptions settings;
-  settings.limits = limits;
-  settings.most_samples = options.most_samples;
-  settings.threads = options.threads;
-  settings.evidence = options.evidence;
   showStage("reading the logs", 0.0);
   const OpenedLogs logs(options.logs, component, options);
   const OpenedLogs hold_out(options.hold_out, component, options);
@@ -482,7 +589,7 @@ int main(int argc, char** argv) {
   return runCommand(
       argc, argv,
       {"diagnose",
-       "Finds where a model differs from measured logs, which effect is missing, and how far it closes the gap.",
+       "Finds where a model differs from logs, which effect is missing, and how far it closes the gap.",
        {{"What a model lacks against two logs", "--config component.yaml --log log.csv log_2.csv --output report"},
         {"On a rig whose force sensor has a zero error of up to 50 N",
          "--config component.yaml --log log.csv --rig force_zero=\"50 N\" --output report"},

@@ -278,7 +278,12 @@ int estimateComponents(const Options& options) {
     components = {io::selectComponent(components, options.component, options.config)};
   }
   if (!options.models.empty()) {
-    components = command::inModels(io::selectComponent(components, options.component, options.config), options.models);
+    std::vector<std::string> notes;
+    components =
+        command::inModels(io::selectComponent(components, options.component, options.config), options.models, notes);
+    for (const std::string& note : notes) {
+      std::cerr << "estimate: note: " << note << "\n";
+    }
   }
   checkStateSpace(options.state_space, components.size());
   std::vector<command::EstimateReport> reports;

@@ -73,7 +73,7 @@ OptionTable Options::table() {
       Option(
           "--rotation", rotation, "MEASURE",
           "the logs have poses of components of six directions (x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg, each in any "
-          "unit), their rotation as `vector` or `cardan`, as the component has it")
+          "unit, or a bag with COMPONENT/pose), their rotation as `vector` or `cardan`, as the component has it")
           .rare()
           .oneOf({"vector", "cardan"}),
       Option("--loop", passes, "COUNT",
@@ -117,7 +117,7 @@ ros_interface::BenchTrack poseTrack(const Options& options, const std::string& c
   ros_interface::BenchTrack track;
   track.component = component;
   track.wrenches = recordPaths(options, component).forces;
-  track.poses = options.log_options.readPoses("play_log", path);
+  track.poses = options.log_options.readPoses("play_log", path, component, *options.play.rotation);
   track.log.name = track.poses->name;
   track.log.stamp = track.poses->stamp;
   track.log.displacement = track.poses->coordinate[0];

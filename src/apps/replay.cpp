@@ -46,8 +46,9 @@ int runPoses(const Options& options, const io::ComponentDescription& description
   if (!options.plot.empty()) {
     throw UsageError("--plot draws one direction, " + description.name + " has six; accepted: without it");
   }
-  const log::PoseLog log = options.log_options.readPoses("replay", options.log);
   const component::SixDirections component = description.six->makeComponent();
+  const log::PoseLog log =
+      options.log_options.readPoses("replay", options.log, description.name, component.laws().measure);
   const gap::PoseReplay result = gap::replayPoses(component, log);
   {
     const io::Activity writing("writing " + options.output);

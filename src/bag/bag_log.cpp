@@ -2,6 +2,8 @@
 #include "bag/bag_log.h"
 
 #include <fmt/format.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/WrenchStamped.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <rubber_suspension/Displacement.h>
@@ -9,6 +11,7 @@
 #include <sensor_msgs/Temperature.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -19,6 +22,7 @@
 #include "log/column_name.h"
 #include "log/file_format.h"
 #include "log/text.h"
+#include "rubber_suspension/component/pose_stream.h"
 #include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::bag {
@@ -27,6 +31,8 @@ namespace {
 constexpr const char* kDisplacement = "/displacement";
 constexpr const char* kMeasuredForce = "/measured_force";
 constexpr const char* kTemperature = "/temperature";
+constexpr const char* kPose = "/pose";
+constexpr const char* kMeasuredWrench = "/measured_wrench";
 
 std::string stem(const std::string& path) {
   const std::string file = path.substr(path.find_last_of('/') + 1);
@@ -45,15 +51,16 @@ std::set<std::string> topicsEndingIn(const rosbag::Bag& bag, const std::string& 
   return topics;
 }
 
-// The only topic of displacements that fits. Its end without "displacement" is common to all topics of the component.
-std::string displacementTopic(const rosbag::Bag& bag, const std::string& path, const std::string& component) {
-  const std::string end = component.empty() ? std::string(kDisplacement) : "/" + component + kDisplacement;
+// The only topic of that end that fits. What precedes the end is common to all topics of the component.
+std::string topicOf(const std::string& wanted, const rosbag::Bag& bag, const std::string& path,
+                    const std::string& component) {
+  const std::string end = component.empty() ? wanted : "/" + component + wanted;
   const std::set<std::string> topics = topicsEndingIn(bag, end);
   if (topics.empty()) {
-    const std::set<std::string> others = topicsEndingIn(bag, kDisplacement);
-    throw log::LogError(
-        fmt::format("{}: no topic ends in {}; the bag has {}", path, end,
-                    others.empty() ? "no displacement at all" : fmt::format("{}", fmt::join(others, ", "))));
+    const std::set<std::string> others = topicsEndingIn(bag, wanted);
+    throw log::LogError(fmt::format(
+        "{}: no topic ends in {}; the bag has {}", path, end,
+        others.empty() ? "no " + wanted.substr(1) + " at all" : fmt::format("{}", fmt::join(others, ", "))));
   }
   if (topics.size() > 1) {
     throw log::LogError(
@@ -66,25 +73,31 @@ double valueOf(const Displacement& message) { return message.displacement; }
 double valueOf(const MeasuredForce& message) { return message.force; }
 double valueOf(const sensor_msgs::Temperature& message) { return message.temperature; }
 
-template <class Message>
-Series readTopic(const rosbag::Bag& bag, const std::string& path, const std::string& topic) {
+// Hands out the messages of a topic with their stamps [ns].
+template <class Message, class Take>
+void readMessages(const rosbag::Bag& bag, const std::string& path, const std::string& topic, Take take) {
   rosbag::View view(bag, rosbag::TopicQuery(topic));
   if (view.size() > log::kMaximumLogRows) {
     throw log::LogError(
         fmt::format("{}: {} messages on {}; accepted: at most {}", path, view.size(), topic, log::kMaximumLogRows));
   }
-  Series series;
-  series.stamp.reserve(view.size());
-  series.value.reserve(view.size());
   for (const rosbag::MessageInstance& instance : view) {
     const auto message = instance.instantiate<Message>();
     if (!message) {
       throw log::LogError(fmt::format("{}: {} has type {} of another definition or name; accepted: {}", path, topic,
                                       instance.getDataType(), ros::message_traits::datatype<Message>()));
     }
-    series.stamp.push_back(static_cast<std::int64_t>(message->header.stamp.toNSec()));
-    series.value.push_back(valueOf(*message));
+    take(static_cast<std::int64_t>(message->header.stamp.toNSec()), *message);
   }
+}
+
+template <class Message>
+Series readTopic(const rosbag::Bag& bag, const std::string& path, const std::string& topic) {
+  Series series;
+  readMessages<Message>(bag, path, topic, [&](std::int64_t stamp, const Message& message) {
+    series.stamp.push_back(stamp);
+    series.value.push_back(valueOf(message));
+  });
   return series;
 }
 
@@ -232,7 +245,7 @@ void addTemperature(const Series& measured, const std::string& topic, log::Log& 
 }
 
 log::Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std::string& component) {
-  const std::string topic = displacementTopic(bag, path, component);
+  const std::string topic = topicOf(kDisplacement, bag, path, component);
   const Series displacement = readTopic<Displacement>(bag, path, topic);
   checkIncreasing(displacement, path, topic);
   log::Log log;
@@ -249,6 +262,88 @@ log::Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std:
   addTemperature(readTopic<sensor_msgs::Temperature>(bag, path, base + kTemperature), base + kTemperature, log);
   log::checkLog(log);
   return log;
+}
+
+using SixSeries = std::array<Series, component::kDirections>;
+
+void append(SixSeries& series, std::int64_t stamp, const std::array<double, component::kDirections>& values) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    series[k].stamp.push_back(stamp);
+    series[k].value.push_back(values[k]);
+  }
+}
+
+// Coordinates of poses, and the quaternions as they are.
+struct PoseSeries {
+  SixSeries coordinate;
+  std::vector<log::PoseLog::Quaternion> quaternion;
+};
+
+PoseSeries readPoseTopic(const rosbag::Bag& bag, const std::string& path, const std::string& topic,
+                         component::RotationMeasure measure) {
+  PoseSeries poses;
+  readMessages<geometry_msgs::PoseStamped>(bag, path, topic, [&](std::int64_t stamp, const auto& message) {
+    const auto& p = message.pose.position;
+    const auto& q = message.pose.orientation;
+    const Eigen::Quaterniond rotation(q.w, q.x, q.y, q.z);
+    if (!(std::abs(rotation.norm() - 1.0) <= component::PoseStream::kQuaternionTolerance)) {
+      throw log::LogError(fmt::format("{}: message {} on {}: a quaternion of length {:g}; accepted: 1 +- {:g}", path,
+                                      poses.quaternion.size() + 1, topic, rotation.norm(),
+                                      component::PoseStream::kQuaternionTolerance));
+    }
+    const Eigen::Vector3d turn = component::coordinatesOf(measure, rotation.normalized()).value;
+    append(poses.coordinate, stamp, {p.x, p.y, p.z, turn.x(), turn.y(), turn.z()});
+    poses.quaternion.push_back({q.w, q.x, q.y, q.z});
+  });
+  checkIncreasing(poses.coordinate[0], path, topic);
+  return poses;
+}
+
+SixSeries readWrenchTopic(const rosbag::Bag& bag, const std::string& path, const std::string& topic) {
+  SixSeries wrench;
+  readMessages<geometry_msgs::WrenchStamped>(bag, path, topic, [&](std::int64_t stamp, const auto& message) {
+    const auto& f = message.wrench.force;
+    const auto& m = message.wrench.torque;
+    append(wrench, stamp, {f.x, f.y, f.z, m.x, m.y, m.z});
+  });
+  checkIncreasing(wrench[0], path, topic);
+  return wrench;
+}
+
+// Each direction is matched as a log of its own; the stamps decide, so that all keep the same samples.
+log::PoseLog readOpenPoses(const rosbag::Bag& bag, const std::string& path, const std::string& component,
+                           component::RotationMeasure measure) {
+  const std::string topic = topicOf(kPose, bag, path, component);
+  const std::string base = topic.substr(0, topic.size() - std::string(kPose).size());
+  PoseSeries series = readPoseTopic(bag, path, topic, measure);
+  const SixSeries wrench = readWrenchTopic(bag, path, base + kMeasuredWrench);
+  log::PoseLog poses;
+  for (std::size_t k = 0; k < component::kDirections; ++k) {
+    const Series& coordinate = series.coordinate[k];
+    log::Log log;
+    log.name = stem(path);
+    log.stamp = coordinate.stamp;
+    log.displacement = coordinate.value;
+    if (!wrench[k].stamp.empty()) {
+      addMeasuredForce(coordinate, wrench[k], base + kMeasuredWrench, log);
+    }
+    if (k == 0) {
+      addTemperature(readTopic<sensor_msgs::Temperature>(bag, path, base + kTemperature), base + kTemperature, log);
+    }
+    log::checkLog(log);
+    poses.coordinate[k] = std::move(log.displacement);
+    poses.wrench[k] = std::move(log.force);
+    if (k == 0) {
+      const auto first = std::lower_bound(coordinate.stamp.begin(), coordinate.stamp.end(), log.stamp.front());
+      keep(series.quaternion, static_cast<std::size_t>(first - coordinate.stamp.begin()), log.size());
+      poses.name = log.name;
+      poses.stamp = std::move(log.stamp);
+      poses.temperature = std::move(log.temperature);
+      poses.notes = std::move(log.notes);
+    }
+  }
+  poses.quaternion = std::move(series.quaternion);
+  return poses;
 }
 
 // The numbers that the user names, in SI units; nothing where none are named.
@@ -307,21 +402,33 @@ bool namesColumns(const log::LogFormat& format) {
   return std::any_of(format.of.begin(), format.of.end(), [](const auto& channel) { return !channel.column.empty(); });
 }
 
-}  // namespace
-
-log::Log readBagLog(const std::string& path, const std::string& component, const log::LogFormat& format) {
+// What `read` gives of the bag.
+template <class Read>
+auto ofBag(const std::string& path, Read read) {
   try {
     checkBagStructure(path);
     rosbag::Bag bag;
     bag.open(path, rosbag::bagmode::Read);
-    log::Log log = namesColumns(format) ? readNamedFields(bag, path, format) : readOpenBag(bag, path, component);
-    log.units = unitsOf(format);
-    return log;
+    return read(bag);
   } catch (const log::LogError&) {
     throw;
   } catch (const std::exception& error) {  // what rosbag throws on a damaged file is of many types
     throw log::LogError(fmt::format("{}: no readable bag: {}", path, error.what()));
   }
+}
+
+}  // namespace
+
+log::Log readBagLog(const std::string& path, const std::string& component, const log::LogFormat& format) {
+  return ofBag(path, [&](const rosbag::Bag& bag) {
+    log::Log log = namesColumns(format) ? readNamedFields(bag, path, format) : readOpenBag(bag, path, component);
+    log.units = unitsOf(format);
+    return log;
+  });
+}
+
+log::PoseLog readBagPoses(const std::string& path, const std::string& component, component::RotationMeasure measure) {
+  return ofBag(path, [&](const rosbag::Bag& bag) { return readOpenPoses(bag, path, component, measure); });
 }
 
 bool isBagPath(const std::string& path) {

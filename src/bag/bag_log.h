@@ -5,8 +5,10 @@
 #include <memory>
 #include <string>
 
+#include "rubber_suspension/component/rotation_measure.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/log_source.h"
+#include "rubber_suspension/log/pose_log.h"
 
 namespace rubber_suspension::bag {
 
@@ -18,6 +20,11 @@ namespace rubber_suspension::bag {
 /// format names columns, they are fields of messages of any type (bag/message_field.h), in SI units or those of the
 /// format, and displacement is one of them. Throws LogError that names bag, topic, message and reason.
 log::Log readBagLog(const std::string& path, const std::string& component = "", const log::LogFormat& format = {});
+
+/// Read the poses of a component of six directions and, if recorded, measured wrenches and temperature: from topics
+/// that end in <component>/pose, <component>/measured_wrench and <component>/temperature, matched and refused as those
+/// of readBagLog(). The rotation is in this measure. Throws LogError, also for a quaternion that the node would drop.
+log::PoseLog readBagPoses(const std::string& path, const std::string& component, component::RotationMeasure measure);
 
 /// True for a file that ends in .bag or begins as a bag does.
 bool isBagPath(const std::string& path);

@@ -1,5 +1,5 @@
 // Fit and diagnosis of logs of a component that hides friction: six logs against single passes of the plain loop over
-// them, half as many and one thread; and one log of any length.
+// them, and against one thread; and one log of any length.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -141,22 +141,9 @@ class LongLog : public log::LogSource {
 
 std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
   constexpr int kPasses = 100;  // so that one run is long against what interrupts it
-  const auto samples = static_cast<std::size_t>(size.log_duration / kStep);
-  const auto six = std::make_shared<DiagnosisBench>(samples, 6);
-  const auto three = std::make_shared<DiagnosisBench>(samples, 3);
-  const auto force = std::make_shared<std::vector<double>>(samples);
+  const auto six = std::make_shared<DiagnosisBench>(static_cast<std::size_t>(size.log_duration / kStep), 6);
+  const auto force = std::make_shared<std::vector<double>>(six->logs.front().size());
   const std::string six_logs = fmt::format("six logs of {:g} s", size.log_duration);
-  // An hour and its first five minutes: of the hour the search takes excerpts, so that what grows is the reading.
-  constexpr std::size_t kHour = 180;
-  constexpr std::size_t kFiveMinutes = 15;
-  const auto hour = std::make_shared<DiagnosisBench>(kHour * samples, 1);
-  const auto minutes = std::make_shared<DiagnosisBench>(kFiveMinutes * samples, 1);
-  Case against_minutes =
-      diagnosisCase(hour, fmt::format("one log of {:g} s", static_cast<double>(kHour) * size.log_duration),
-                    fmt::format("the same of {:g} s", static_cast<double>(kFiveMinutes) * size.log_duration), 1.0,
-                    [minutes] { minutes->run(2); });
-  against_minutes.unit = "diagnosis";
-  against_minutes.count = 1.0;
   return {diagnosisCase(six, six_logs, "one pass of the plain loop, 1 Maxwell", kPasses * six->samples(),
                         [six, force] {
                           for (int i = 0; i < kPasses; ++i) {
@@ -165,9 +152,7 @@ std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
                             }
                           }
                         }),
-          diagnosisCase(six, six_logs, "the same of three of them", three->samples(), [three] { three->run(2); }),
-          diagnosisCase(six, six_logs, "the same in 1 thread", six->samples(), [six] { six->run(1); }),
-          against_minutes};
+          diagnosisCase(six, six_logs, "the same in 1 thread", six->samples(), [six] { six->run(1); })};
 }
 
 std::string diagnoseLongLog(double duration) {

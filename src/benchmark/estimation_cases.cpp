@@ -1,17 +1,12 @@
-// Estimation from five inputs, and the table of stiffness and loss angle of Berg's model, each against the same sums
-// written by hand with no object around them.
-#include <fmt/format.h>
-
+// Estimation from five inputs against the same sums written by hand with no object around them.
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <complex>
 #include <memory>
 
-#include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
 #include "rubber_suspension/component/component.h"
-#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/response/sweep.h"
 
@@ -24,7 +19,6 @@ constexpr double kDynamicStiffness = 4.2e6;  // [N/m]
 constexpr double kNominalFrequency = 4.0;    // [Hz]
 constexpr double kMaximumStiffness = 4.9e6;  // [N/m]
 constexpr double kHighFrequency = 25.0;      // [Hz]
-constexpr double kAmplitude = 2e-3;          // of the table [m]
 constexpr int kElements = 5;
 
 struct FiveInputs {
@@ -114,85 +108,8 @@ Case estimationCase() {
   return result;
 }
 
-// Peak force and loss of the settled loop of friction in closed form (Berg, VSD 30 (1998) 197-212).
-double settledFriction(const BareParameters& berg, double amplitude) {
-  const double z2 = berg.friction_displacement;
-  return berg.maximum_force / (2.0 * z2) *
-         (std::sqrt(z2 * z2 + amplitude * amplitude + 6.0 * z2 * amplitude) - z2 - amplitude);
-}
-
-double frictionLoss(const BareParameters& berg, double amplitude) {
-  const double reach = berg.friction_displacement * (1.0 + settledFriction(berg, amplitude) / berg.maximum_force);
-  return 2.0 * berg.maximum_force *
-         (2.0 * amplitude - reach * reach / berg.friction_displacement * std::log((reach + 2.0 * amplitude) / reach));
-}
-
-// Half a loop is enough by symmetry: the peak of its samples, and the loss in closed form.
-response::Characteristics characteristicsByHand(const BareParameters& berg, double frequency, double amplitude) {
-  constexpr int kHalf = 360;  // as many samples per cycle as the library takes
-  const std::complex<double> ratio(0.0, frequency / berg.break_frequency[0]);
-  const std::complex<double> linear = berg.spring + berg.stiffness[0] * ratio / (1.0 + ratio);
-  const double settled = settledFriction(berg, amplitude);
-  BareFriction friction{-amplitude, -amplitude, -settled, -settled, 1.0};
-  double peak = 0.0;
-  for (int i = 0; i <= kHalf; ++i) {
-    const double phase = element::kPi * i / kHalf;
-    const double z = -amplitude * std::cos(phase);
-    const double force = linear.real() * z + linear.imag() * amplitude * std::sin(phase) +
-                         friction.advance(z, berg.maximum_force, berg.friction_displacement);
-    peak = std::max(peak, force);
-  }
-  response::Characteristics result;
-  result.stiffness = peak / amplitude;
-  result.loss = element::kPi * amplitude * amplitude * linear.imag() + frictionLoss(berg, amplitude);
-  result.loss_angle = std::asin(result.loss / (element::kPi * peak * amplitude));
-  return result;
-}
-
-double tableError(const std::vector<response::Characteristics>& bare,
-                  const std::vector<response::SweepPoint>& library) {
-  double error = 0.0;
-  for (std::size_t i = 0; i < bare.size(); ++i) {
-    const response::Characteristics& actual = library[i].characteristics;
-    error = std::max({error, std::abs(actual.stiffness / bare[i].stiffness - 1.0),
-                      std::abs(actual.loss_angle / bare[i].loss_angle - 1.0)});
-  }
-  return error;
-}
-
-Case tableCase(const BenchmarkSize& size) {
-  struct Bench {
-    BareParameters berg = bareParameters(1);
-    component::Component component{elementsOf(berg)};
-    std::vector<double> frequencies;
-    std::vector<response::Characteristics> bare;
-    std::vector<response::SweepPoint> library;
-  };
-  const auto bench = std::make_shared<Bench>();
-  bench->frequencies = response::logSpaced(0.1, 50.0, size.frequencies);
-  Case result;
-  result.name = fmt::format("K and delta of Berg's model over {} frequencies, settled loops", size.frequencies);
-  result.baseline = "half loops by hand, loss in closed form";
-  result.unit = "table";
-  result.bare = [bench] {
-    bench->bare.clear();
-    for (const double frequency : bench->frequencies) {
-      bench->bare.push_back(characteristicsByHand(bench->berg, frequency, kAmplitude));
-    }
-  };
-  result.library = [bench] {
-    bench->library = response::sweepFrequency(bench->component, bench->frequencies, kAmplitude);
-  };
-  result.error = [bench] { return tableError(bench->bare, bench->library); };
-  result.error_meaning = "of K or delta";
-  // A peak between two of 720 samples is low by up to (pi/720)^2/2 = 1e-5 of the force's second derivative in phase,
-  // which is that of the force itself within a small factor.
-  result.tolerance = 5e-5;
-  return result;
-}
-
 }  // namespace
 
-std::vector<Case> estimationCases(const BenchmarkSize& size) { return {estimationCase(), tableCase(size)}; }
+std::vector<Case> estimationCases(const BenchmarkSize& /*size*/) { return {estimationCase()}; }
 
 }  // namespace rubber_suspension::benchmark

@@ -1,9 +1,6 @@
 // Components of six directions against six components of one with the same elements, moved by the same coordinates.
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include "benchmark/bare_loop.h"
@@ -35,11 +32,16 @@ std::vector<element::ElementDescription> directionElements(bool bank, bool turns
   return elements;
 }
 
-// Many components of either kind on one path.
+// A component of six directions and six of one on one path.
 class SixDirectionBench {
  public:
-  SixDirectionBench(std::size_t samples, std::size_t components, component::Coupling coupling)
-      : bush_(lawsOf(coupling)), coordinates_(samples), poses_(samples), expected_(samples), found_(samples) {
+  SixDirectionBench(std::size_t samples, component::Coupling coupling)
+      : bush_(lawsOf(coupling)),
+        coordinates_(samples),
+        poses_(samples),
+        state_(bush_.makeState()),
+        expected_(samples),
+        found_(samples) {
     const std::vector<double> displacement = benchmarkDisplacement(samples + 100 * kDirections);
     for (std::size_t i = 0; i < samples; ++i) {
       for (std::size_t k = 0; k < kDirections; ++k) {
@@ -49,43 +51,24 @@ class SixDirectionBench {
     }
     for (std::size_t k = 0; k < kDirections; ++k) {
       singles_.emplace_back(bush_.laws().elements[k]);
-    }
-    for (std::size_t n = 0; n < components; ++n) {
-      states_.push_back(bush_.makeState());
-      for (const component::Component& single : singles_) {
-        single_states_.push_back(single.makeState());
-      }
+      single_states_.push_back(singles_.back().makeState());
     }
   }
 
   void stepSix() {
-    for (component::SixDirectionsState& state : states_) {
-      found_[0] = bush_.initialise(state, poses_[0]).direction;
-    }
+    found_[0] = bush_.initialise(state_, poses_[0]).direction;
     for (std::size_t i = 1; i < poses_.size(); ++i) {
-      for (component::SixDirectionsState& state : states_) {
-        found_[i] = bush_.step(state, kStep, poses_[i]).direction;
-      }
+      found_[i] = bush_.step(state_, kStep, poses_[i]).direction;
     }
   }
 
   void stepSingles() {
     for (std::size_t i = 0; i < poses_.size(); ++i) {
-      for (std::size_t n = 0; n < single_states_.size(); ++n) {
-        const std::size_t k = n % kDirections;
+      for (std::size_t k = 0; k < kDirections; ++k) {
         const double displacement = coordinates_[i][static_cast<Eigen::Index>(k)];
-        expected_[i][k] = i == 0 ? singles_[k].initialise(single_states_[n], displacement)
-                                 : singles_[k].step(single_states_[n], kStep, displacement);
+        expected_[i][k] = i == 0 ? singles_[k].initialise(single_states_[k], displacement)
+                                 : singles_[k].step(single_states_[k], kStep, displacement);
       }
-    }
-  }
-
-  void tangents() {
-    component::SixDirectionsState trial = bush_.makeState();
-    bush_.initialise(states_[0], poses_[0]);
-    for (std::size_t i = 1; i < poses_.size(); ++i) {
-      tangent_ = bush_.tangent(states_[0], kStep, poses_[i], trial);
-      found_[i] = bush_.step(states_[0], kStep, poses_[i]).direction;
     }
   }
 
@@ -110,7 +93,7 @@ class SixDirectionBench {
     return 1.0 - state;
   }
 
-  double count() const { return static_cast<double>(poses_.size() * states_.size()); }
+  double count() const { return static_cast<double>(poses_.size()); }
 
  private:
   static component::SixDirectionsLaws lawsOf(component::Coupling coupling) {
@@ -126,19 +109,17 @@ class SixDirectionBench {
   std::vector<component::Component> singles_;
   std::vector<component::SixNumbers> coordinates_;
   std::vector<Eigen::Isometry3d> poses_;
-  std::vector<component::SixDirectionsState> states_;
+  component::SixDirectionsState state_;
   std::vector<component::ComponentState> single_states_;
   std::vector<std::array<element::ComponentForce, kDirections>> expected_;
   std::vector<std::array<element::ComponentForce, kDirections>> found_;
-  component::SixTangent tangent_;
 };
 
-Case sixCase(const std::string& name, std::size_t samples, std::size_t components, component::Coupling coupling,
-             double most) {
-  const auto bench = std::make_shared<SixDirectionBench>(samples, components, coupling);
+Case sixCase(const std::string& name, std::size_t samples, component::Coupling coupling, double most) {
+  const auto bench = std::make_shared<SixDirectionBench>(samples, coupling);
   Case result;
   result.name = name;
-  result.baseline = components == 1 ? "six components of one direction" : "six thousand of one direction";
+  result.baseline = "six components of one direction";
   result.unit = "step of six";
   result.count = result.baseline_count = bench->count();
   result.library = [bench] { bench->stepSix(); };
@@ -154,29 +135,11 @@ Case sixCase(const std::string& name, std::size_t samples, std::size_t component
 }  // namespace
 
 std::vector<Case> sixDirectionCases(const BenchmarkSize& size) {
-  const auto thousand = static_cast<std::size_t>(size.components);
-  const std::size_t ticks = std::max<std::size_t>(4, size.samples / 1000);
   constexpr double kMostOfPoses = 1.5;
   constexpr double kMostOfRadius = 2.5;
-  std::vector<Case> cases = {
-      sixCase("`SixDirections::step`, rectangular", size.samples, 1, component::Coupling::rectangular, kMostOfPoses),
-      sixCase("`SixDirections::step`, cylindrical, `iwan`", size.samples, 1, component::Coupling::cylindrical,
-              kMostOfRadius),
-      sixCase(fmt::format("`SixDirections::step`, rectangular, {} at a tick", thousand), ticks, thousand,
-              component::Coupling::rectangular, std::numeric_limits<double>::infinity())};
-  const auto bench = std::make_shared<SixDirectionBench>(size.samples / 10 + 4, 1, component::Coupling::rectangular);
-  Case tangent = cases.front();
-  tangent.name = "`SixDirections::tangent` and the step";
-  tangent.baseline = "the step alone";
-  tangent.count = tangent.baseline_count = bench->count();
-  tangent.library = [bench] { bench->tangents(); };
-  tangent.bare = [bench] { bench->stepSix(); };
-  tangent.error = [bench] { return bench->finite(); };
-  tangent.error_meaning = "forces that are not finite";
-  tangent.tolerance = 0.0;
-  tangent.most = std::numeric_limits<double>::infinity();
-  cases.push_back(tangent);
-  return cases;
+  return {sixCase("`SixDirections::step`, rectangular", size.samples, component::Coupling::rectangular, kMostOfPoses),
+          sixCase("`SixDirections::step`, cylindrical, `iwan`", size.samples, component::Coupling::cylindrical,
+                  kMostOfRadius)};
 }
 
 }  // namespace rubber_suspension::benchmark

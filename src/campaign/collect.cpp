@@ -1,23 +1,154 @@
-// What is left of a campaign at its end.
+// The results of a campaign as CSV, as JSON, and by the types of its components.
 #include "campaign/collect.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <boost/algorithm/string/replace.hpp>
+#include <filesystem>
+#include <unordered_set>
+
 #include "campaign/fleet_report.h"
+#include "campaign/line_file.h"
 #include "campaign/record.h"
 #include "log/new_file.h"
 
 namespace rubber_suspension::campaign {
+namespace {
 
-CollectSummary collect(const Manifest& manifest, const std::string& folder) {
-  Fleet fleet;
-  CollectSummary summary = writeTables(manifest, folder, [&](const Job& job, const Record* record) {
-    if (record != nullptr) {
-      try {
-        fleet.add(job, *record);
-      } catch (const std::exception& error) {
-        throw std::runtime_error(recordPath(folder, job.id) + ": " + error.what());
+using nlohmann::ordered_json;
+
+// A row as text, because parsed values of 10^5 jobs would fill the memory.
+struct Row {
+  const char* status;
+  std::string values;
+};
+
+// The names of all values, in an order that no order of work can change: that of the jobs of the manifest.
+class Columns {
+ public:
+  void add(const ordered_json& values) {
+    for (const auto& [name, value] : values.items()) {
+      if (seen_.insert(name).second) {
+        names_.push_back(name);
       }
     }
-  });
+  }
+
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::unordered_set<std::string> seen_;
+  std::vector<std::string> names_;
+};
+
+std::string csvCell(const ordered_json& value) {
+  if (value.is_null()) {
+    return "";
+  }
+  std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  if (value.is_string() && !text.empty() && std::string("=+-@\t").find(text[0]) != std::string::npos) {
+    text.insert(0, 1, '\'');  // or a spreadsheet would work it out
+  }
+  const bool plain = text.find_first_of(",\"\n\r") == std::string::npos;
+  return plain ? text : "\"" + boost::replace_all_copy(text, "\"", "\"\"") + "\"";
+}
+
+// Drawn numbers of the specification stand before what was found.
+ordered_json valuesOf(const Job& job, const Record* record) {
+  ordered_json values = ordered_json::object();
+  for (const auto& [name, value] : job.specification) {
+    values["specification." + name] = value;
+  }
+  if (record != nullptr && record->failed()) {
+    values["error"] = record->error;
+  } else if (record != nullptr) {
+    values.update(record->values);
+    if (const std::string report = reportPath(*record); !report.empty()) {
+      values["report"] = report;
+    }
+  }
+  return values;
+}
+
+ordered_json headOf(const Manifest& manifest, std::size_t place, const char* status) {
+  const Job& job = manifest.jobs[place];
+  std::vector<std::string> logs;
+  for (const std::size_t log : job.logs) {
+    logs.push_back(std::filesystem::path(manifest.inputs[log].path).stem().string());
+  }
+  return {{"id", job.id},
+          {"group", job.group},
+          {"type", job.type},
+          {"test_piece", job.test_piece},
+          {"command", toString(job.command)},
+          {"component", job.component},
+          {"logs", fmt::format("{}", fmt::join(logs, " "))},
+          {"status", status}};
+}
+
+void writeCsv(const Manifest& manifest, const std::string& folder, const std::vector<Row>& rows,
+              const std::vector<std::string>& names) {
+  LineFile file(tableCsvPath(folder));
+  std::string header = "id,group,type,test_piece,command,component,logs,status";
+  for (const std::string& name : names) {
+    header += "," + csvCell(name);
+  }
+  file.line(header);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::vector<std::string> cells;
+    for (const ordered_json& value : headOf(manifest, i, rows[i].status)) {
+      cells.push_back(csvCell(value));
+    }
+    const ordered_json values = ordered_json::parse(rows[i].values);
+    for (const std::string& name : names) {
+      cells.push_back(csvCell(values.value(name, ordered_json())));
+    }
+    file.line(fmt::format("{}", fmt::join(cells, ",")));
+  }
+  file.close();
+}
+
+void writeJson(const Manifest& manifest, const std::string& folder, const std::vector<Row>& rows) {
+  LineFile file(tableJsonPath(folder));
+  file.line("{\"schema\": \"rubber_suspension/campaign_table/1\",\n\"jobs\": [");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string head = headOf(manifest, i, rows[i].status).dump();
+    file.line(fmt::format("{},\"values\":{}}}{}", head.substr(0, head.size() - 1), rows[i].values,
+                          i + 1 < rows.size() ? "," : ""));
+  }
+  file.line("]}");
+  file.close();
+}
+
+}  // namespace
+
+std::string tableCsvPath(const std::string& folder) { return folder + "/table.csv"; }
+
+std::string tableJsonPath(const std::string& folder) { return folder + "/table.json"; }
+
+CollectSummary collect(const Manifest& manifest, const std::string& folder) {
+  CollectSummary summary;
+  Columns columns;
+  Fleet fleet;
+  std::vector<Row> rows;
+  for (const Job& job : manifest.jobs) {
+    const FoundRecord found = findRecord(folder, job.id, manifest.version);
+    const Record* const record = found.record ? &*found.record : nullptr;
+    if (!found.problem.empty()) {
+      summary.broken.push_back(found.problem);
+    }
+    const char* const status = record == nullptr ? "missing" : (record->failed() ? "failed" : "done");
+    ++(record == nullptr ? summary.missing : (record->failed() ? summary.failed : summary.done));
+    const ordered_json values = valuesOf(job, record);
+    columns.add(values);
+    rows.push_back({status, values.dump()});
+    if (record != nullptr) {
+      fleet.add(job, *record);
+    }
+  }
+  writeCsv(manifest, folder, rows, columns.names());
+  writeJson(manifest, folder, rows);
   const FleetFindings findings = fleet.analyse();
   log::writeNewFile(fleetJsonPath(folder), toJson(findings));
   log::writeNewFile(fleetReportPath(folder), fleetHtml(findings, summary));

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
 #include <stdexcept>
 
 #include "command/identify.h"
@@ -25,83 +24,76 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using diagnosis::Verdict;
 using nlohmann::ordered_json;
 
 constexpr std::size_t kKeptSamples = 4000000;  // of all logs kept: about 100 MB with force and displacement
 constexpr std::size_t kKeptConfigs = 16;
 
-// JSON has no infinity; a value that is not finite is left null.
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
-
-ordered_json ratiosJson(const diagnosis::ParameterRatios& ratios) {
-  ordered_json result = ordered_json::object();
-  for (const auto& [name, ratio] : ratios) {
-    result[name] = number(ratio);
-  }
-  return result;
-}
-
 // "friction | friction + creep": the sets of effects that the logs cannot tell apart.
 std::string setsText(const std::vector<std::vector<std::string>>& sets) {
   std::vector<std::string> texts;
-  std::transform(sets.begin(), sets.end(), std::back_inserter(texts),
-                 [](const std::vector<std::string>& set) { return fmt::format("{}", fmt::join(set, " + ")); });
+  for (const std::vector<std::string>& set : sets) {
+    texts.push_back(fmt::format("{}", fmt::join(set, " + ")));
+  }
   return fmt::format("{}", fmt::join(texts, " | "));
 }
 
 // What else may be right: sets of effects, and the verdict of what is none.
 std::vector<std::vector<std::string>> alternativesOf(const diagnosis::Diagnosis& d) {
   std::vector<std::vector<std::string>> others;
-  std::transform(d.alternatives.begin(), d.alternatives.end(), std::back_inserter(others),
-                 [](const diagnosis::Alternative& other) {
-                   return other.effects.empty() ? std::vector<std::string>{toString(other.verdict)} : other.effects;
-                 });
+  for (const diagnosis::Alternative& other : d.alternatives) {
+    others.push_back(other.effects.empty() ? std::vector<std::string>{toString(other.verdict)} : other.effects);
+  }
   return others;
 }
 
+// A number that is not finite is written as null.
 ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
   ordered_json values = {{"verdict", toString(d.verdict)},
                          {"effects", log::join(d.effects)},
                          {"confounded", setsText(d.confounded)},
                          {"alternatives", setsText(alternativesOf(d))},
-                         {"gap_as_configured", number(d.gap.as_configured)},
-                         {"gap_re_estimated", number(d.gap.re_estimated)},
-                         {"gap_augmented", number(d.gap.augmented)},
-                         {"noise_floor", number(d.gap.noise_floor)},
-                         {"closed", number(d.closed)},
-                         {"closed_lower", number(d.closed_interval[0])},
-                         {"closed_upper", number(d.closed_interval[1])},
+                         {"gap_as_configured", d.gap.as_configured},
+                         {"gap_re_estimated", d.gap.re_estimated},
+                         {"gap_augmented", d.gap.augmented},
+                         {"noise_floor", d.gap.noise_floor},
+                         {"closed", d.closed},
+                         {"closed_lower", d.closed_interval[0]},
+                         {"closed_upper", d.closed_interval[1]},
                          {"rig_findings", d.rig_findings.size()},
                          {"sentence", d.sentence}};
   for (const auto& [name, ratio] : d.parameter_ratios) {
-    values["ratio." + name] = number(ratio);
+    values["ratio." + name] = ratio;
   }
   return values;
 }
 
-// What may be right, first what is said: sets of effects, and one without any where values may be all that is wrong.
-ordered_json explanationsJson(const diagnosis::Diagnosis& d) {
-  ordered_json list = ordered_json::array();
-  const auto add = [&](diagnosis::Verdict verdict, const std::vector<std::string>& effects, double probability) {
-    if (!effects.empty() || verdict == diagnosis::Verdict::none || verdict == diagnosis::Verdict::parameter_error) {
-      list.push_back({{"effects", effects}, {"probability", number(probability)}});
-    }
-  };
-  add(d.verdict, d.effects, d.probability);
-  for (const diagnosis::Alternative& other : d.alternatives) {
-    add(other.verdict, other.effects, other.probability);
-  }
-  return list;
+// Of logs that cannot be what they say nothing is known, what no model explains bends the values, and those that go
+// with an effect depend on its form, unless other values would do as well.
+bool hasValuesOfItsOwn(const diagnosis::Diagnosis& d) {
+  const bool other_values_do =
+      std::any_of(d.alternatives.begin(), d.alternatives.end(), [](const diagnosis::Alternative& other) {
+        return other.effects.empty() && other.verdict == Verdict::parameter_error;
+      });
+  return d.verdict != Verdict::check_bench && d.verdict != Verdict::unknown && (d.effects.empty() || other_values_do);
 }
 
-ordered_json diagnosisEvidence(const diagnosis::Diagnosis& d) {
-  ordered_json by_log = ordered_json::array();
-  for (const diagnosis::ParameterByLog& row : d.by_log) {
-    by_log.push_back(ratiosJson(row.ratios));
+// Nothing for a number without a logarithm.
+void addChange(const std::string& name, double ratio, Findings& findings) {
+  if (std::isfinite(ratio) && ratio > 0.0) {
+    findings.changes[name] = std::log(ratio);
   }
-  return {{"verdict", toString(d.verdict)},           {"effects", d.effects},
-          {"explanations", explanationsJson(d)},      {"probability_none_of_these", number(d.posterior.none_of_these)},
-          {"ratios", ratiosJson(d.parameter_ratios)}, {"ratios_by_log", by_log}};
+}
+
+Findings findingsOf(const diagnosis::Diagnosis& d) {
+  Findings findings{d.verdict, d.effects, {}};
+  if (hasValuesOfItsOwn(d)) {
+    for (const auto& [name, ratio] : d.parameter_ratios) {
+      addChange(name, ratio, findings);
+    }
+  }
+  return findings;
 }
 
 ordered_json replayValues(const log::Log& log, const gap::Replay& replay) {
@@ -122,9 +114,20 @@ ordered_json replayValues(const log::Log& log, const gap::Replay& replay) {
                          {"force_rms_n", std::sqrt(squares / static_cast<double>(log.size()))},
                          {"work_j", work}};
   if (!log.force.empty()) {
-    values["gap"] = number(gap::relativeGap(log.force, replay.force));
+    values["gap"] = gap::relativeGap(log.force, replay.force);
   }
   return values;
+}
+
+std::map<std::string, std::uint64_t> filesIn(const std::string& folder) {
+  std::map<std::string, std::uint64_t> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_regular_file() && name.front() != '.') {  // a hidden one is what a killed process was writing
+      files[name] = entry.file_size();
+    }
+  }
+  return files;
 }
 
 }  // namespace
@@ -132,14 +135,15 @@ ordered_json replayValues(const log::Log& log, const gap::Replay& replay) {
 Record Executor::execute(const Job& job) {
   const auto start = std::chrono::steady_clock::now();
   Record record;
-  record.id = job.id;
-  record.version = manifest_.version;
   try {
     work(job, record);
   } catch (const std::exception& error) {
     const std::string reason = log::oneLine(error.what());
-    record = {job.id, manifest_.version, reason.empty() ? "failed without a reason" : reason, {}, {}, {}, 0.0};
+    record = {};
+    record.error = reason.empty() ? "failed without a reason" : reason;
   }
+  record.id = job.id;
+  record.version = manifest_.version;
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   writeRecord(record, folder_);
   return record;
@@ -158,17 +162,15 @@ void Executor::work(const Job& job, Record& record) {
       break;
   }
   if (job.options.reports != Reports::none) {
-    listFiles(job, record);
+    record.files = filesIn(makeReportFolder(job));
   }
 }
 
 void Executor::diagnose(const Job& job, Record& record) {
   io::ComponentDescription description = componentOf(job);
-  io::RigTolerances tolerances = description.rig.value_or(io::RigTolerances{});
   for (const auto& [key, value] : job.options.rig) {
+    io::RigTolerances tolerances = description.rig.value_or(io::RigTolerances{});
     io::setRigTolerance(tolerances, key + "=" + value);
-  }
-  if (!job.options.rig.empty()) {
     description.rig = tolerances;
   }
   diagnosis::DiagnosisOptions settings;
@@ -177,7 +179,7 @@ void Executor::diagnose(const Job& job, Record& record) {
   const diagnosis::Diagnosis result =
       diagnosis::diagnose(description, logs(job, job.logs), logs(job, job.hold_out), settings);
   record.values = diagnosisValues(result);
-  record.evidence = diagnosisEvidence(result);
+  record.findings = findingsOf(result);
   if (job.options.reports == Reports::full) {
     diagnosis::writeReport(result, makeReportFolder(job));
   } else if (job.options.reports == Reports::data) {
@@ -198,21 +200,16 @@ void Executor::estimate(const Job& job, Record& record) {
   settings.held = job.options.hold;
   settings.starts = job.options.starts > 0 ? job.options.starts : settings.starts;
   const fit::Identification result = command::identifyFromLogs(description, logs(job, job.logs), settings);
-  record.values = {{"residual_n", number(result.residual)}, {"relative_residual", number(result.relative_residual)}};
-  ordered_json parameters = ordered_json::array();
+  record.values = {{"residual_n", result.residual}, {"relative_residual", result.relative_residual}};
   for (const fit::IdentifiedParameter& parameter : result.parameters) {
     const std::string name = fmt::format("{}_{}.{}", parameter.element, parameter.index, parameter.name);
-    record.values[name] = number(parameter.value);
-    record.values[name + "_lower"] = number(parameter.lower);
-    record.values[name + "_upper"] = number(parameter.upper);
-    parameters.push_back({{"name", name},
-                          {"value", number(parameter.value)},
-                          {"lower", number(parameter.lower)},
-                          {"upper", number(parameter.upper)},
-                          {"given", number(parameter.given)},
-                          {"determined", parameter.determined}});
+    record.values[name] = parameter.value;
+    record.values[name + "_lower"] = parameter.lower;
+    record.values[name + "_upper"] = parameter.upper;
+    if (parameter.determined) {
+      addChange(name, parameter.value / parameter.given, record.findings);
+    }
   }
-  record.evidence = {{"parameters", parameters}};
   if (job.options.reports != Reports::none) {
     const std::string folder = makeReportFolder(job);
     log::writeNewFile(folder + "/identification.json", command::toJson(description.name, result));
@@ -231,18 +228,14 @@ void Executor::replay(const Job& job, Record& record) {
 }
 
 io::ComponentDescription Executor::componentOf(const Job& job) {
-  auto kept = std::find_if(kept_configs_.begin(), kept_configs_.end(),
-                           [&](const KeptConfig& config) { return config.input == job.config; });
+  auto kept = kept_configs_.find(job.config);
   if (kept == kept_configs_.end()) {
-    const InputFile& input = manifest_.inputs[job.config];
-    requireUnchanged(input);
-    kept_configs_.push_front({job.config, io::loadComponentFile(input.path)});
-    kept = kept_configs_.begin();
-    if (kept_configs_.size() > kKeptConfigs) {
-      kept_configs_.pop_back();
+    if (kept_configs_.size() == kKeptConfigs) {
+      kept_configs_.clear();
     }
+    kept = kept_configs_.emplace(job.config, io::loadComponentFile(unchangedPath(job.config))).first;
   }
-  io::ComponentDescription description = io::selectComponent(kept->components, job.component);
+  io::ComponentDescription description = io::selectComponent(kept->second, job.component);
   if (!job.specification.empty()) {
     estimation::Specification specification = description.written();
     for (const auto& [name, value] : job.specification) {
@@ -263,59 +256,37 @@ std::vector<log::Log> Executor::logs(const Job& job, const std::vector<std::size
 
 const log::Log& Executor::keptLog(const Job& job, std::size_t file) {
   const std::string key = fmt::format("{}\n{}\n{}", file, job.component, readingKey(job.options));
-  const auto kept =
-      std::find_if(kept_logs_.begin(), kept_logs_.end(), [&](const KeptLog& log) { return log.key == key; });
+  const auto kept = kept_logs_.find(key);
   if (kept != kept_logs_.end()) {
-    kept_logs_.splice(kept_logs_.begin(), kept_logs_, kept);
-    return kept_logs_.front().log;
+    return kept->second;
   }
-  const InputFile& input = manifest_.inputs[file];
-  requireUnchanged(input);
-  kept_logs_.push_front({key, read_log_(input.path, job.component, logFormat(job.options))});
-  keepFewLogs();
-  return kept_logs_.front().log;
-}
-
-void Executor::keepFewLogs() {
-  std::size_t samples = 0;
-  for (auto log = kept_logs_.begin(); log != kept_logs_.end(); ++log) {
-    samples += log->log.size();
-    if (samples > kKeptSamples && log != kept_logs_.begin()) {
-      kept_logs_.erase(log, kept_logs_.end());
-      return;
-    }
+  log::Log log = read_log_(unchangedPath(file), job.component, logFormat(job.options));
+  if (kept_samples_ + log.size() > kKeptSamples) {
+    kept_logs_.clear();
+    kept_samples_ = 0;
   }
-}
-
-void Executor::requireUnchanged(const InputFile& input) const {
-  const io::FileHash hash = io::hashFile(input.path);
-  if (hash.sha256 != input.sha256) {
-    throw std::runtime_error(fmt::format(
-        "{}: has changed since `campaign make` ({} bytes then, {} now); accepted: the file as it was, or `campaign "
-        "make` again",
-        input.path, input.size, hash.size));
-  }
+  kept_samples_ += log.size();
+  return kept_logs_.emplace(key, std::move(log)).first->second;
 }
 
 // Made if missing; what an earlier try left there has the same names and is replaced.
 std::string Executor::makeReportFolder(const Job& job) const {
   std::string folder = folder_ + "/" + reportFolder(job.id);
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) {
-    throw std::runtime_error(folder + ": cannot be made: " + failure.message());
-  }
+  makeFolder(folder);
   return folder;
 }
 
-void Executor::listFiles(const Job& job, Record& record) const {
-  const fs::path folder = fs::path(folder_) / reportFolder(job.id);
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file() && name.front() != '.') {  // a hidden one is what a killed process was writing
-      record.files[name] = entry.file_size();
-    }
+// Of an input; throws std::runtime_error where it has changed.
+std::string Executor::unchangedPath(std::size_t input) const {
+  const InputFile& file = manifest_.inputs[input];
+  const io::FileHash hash = io::hashFile(file.path);
+  if (hash.sha256 != file.sha256) {
+    throw std::runtime_error(fmt::format(
+        "{}: has changed since `campaign make` ({} bytes then, {} now); accepted: the file as it was, or `campaign "
+        "make` again",
+        file.path, file.size, hash.size));
   }
+  return file.path;
 }
 
 }  // namespace rubber_suspension::campaign

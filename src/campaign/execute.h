@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <list>
+#include <map>
 #include <string>
 
 #include "campaign/make.h"
@@ -24,16 +24,6 @@ class Executor {
   Record execute(const Job& job);
 
  private:
-  struct KeptLog {
-    std::string key;
-    log::Log log;
-  };
-
-  struct KeptConfig {
-    std::size_t input;
-    std::vector<io::ComponentDescription> components;
-  };
-
   void work(const Job& job, Record& record);
   void diagnose(const Job& job, Record& record);
   void estimate(const Job& job, Record& record);
@@ -42,16 +32,15 @@ class Executor {
   io::ComponentDescription componentOf(const Job& job);
   std::vector<log::Log> logs(const Job& job, const std::vector<std::size_t>& files);
   const log::Log& keptLog(const Job& job, std::size_t file);
-  void keepFewLogs();
-  void requireUnchanged(const InputFile& input) const;
+  std::string unchangedPath(std::size_t input) const;
   std::string makeReportFolder(const Job& job) const;
-  void listFiles(const Job& job, Record& record) const;
 
   std::string folder_;
   const Manifest& manifest_;
   LogReader read_log_;
-  std::list<KeptLog> kept_logs_;  // the last used first
-  std::list<KeptConfig> kept_configs_;
+  std::map<std::string, log::Log> kept_logs_;
+  std::size_t kept_samples_ = 0;
+  std::map<std::size_t, std::vector<io::ComponentDescription>> kept_configs_;
 };
 
 }  // namespace rubber_suspension::campaign

@@ -2,11 +2,10 @@
 #include "campaign/job.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <stdexcept>
-#include <vector>
 
-#include "campaign/job_json.h"
 #include "element/suggestion.h"
 #include "io/sha256.h"
 
@@ -20,12 +19,8 @@ constexpr std::array kReports = {"none", "data", "full"};
 
 template <class Enum, std::size_t Size>
 std::optional<Enum> fromName(const std::array<const char*, Size>& names, const std::string& name) {
-  for (std::size_t i = 0; i < Size; ++i) {
-    if (name == names[i]) {
-      return static_cast<Enum>(i);
-    }
-  }
-  return std::nullopt;
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? std::nullopt : std::make_optional(static_cast<Enum>(found - names.begin()));
 }
 
 template <class Enum>
@@ -40,6 +35,16 @@ ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<
     result.push_back({inputs.at(file).sha256, std::filesystem::path(inputs.at(file).path).stem().string()});
   }
   return result;
+}
+
+ordered_json optionsJson(const JobOptions& options) {
+  ordered_json json = {{"reports", toString(options.reports)}};
+  forEachOption([&, usual = JobOptions()](const char* key, auto option) {
+    if (options.*option != usual.*option) {
+      json[key] = options.*option;
+    }
+  });
+  return json;
 }
 
 JobOptions optionsFromJson(const nlohmann::json& json) {
@@ -60,6 +65,21 @@ JobOptions optionsFromJson(const nlohmann::json& json) {
   return options;
 }
 
+// Calls visit(key, pointer to member, whether it stands in every manifest) for all but command and options.
+template <class Visit>
+void forEachMember(Visit visit) {
+  visit("id", &Job::id, true);
+  visit("group", &Job::group, true);
+  visit("type", &Job::type, true);
+  visit("test_piece", &Job::test_piece, true);
+  visit("component", &Job::component, true);
+  visit("config", &Job::config, true);
+  visit("logs", &Job::logs, true);
+  visit("test_rig", &Job::test_rig, false);
+  visit("hold_out", &Job::hold_out, false);
+  visit("specification", &Job::specification, false);
+}
+
 }  // namespace
 
 std::string toString(Command command) { return kCommands.at(static_cast<std::size_t>(command)); }
@@ -74,16 +94,6 @@ std::vector<std::string> optionKeys() {
   std::vector<std::string> keys = {"reports"};
   forEachOption([&](const char* key, auto /*option*/) { keys.emplace_back(key); });
   return keys;
-}
-
-ordered_json optionsJson(const JobOptions& options) {
-  ordered_json json = {{"reports", toString(options.reports)}};
-  forEachOption([&, usual = JobOptions()](const char* key, auto option) {
-    if (options.*option != usual.*option) {
-      json[key] = options.*option;
-    }
-  });
-  return json;
 }
 
 std::string nameOf(const Job& job) { return job.group + " " + job.test_piece + " (" + job.id.substr(0, 12) + ")"; }
@@ -101,41 +111,26 @@ std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const st
 }
 
 ordered_json jobJson(const Job& job) {
-  ordered_json json = {{"id", job.id},
-                       {"group", job.group},
-                       {"type", job.type},
-                       {"test_piece", job.test_piece},
-                       {"command", toString(job.command)},
-                       {"component", job.component},
-                       {"config", job.config},
-                       {"logs", job.logs}};
-  if (!job.test_rig.empty()) {
-    json["test_rig"] = job.test_rig;
-  }
-  if (!job.hold_out.empty()) {
-    json["hold_out"] = job.hold_out;
-  }
-  if (!job.specification.empty()) {
-    json["specification"] = job.specification;
-  }
+  ordered_json json;
+  forEachMember([&, empty = Job()](const char* key, auto member, bool always) {
+    if (always || job.*member != empty.*member) {
+      json[key] = job.*member;
+    }
+  });
+  json["command"] = toString(job.command);
   json["options"] = optionsJson(job.options);
   return json;
 }
 
 Job jobFromJson(const nlohmann::json& json) {
   Job job;
-  job.id = json.at("id").get<std::string>();
-  job.group = json.at("group").get<std::string>();
-  job.type = json.at("type").get<std::string>();
-  job.test_piece = json.at("test_piece").get<std::string>();
-  job.test_rig = json.value("test_rig", job.test_rig);
+  forEachMember([&](const char* key, auto member, bool always) {
+    if (always || json.contains(key)) {
+      json.at(key).get_to(job.*member);
+    }
+  });
   const auto command = json.at("command").get<std::string>();
   job.command = require(commandFromString(command), command);
-  job.component = json.at("component").get<std::string>();
-  job.config = json.at("config").get<std::size_t>();
-  job.logs = json.at("logs").get<std::vector<std::size_t>>();
-  job.hold_out = json.value("hold_out", job.hold_out);
-  job.specification = json.value("specification", job.specification);
   job.options = optionsFromJson(json.at("options"));
   return job;
 }

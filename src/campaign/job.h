@@ -1,9 +1,9 @@
 // A job of a campaign: one command on one component with its logs, and what makes it this job and no other.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -94,5 +94,11 @@ std::string nameOf(const Job& job);
 /// The id of a job: the same wherever its files lie, as long as their contents, the names of its logs (which stand in
 /// the report), its options and the version of the program are.
 std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version);
+
+/// A line of a manifest; of options and lists only what is not the default.
+nlohmann::ordered_json jobJson(const Job& job);
+
+/// Throws std::invalid_argument, nlohmann::json::exception.
+Job jobFromJson(const nlohmann::json& json);
 
 }  // namespace rubber_suspension::campaign

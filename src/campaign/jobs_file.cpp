@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <type_traits>
 
 #include "campaign/make.h"
 #include "element/suggestion.h"
@@ -29,373 +30,352 @@ using Keys = std::vector<std::string>;
 const Keys kGroupKeys = {"command",  "folders", "config",   "component",       "type",
                          "test_rig", "log",     "hold_out", "one_job_per_log", "monte_carlo"};
 
-class Reader {
+// Receives what is wrong, with its line and where it stands.
+using Tell = std::function<void(int line, const std::string& path, const std::string& problem)>;
+
+int lineOf(const YAML::Mark& mark) { return std::max(mark.line + 1, 1); }
+
+template <class Row>
+Keys namesOf(const std::vector<Row>& table) {
+  Keys names;
+  for (const Row& row : table) {
+    names.push_back(row.name);
+  }
+  return names;
+}
+
+// A node of the file and where it stands, "jobs.fleet.log". What is wrong with it is told, and what it holds is then
+// empty.
+class Entry {
  public:
-  Reader(std::string path, std::vector<std::string>& problems) : path_(std::move(path)), problems_(problems) {}
+  Entry(const YAML::Node& node, const std::string& parent, std::string name, int line, const Tell& tell)
+      : node_(node),
+        name_(std::move(name)),
+        path_(parent + (parent.empty() ? "" : ".") + log::oneLine(name_)),
+        line_(line),
+        tell_(&tell) {}
 
-  std::vector<JobGroup> read(const std::string& text) {
-    const std::optional<YAML::Node> root = parse(text);
-    std::vector<JobGroup> groups;
-    if (!root || !checkMap(*root, "", {"settings", "jobs"})) {
-      return groups;
-    }
-    JobOptions settings;
-    if ((*root)["settings"] && checkMap((*root)["settings"], "settings", optionKeys())) {
-      readOptions((*root)["settings"], "settings", settings);
-    }
-    const YAML::Node jobs = (*root)["jobs"];
-    if (!jobs || !jobs.IsMap() || jobs.size() == 0) {
-      report(jobs ? jobs : *root, "jobs", "missing or empty; accepted: a map of entries by name");
-      return groups;
-    }
-    checkUnique(jobs, "jobs");
-    for (const auto& entry : jobs) {
-      groups.push_back(readGroup(entry.first, entry.second, settings));
-    }
-    return groups;
+  bool given() const { return node_.IsDefined(); }
+  const std::string& name() const { return name_; }
+  int line() const { return line_; }
+
+  // Of a map.
+  Entry at(const std::string& key) const {
+    const YAML::Node node = node_[key];
+    return {node, path_, key, node.IsDefined() ? lineOf(node.Mark()) : line_, *tell_};
   }
 
- private:
-  void report(int line, const std::string& key, const std::string& problem) {
-    problems_.push_back(fmt::format("{}:{}: {}{}{}", path_, line, key, key.empty() ? "" : ": ", problem));
+  void refuse(const std::string& problem) const { (*tell_)(line_, path_, problem); }
+
+  // What stands there, and what is accepted.
+  void refuseContent(const std::string& accepted) const {
+    std::string content = "missing";
+    if (given()) {
+      content = node_.IsScalar()     ? log::quoted(node_.Scalar())
+                : node_.IsMap()      ? "a map"
+                : node_.IsSequence() ? "a list"
+                                     : "nothing";
+    }
+    refuse(content + "; accepted: " + accepted);
   }
 
-  void report(const YAML::Node& node, const std::string& key, const std::string& problem) {
-    report(std::max(node.Mark().line + 1, 1), key, problem);
-  }
-
-  std::optional<YAML::Node> parse(const std::string& text) {
-    if (const auto line = io::lineNestedTooDeep(text)) {
-      report(*line, "", io::acceptedNesting());
-      return std::nullopt;
-    }
-    try {
-      if (const auto line = io::lineExpandedTooFar(text)) {
-        report(*line, "", io::acceptedExpansion());
-        return std::nullopt;
-      }
-      return YAML::Load(text);
-    } catch (const YAML::Exception& error) {
-      report(std::max(error.mark.line + 1, 1), "", fmt::format("not YAML: {}; accepted: a jobs file", error.msg));
-      return std::nullopt;
-    }
-  }
-
-  void checkUnique(const YAML::Node& map, const std::string& path) {
-    std::set<std::string> seen;
-    for (const auto& entry : map) {
-      if (!entry.first.IsScalar()) {
-        report(entry.first, path, "a key that is no name; accepted: a name");
-      } else if (!seen.insert(entry.first.Scalar()).second) {
-        report(entry.first, child(path, entry.first.Scalar()), "stands twice; accepted: once");
-      }
-    }
-  }
+  bool isFullMap() const { return given() && node_.IsMap() && node_.size() > 0; }
 
   // True for a map, whatever its keys; those that are unknown are told.
-  bool checkMap(const YAML::Node& node, const std::string& path, const Keys& keys) {
-    if (!node.IsMap()) {
-      report(node, path, fmt::format("{}; accepted: a map with the keys {}", describe(node), log::join(keys)));
+  bool isMapOf(const Keys& keys) const {
+    if (!given() || !node_.IsMap()) {
+      refuseContent("a map with the keys " + log::join(keys));
       return false;
     }
-    checkUnique(node, path);
-    for (const auto& entry : node) {
-      if (entry.first.IsScalar() && std::find(keys.begin(), keys.end(), entry.first.Scalar()) == keys.end()) {
-        report(entry.first, child(path, log::oneLine(entry.first.Scalar())),
-               fmt::format("unknown key{}; accepted: {}", element::didYouMean(entry.first.Scalar(), keys),
-                           log::join(keys)));
+    for (const Entry& entry : entries()) {
+      if (std::find(keys.begin(), keys.end(), entry.name()) == keys.end()) {
+        entry.refuse(
+            fmt::format("unknown key{}; accepted: {}", element::didYouMean(entry.name(), keys), log::join(keys)));
       }
     }
     return true;
   }
 
-  static std::string child(const std::string& path, const std::string& key) {
-    return path.empty() ? key : path + "." + key;
-  }
-
-  static std::string describe(const YAML::Node& node) {
-    if (node.IsScalar()) {
-      return log::quoted(node.Scalar());
-    }
-    return node.IsMap() ? "a map" : (node.IsSequence() ? "a list" : "nothing");
-  }
-
-  JobGroup readGroup(const YAML::Node& key, const YAML::Node& node, const JobOptions& settings) {
-    JobGroup group;
-    group.name = key.IsScalar() ? key.Scalar() : "";
-    group.line = key.Mark().line + 1;
-    group.options = settings;
-    const std::string path = "jobs." + log::oneLine(group.name);
-    Keys keys = kGroupKeys;
-    const Keys options = optionKeys();
-    keys.insert(keys.end(), options.begin(), options.end());
-    if (group.name.empty() || group.name != log::oneLine(group.name)) {
-      report(key, path, "no name; accepted: text on one line");
-    }
-    if (!checkMap(node, path, keys)) {
-      return group;
-    }
-    readCommand(node, path, group);
-    group.folders = text(node, path, "folders", false);
-    group.config = text(node, path, "config", true);
-    group.type = text(node, path, "type", false);
-    group.test_rig = text(node, path, "test_rig", false);
-    group.components = texts(node, path, "component", false);
-    group.logs = texts(node, path, "log", true);
-    group.hold_out = texts(node, path, "hold_out", false);
-    readFlag(node, path, "one_job_per_log", group.one_job_per_log);
-    readOptions(node, path, group.options);
-    if (node["monte_carlo"]) {
-      group.monte_carlo = readMonteCarlo(node["monte_carlo"], path + ".monte_carlo");
-    }
-    checkUse(node, path, group);
-    return group;
-  }
-
-  void readCommand(const YAML::Node& node, const std::string& path, JobGroup& group) {
-    const std::string name = text(node, path, "command", true);
-    const auto command = commandFromString(name);
-    if (command) {
-      group.command = *command;
-    } else if (!name.empty()) {
-      report(node["command"], path + ".command",
-             fmt::format("{}; accepted: diagnose, estimate, replay", log::quoted(name)));
-    }
-  }
-
-  // No key is without effect.
-  void checkUse(const YAML::Node& node, const std::string& path, const JobGroup& group) {
-    const auto refuse = [&](const char* key, Command needed) {
-      if (node[key] && group.command != needed) {
-        report(node[key], child(path, key),
-               fmt::format("has no effect on {}; accepted: with {}", toString(group.command), toString(needed)));
+  // Those of a map, each key once, with the line of the key.
+  std::vector<Entry> entries() const {
+    std::vector<Entry> entries;
+    std::set<std::string> seen;
+    for (const auto& entry : node_) {
+      const int line = lineOf(entry.first.Mark());
+      if (!entry.first.IsScalar()) {
+        (*tell_)(line, path_, "a key that is no name; accepted: a name");
+        continue;
       }
-    };
-    refuse("rig", Command::diagnose);
-    refuse("evidence", Command::diagnose);
-    refuse("test_rig", Command::diagnose);
-    refuse("hold_out", Command::diagnose);
-    refuse("hold", Command::estimate);
-    refuse("starts", Command::estimate);
-    if (node["accept_units"] && group.command == Command::replay) {
-      report(node["accept_units"], child(path, "accept_units"),
-             "has no effect on replay; accepted: with diagnose or estimate");
-    }
-  }
-
-  std::string text(const YAML::Node& node, const std::string& path, const char* key, bool required) {
-    const YAML::Node value = node[key];
-    if (!value && !required) {
-      return "";
-    }
-    if (!value || !value.IsScalar() || value.Scalar().empty()) {
-      report(value ? value : node, child(path, key),
-             fmt::format("{}; accepted: text", value ? describe(value) : "missing"));
-      return "";
-    }
-    return value.Scalar();
-  }
-
-  std::vector<std::string> texts(const YAML::Node& node, const std::string& path, const char* key, bool required) {
-    const YAML::Node value = node[key];
-    std::vector<std::string> result;
-    if (value && value.IsSequence() && value.size() > 0) {
-      for (const YAML::Node& entry : value) {
-        if (entry.IsScalar() && !entry.Scalar().empty()) {
-          result.push_back(entry.Scalar());
-        } else {
-          report(entry, child(path, key), fmt::format("{}; accepted: text", describe(entry)));
-        }
+      const std::string name = entry.first.Scalar();
+      entries.push_back({entry.second, path_, name, line, *tell_});
+      if (!seen.insert(name).second) {
+        entries.back().refuse("stands twice; accepted: once");
+        entries.pop_back();
       }
-      return result;
     }
-    const std::string only = text(node, path, key, required);
-    return only.empty() ? result : std::vector<std::string>{only};
+    return entries;
   }
 
-  void readFlag(const YAML::Node& node, const std::string& path, const char* key, bool& flag) {
-    const YAML::Node value = node[key];
-    if (value && !YAML::convert<bool>::decode(value, flag)) {
-      report(value, child(path, key), fmt::format("{}; accepted: true, false", describe(value)));
+  std::string text() const {
+    if (given() && node_.IsScalar() && !node_.Scalar().empty()) {
+      return node_.Scalar();
     }
+    refuseContent("text");
+    return "";
   }
 
-  // A number of [lower, upper], or nothing and a problem.
-  std::optional<double> number(const YAML::Node& value, const std::string& path, double lower, double upper,
-                               bool whole) {
-    const auto result = value.IsScalar() ? log::parseNumber(value.Scalar()) : std::nullopt;
+  // A list, or a single text.
+  Keys texts() const {
+    Keys texts;
+    if (given() && node_.IsSequence() && node_.size() > 0) {
+      for (const YAML::Node& node : node_) {
+        texts.push_back(Entry(node, "", path_, lineOf(node.Mark()), *tell_).text());
+      }
+    } else {
+      texts.push_back(text());
+    }
+    texts.erase(std::remove(texts.begin(), texts.end(), ""), texts.end());
+    return texts;
+  }
+
+  std::optional<double> number(double lower, double upper, bool whole) const {
+    const auto result = given() && node_.IsScalar() ? log::parseNumber(node_.Scalar()) : std::nullopt;
     if (!result || !(*result >= lower && *result <= upper) || (whole && std::floor(*result) != *result)) {
-      report(value, path,
-             fmt::format("{}; accepted: a {}number from {:.17g} to {:.17g}", describe(value), whole ? "whole " : "",
-                         lower, upper));
+      refuseContent(fmt::format("a {}number from {:.17g} to {:.17g}", whole ? "whole " : "", lower, upper));
       return std::nullopt;
     }
     return result;
   }
 
-  void readOptions(const YAML::Node& node, const std::string& path, JobOptions& options) {
-    if (node["reports"]) {
-      const std::string name = text(node, path, "reports", true);
-      const auto reports = reportsFromString(name);
-      if (reports) {
-        options.reports = *reports;
-      } else if (!name.empty()) {
-        report(node["reports"], child(path, "reports"),
-               fmt::format("{}; accepted: none, data, full", log::quoted(name)));
-      }
+  // One of the words that `of` knows.
+  template <class Value>
+  std::optional<Value> choice(std::optional<Value> (*of)(const std::string&), const char* accepted) const {
+    const std::string word = text();
+    const std::optional<Value> value = of(word);
+    if (!value && !word.empty()) {
+      refuseContent(accepted);
     }
-    readFlag(node, path, "evidence", options.evidence);
-    if (options.evidence && options.reports == Reports::none) {
-      report(node, path, "evidence: true leaves a file, and reports: none leaves none; accepted: reports: data, full");
-    }
-    if (node["sampling_rate"]) {
-      constexpr double kFastest = 1e9;  // [Hz]: a stamp is a whole number of nanoseconds
-      options.sampling_rate =
-          number(node["sampling_rate"], child(path, "sampling_rate"), 1e-9, kFastest, false).value_or(0.0);
-    }
-    if (node["starts"]) {
-      if (const auto starts = number(node["starts"], child(path, "starts"), 1, 1000, true)) {
-        options.starts = static_cast<int>(*starts);
-      }
-    }
-    for (const auto& [key, option] : {std::pair("columns", &options.columns), std::pair("hold", &options.hold)}) {
-      if (node[key]) {
-        *option = texts(node, path, key, true);
-      }
-    }
-    for (const auto& [key, option] : {std::pair("unit", &options.unit), std::pair("decimal", &options.decimal),
-                                      std::pair("segment", &options.segment)}) {
-      if (node[key]) {
-        *option = text(node, path, key, true);
-      }
-    }
-    if (node["bridge"]) {
-      constexpr double kLongest = 3600.0;  // [s]
-      options.bridge = number(node["bridge"], child(path, "bridge"), 0.0, kLongest, false).value_or(-1.0);
-    }
-    readFlag(node, path, "accept_units", options.accept_units);
-    checkFormat(node, path, options);
-    readRig(node["rig"], child(path, "rig"), options);
+    return value;
   }
 
-  void checkFormat(const YAML::Node& node, const std::string& path, const JobOptions& options) {
+ private:
+  YAML::Node node_;
+  std::string name_;
+  std::string path_;
+  int line_;
+  const Tell* tell_;
+};
+
+std::optional<bool> flagFromString(const std::string& word) {
+  bool flag = false;
+  return YAML::convert<bool>::decode(YAML::Node(word), flag) ? std::make_optional(flag) : std::nullopt;
+}
+
+std::optional<bool> leavesOut(const std::string& word) {
+  return word == "leave_out" || word == "refuse" ? std::make_optional(word == "leave_out") : std::nullopt;
+}
+
+void read(const Entry& entry, std::string& value) { value = entry.text(); }
+
+void read(const Entry& entry, std::vector<std::string>& values) { values = entry.texts(); }
+
+void read(const Entry& entry, bool& flag) { flag = entry.choice(flagFromString, "true, false").value_or(flag); }
+
+void read(const Entry& entry, int& starts) { starts = static_cast<int>(entry.number(1, 1000, true).value_or(starts)); }
+
+// The rate [Hz] ends where a stamp, a whole number of nanoseconds, does; a gap that is bridged [s] is no hour.
+void read(const Entry& entry, double& value, bool is_rate) {
+  value = (is_rate ? entry.number(1e-9, 1e9, false) : entry.number(0.0, 3600.0, false)).value_or(value);
+}
+
+// Tolerances of a rig.
+void read(const Entry& entry, std::map<std::string, std::string>& rig) {
+  const Keys known = namesOf(io::rigToleranceTable());
+  if (!entry.isMapOf(known)) {
+    return;
+  }
+  for (const std::string& key : known) {
+    const Entry tolerance = entry.at(key);
     try {
-      logFormat(options);
+      if (tolerance.given()) {
+        io::parseRigTolerance(key, rig[key] = tolerance.text());
+      }
     } catch (const std::invalid_argument& error) {
-      report(node, path, error.what());
+      tolerance.refuse(error.what());
     }
   }
+}
 
-  void readRig(const YAML::Node& node, const std::string& path, JobOptions& options) {
-    if (!node) {
-      return;
-    }
-    Keys keys;
-    for (const io::RigToleranceInfo& row : io::rigToleranceTable()) {
-      keys.push_back(row.name);
-    }
-    if (!checkMap(node, path, keys)) {
-      return;
-    }
-    for (const auto& entry : node) {
-      const std::string key = entry.first.Scalar();
-      if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-        continue;  // told already
-      }
-      try {
-        io::parseRigTolerance(key, entry.second.IsScalar() ? entry.second.Scalar() : "");
-        options.rig[key] = entry.second.Scalar();
-      } catch (const std::invalid_argument& error) {
-        report(entry.second, child(path, key), error.what());
-      }
-    }
+template <class Value>
+void readIfGiven(const Entry& entry, Value& value) {
+  if (entry.given()) {
+    read(entry, value);
   }
+}
 
-  MonteCarlo readMonteCarlo(const YAML::Node& node, const std::string& path) {
-    MonteCarlo result;
-    if (!checkMap(node, path, {"runs", "seed", "tolerances", "unsolvable"})) {
-      return result;
-    }
-    const auto whole = [&](const char* key, double lower, double upper) {
-      if (!node[key]) {
-        report(node, child(path, key), fmt::format("missing; accepted: a whole number from {:.17g}", lower));
-        return 0.0;
+void readOptions(const Entry& entry, JobOptions& options) {
+  if (const Entry reports = entry.at("reports"); reports.given()) {
+    options.reports = reports.choice(reportsFromString, "none, data, full").value_or(options.reports);
+  }
+  forEachOption([&](const std::string& key, auto option) {
+    if constexpr (std::is_same_v<decltype(option), double JobOptions::*>) {
+      if (entry.at(key).given()) {
+        read(entry.at(key), options.*option, key == "sampling_rate");
       }
-      return number(node[key], child(path, key), lower, upper, true).value_or(0.0);
-    };
-    constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: whole numbers up to it are exact
-    result.runs = static_cast<std::size_t>(whole("runs", 1.0, static_cast<double>(kMaximumJobs)));
-    result.seed = static_cast<std::uint64_t>(whole("seed", 0.0, kLargestSeed));
-    if (node["unsolvable"]) {
-      const std::string choice = text(node, path, "unsolvable", true);
-      result.leave_out_unsolvable = choice == "leave_out";
-      if (choice != "leave_out" && choice != "refuse") {
-        report(node["unsolvable"], child(path, "unsolvable"),
-               fmt::format("{}; accepted: refuse, leave_out", log::quoted(choice)));
-      }
+    } else {
+      readIfGiven(entry.at(key), options.*option);
     }
-    readTolerances(node["tolerances"] ? node["tolerances"] : YAML::Node(), node, child(path, "tolerances"), result);
+  });
+  if (options.evidence && options.reports == Reports::none) {
+    entry.refuse("evidence: true leaves a file, and reports: none leaves none; accepted: reports: data, full");
+  }
+  try {
+    logFormat(options);
+  } catch (const std::invalid_argument& error) {
+    entry.refuse(error.what());
+  }
+}
+
+std::optional<Tolerance> readTolerance(const Entry& entry, const element::ParameterInfo& row) {
+  if (!entry.isMapOf({"uniform", "normal"})) {
+    return std::nullopt;
+  }
+  const bool is_normal = entry.at("normal").given();
+  if (is_normal == entry.at("uniform").given()) {
+    entry.refuse("accepted: one of uniform and normal, as a share such as 5 %, or in " + row.unit);
+    return std::nullopt;
+  }
+  const std::string text = log::trimmed(entry.at(is_normal ? "normal" : "uniform").text());
+  const bool is_share = log::endsWith(text, "%");
+  try {
+    const double width = log::parseQuantity(text, is_share ? "1" : row.unit);
+    if (std::isfinite(width) && width > 0.0 && !(is_share && width >= 1.0)) {
+      return Tolerance{is_normal ? Tolerance::Shape::normal : Tolerance::Shape::uniform, width, is_share};
+    }
+    entry.refuse(log::quoted(text) + "; accepted: greater than 0, as a share below 100 %");
+  } catch (const std::invalid_argument& error) {
+    entry.refuse(
+        fmt::format("{}: {}; accepted: a share such as 5 %, or in {}", log::quoted(text), error.what(), row.unit));
+  }
+  return std::nullopt;
+}
+
+MonteCarlo readMonteCarlo(const Entry& entry) {
+  constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: whole numbers up to it are exact
+  MonteCarlo result;
+  if (!entry.isMapOf({"runs", "seed", "tolerances", "unsolvable"})) {
     return result;
   }
-
-  void readTolerances(const YAML::Node& node, const YAML::Node& parent, const std::string& path, MonteCarlo& result) {
-    if (!node.IsMap() || node.size() == 0) {
-      report(node.IsDefined() && !node.IsNull() ? node : parent, path,
-             "missing or empty; accepted: a map such as static_stiffness: {uniform: 15 %}");
-      return;
-    }
-    Keys names;
-    for (const element::ParameterInfo& row : estimation::specificationParameters()) {
-      names.push_back(row.name);
-    }
-    checkMap(node, path, names);
-    for (const auto& entry : node) {
-      const auto* row = entry.first.IsScalar()
-                            ? element::findParameter(estimation::specificationParameters(), entry.first.Scalar())
-                            : nullptr;
-      if (row != nullptr) {
-        readTolerance(entry.second, child(path, row->name), *row, result);
+  result.runs = static_cast<std::size_t>(entry.at("runs").number(1.0, kMaximumJobs, true).value_or(0.0));
+  result.seed = static_cast<std::uint64_t>(entry.at("seed").number(0.0, kLargestSeed, true).value_or(0.0));
+  if (entry.at("unsolvable").given()) {
+    result.leave_out_unsolvable = entry.at("unsolvable").choice(leavesOut, "refuse, leave_out").value_or(false);
+  }
+  const Entry tolerances = entry.at("tolerances");
+  const std::vector<element::ParameterInfo>& table = estimation::specificationParameters();
+  if (!tolerances.isFullMap()) {
+    tolerances.refuse("missing or empty; accepted: a map such as static_stiffness: {uniform: 15 %}");
+  } else if (tolerances.isMapOf(namesOf(table))) {
+    for (const element::ParameterInfo& row : table) {
+      const Entry one = tolerances.at(row.name);
+      if (const auto tolerance = one.given() ? readTolerance(one, row) : std::nullopt) {
+        result.tolerances[row.name] = *tolerance;
       }
     }
   }
+  return result;
+}
 
-  void readTolerance(const YAML::Node& node, const std::string& path, const element::ParameterInfo& row,
-                     MonteCarlo& result) {
-    if (!checkMap(node, path, {"uniform", "normal"})) {
-      return;
+// No key is without effect.
+void checkUse(const Entry& entry, Command command) {
+  static const std::vector<std::pair<std::string, Command>> only = {
+      {"rig", Command::diagnose},      {"evidence", Command::diagnose}, {"test_rig", Command::diagnose},
+      {"hold_out", Command::diagnose}, {"hold", Command::estimate},     {"starts", Command::estimate}};
+  for (const auto& [key, needed] : only) {
+    if (entry.at(key).given() && command != needed) {
+      entry.at(key).refuse(fmt::format("has no effect on {}; accepted: with {}", toString(command), toString(needed)));
     }
-    if (node.size() != 1 || !node.begin()->second.IsScalar()) {
-      report(node, path,
-             fmt::format("accepted: one of uniform and normal, as a share such as 5 %, or in {}", row.unit));
-      return;
-    }
-    Tolerance tolerance;
-    tolerance.shape = node["normal"] ? Tolerance::Shape::normal : Tolerance::Shape::uniform;
-    const std::string value = log::trimmed(node.begin()->second.Scalar());
-    tolerance.is_share = !value.empty() && value.back() == '%';
-    try {
-      tolerance.width = log::parseQuantity(value, tolerance.is_share ? "1" : row.unit);
-    } catch (const std::invalid_argument& error) {
-      report(
-          node, path,
-          fmt::format("{}: {}; accepted: a share such as 5 %, or in {}", log::quoted(value), error.what(), row.unit));
-      return;
-    }
-    if (!(std::isfinite(tolerance.width) && tolerance.width > 0.0 && !(tolerance.is_share && tolerance.width >= 1.0))) {
-      report(node, path, fmt::format("{}; accepted: greater than 0, as a share below 100 %", log::quoted(value)));
-      return;
-    }
-    result.tolerances[row.name] = tolerance;
   }
+  if (entry.at("accept_units").given() && command == Command::replay) {
+    entry.at("accept_units").refuse("has no effect on replay; accepted: with diagnose or estimate");
+  }
+}
 
-  std::string path_;
-  std::vector<std::string>& problems_;
-};
+JobGroup readGroup(const Entry& entry, const JobOptions& settings) {
+  JobGroup group;
+  group.name = entry.name();
+  group.line = entry.line();
+  group.options = settings;
+  Keys keys = kGroupKeys;
+  const Keys options = optionKeys();
+  keys.insert(keys.end(), options.begin(), options.end());
+  if (group.name.empty() || group.name != log::oneLine(group.name)) {
+    entry.refuse("no name; accepted: text on one line");
+  }
+  if (!entry.isMapOf(keys)) {
+    return group;
+  }
+  group.command = entry.at("command").choice(commandFromString, "diagnose, estimate, replay").value_or(group.command);
+  readIfGiven(entry.at("folders"), group.folders);
+  group.config = entry.at("config").text();
+  readIfGiven(entry.at("type"), group.type);
+  readIfGiven(entry.at("test_rig"), group.test_rig);
+  readIfGiven(entry.at("component"), group.components);
+  group.logs = entry.at("log").texts();
+  readIfGiven(entry.at("hold_out"), group.hold_out);
+  readIfGiven(entry.at("one_job_per_log"), group.one_job_per_log);
+  readOptions(entry, group.options);
+  if (entry.at("monte_carlo").given()) {
+    group.monte_carlo = readMonteCarlo(entry.at("monte_carlo"));
+  }
+  checkUse(entry, group.command);
+  return group;
+}
+
+std::optional<YAML::Node> parse(const std::string& text, const Tell& tell) {
+  try {
+    if (const auto line = io::lineNestedTooDeep(text)) {
+      tell(*line, "", io::acceptedNesting());
+    } else if (const auto expanded = io::lineExpandedTooFar(text)) {
+      tell(*expanded, "", io::acceptedExpansion());
+    } else {
+      return YAML::Load(text);
+    }
+  } catch (const YAML::Exception& error) {
+    tell(lineOf(error.mark), "", fmt::format("not YAML: {}; accepted: a jobs file", error.msg));
+  }
+  return std::nullopt;
+}
+
+std::vector<JobGroup> readGroups(const Entry& root) {
+  std::vector<JobGroup> groups;
+  if (!root.isMapOf({"settings", "jobs"})) {
+    return groups;
+  }
+  JobOptions settings;
+  const Entry given = root.at("settings");
+  if (given.given() && given.isMapOf(optionKeys())) {
+    readOptions(given, settings);
+  }
+  const Entry jobs = root.at("jobs");
+  if (!jobs.isFullMap()) {
+    jobs.refuse("missing or empty; accepted: a map of entries by name");
+    return groups;
+  }
+  for (const Entry& entry : jobs.entries()) {
+    groups.push_back(readGroup(entry, settings));
+  }
+  return groups;
+}
 
 }  // namespace
 
 JobsFile parseJobsFile(const std::string& text, const std::string& path, std::vector<std::string>& problems) {
-  return {path, Reader(path, problems).read(text)};
+  const Tell tell = [&](int line, const std::string& key, const std::string& problem) {
+    problems.push_back(fmt::format("{}:{}: {}{}{}", path, line, key, key.empty() ? "" : ": ", problem));
+  };
+  const std::optional<YAML::Node> root = parse(text, tell);
+  return {path, root ? readGroups(Entry(*root, "", "", 1, tell)) : std::vector<JobGroup>()};
 }
 
 JobsFile readJobsFile(const std::string& path, std::vector<std::string>& problems) {

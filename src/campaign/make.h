@@ -15,10 +15,10 @@ namespace rubber_suspension::campaign {
 using LogReader =
     std::function<log::Log(const std::string& path, const std::string& component, const log::LogFormat& format)>;
 
-/// Inputs that were refused: all problems, a line each.
+/// Inputs that were refused: all problems, a line each, none twice.
 class BadInputs : public std::runtime_error {
  public:
-  explicit BadInputs(std::vector<std::string> problems);
+  explicit BadInputs(const std::vector<std::string>& problems);
 
   const std::vector<std::string>& problems() const { return problems_; }
 

@@ -3,17 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 #include <unordered_set>
 
-#include "campaign/job_json.h"
-#include "log/new_file.h"
+#include "campaign/line_file.h"
 
 namespace rubber_suspension::campaign {
 namespace {
+
+using nlohmann::ordered_json;
 
 const char* const kManifestSchema = "rubber_suspension/campaign/1";
 
@@ -35,13 +39,9 @@ class LineReader {
     ++number_;
     std::string line;
     if (!std::getline(file_, line) || file_.eof()) {
-      refuse("the file is cut off");
+      throw std::invalid_argument("the file is cut off");
     }
-    try {
-      return nlohmann::json::parse(line);
-    } catch (const nlohmann::json::exception&) {
-      refuse("no JSON");
-    }
+    return nlohmann::json::parse(line);
   }
 
   [[noreturn]] void refuse(const std::string& problem) const {
@@ -55,28 +55,42 @@ class LineReader {
   std::size_t number_ = 0;
 };
 
-InputFile inputFromJson(const nlohmann::json& json) {
-  return {json.at("path").get<std::string>(), json.at("sha256").get<std::string>(),
-          json.at("size").get<std::uint64_t>()};
-}
-
 bool isId(const std::string& id) {
   return id.size() == 64 && id.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 // Throws std::invalid_argument where a job names what is not there.
 void checkJob(const Job& job, std::size_t inputs) {
-  std::vector<std::size_t> files = {job.config};
-  files.insert(files.end(), job.logs.begin(), job.logs.end());
+  std::vector<std::size_t> files = job.logs;
   files.insert(files.end(), job.hold_out.begin(), job.hold_out.end());
-  for (const std::size_t file : files) {
-    if (file >= inputs) {
-      throw std::invalid_argument(fmt::format("input {} is not among the {} inputs", file, inputs));
-    }
+  files.push_back(job.config);
+  const std::size_t last = *std::max_element(files.begin(), files.end());
+  if (last >= inputs) {
+    throw std::invalid_argument(fmt::format("input {} is not among the {} inputs", last, inputs));
   }
   if (!isId(job.id) || job.logs.empty()) {
     throw std::invalid_argument("a job without id or logs");
   }
+}
+
+Manifest readLines(LineReader& lines) {
+  Manifest manifest;
+  const nlohmann::json header = lines.next();
+  if (header.at("schema") != kManifestSchema) {
+    throw std::invalid_argument("another schema");
+  }
+  header.at("version").get_to(manifest.version);
+  const auto inputs = header.at("inputs").get<std::size_t>();
+  for (std::size_t i = 0; i < inputs; ++i) {
+    const nlohmann::json line = lines.next();
+    manifest.inputs.push_back({line.at("path"), line.at("sha256"), line.at("size")});
+  }
+  const auto jobs = header.at("jobs").get<std::size_t>();
+  for (std::size_t i = 0; i < jobs; ++i) {
+    manifest.jobs.push_back(jobFromJson(lines.next()));
+    checkJob(manifest.jobs.back(), inputs);
+  }
+  return manifest;
 }
 
 }  // namespace
@@ -100,52 +114,39 @@ std::string recordPath(const std::string& folder, const std::string& id) {
 
 std::string reportFolder(const std::string& id) { return "reports/" + split(id); }
 
+void makeFolder(const std::string& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) {
+    throw std::runtime_error(folder + ": cannot be made: " + failure.message());
+  }
+}
+
 void writeManifest(const Manifest& manifest, const std::string& folder) {
-  const std::string path = manifestPath(folder);
-  log::NewFile file(path);
-  std::ofstream stream(file.writingPath(), std::ios::binary);
-  stream << nlohmann::ordered_json({{"schema", kManifestSchema},
-                                    {"version", manifest.version},
-                                    {"inputs", manifest.inputs.size()},
-                                    {"jobs", manifest.jobs.size()}})
-         << '\n';
+  LineFile file(manifestPath(folder));
+  file.line(ordered_json({{"schema", kManifestSchema},
+                          {"version", manifest.version},
+                          {"inputs", manifest.inputs.size()},
+                          {"jobs", manifest.jobs.size()}})
+                .dump());
   for (const InputFile& input : manifest.inputs) {
-    stream << nlohmann::ordered_json({{"path", input.path}, {"sha256", input.sha256}, {"size", input.size}}) << '\n';
+    file.line(ordered_json({{"path", input.path}, {"sha256", input.sha256}, {"size", input.size}}).dump());
   }
   for (const Job& job : manifest.jobs) {
-    stream << jobJson(job) << '\n';
+    file.line(jobJson(job).dump());
   }
-  stream.close();
-  if (!stream) {
-    throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
-  }
-  file.commit();
+  file.close();
 }
 
 Manifest readManifest(const std::string& folder) {
   LineReader lines(manifestPath(folder));
-  Manifest manifest;
   try {
-    const nlohmann::json header = lines.next();
-    if (header.at("schema") != kManifestSchema) {
-      lines.refuse("another schema");
-    }
-    manifest.version = header.at("version").get<std::string>();
-    const auto inputs = header.at("inputs").get<std::size_t>();
-    for (std::size_t i = 0; i < inputs; ++i) {
-      manifest.inputs.push_back(inputFromJson(lines.next()));
-    }
-    const auto jobs = header.at("jobs").get<std::size_t>();
-    for (std::size_t i = 0; i < jobs; ++i) {
-      manifest.jobs.push_back(jobFromJson(lines.next()));
-      checkJob(manifest.jobs.back(), inputs);
-    }
+    return readLines(lines);
   } catch (const nlohmann::json::exception& error) {
     lines.refuse(error.what());
   } catch (const std::invalid_argument& error) {
     lines.refuse(error.what());
   }
-  return manifest;
 }
 
 }  // namespace rubber_suspension::campaign

@@ -19,13 +19,35 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* const kRecordSchema = "rubber_suspension/job_record/1";
+const char* const kRecordSchema = "rubber_suspension/job_record/2";
+
+ordered_json findingsJson(const Findings& findings) {
+  ordered_json json = {{"effects", findings.effects}, {"changes", findings.changes}};
+  if (findings.verdict) {
+    json["verdict"] = toString(*findings.verdict);
+  }
+  return json;
+}
+
+Findings findingsFromJson(const ordered_json& json) {
+  Findings findings;
+  json.at("effects").get_to(findings.effects);
+  json.at("changes").get_to(findings.changes);
+  if (json.contains("verdict")) {
+    findings.verdict = diagnosis::verdictOf(json.at("verdict").get<std::string>());
+  }
+  return findings;
+}
 
 ordered_json recordJson(const Record& record) {
-  return {{"schema", kRecordSchema},     {"id", record.id},
-          {"version", record.version},   {"status", record.failed() ? "failed" : "done"},
-          {"error", record.error},       {"values", record.values},
-          {"evidence", record.evidence}, {"files", record.files},
+  return {{"schema", kRecordSchema},
+          {"id", record.id},
+          {"version", record.version},
+          {"status", record.failed() ? "failed" : "done"},
+          {"error", record.error},
+          {"values", record.values},
+          {"evidence", findingsJson(record.findings)},
+          {"files", record.files},
           {"seconds", record.seconds}};
 }
 
@@ -40,48 +62,21 @@ ordered_json parsedShallow(const std::string& text) {
   });
 }
 
-// Numbers and texts by name.
-void requireValues(const ordered_json& values) {
-  const bool flat = values.is_object() && std::all_of(values.begin(), values.end(),
-                                                      [](const ordered_json& value) { return !value.is_structured(); });
-  if (!flat) {
-    throw std::runtime_error("values: accepted: numbers and texts by name");
-  }
-}
-
-// What the statistics of a fleet take, as execute.cpp writes it.
-void requireEvidence(const ordered_json& evidence) {
-  const auto is = [&](const char* key, bool (ordered_json::*of_type)() const noexcept) {
-    return !evidence.contains(key) || (evidence.at(key).*of_type)();
-  };
-  const bool fits = evidence.is_object() && is("verdict", &ordered_json::is_string) &&
-                    is("effects", &ordered_json::is_array) && is("explanations", &ordered_json::is_array) &&
-                    is("ratios", &ordered_json::is_object) && is("ratios_by_log", &ordered_json::is_array) &&
-                    is("parameters", &ordered_json::is_array);
-  if (!fits) {
-    throw std::runtime_error("evidence: of another form; accepted: as campaign run writes it");
-  }
-}
-
-// Throws std::runtime_error or nlohmann::json::exception for what is no complete record.
+// Throws std::exception for what is no complete record.
 Record recordFromJson(const ordered_json& json) {
   Record record;
-  record.id = json.at("id").get<std::string>();
-  record.version = json.at("version").get<std::string>();
-  record.error = json.at("error").get<std::string>();
-  record.values = json.at("values").get<ordered_json>();
-  record.evidence = json.at("evidence").get<ordered_json>();
-  if (!record.failed() || !record.values.is_null() || !record.evidence.is_null()) {  // a job that failed has neither
-    requireValues(record.values);
-    requireEvidence(record.evidence);
+  json.at("id").get_to(record.id);
+  json.at("version").get_to(record.version);
+  json.at("error").get_to(record.error);
+  record.values = json.at("values");
+  record.findings = findingsFromJson(json.at("evidence"));
+  json.at("files").get_to(record.files);
+  json.at("seconds").get_to(record.seconds);
+  const auto nested = [](const ordered_json& value) { return value.is_structured(); };
+  if (!record.values.is_object() || std::any_of(record.values.begin(), record.values.end(), nested)) {
+    throw std::runtime_error("values: accepted: numbers and texts by name");
   }
-  record.files = json.at("files").get<std::map<std::string, std::uint64_t>>();
-  record.seconds = json.at("seconds").get<double>();
   return record;
-}
-
-FoundRecord broken(const std::string& path, const std::string& reason) {
-  return {FoundRecord::State::broken, path + ": " + reason, {}};
 }
 
 // The first file of the report that is not there as it was written; "" where all are.
@@ -99,6 +94,14 @@ std::string damagedFile(const std::string& folder, const Record& record) {
   return "";
 }
 
+// What is wrong with a record; "" where nothing is.
+std::string problemOf(const Record& record, const std::string& id, const std::string& version) {
+  if (record.id != id) {
+    return "the record of another job";
+  }
+  return record.version == version ? "" : fmt::format("of version {}, not {}", record.version, version);
+}
+
 }  // namespace
 
 std::string reportPath(const Record& record) {
@@ -112,11 +115,7 @@ std::string reportPath(const Record& record) {
 
 void writeRecord(const Record& record, const std::string& folder) {
   const std::string path = recordPath(folder, record.id);
-  std::error_code failure;
-  std::filesystem::create_directories(std::filesystem::path(path).parent_path(), failure);
-  if (failure) {
-    throw std::runtime_error(path + ": its folder cannot be made: " + failure.message());
-  }
+  makeFolder(std::filesystem::path(path).parent_path());
   // An error may quote a file's bytes, which need not be UTF-8.
   log::writeNewFile(path, recordJson(record).dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
@@ -125,29 +124,25 @@ FoundRecord findRecord(const std::string& folder, const std::string& id, const s
   const std::string path = recordPath(folder, id);
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    return errno == ENOENT ? FoundRecord{} : broken(path, "cannot be read");
+    return {std::nullopt, errno == ENOENT ? "" : path + ": cannot be read"};
   }
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  FoundRecord found;
+  std::string problem;
   try {
-    found.record = recordFromJson(parsedShallow(text));
+    Record record = recordFromJson(parsedShallow(text));
+    problem = problemOf(record, id, version);
+    if (problem.empty() && files) {
+      problem = damagedFile(folder, record);
+    }
+    if (problem.empty()) {
+      return {std::move(record), ""};
+    }
   } catch (const nlohmann::json::exception&) {
-    return broken(path, "cut off, or no record");
-  } catch (const std::runtime_error& error) {
-    return broken(path, error.what());
+    problem = "cut off, or no record";
+  } catch (const std::exception& error) {
+    problem = error.what();
   }
-  if (found.record.id != id) {
-    return broken(path, "the record of another job");
-  }
-  if (found.record.version != version) {
-    return broken(path, fmt::format("of version {}, not {}", found.record.version, version));
-  }
-  const std::string damaged = files ? damagedFile(folder, found.record) : "";
-  if (!damaged.empty()) {
-    return broken(path, damaged);
-  }
-  found.state = FoundRecord::State::good;
-  return found;
+  return {std::nullopt, path + ": " + problem};
 }
 
 }  // namespace rubber_suspension::campaign

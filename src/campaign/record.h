@@ -4,20 +4,30 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "campaign/job.h"
+#include "rubber_suspension/diagnosis/verdict.h"
 
 namespace rubber_suspension::campaign {
 
+/// What the statistics of a fleet take of one job.
+struct Findings {
+  std::optional<diagnosis::Verdict> verdict;  ///< of diagnose
+  std::vector<std::string> effects;           ///< that are named
+  /// By parameter: logarithm of re-estimated over configured value.
+  std::map<std::string, double> changes;
+};
+
 struct Record {
   std::string id;
-  std::string version;                                                 ///< of the program that worked the job off
-  std::string error;                                                   ///< why it failed; empty: done
-  nlohmann::ordered_json values = nlohmann::ordered_json::object();    ///< numbers and texts by name, for the table
-  nlohmann::ordered_json evidence = nlohmann::ordered_json::object();  ///< what the fleet's statistics take
-  std::map<std::string, std::uint64_t> files;                          ///< of the report: size [bytes] by name
-  double seconds = 0.0;                                                ///< that the job took
+  std::string version;                                               ///< of the program that worked the job off
+  std::string error;                                                 ///< why it failed; empty: done
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();  ///< numbers and texts by name, for the table
+  Findings findings;
+  std::map<std::string, std::uint64_t> files;  ///< of the report: size [bytes] by name
+  double seconds = 0.0;                        ///< that the job took
 
   bool failed() const { return !error.empty(); }
 };
@@ -29,16 +39,10 @@ std::string reportPath(const Record& record);
 /// have to be there already. Throws std::runtime_error.
 void writeRecord(const Record& record, const std::string& folder);
 
-/// What stands where the record of a job should.
+/// What stands where the record of a job should; nothing of both where there is none.
 struct FoundRecord {
-  enum class State {
-    missing,  ///< nothing
-    good,     ///< a record of this job
-    broken,   ///< cut off, of another version or another job, or files of its report are missing or cut off
-  };
-  State state = State::missing;
-  std::string problem;  ///< of a broken one: path and reason
-  Record record;        ///< of a good one
+  std::optional<Record> record;  ///< of this job, and all files of its report are there
+  std::string problem;           ///< of one that is cut off, of another version or job, or with a damaged report
 };
 
 /// Read and check it; `files` says whether those of its report are looked for, too.

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -20,11 +20,18 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// "about 2 h 5 min left".
+std::string remaining(double seconds) {
+  const auto minutes = static_cast<long>(seconds / 60.0);
+  return minutes >= 60
+             ? fmt::format("about {} h {} min left", minutes / 60, minutes % 60)
+             : fmt::format("about {} min {:.0f} s left", minutes, seconds - 60.0 * static_cast<double>(minutes));
+}
+
 // How much is done and when the rest will be: on a terminal in place, elsewhere a line now and then.
 class RunProgress {
  public:
-  RunProgress(std::size_t total, const Say& say)
-      : total_(total), say_(say), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), shown_(start_) {}
+  RunProgress(std::size_t total, const Say& say) : total_(total), say_(say) {}
   RunProgress(const RunProgress&) = delete;
   RunProgress& operator=(const RunProgress&) = delete;
   ~RunProgress() { clear(); }
@@ -33,12 +40,15 @@ class RunProgress {
 
   void show() {
     const auto now = Clock::now();
-    const auto pause = terminal_ ? std::chrono::milliseconds(500) : std::chrono::milliseconds(60000);
-    if (now - shown_ < pause) {
+    if (now - shown_ < (terminal_ ? std::chrono::milliseconds(500) : std::chrono::minutes(1))) {
       return;
     }
     shown_ = now;
-    const std::string line = text(std::chrono::duration<double>(now - start_).count());
+    std::string line = fmt::format("{} of {} jobs", done_, total_);
+    if (done_ > 0) {
+      const std::chrono::duration<double> elapsed = now - start_;
+      line += ", " + remaining(elapsed.count() / static_cast<double>(done_) * static_cast<double>(total_ - done_));
+    }
     if (terminal_) {
       fmt::print(stderr, "\r\033[K{}", line);
     } else {
@@ -53,26 +63,11 @@ class RunProgress {
   }
 
  private:
-  std::string text(double elapsed) const {
-    std::string line = fmt::format("{} of {} jobs", done_, total_);
-    if (done_ > 0) {
-      line += ", " + remaining(elapsed / static_cast<double>(done_) * static_cast<double>(total_ - done_));
-    }
-    return line;
-  }
-
-  static std::string remaining(double seconds) {
-    const auto minutes = static_cast<long>(seconds / 60.0);
-    return minutes >= 60
-               ? fmt::format("about {} h {} min left", minutes / 60, minutes % 60)
-               : fmt::format("about {} min {:.0f} s left", minutes, seconds - 60.0 * static_cast<double>(minutes));
-  }
-
   std::size_t total_;
   const Say& say_;
-  bool terminal_;
-  Clock::time_point start_;
-  Clock::time_point shown_;
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point shown_ = start_;
   std::size_t done_ = 0;
 };
 
@@ -81,16 +76,16 @@ std::vector<std::size_t> jobsToDo(const Manifest& manifest, const std::string& f
                                   const Say& say, RunSummary& summary) {
   const std::vector<std::size_t> distinct = manifest.distinctJobs();
   std::vector<std::size_t> jobs;
-  for (std::size_t place = 0; place < distinct.size() && (options.most == 0 || jobs.size() < options.most); ++place) {
+  for (std::size_t place = 0; place < distinct.size(); ++place) {
     if (!options.shard.holds(place)) {
       continue;
     }
     const FoundRecord found = findRecord(folder, manifest.jobs[distinct[place]].id, manifest.version);
-    if (found.state == FoundRecord::State::good && !(options.retry_failed && found.record.failed())) {
+    if (found.record && !(options.retry_failed && found.record->failed())) {
       ++summary.passed_over;
       continue;
     }
-    if (found.state == FoundRecord::State::broken) {
+    if (!found.problem.empty()) {
       say(found.problem + "; the job is done again");
     }
     jobs.push_back(distinct[place]);
@@ -98,28 +93,14 @@ std::vector<std::size_t> jobsToDo(const Manifest& manifest, const std::string& f
   return jobs;
 }
 
-Record diedRecord(const Job& job, const Manifest& manifest, const std::string& reason) {
-  Record record;
-  record.id = job.id;
-  record.version = manifest.version;
-  record.error = reason;
-  return record;
-}
-
-// 0 where it is none, or too large for a number of shards.
-std::size_t wholeNumber(const std::string& text) {
-  constexpr std::size_t kMostDigits = 7;
-  const bool digits =
-      !text.empty() && text.size() <= kMostDigits && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits ? std::stoul(text) : 0;
-}
-
 }  // namespace
 
 Shard parseShard(const std::string& text) {
-  const std::size_t slash = std::min(text.find('/'), text.size());
-  const Shard shard{wholeNumber(text.substr(0, slash)), wholeNumber(text.substr(std::min(slash + 1, text.size())))};
-  if (shard.index == 0 || shard.index > shard.count) {
+  Shard shard{0, 0};
+  const char* const end = text.data() + text.size();
+  const char* const slash = std::from_chars(text.data(), end, shard.index).ptr;
+  const bool complete = slash != end && *slash == '/' && std::from_chars(slash + 1, end, shard.count).ptr == end;
+  if (!complete || shard.index == 0 || shard.index > shard.count) {
     throw std::invalid_argument("'" + text + "'; accepted: I/N with whole numbers, I from 1 to N, such as 3/8");
   }
   return shard;
@@ -153,17 +134,22 @@ RunSummary run(const std::string& folder, const std::string& version, const RunO
     return [executor, &manifest](std::size_t job) { return !executor->execute(manifest.jobs[job]).failed(); };
   };
   callbacks.finished = [&](std::size_t job, bool done) {
+    progress.advance();
     if (done) {
       ++summary.done;
     } else {
-      failed(job, findRecord(folder, manifest.jobs[job].id, manifest.version, false).record.error);
+      const FoundRecord found = findRecord(folder, manifest.jobs[job].id, manifest.version, false);
+      failed(job, found.record ? found.record->error : found.problem);
     }
-    progress.advance();
   };
   callbacks.died = [&](std::size_t job, const std::string& reason) {
-    writeRecord(diedRecord(manifest.jobs[job], manifest, reason), folder);
-    failed(job, reason);
     progress.advance();
+    Record record;
+    record.id = manifest.jobs[job].id;
+    record.version = manifest.version;
+    record.error = reason;
+    writeRecord(record, folder);
+    failed(job, reason);
   };
   callbacks.tick = [&](const std::vector<std::size_t>& running) {
     heartbeat.beat(manifest, running);

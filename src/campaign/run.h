@@ -29,7 +29,6 @@ struct RunOptions {
   Shard shard;
   int workers = 1;
   bool retry_failed = false;         ///< work failed jobs off again
-  std::size_t most = 0;              ///< jobs at most; 0: all
   double job_minutes = kJobMinutes;  ///< a job that takes longer has failed; 0: there is no limit
 };
 

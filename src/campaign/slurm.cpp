@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 
 #include "log/new_file.h"
@@ -21,17 +22,16 @@ namespace {
 namespace fs = std::filesystem;
 
 // As one word of a shell, whatever is in it.
-std::string shellWord(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) {
-    word += c == '\'' ? "'\\''" : std::string(1, c);
-  }
-  return word + "'";
-}
+std::string shellWord(const std::string& text) { return "'" + boost::replace_all_copy(text, "'", "'\\''") + "'"; }
+
+std::string absolutePath(const std::string& folder) { return fs::absolute(folder).lexically_normal().string(); }
 
 struct Said {
   int status = 0;
   std::string text;  // stdout and stderr
+
+  // The number at the beginning; empty where there is none.
+  std::string number() const { return text.substr(0, text.find_first_not_of("0123456789")); }
 };
 
 Said ask(const std::string& command) {
@@ -46,9 +46,7 @@ Said ask(const std::string& command) {
   }
   const int status = pclose(pipe);
   said.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-  while (!said.text.empty() && said.text.back() == '\n') {
-    said.text.pop_back();
-  }
+  boost::trim_right(said.text);
   return said;
 }
 
@@ -58,8 +56,7 @@ std::string submittedPath(const std::string& folder) { return folder + "/slurm/s
 std::string lastSubmitted(const std::string& folder) {
   constexpr std::size_t kLongest = 100;  // bytes; it holds one number
   try {
-    const std::string text = log::readFile(submittedPath(folder), kLongest);
-    return text.substr(0, text.find_first_not_of("0123456789"));
+    return Said{0, log::readFile(submittedPath(folder), kLongest)}.number();
   } catch (const std::runtime_error&) {
     return "";
   }
@@ -85,11 +82,7 @@ void refuseSecond(const std::string& folder) {
 
 // Where an element writes what it says; Slurm's own letters stand behind %.
 std::string logPattern(const std::string& folder) {
-  std::string pattern;
-  for (const char c : fs::absolute(folder).lexically_normal().string()) {
-    pattern += c == '%' ? "%%" : std::string(1, c);
-  }
-  return pattern + "/slurm/%A_%a.log";
+  return boost::replace_all_copy(absolutePath(folder), "%", "%%") + "/slurm/%A_%a.log";
 }
 
 }  // namespace
@@ -109,7 +102,6 @@ SlurmArray planArray(const Status& status, const std::string& folder, const Slur
   array.note = fmt::format("{} jobs left at {:.3g} s each{}: {} elements of about {:.3g} min", left, seconds,
                            known ? "" : " (assumed: no job is done yet)", array.shards,
                            work / 60.0 / static_cast<double>(array.shards));
-  const std::string absolute = fs::absolute(folder).lexically_normal().string();
   array.script = fmt::format(
       "#!/bin/sh\n"
       "# Works off a campaign; an element that is requeued goes on where it was.\n"
@@ -122,21 +114,17 @@ SlurmArray planArray(const Status& status, const std::string& folder, const Slur
       "exec {} run {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --threads {} --job-minutes {}\n",
       array.shards, options.max_running > 0 ? fmt::format("%{}", options.max_running) : "", options.workers,
       options.partition.empty() ? "" : "#SBATCH --partition=" + options.partition + "\n", shellWord(options.program),
-      shellWord(absolute), array.shards, options.workers, options.job_minutes);
+      shellWord(absolutePath(folder)), array.shards, options.workers, options.job_minutes);
   return array;
 }
 
 std::string submitArray(const SlurmArray& array, const std::string& folder) {
   refuseSecond(folder);
-  std::error_code failure;
-  fs::create_directories(folder + "/slurm", failure);
-  if (failure) {
-    throw std::runtime_error(folder + "/slurm: cannot be made: " + failure.message());
-  }
+  makeFolder(folder + "/slurm");
   const std::string script = folder + "/slurm/array.sh";
   log::writeNewFile(script, array.script);
   const Said said = ask("sbatch --parsable --output=" + shellWord(logPattern(folder)) + " " + shellWord(script));
-  std::string id = said.text.substr(0, said.text.find_first_not_of("0123456789"));
+  std::string id = said.number();
   if (said.status != 0 || id.empty()) {
     throw std::runtime_error("sbatch: " + said.text);
   }

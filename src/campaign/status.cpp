@@ -42,15 +42,15 @@ Status statusOf(const Manifest& manifest, const std::string& folder) {
     const Job& job = manifest.jobs[place];
     const FoundRecord found = findRecord(folder, job.id, manifest.version);
     std::size_t JobCounts::*count = running.count(job.id) != 0 ? &JobCounts::running : &JobCounts::missing;
-    if (found.state == FoundRecord::State::broken) {
+    if (!found.problem.empty()) {
       count = &JobCounts::broken;
       status.broken.push_back(found.problem);
-    } else if (found.state == FoundRecord::State::good && found.record.failed()) {
+    } else if (found.record && found.record->failed()) {
       count = &JobCounts::failed;
-      status.failures.push_back(nameOf(job) + ": " + found.record.error);
-    } else if (found.state == FoundRecord::State::good) {
+      status.failures.push_back(nameOf(job) + ": " + found.record->error);
+    } else if (found.record) {
       count = &JobCounts::done;
-      seconds += found.record.seconds;
+      seconds += found.record->seconds;
     }
     for (JobCounts* counts : {&status.all, &status.by_group[job.group]}) {
       ++counts->jobs;

@@ -1,77 +1,79 @@
-// Worker processes, fed over a socket pair each.
+// Worker processes that take jobs from a list in memory that they share with their supervisor.
 #include "campaign/worker_pool.h"
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/prctl.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <boost/interprocess/anonymous_shared_memory.hpp>
+#include <boost/interprocess/mapped_region.hpp>
 #include <cerrno>
 #include <chrono>
-#include <cmath>
 #include <csignal>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <deque>
-#include <optional>
+#include <list>
+#include <map>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 namespace rubber_suspension::campaign {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
-
-extern "C" void noteInterruption(int /*signal*/) { interrupted = 1; }
-
-constexpr std::array kInterruptions = {SIGINT, SIGTERM, SIGHUP};
-
-// Interruptions are noted, no more, as long as it lives. Without SA_RESTART: a wait ends.
-class InterruptionWatch {
+// Memory that this process shares with those that it forks; zeros at first.
+template <class Value>
+class SharedArray {
  public:
-  InterruptionWatch() {
-    interrupted = 0;
-    struct sigaction noting {};
-    noting.sa_handler = noteInterruption;
-    for (std::size_t i = 0; i < kInterruptions.size(); ++i) {
-      sigaction(kInterruptions[i], &noting, &before_[i]);
+  explicit SharedArray(std::size_t size)
+      : region_(boost::interprocess::anonymous_shared_memory(std::max<std::size_t>(size, 1) * sizeof(Value))) {}
+
+  Value& operator[](std::size_t place) const { return static_cast<Value*>(region_.get_address())[place]; }
+
+ private:
+  boost::interprocess::mapped_region region_;
+};
+
+// The state of a job: one of these, or the number of the worker that has it, from 1.
+enum State { kDied = -3, kFailed = -2, kDone = -1, kWaiting = 0 };
+using AtomicState = std::atomic<int>;
+static_assert(AtomicState::is_always_lock_free, "processes share no lock");
+
+// As long as it lives, the end of a child and interruptions wait until somebody asks for them.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    std::signal(SIGCHLD, SIG_DFL);  // who ignores it hears of no end
+    sigemptyset(&held_);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) {
+      sigaddset(&held_, signal);
     }
+    sigprocmask(SIG_BLOCK, &held_, &before_);
   }
-  InterruptionWatch(const InterruptionWatch&) = delete;
-  InterruptionWatch& operator=(const InterruptionWatch&) = delete;
-  ~InterruptionWatch() {
-    for (std::size_t i = 0; i < kInterruptions.size(); ++i) {
-      sigaction(kInterruptions[i], &before_[i], nullptr);
-    }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  ~HeldSignals() { release(); }
+
+  void release() const { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+  // Waits a moment for one of them; true for an interruption.
+  bool isInterrupted() const {
+    constexpr timespec kMoment{0, 100000000};  // [s, ns]
+    const int signal = sigtimedwait(&held_, nullptr, &kMoment);
+    return signal > 0 && signal != SIGCHLD;
   }
 
  private:
-  std::array<struct sigaction, kInterruptions.size()> before_{};
+  sigset_t held_{};
+  sigset_t before_{};
 };
 
-enum class Answer : std::int32_t { done, failed, exception };
-
-// What a worker sends: the answer and, of an exception, its text.
-struct Message {
-  Answer answer = Answer::done;
-  std::array<char, 500> text{};
-};
-
-struct Worker {
-  pid_t pid = -1;
-  int socket = -1;
-  std::optional<std::size_t> job;
-  double begun = 0.0;  // the job, by the clock of the pool [s]
-  bool ended = false;  // killed because the job took too long
-};
-
-// Seconds in which this process ran. Between two looks, of which there is one a second at least, more than this means
-// that it was suspended, and its workers with it.
+// Seconds in which this process ran: more than this between two looks means that it was suspended, and its workers with
+// it.
 class RunningClock {
  public:
   double now() {
@@ -89,243 +91,176 @@ class RunningClock {
 
 // Signals that say something of the machine and nothing of the job.
 bool isFromOutside(int status) {
-  return WIFSIGNALED(status) && (WTERMSIG(status) == SIGKILL || WTERMSIG(status) == SIGTERM ||
-                                 WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGHUP);
+  constexpr std::array kSignals = {SIGKILL, SIGTERM, SIGINT, SIGHUP};
+  return WIFSIGNALED(status) && std::find(kSignals.begin(), kSignals.end(), WTERMSIG(status)) != kSignals.end();
 }
 
 std::string describe(int status) {
-  if (WIFSIGNALED(status)) {
-    const int signal = WTERMSIG(status);
-    return fmt::format("the process died of signal {} ({}){}", signal, strsignal(signal),
-                       signal == SIGKILL ? ", twice; is there enough memory?" : "");
+  if (!WIFSIGNALED(status)) {
+    return fmt::format("the process ended with status {}", WEXITSTATUS(status));
   }
-  return fmt::format("the process ended with status {}", WEXITSTATUS(status));
-}
-
-[[noreturn]] void fail(const char* what) {
-  throw std::runtime_error(fmt::format("a worker process cannot be made: {}: {}", what, std::strerror(errno)));
-}
-
-// The life of a worker process: it ends with the supervisor.
-void serve(int socket, const PoolCallbacks& callbacks) {
-  Message message;
-  try {
-    const auto work = callbacks.start_worker();
-    std::uint64_t job = 0;
-    while (recv(socket, &job, sizeof job, 0) == static_cast<ssize_t>(sizeof job)) {
-      message.answer = work(job) ? Answer::done : Answer::failed;
-      if (send(socket, &message, sizeof message, MSG_NOSIGNAL) < 0) {
-        return;
-      }
-    }
-  } catch (const std::exception& error) {
-    message.answer = Answer::exception;
-    std::snprintf(message.text.data(), message.text.size(), "%s", error.what());
-    send(socket, &message, sizeof message, MSG_NOSIGNAL);
-  }
+  const int signal = WTERMSIG(status);
+  return fmt::format("the process died of signal {} ({}){}", signal, strsignal(signal),
+                     signal == SIGKILL ? ", twice; is there enough memory?" : "");
 }
 
 class Pool {
  public:
   Pool(const std::vector<std::size_t>& jobs, int workers, const PoolCallbacks& callbacks, double longest)
-      : callbacks_(callbacks), longest_(longest), waiting_(jobs.begin(), jobs.end()) {
-    workers_.resize(std::min(static_cast<std::size_t>(workers), jobs.size()));
+      : jobs_(jobs),
+        callbacks_(callbacks),
+        longest_(longest),
+        states_(jobs.size()),
+        exception_(kMostBytes),
+        pids_(std::min(static_cast<std::size_t>(workers), jobs.size()), kNobody) {
+    for (std::size_t place = 0; place < jobs.size(); ++place) {
+      open_.push_back(place);
+    }
   }
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
-  ~Pool() { endWorkers(); }
+  ~Pool() {
+    for (const pid_t pid : pids_) {
+      if (pid != kNobody) {
+        kill(pid, SIGTERM);
+        waitpid(pid, nullptr, 0);
+      }
+    }
+  }
 
   PoolEnd run() {
-    const InterruptionWatch watch;
-    for (Worker& worker : workers_) {
-      start(worker);
-      feed(worker);
+    for (pid_t& pid : pids_) {
+      start(pid);
     }
-    while (interrupted == 0 && running() > 0) {
-      wait();
-      endOverdue();
-      tick();
+    while (std::any_of(pids_.begin(), pids_.end(), [](pid_t pid) { return pid != kNobody; })) {
+      if (signals_.isInterrupted()) {
+        return PoolEnd::interrupted;
+      }
+      buryDead();
+      look();
     }
-    return interrupted == 0 ? PoolEnd::finished : PoolEnd::interrupted;
+    return PoolEnd::finished;
   }
 
  private:
-  void start(Worker& worker) {
-    std::array<int, 2> sockets{};
-    if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, sockets.data()) != 0) {
-      fail("socketpair");
-    }
+  static constexpr pid_t kNobody = -1;
+  static constexpr std::size_t kMostBytes = 500;  // of the text of an exception
+
+  int numberOf(const pid_t& pid) const { return static_cast<int>(&pid - pids_.data()) + 1; }
+
+  void start(pid_t& pid) {
     std::fflush(nullptr);
     const pid_t supervisor = getpid();
-    const pid_t pid = fork();
-    if (pid < 0) {
-      close(sockets[0]);
-      close(sockets[1]);
-      fail("fork");
+    const pid_t child = fork();
+    if (child < 0) {
+      throw std::runtime_error(std::string("a worker process cannot be made: ") + std::strerror(errno));
     }
-    if (pid == 0) {
-      beWorker(supervisor, sockets);
+    if (child == 0) {
+      signals_.release();
+      prctl(PR_SET_PDEATHSIG, SIGTERM);
+      if (getppid() == supervisor) {  // else it died before
+        serve(numberOf(pid));
+      }
+      std::fflush(nullptr);
+      _exit(0);  // neither destructors nor what a test framework would do at exit belong here
     }
-    close(sockets[1]);
-    worker = {};
-    worker.pid = pid;
-    worker.socket = sockets[0];
+    pid = child;
   }
 
-  // Never returns: neither destructors nor what a test framework would do at exit belong here.
-  [[noreturn]] void beWorker(pid_t supervisor, const std::array<int, 2>& sockets) const {
-    for (const int signal : kInterruptions) {
-      std::signal(signal, SIG_DFL);
+  // The life of a worker process.
+  void serve(int number) const {
+    try {
+      const auto work = callbacks_.start_worker();
+      for (std::size_t place = 0; place < jobs_.size(); ++place) {
+        int waiting = kWaiting;
+        if (states_[place].compare_exchange_strong(waiting, number)) {
+          states_[place] = work(jobs_[place]) ? kDone : kFailed;
+        }
+      }
+    } catch (const std::exception& error) {
+      std::string(error.what()).copy(&exception_[0], kMostBytes - 1);
     }
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
-    close(sockets[0]);
-    for (const Worker& other : workers_) {
-      if (other.socket >= 0) {
-        close(other.socket);  // else its worker would not see the supervisor's end
+  }
+
+  void buryDead() {
+    for (pid_t& pid : pids_) {
+      int status = 0;
+      if (pid == kNobody || waitpid(pid, &status, WNOHANG) != pid) {
+        continue;
+      }
+      pid = kNobody;
+      if (exception_[0] != '\0') {
+        throw std::runtime_error(&exception_[0]);
+      }
+      const auto job =
+          std::find_if(open_.begin(), open_.end(), [&](std::size_t place) { return states_[place] == numberOf(pid); });
+      if (job != open_.end()) {
+        bury(*job, status);
+      }
+      const auto is_waiting = [&](std::size_t place) { return states_[place] == kWaiting; };
+      if (std::any_of(open_.begin(), open_.end(), is_waiting)) {
+        start(pid);
       }
     }
-    if (getppid() == supervisor) {
-      serve(sockets[1], callbacks_);
-    }
-    std::fflush(nullptr);
-    _exit(0);
   }
 
-  void feed(Worker& worker) {
-    if (waiting_.empty()) {
-      close(worker.socket);
-      waitpid(worker.pid, nullptr, 0);
-      worker = {};
+  // Its worker died.
+  void bury(std::size_t place, int status) {
+    const bool overdue = overdue_.count(place) != 0;
+    if (!overdue && isFromOutside(status) && killed_.insert(place).second) {
+      begun_.erase(place);
+      states_[place] = kWaiting;
       return;
     }
-    worker.job = waiting_.front();
-    worker.begun = clock_.now();
-    waiting_.pop_front();
-    const std::uint64_t job = *worker.job;
-    send(worker.socket, &job, sizeof job, MSG_NOSIGNAL);  // one that died is seen by its silence
+    states_[place] = kDied;
+    callbacks_.died(jobs_[place], overdue ? limitText() : describe(status));
   }
 
-  void wait() {
-    std::vector<pollfd> sockets;
-    for (const Worker& worker : workers_) {
-      sockets.push_back({worker.socket, POLLIN, 0});  // a negative one is passed over
-    }
-    if (poll(sockets.data(), sockets.size(), longestWait()) <= 0) {
-      return;
-    }
-    for (std::size_t i = 0; i < workers_.size(); ++i) {
-      if (sockets[i].revents != 0 && interrupted == 0) {
-        hear(workers_[i]);
-      }
-    }
-  }
-
-  // Until the next limit of a job, but a second at most [ms].
-  int longestWait() {
-    double wait = 1.0;
+  // Tells what has come to its end, and ends what takes too long: its silence is heard when it is gone, for a process
+  // that waits for a file system may take its time.
+  void look() {
     const double now = clock_.now();
-    for (const Worker& worker : workers_) {
-      if (longest_ > 0.0 && worker.job && !worker.ended) {
-        wait = std::clamp(worker.begun + longest_ - now, 0.0, wait);
-      }
-    }
-    return static_cast<int>(std::ceil(1000.0 * wait));
-  }
-
-  // Its silence is heard when it is gone: a process that waits for a file system may take its time.
-  void endOverdue() {
-    const double now = clock_.now();
-    for (Worker& worker : workers_) {
-      if (longest_ > 0.0 && worker.job && !worker.ended && now - worker.begun > longest_) {
-        kill(worker.pid, SIGKILL);
-        worker.ended = true;
-      }
-    }
-  }
-
-  void hear(Worker& worker) {
-    Message message;
-    const ssize_t count = recv(worker.socket, &message, sizeof message, 0);
-    if (count != static_cast<ssize_t>(sizeof message)) {
-      bury(worker);
-    } else if (message.answer == Answer::exception) {
-      message.text.back() = '\0';
-      throw std::runtime_error(message.text.data());
-    } else {
-      callbacks_.finished(*worker.job, message.answer == Answer::done);
-      worker.job.reset();
-      if (worker.ended) {  // the answer was on its way when the limit came
-        bury(worker);
+    std::vector<std::size_t> running;
+    for (auto place = open_.begin(); place != open_.end() && states_[*place] != kWaiting;) {
+      const int state = states_[*place];
+      if (state > 0) {
+        running.push_back(jobs_[*place]);
+        const double begun = begun_.emplace(*place, now).first->second;
+        if (longest_ > 0.0 && now - begun > longest_ && overdue_.insert(*place).second) {
+          kill(pids_[static_cast<std::size_t>(state) - 1], SIGKILL);
+        }
+        ++place;
       } else {
-        feed(worker);
+        if (state != kDied) {
+          callbacks_.finished(jobs_[*place], state == kDone);
+        }
+        begun_.erase(*place);
+        place = open_.erase(place);
       }
     }
+    callbacks_.tick(running);
   }
 
-  // A worker died: another takes its place.
-  void bury(Worker& worker) {
-    int status = 0;
-    close(worker.socket);
-    worker.socket = -1;
-    waitpid(worker.pid, &status, 0);
-    const Worker dead = worker;
-    worker = {};
-    if (dead.job && dead.ended) {
-      callbacks_.died(*dead.job, overdue());
-    } else if (dead.job && isFromOutside(status) && killed_.insert(*dead.job).second) {
-      waiting_.push_front(*dead.job);
-    } else if (dead.job) {
-      callbacks_.died(*dead.job, describe(status));
-    }
-    if (!waiting_.empty()) {
-      start(worker);
-      feed(worker);
-    }
-  }
-
-  // The same text for the same limit, because it stands in the table.
-  std::string overdue() const {
+  // The same for the same limit, because it stands in the table.
+  std::string limitText() const {
     return fmt::format(
         "took longer than the limit of {:.6g} min and was ended; accepted: `campaign run --retry-failed` with another "
         "--job-minutes",
         longest_ / 60.0);
   }
 
-  void tick() {
-    std::vector<std::size_t> jobs;
-    for (const Worker& worker : workers_) {
-      if (worker.job) {
-        jobs.push_back(*worker.job);
-      }
-    }
-    callbacks_.tick(jobs);
-  }
-
-  std::size_t running() const {
-    return static_cast<std::size_t>(
-        std::count_if(workers_.begin(), workers_.end(), [](const Worker& worker) { return worker.job.has_value(); }));
-  }
-
-  void endWorkers() {
-    for (const Worker& worker : workers_) {
-      if (worker.pid > 0) {
-        kill(worker.pid, SIGTERM);
-        close(worker.socket);
-      }
-    }
-    for (const Worker& worker : workers_) {
-      if (worker.pid > 0) {
-        waitpid(worker.pid, nullptr, 0);
-      }
-    }
-  }
-
+  const std::vector<std::size_t>& jobs_;
   const PoolCallbacks& callbacks_;
-  double longest_;  // [s]; 0: no limit
+  double longest_;                   // [s]; 0: no limit
+  SharedArray<AtomicState> states_;  // by the place of a job in the list
+  SharedArray<char> exception_;
+  HeldSignals signals_;
   RunningClock clock_;
-  std::deque<std::size_t> waiting_;
-  std::vector<Worker> workers_;
-  std::set<std::size_t> killed_;  // jobs whose worker was killed from outside, once
+  std::vector<pid_t> pids_;              // of the workers
+  std::list<std::size_t> open_;          // places of jobs whose end nobody was told of
+  std::map<std::size_t, double> begun_;  // when a job was first seen to be worked on [s]
+  std::set<std::size_t> overdue_;        // whose worker was ended
+  std::set<std::size_t> killed_;         // whose worker was killed from outside, once
 };
 
 }  // namespace

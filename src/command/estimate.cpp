@@ -95,6 +95,10 @@ void addWholeNote(EstimateReport& report, const component::Component& component)
   const double amplitude = specification.valueOr("nominal_amplitude", 1e-3);
   const response::Characteristics whole =
       response::characteristicsAt(component, *frequency, amplitude, loops).characteristics;
+  constexpr double kSame = 1e-3;  // a curve alone, hardly bent over the loop
+  if (description.add.empty() && std::abs(whole.stiffness / *stiffness - 1.0) < kSame) {
+    return;
+  }
   const auto angle = specifiedLossAngle(specification);
   report.notes.push_back(fmt::format(
       "the specification is that of the base: the whole has K {:.6g} N/m ({:.6g} specified) and a loss angle of {:.4g} "

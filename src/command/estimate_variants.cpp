@@ -2,12 +2,15 @@
 #include "command/estimate_variants.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
+#include "command/sweep_values.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::command {
@@ -84,6 +87,94 @@ Specification numbersFor(const Specification& from, const WantedModel& wanted) {
   return to;
 }
 
+bool isRequired(const std::string& key, Model model) {
+  const std::vector<std::string>& required = estimation::modelInfo(model).required;
+  return std::find(required.begin(), required.end(), key) != required.end();
+}
+
+// Of M2 that has K_n and the loss angle at f_n. Throws std::invalid_argument where there is none.
+double breakFrequencyByLoss(Specification from) {
+  for (const char* other : {"break_frequency", "maximum_stiffness", "high_frequency_stiffness", "high_frequency"}) {
+    from.erase(other);
+  }
+  const WantedModel one = wantedModel("M2");
+  const io::ComponentDescription maxwell(one.label, one.model, numbersFor(from, one));
+  for (const element::ElementDescription& element : maxwell.elements()) {
+    if (element.type == "maxwell") {
+      return element.value("break_frequency");
+    }
+  }
+  throw std::invalid_argument(
+      "break_frequency is missing; accepted: a number, as M2 along a curve has none of its own");
+}
+
+// "M1,M2" are two.
+std::vector<std::string> eachOf(const std::vector<std::string>& models) {
+  std::vector<std::string> result;
+  for (const std::string& text : models) {
+    std::istringstream stream(text.empty() ? "," : text);
+    for (std::string one; std::getline(stream, one, ',');) {
+      result.push_back(one);
+    }
+  }
+  return result;
+}
+
+// What other models ask for and the specification lacks, from what it has: the loss angle of the component, a break
+// frequency by that of M2 (the paper has nearly the same in M6), and the end of the range of frequencies that is drawn.
+Specification completed(const io::ComponentDescription& description, const WantedModel& wanted,
+                        std::vector<std::string>& added) {
+  Specification from = description.written();
+  const double frequency = from.valueOr("nominal_frequency", 0.0);
+  if (frequency == 0.0 || !from.points().empty() || !from.preloads().empty()) {
+    return from;
+  }
+  const auto add = [&](const std::string& key, double value, const std::string& text) {
+    from.set(key, value);
+    added.push_back(key + " " + text);
+  };
+  if (!from.has("loss_angle") && !from.has("relative_damping")) {
+    response::LoopOptions loops;
+    loops.mean = estimation::nominalDisplacement(description.specification());
+    const double angle = response::characteristicsAt(description.makeComponent(), frequency,
+                                                     from.valueOr("nominal_amplitude", 1e-3), loops)
+                             .characteristics.loss_angle;
+    add("loss_angle", angle, fmt::format("{:.4g} deg, that of the component", angle * kDegrees));
+  }
+  if (wanted.model == Model::multi_maxwell) {
+    if (!from.has("loss_angle")) {
+      from.set("loss_angle", std::atan(2.0 * from.at("relative_damping")));
+    }
+    if (!from.has("maximum_stiffness") && !from.has("high_frequency")) {
+      constexpr double kRange = 10.0;  // as in the sweep over frequency
+      add("high_frequency", kRange * frequency, fmt::format("{:g} Hz, the end of the range", kRange * frequency));
+    }
+  } else if (isRequired("break_frequency", wanted.model) && !from.has("break_frequency")) {
+    const bool with_dashpot = wanted.model == Model::maxwell_dashpot;
+    const double share = with_dashpot ? 1.0 / 3.0 : 1.0;  // M2's own leaves nothing of the loss to the dashpot
+    const double found = share * breakFrequencyByLoss(from);
+    add("break_frequency", found, fmt::format("{:.4g} Hz, {}that of M2", found, with_dashpot ? "a third of " : ""));
+  }
+  return from;
+}
+
+// The specification in another model; what it lacks is told.
+io::ComponentDescription inModel(const io::ComponentDescription& description, const WantedModel& wanted,
+                                 std::vector<std::string>& notes) {
+  try {
+    return {wanted.label, wanted.model, numbersFor(description.written(), wanted), description.add};
+  } catch (const std::invalid_argument&) {
+    std::vector<std::string> added;
+    const Specification more = completed(description, wanted, added);
+    if (added.empty()) {
+      throw;
+    }
+    io::ComponentDescription result(wanted.label, wanted.model, numbersFor(more, wanted), description.add);
+    notes.push_back(fmt::format("{}: not in the specification: {}", wanted.label, fmt::join(added, "; ")));
+    return result;
+  }
+}
+
 // Those of a sweep over frequency, of another component.
 std::vector<response::SweepPoint> sweptAgain(const io::ComponentDescription& description,
                                              const std::vector<response::SweepPoint>& points) {
@@ -134,17 +225,18 @@ std::string csvRow(const std::string& component, const std::string& sweep, const
 }  // namespace
 
 std::vector<io::ComponentDescription> inModels(const io::ComponentDescription& description,
-                                               const std::vector<std::string>& models) {
+                                               const std::vector<std::string>& models,
+                                               std::vector<std::string>& notes) {
   if (description.model() == Model::elements) {
     throw std::invalid_argument(description.name +
                                 ": a list of elements says nothing to other models; accepted: a component with a "
                                 "specification");
   }
   std::vector<io::ComponentDescription> result;
-  for (const std::string& text : models) {
+  for (const std::string& text : eachOf(models)) {
     const WantedModel wanted = wantedModel(text);
     try {
-      result.emplace_back(wanted.label, wanted.model, numbersFor(description.written(), wanted), description.add);
+      result.push_back(inModel(description, wanted, notes));
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(fmt::format("{}: model {}: {}", description.name, text, error.what()));
     }

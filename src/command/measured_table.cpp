@@ -57,7 +57,7 @@ const std::vector<TableQuantity>& tableQuantities() {
       {"amplitude",
        "m",
        1.0,
-       {"amplitude", "disp amp", "displacement amplitude", "dynamic amplitude", "wegamplitude", "amp"}},
+       {"amplitude", "disp amp", "displacement amplitude", "dynamic amplitude", "wegamplitude", "amp", "a"}},
       {"peak to peak",
        "m",
        0.5,

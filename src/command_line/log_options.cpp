@@ -66,14 +66,17 @@ log::Log LogOptions::read(const std::string& command, const std::string& path, c
   return log;
 }
 
-log::PoseLog LogOptions::readPoses(const std::string& command, const std::string& path) const {
-  if (bag::isBagPath(path)) {
-    throw log::LogError(path + ": a bag; accepted of six directions: text, .mat or HDF5 with x_mm ... rz_deg");
+log::PoseLog LogOptions::readPoses(const std::string& command, const std::string& path, const std::string& component,
+                                   component::RotationMeasure measure) const {
+  const bool is_bag = bag::isBagPath(path);
+  if (is_bag && !(columns_.empty() && unit_.empty())) {
+    throw UsageError("--columns and --unit have no effect on a bag of poses; accepted: without them");
   }
   log::PoseLog log;
   {
     const io::Activity reading("reading " + path);
-    log = log::readPoseLog(path, format());
+    log = is_bag ? bag::readBagPoses(path, component, measure) : log::readPoseLog(path, format());
+    log.units = accept_units_ ? log::UnitsAre::accepted : log.units;
   }
   printNotes(command, path, log.notes);
   return log;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command_line/option_table.h"
+#include "rubber_suspension/component/rotation_measure.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/log_source.h"
 #include "rubber_suspension/log/pose_log.h"
@@ -30,8 +31,9 @@ class LogOptions {
   /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.
   log::Log read(const std::string& command, const std::string& path, const std::string& component) const;
 
-  /// Read a log of six directions, from a file that is no bag. Its notes go to stderr. Throws UsageError and LogError.
-  log::PoseLog readPoses(const std::string& command, const std::string& path) const;
+  /// The same of a component of six directions, whose rotations of a bag come in this measure.
+  log::PoseLog readPoses(const std::string& command, const std::string& path, const std::string& component,
+                         component::RotationMeasure measure) const;
 
   /// The same without its notes; several threads may read at once.
   log::Log readSilently(const std::string& path, const std::string& component) const;

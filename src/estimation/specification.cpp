@@ -103,7 +103,8 @@ const std::vector<NamedModel>& models() {
   return table;
 }
 
-// Keys of every model that says what it describes: the working point beside its frequency.
+// Keys of every model: an amplitude, which linear models do not depend on; of those that say what they describe, the
+// whole working point.
 const std::vector<std::string> kWorkingPoint = {"nominal_amplitude", "nominal_displacement", "nominal_force"};
 
 const NamedModel& entry(Model model) { return models().at(static_cast<std::size_t>(model)); }
@@ -123,7 +124,8 @@ std::vector<std::string> acceptedKeys(const ModelInfo& info, bool whole) {
   }
   keys.insert(keys.end(), info.optional.begin(), info.optional.end());
   for (const std::string& key : kWorkingPoint) {
-    if (whole && std::find(keys.begin(), keys.end(), key) == keys.end()) {
+    const bool taken = info.model != Model::elements && (whole || key == "nominal_amplitude");
+    if (taken && std::find(keys.begin(), keys.end(), key) == keys.end()) {
       keys.push_back(key);
     }
   }
@@ -131,7 +133,7 @@ std::vector<std::string> acceptedKeys(const ModelInfo& info, bool whole) {
 }
 
 void checkKeys(const NamedModel& model, const Specification& specification, bool whole) {
-  const std::vector<std::string> accepted = acceptedKeys(model.info, whole && model.info.model != Model::elements);
+  const std::vector<std::string> accepted = acceptedKeys(model.info, whole);
   for (const auto& [key, value] : specification.values()) {
     if (std::find(accepted.begin(), accepted.end(), key) == accepted.end()) {
       const std::string what = findParameter(key) == nullptr ? "unknown key" + element::didYouMean(key, accepted)

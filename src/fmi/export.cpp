@@ -7,13 +7,12 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 #include <stdexcept>
 #include <vector>
 
 #include "fmi/runtime/embedded.h"
 #include "fmi/runtime/saved_state.h"
-#include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension::fmi {
 namespace {
@@ -22,20 +21,11 @@ constexpr const char* kTool = "rubber_suspension " RUBBER_SUSPENSION_VERSION;
 
 std::string readFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  if (!file || content.str().empty()) {
+  const std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (content.empty()) {
     throw std::runtime_error(path + ": cannot be read; accepted: the file that was built and installed with this one");
   }
-  return content.str();
-}
-
-std::vector<element::ElementDescription> completed(const std::vector<element::ElementDescription>& entries) {
-  std::vector<element::ElementDescription> result;
-  for (const element::ElementDescription& entry : entries) {
-    result.push_back(element::complete(entry));
-  }
-  return result;
+  return content;
 }
 
 // In the form of a UUID, since some importers expect one.

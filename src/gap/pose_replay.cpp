@@ -22,7 +22,24 @@ namespace {
                          : "gives a wrench that is not finite"));
 }
 
+Eigen::Vector3d vectorAt(const std::array<std::vector<double>, 6>& list, std::size_t first, std::size_t sample) {
+  return {list[first][sample], list[first + 1][sample], list[first + 2][sample]};
+}
+
+// Angles beyond the end of the measure would come back as others.
+bool holdsAt(const log::PoseLog& log, component::RotationMeasure measure, std::size_t sample) {
+  return component::measureHolds(measure, vectorAt(log.coordinate, component::kRx, sample));
+}
+
 }  // namespace
+
+Eigen::Quaterniond rotationAt(const log::PoseLog& log, component::RotationMeasure measure, std::size_t sample) {
+  if (log.quaternion.empty()) {
+    return component::rotationOf(measure, vectorAt(log.coordinate, component::kRx, sample));
+  }
+  const auto& [w, x, y, z] = log.quaternion[sample];
+  return {w, x, y, z};
+}
 
 PoseReplay replayPoses(const component::SixDirections& component, const log::PoseLog& log) {
   component::PoseStream stream(component);
@@ -37,11 +54,9 @@ PoseReplay replayPoses(const component::SixDirections& component, const log::Pos
                                       log.name, i + 1, log.temperature[i],
                                       element::describe(component.temperatures())));
     }
-    const Eigen::Vector3d position(log.coordinate[0][i], log.coordinate[1][i], log.coordinate[2][i]);
-    const Eigen::Vector3d turn(log.coordinate[3][i], log.coordinate[4][i], log.coordinate[5][i]);
-    // As a topic has it; angles beyond the end of the measure would come back as others.
-    const bool holds = component::measureHolds(component.laws().measure, turn);
-    const auto answer = stream.push(log.stamp[i], position, component::rotationOf(component.laws().measure, turn));
+    const bool holds = holdsAt(log, component.laws().measure, i);
+    const auto answer = stream.push(log.stamp[i], vectorAt(log.coordinate, component::kX, i),
+                                    rotationAt(log, component.laws().measure, i));
     if (!holds || !component::isAccepted(answer.acceptance)) {
       refusePose(log, i, holds ? answer.acceptance : component::Acceptance::beyond_measure);
     }
@@ -54,6 +69,33 @@ PoseReplay replayPoses(const component::SixDirections& component, const log::Pos
   replay.counters = stream.counters();
   replay.beyond_valid = stream.beyondValid();
   return replay;
+}
+
+std::array<log::Log, component::kDirections> directionLogs(const component::SixDirections& component,
+                                                           const log::PoseLog& log,
+                                                           const std::array<std::vector<double>, 6>& wrench) {
+  std::array<log::Log, component::kDirections> logs;
+  for (log::Log& direction : logs) {
+    direction.name = log.name;
+    direction.stamp = log.stamp;
+    direction.temperature = log.temperature;
+    direction.units = log.units;
+  }
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    const Eigen::Isometry3d pose =
+        component::poseOf(vectorAt(log.coordinate, component::kX, i), rotationAt(log, component.laws().measure, i));
+    const component::SixNumbers coordinates = component.coordinates(pose);
+    if (!holdsAt(log, component.laws().measure, i) || !component.holds(coordinates)) {
+      refusePose(log, i, component::Acceptance::beyond_measure);
+    }
+    const component::SixNumbers forces =
+        component.directionForces(pose, {vectorAt(wrench, component::kX, i), vectorAt(wrench, component::kRx, i)});
+    for (std::size_t k = 0; k < component::kDirections; ++k) {
+      logs[k].displacement.push_back(coordinates[static_cast<Eigen::Index>(k)]);
+      logs[k].force.push_back(forces[static_cast<Eigen::Index>(k)]);
+    }
+  }
+  return logs;
 }
 
 std::string summary(const std::string& component, const log::PoseLog& log, const PoseReplay& replay) {

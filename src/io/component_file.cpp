@@ -420,6 +420,9 @@ class Loader {
     checkUnique(node, "");
     ComponentDescription description = loadOneDirection(key, node);
     description.name = component_ + "_" + key.Scalar();
+    if (rotational_) {
+      description.units.clear();  // whoever takes it for a component of one direction shows SI units
+    }
     place_.clear();
     rotational_ = false;
     preload_.reset();
@@ -1175,14 +1178,28 @@ std::string tableYaml(const PreloadTable& table) {
                      toString(table.by), log::join(loads), listYaml(table.factor));
 }
 
-std::string sixDirectionsYaml(const SixDirectionsDescription& six) {
+// The style of all for one direction.
+YamlStyle styleOf(component::Direction direction, const YamlStyle& style) {
+  const std::string prefix = fmt::format("directions.{}.", toString(direction));
+  YamlStyle own;
+  if (style.number) {
+    own.number = [&style, prefix](const auto& place, double value) { return style.number(prefix + place, value); };
+  }
+  if (style.note) {
+    own.note = [&style, prefix](const auto& place) { return style.note(prefix + place); };
+  }
+  return own;
+}
+
+std::string sixDirectionsYaml(const SixDirectionsDescription& six, const YamlStyle& style) {
   std::string text = "    directions:\n";
   std::vector<std::string> preloads;
   for (std::size_t i = 0; i < component::kDirections; ++i) {
     const auto direction = static_cast<component::Direction>(i);
     if (six.directions[i]) {
-      text += fmt::format("      {}:\n", toString(direction)) +
-              indented(oneDirectionYaml(*six.directions[i], component::isRotation(direction), {}));
+      text +=
+          fmt::format("      {}:\n", toString(direction)) +
+          indented(oneDirectionYaml(*six.directions[i], component::isRotation(direction), styleOf(direction, style)));
     }
     if (six.preload[i]) {
       preloads.push_back(fmt::format("{}: {}", toString(direction), preloadYaml(*six.preload[i], direction)));
@@ -1377,7 +1394,7 @@ std::string toYaml(const std::vector<ComponentDescription>& components, const Ya
                       log::quoted(component.name), kMaximumNameLength));
     }
     text += fmt::format("  {}:\n", component.name) +
-            (component.six ? sixDirectionsYaml(*component.six) : oneDirectionYaml(component, false, style));
+            (component.six ? sixDirectionsYaml(*component.six, style) : oneDirectionYaml(component, false, style));
   }
   return text;
 }

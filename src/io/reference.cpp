@@ -94,9 +94,8 @@ std::string temperatureSection() {
 }
 
 std::string describedKeys() {
-  return "\nThe working point (`nominal_amplitude`, `nominal_displacement`, `nominal_force`) is for any model that "
-         "says what "
-         "its\nspecification describes or has a `static_curve`. Beside numbers:\n\n"
+  return "\nEvery model takes `nominal_amplitude`; `nominal_displacement` and `nominal_force` are for those whose "
+         "specification says\nwhat it describes or has a `static_curve`. Beside numbers:\n\n"
          "| key | meaning |\n|---|---|\n"
          "| `describes` | `component`: the whole, with the static curve and what is added; `base`: the model alone "
          "(the "

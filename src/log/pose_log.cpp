@@ -74,6 +74,7 @@ PoseLog readPoseLog(const std::string& path, const LogFormat& format) {
       throw LogError(fmt::format("{}: rows lack some of {} and {} only; accepted: rows with all six directions", path,
                                  kCoordinates[0], kCoordinates[direction]));
     }
+    poses.units = log.units == UnitsAre::named ? poses.units : log.units;
     poses.coordinate[direction] = std::move(log.displacement);
     poses.wrench[direction] = std::move(log.force);
   }

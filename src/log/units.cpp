@@ -28,6 +28,14 @@ std::mutex& unitMutex() {
   return mutex;
 }
 
+// Degrees in German, by capital and small letters: with prefixes, giga-radians.
+void mapGrad(ut_system* system) {
+  const UnitPointer degree(ut_parse(system, "arc_degree", UT_ASCII), ut_free);
+  if (degree) {
+    ut_map_symbol_to_unit("Grad", UT_ASCII, degree.get());
+  }
+}
+
 void mapName(ut_system* system, const char* name, const char* unit) {
   const UnitPointer parsed(ut_parse(system, unit, UT_ASCII), ut_free);
   if (parsed) {
@@ -43,6 +51,7 @@ ut_system* unitSystem() {
       throw std::invalid_argument("UDUNITS-2 found no unit database; install libudunits2-data");
     }
     mapName(made, "deg", "arc_degree");
+    mapGrad(made);
     mapName(made, "tonf", "1000 kgf");
     mapName(made, "kip", "1000 lbf");
     mapName(made, "mil", "0.001 in");
@@ -139,9 +148,9 @@ bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 
 // The text with each of its words as a unit of this field is written, where it is near one.
 std::string respelt(const std::string& text) {
-  static const std::vector<std::string> kUnits = {"N", "kN",  "MN",  "m",    "mm",     "um",    "cm",
-                                                  "s", "ms",  "Hz",  "kHz",  "rad",    "deg",   "kg",
-                                                  "J", "min", "rpm", "degC", "newton", "metre", "degree"};
+  static const std::vector<std::string> kUnits = {"N",   "kN",   "MN",     "m",     "mm",     "um",  "cm", "s",
+                                                  "ms",  "Hz",   "kHz",    "rad",   "deg",    "kg",  "J",  "min",
+                                                  "rpm", "degC", "newton", "metre", "degree", "Grad"};
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     const auto end = static_cast<std::size_t>(

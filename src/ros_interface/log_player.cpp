@@ -15,6 +15,7 @@
 #include "io/progress.h"
 #include "log/text.h"
 #include "ros_interface/connection.h"
+#include "rubber_suspension/gap/pose_replay.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -221,8 +222,7 @@ void LogPlayer::send() {
 void LogPlayer::sendPose(std::size_t sample) {
   const auto number = [sample](const std::vector<double>& list) { return list[sample]; };
   const auto& q = poses_->coordinate;
-  const Eigen::Quaterniond rotation =
-      component::rotationOf(*options_.rotation, {number(q[3]), number(q[4]), number(q[5])});
+  const Eigen::Quaterniond rotation = gap::rotationAt(*poses_, *options_.rotation, sample);
   geometry_msgs::PoseStamped pose;
   pose.header.stamp = bag::toRosTime(log_->stamp[sample] + shift_);
   pose.pose.position.x = number(q[0]);

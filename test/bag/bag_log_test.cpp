@@ -1,8 +1,11 @@
 // Bags as logs: there and back bit by bit, parts without force, several components, damaged and misleading files.
 #include "bag/bag_log.h"
 
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/WrenchStamped.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rosbag/bag.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
 
@@ -11,7 +14,9 @@
 #include <fstream>
 
 #include "bag/bag_writer.h"
+#include "bag/header_stamp.h"
 #include "io/temporary_file.h"
+#include "rubber_suspension/gap/pose_replay.h"
 
 namespace rubber_suspension {
 namespace {
@@ -248,6 +253,92 @@ TEST_F(BagLog, SurvivesDamage) {
       attempt(bytes);
     }
   }
+}
+
+// Poses of a bag, with a wrench for all but the first, and a quaternion's length.
+class BagPoses : public BagLog {
+ protected:
+  static Eigen::Quaterniond rotationOf(int sample) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(0.05 * sample, Eigen::Vector3d(1.0, 2.0, -0.5).normalized()));
+  }
+
+  std::string write(double length = 1.0) const {
+    rosbag::Bag bag(path("poses.bag"), rosbag::bagmode::Write);
+    for (int i = 0; i < 5; ++i) {
+      geometry_msgs::PoseStamped pose;
+      pose.header.stamp = bag::toRosTime(1000000000 + i * 4000000);
+      pose.pose.position.x = 1e-3 * i;
+      pose.pose.position.z = -2e-3 / (1 + i);
+      const Eigen::Quaterniond rotation = rotationOf(i);
+      pose.pose.orientation.w = length * rotation.w();
+      pose.pose.orientation.x = length * rotation.x();
+      pose.pose.orientation.y = length * rotation.y();
+      pose.pose.orientation.z = length * rotation.z();
+      bag.write("/bench/bush/pose", pose.header.stamp, pose);
+      geometry_msgs::WrenchStamped wrench;
+      wrench.header = pose.header;
+      wrench.wrench.force.y = 10.0 * i;
+      wrench.wrench.torque.z = -0.1 * i;
+      if (i > 0) {
+        bag.write("/bench/bush/measured_wrench", pose.header.stamp, wrench);
+      }
+    }
+    bag.close();
+    return path("poses.bag");
+  }
+
+  static std::string refusalOf(const std::string& file, const std::string& component) {
+    try {
+      bag::readBagPoses(file, component, component::RotationMeasure::vector);
+    } catch (const log::LogError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(BagPoses, HaveTheWrenchesOfTheirStamps) {
+  const log::PoseLog log = bag::readBagPoses(write(), "bush", component::RotationMeasure::vector);
+  ASSERT_EQ(log.size(), 4U);  // the first has no wrench
+  EXPECT_EQ(log.name, "poses");
+  EXPECT_EQ(log.stamp[0], 1004000000);
+  EXPECT_EQ(log.coordinate[0][2], 3e-3);
+  EXPECT_EQ(log.coordinate[2][1], -2e-3 / 3.0);
+  const Eigen::Vector3d turn = 0.05 * 4 * Eigen::Vector3d(1.0, 2.0, -0.5).normalized();
+  EXPECT_NEAR(log.coordinate[4][3], turn.y(), 1e-15);
+  EXPECT_EQ(log.wrench[1][3], 40.0);
+  EXPECT_EQ(log.wrench[5][0], -0.1);
+  ASSERT_EQ(log.notes.size(), 1U);
+  EXPECT_THAT(log.notes[0], HasSubstr("samples 2 to 5 of 5 have a force of the same stamp"));
+}
+
+// The node takes the quaternions as they are: so does what simulates the bag.
+TEST_F(BagPoses, AreSimulatedAsTheNodeDoesToTheLastBit) {
+  component::SixDirectionsLaws laws;
+  for (auto& elements : laws.elements) {
+    elements = {{"spring", {{"stiffness", {1e4}}}}, {"maxwell", {{"stiffness", {7e3}}, {"break_frequency", {3.0}}}}};
+  }
+  for (const auto measure : {component::RotationMeasure::vector, component::RotationMeasure::cardan}) {
+    laws.measure = measure;
+    const component::SixDirections bush(laws);
+    const log::PoseLog log = bag::readBagPoses(write(), "", measure);
+    const gap::PoseReplay replay = gap::replayPoses(bush, log);
+    component::PoseStream node(bush);
+    for (int i = 1; i < 5; ++i) {
+      const auto answer = node.push(1000000000 + i * 4000000, {1e-3 * i, 0.0, -2e-3 / (1 + i)}, rotationOf(i));
+      const auto sample = static_cast<std::size_t>(i - 1);
+      EXPECT_EQ(replay.wrench[2][sample], answer.force.wrench.force.z());
+      EXPECT_EQ(replay.wrench[4][sample], answer.force.wrench.moment.y());
+    }
+  }
+}
+
+TEST_F(BagPoses, AreRefusedAsTheNodeDropsThem) {
+  EXPECT_THAT(refusalOf(write(1.002), "bush"),
+              HasSubstr("message 1 on /bench/bush/pose: a quaternion of length 1.002; accepted: 1 +- 0.001"));
+  EXPECT_THAT(refusalOf(write(), "other"), HasSubstr("no topic ends in /other/pose; the bag has /bench/bush/pose"));
+  bag::writeBagLog(path("a.bag"), "bush", log());
+  EXPECT_THAT(refusalOf(path("a.bag"), "bush"), HasSubstr("the bag has no pose at all"));
 }
 
 }  // namespace

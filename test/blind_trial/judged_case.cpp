@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "campaign/manifest.h"
 #include "judge/read_evidence.h"
@@ -38,6 +39,9 @@ bool areAll(const std::vector<std::string>& names, const std::vector<std::string
   return std::all_of(wanted.begin(), wanted.end(), [&](const std::string& name) { return has(names, name); });
 }
 
+// What rigs of other authors label as in no list, and its name in the list since.
+constexpr std::pair<const char*, const char*> kListedSince = {"hydraulic_resonance", "fluid_inertia"};
+
 Truth truthOf(const nlohmann::json& label) {
   constexpr double kSmallGap = 0.035;
   Truth truth;
@@ -45,6 +49,11 @@ Truth truthOf(const nlohmann::json& label) {
   truth.effects = label.at("effects").get<std::vector<std::string>>();
   truth.also = label.value("also", std::vector<std::string>{});
   truth.unlisted = label.contains("unknown") && !label.at("unknown").is_null();
+  if (truth.unlisted && label.at("unknown") == kListedSince.first) {
+    truth.effects.emplace_back(kListedSince.second);
+    truth.kind = truth.effects.size() == 1 ? "single" : "pair";
+    truth.unlisted = false;
+  }
   const double gap = label.contains("gap") ? label.at("gap").value("wanted", 0.0) : 0.0;
   truth.small = truth.kind == "single" && gap > 0.0 && gap < kSmallGap;
   truth.bench = label.contains("bench") && label.at("bench") != "clean";

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "campaign/job_json.h"
+#include "campaign/job.h"
 #include "campaign/scratch_folder.h"
 #include "campaign/tolerance_draws.h"
 

@@ -9,11 +9,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "campaign/collect.h"
 #include "campaign/heartbeat.h"
 #include "campaign/record.h"
 #include "campaign/scratch_folder.h"
 #include "campaign/status.h"
-#include "campaign/table.h"
 #include "campaign/worker_pool.h"
 
 namespace rubber_suspension {
@@ -61,8 +61,7 @@ class RunCampaign : public ::testing::Test {
   }
 
   campaign::CollectSummary collect(const std::string& output = "out") {
-    return campaign::writeTables(campaign::readManifest(folder_.path(output)), folder_.path(output),
-                                 [](const campaign::Job&, const campaign::Record*) {});
+    return campaign::collect(campaign::readManifest(folder_.path(output)), folder_.path(output));
   }
 
   ScratchFolder folder_;
@@ -142,7 +141,7 @@ TEST_F(RunCampaign, ARecordOfAnotherFormIsBroken) {
                                    "{\"x\":" + std::string(200000, '[') + std::string(200000, ']') + "}"}) {
     std::ofstream(path, std::ios::binary) << good.substr(0, at) << other << good.substr(end);
     const campaign::FoundRecord found = campaign::findRecord(folder_.path("out"), id, kVersion);
-    EXPECT_EQ(found.state, campaign::FoundRecord::State::broken) << other.substr(0, 20);
+    EXPECT_FALSE(found.record) << other.substr(0, 20);
     EXPECT_THAT(found.problem, HasSubstr(path));
   }
   EXPECT_EQ(campaign::statusOf(manifest, folder_.path("out")).all.broken, 1U);
@@ -151,7 +150,7 @@ TEST_F(RunCampaign, ARecordOfAnotherFormIsBroken) {
 // A spreadsheet would work out what begins like a formula.
 TEST_F(RunCampaign, ATableHasNoFormulas) {
   folder_.write("jobs.yaml", "jobs:\n  \"=cmd()\":\n    command: replay\n    config: c.yaml\n    log: log_1.csv\n");
-  campaign::writeTables(make(), folder_.path("out"), [](const campaign::Job&, const campaign::Record*) {});
+  campaign::collect(make(), folder_.path("out"));
   EXPECT_THAT(folder_.read("out/table.csv"), HasSubstr(",'=cmd(),"));
 }
 

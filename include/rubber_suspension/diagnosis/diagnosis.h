@@ -213,6 +213,7 @@ struct Workings;       // what the report draws and lists besides: every hypothe
 /// The result of a diagnosis.
 struct Diagnosis {
   std::string component;
+  bool turns = false;  ///< of a rotation: m stands for rad, and N for N m; the page says these
   Verdict verdict = Verdict::none;
   double probability = 0.0;          ///< of the verdict; where effects are named, of their set
   std::string sentence;              ///< the verdict for an engineer

@@ -145,7 +145,8 @@ std::vector<ComponentDescription> parseComponentFile(const std::string& text, co
 const ComponentDescription& selectComponent(const std::vector<ComponentDescription>& components,
                                             const std::string& name, const std::string& source = "");
 
-/// How numbers are written for people; a place is as of numberPlace(), or "specification.static_stiffness".
+/// How numbers are written for people; a place is as of numberPlace(), or "specification.static_stiffness", of six
+/// directions behind "directions.x.".
 struct YamlStyle {
   std::string head;  ///< lines of comment before all
   /// The text of a number [SI] at a place; where not given, the shortest that reads back as the same number.

@@ -12,12 +12,16 @@ namespace rubber_suspension::log {
 /// In SI units, by direction x, y, z, rx, ry, rz: coordinates [m, rad] of B in A in the component's rotation measure,
 /// and the wrench on B at B's origin in A's axes [N, N m]. All vectors that are not empty have the same length.
 struct PoseLog {
+  using Quaternion = std::array<double, 4>;  ///< w, x, y, z
+
   std::string name;
   std::vector<std::int64_t> stamp;  ///< [ns]
   std::array<std::vector<double>, 6> coordinate;
+  std::vector<Quaternion> quaternion;  ///< rotations as a bag has them, to the last bit; empty: as the coordinates say
   std::array<std::vector<double>, 6> wrench;  ///< empty if the log has none
   std::vector<double> temperature;            ///< [degC]; empty if the log has none
   std::vector<std::string> notes;
+  UnitsAre units = UnitsAre::named;  ///< those of the least sure direction
 
   std::size_t size() const { return stamp.size(); }
 };

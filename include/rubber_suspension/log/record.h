@@ -42,6 +42,8 @@ struct Record {
   /// Orthonormal columns of what the rig may have added to the force (zero, state left from before the log), 0 where
   /// samples do not count; may be empty.
   Eigen::MatrixXd nuisances;
+  /// Error that one standard deviation of any of them counts as, over the force's standard deviation.
+  double one_deviation = 0.0;
 
   Eigen::Index size() const { return displacement.size(); }
   double duration() const { return dt * static_cast<double>(size()); }

@@ -89,54 +89,46 @@ LatencyRow measureRow(int components, bool bundled, const BenchmarkOptions& opti
   return row;
 }
 
-constexpr double kOffset = 0.14;  // of two values of one row, from its middle
-constexpr int kNode = 0;          // indices into the palette
-constexpr int kEcho = 1;
+// What axes of the figure show of each row.
+struct Series {
+  std::string label;
+  std::function<io::Spread(const LatencyRow&)> value;
+};
 
-io::Axes emptyAxes(const std::vector<LatencyRow>& rows, const std::string& x_label) {
+io::Axes axesOf(const std::vector<LatencyRow>& rows, const std::string& x_label, const std::vector<Series>& all) {
   io::Axes axes;
   axes.x_label = x_label;
   for (const LatencyRow& row : rows) {
     axes.rows.push_back(fmt::format("{} component{}\n{:.0f} Hz{}", row.components, row.components == 1 ? "" : "s",
                                     row.rate, row.bundled ? ", one message" : ""));
   }
+  constexpr double kOffsets[] = {-0.14, 0.14};  // of two values of one row, from its middle
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::vector<io::Spread> values(rows.size());
+    std::transform(rows.begin(), rows.end(), values.begin(), all[i].value);
+    io::addSpreads(axes, all[i].label, values, kOffsets[i], static_cast<int>(i));
+  }
   return axes;
 }
 
 io::Axes ratioAxes(const std::vector<LatencyRow>& rows, const std::string& of, io::Spread LatencyRow::*node,
                    io::Spread LatencyRow::*again) {
-  io::Axes axes = emptyAxes(rows, "ratio of the " + of + " [-]");
-  std::vector<io::Spread> to_echo(rows.size());
-  std::vector<io::Spread> to_itself(rows.size());
-  std::transform(rows.begin(), rows.end(), to_echo.begin(), std::mem_fn(node));
-  std::transform(rows.begin(), rows.end(), to_itself.begin(), std::mem_fn(again));
+  io::Axes axes = axesOf(rows, "ratio of the " + of + " [-]", {{"node / echo", node}, {"echo / itself", again}});
   axes.curves.push_back({"", {1.0, 1.0}, {-0.5, static_cast<double>(rows.size()) - 0.5}, ":", 7});
-  io::addSpreads(axes, "node / echo", to_echo, -kOffset, kNode);
-  io::addSpreads(axes, "echo / itself", to_itself, kOffset, kEcho);
   return axes;
 }
 
-// Values without quartiles, one curve of markers.
-struct Markers {
-  std::string label;
-  double LatencyRow::*value;
-  double offset;
-  std::string style;
-  int colour;
-};
-
+// Of values without quartiles.
 io::Axes valueAxes(const std::vector<LatencyRow>& rows, const std::string& x_label, double factor,
-                   const std::vector<Markers>& all) {
-  io::Axes axes = emptyAxes(rows, x_label);
-  axes.log_x = true;
-  for (const Markers& markers : all) {
-    io::Curve curve{markers.label, {}, {}, markers.style, markers.colour};
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      curve.x.push_back(factor * rows[i].*markers.value);
-      curve.y.push_back(static_cast<double>(i) + markers.offset);
-    }
-    axes.curves.push_back(std::move(curve));
+                   const std::vector<std::pair<std::string, double LatencyRow::*>>& all) {
+  std::vector<Series> series;
+  for (const auto& [label, member] : all) {
+    series.push_back({label, [factor, value = member](const LatencyRow& row) {
+                        return io::Spread{factor * row.*value, factor * row.*value, factor * row.*value};
+                      }});
   }
+  io::Axes axes = axesOf(rows, x_label, series);
+  axes.log_x = true;
   return axes;
 }
 
@@ -184,11 +176,9 @@ io::Figure latencyFigure(const std::vector<LatencyRow>& rows) {
           {ratioAxes(rows, "medians", &LatencyRow::median, &LatencyRow::again_median),
            ratioAxes(rows, "99th percentiles", &LatencyRow::percentile_99, &LatencyRow::again_99),
            valueAxes(rows, "round trip through the echo node [ms]", 1e3,
-                     {{"median", &LatencyRow::echo_median, 0.0, "o", kEcho},
-                      {"99 %", &LatencyRow::echo_99, 0.0, "D", kEcho}}),
+                     {{"median", &LatencyRow::echo_median}, {"99 %", &LatencyRow::echo_99}}),
            valueAxes(rows, "highest rate, all components [1000 samples/s]", 1e-3,
-                     {{"node", &LatencyRow::node_highest, -kOffset, "o", kNode},
-                      {"echo", &LatencyRow::echo_highest, kOffset, "o", kEcho}})},
+                     {{"node", &LatencyRow::node_highest}, {"echo", &LatencyRow::echo_highest}})},
           2};
 }
 

@@ -31,9 +31,6 @@ struct PeerWork {
 
 // Each gives the sum of the Maxwell forces [N] at each sample.
 
-/// Boost.odeint, the classical method of Runge and Kutta with three steps between two samples.
-void odeintRungeKutta4(const PeerWork& work, std::vector<double>& force);
-
 /// Boost.odeint, Dormand and Prince, with control of the step.
 void odeintDormandPrince(const PeerWork& work, std::vector<double>& force);
 

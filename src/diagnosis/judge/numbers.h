@@ -17,8 +17,7 @@ struct JudgeNumbers {
   double floor_known = 0.5;
   double tails = 4.0;
   double moved_values = 1.0;
-  double none = 1.5;
-  double wrong_values = 1.0;
+  double no_effect = 1.5;
   double rest = -2.0;
   double effect = -3.0;
   double second = -1.0;

@@ -104,10 +104,10 @@ double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::
 double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   switch (hypothesis) {
     case Evidence::kAsConfigured:
-      return numbers.none;
+      return numbers.no_effect;
     case Evidence::kReEstimated:
-      // Values are wrong by more than an engineer accepts.
-      return numbers.wrong_values + priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers);
+      // Even odds before the look; wrong values are wrong by more than an engineer accepts.
+      return numbers.no_effect + priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers);
     default:
       return priorOfSet(table, numbers, hypothesis) +
              priorOfSizes(table.sizes[hypothesis], numbers.least_size, numbers);

@@ -69,10 +69,11 @@ std::vector<Eigen::MatrixXd> frictionStarts(const std::vector<element::ElementDe
                                             const std::vector<log::Record>& records) {
   std::vector<Eigen::MatrixXd> starts(records.size());
   const auto friction = bergFriction(elements, 0.0, 1.0);
-  for (std::size_t r = 0; !friction.empty() && r < records.size(); ++r) {
+  for (std::size_t r = 0; r < records.size(); ++r) {
     const log::Record& record = records[r];
-    if (record.lead_in.size() > 0) {
-      continue;  // what was before the excerpt is known
+    starts[r].resize(record.size(), 0);
+    if (friction.empty() || record.lead_in.size() > 0) {
+      continue;  // what was before an excerpt is known
     }
     const Eigen::VectorXd from_rest = gap::simulate(friction, {record}).front();
     starts[r].resize(record.size(), 2);

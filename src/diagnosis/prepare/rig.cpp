@@ -21,9 +21,10 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr int kIterations = 8;               // of the fit by which a start in motion is told
-constexpr double kBeyondDeviation = 0.1587;  // of a normal variable, beyond one standard deviation to one side
-constexpr std::size_t kFewestLogs = 3;       // that tell how zeros scatter
+constexpr int kIterations = 8;          // of the fit by which a start in motion is told
+constexpr double kBeyond95 = 0.025;     // of a variable, beyond its 95 % interval to one side
+constexpr double kNormal95 = 1.96;      // half width of that of a normal variable, in standard deviations
+constexpr std::size_t kFewestLogs = 3;  // that tell how zeros scatter
 
 std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) {
   std::vector<measurement::Mask> masks;
@@ -76,6 +77,12 @@ bool isBeyondChance(const measurement::RigFinding& finding) {
   return finding.interval_95[0] > 0.0 || finding.interval_95[1] < 0.0;
 }
 
+// For gains that are no tolerated error of the rig but a cause.
+io::RigTolerances withAnyGain(io::RigTolerances tolerances) {
+  tolerances.gain.value = 1.0;
+  return tolerances;
+}
+
 // Whether another model finds a value of the same within the interval.
 bool agrees(const measurement::RigFinding& finding, const std::vector<measurement::RigFinding>& others) {
   return std::any_of(others.begin(), others.end(), [&](const measurement::RigFinding& other) {
@@ -85,7 +92,7 @@ bool agrees(const measurement::RigFinding& finding, const std::vector<measuremen
 }
 
 // Zeros and lags that are new in each log scatter as much as they are large; those of a cause do not. Their standard
-// deviation is that about their mean, wider the fewer there are: two in three are within it (Student's t).
+// deviation is that about their mean, wider the fewer there are: 95 % are within 1.96 of it (Student's t).
 double deviationBy(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());
   if (values.size() < kFewestLogs) {
@@ -94,7 +101,7 @@ double deviationBy(const std::vector<double>& values) {
   const Eigen::Map<const Eigen::VectorXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
   const double scatter = std::sqrt((all.array() - all.mean()).square().sum() / (count - 1.0));
   const boost::math::students_t distribution(count - 1.0);
-  return scatter * boost::math::quantile(boost::math::complement(distribution, kBeyondDeviation));
+  return scatter * boost::math::quantile(boost::math::complement(distribution, kBeyond95)) / kNormal95;
 }
 
 // How far zeros [N] and lags [s] may go by what they are in all logs.
@@ -214,6 +221,7 @@ void setNuisances(const std::vector<element::ElementDescription>& elements, cons
       columns.array().colwise() *= record.counts.array();
     }
     record.nuisances = numerics::whiteningColumns(columns);
+    record.one_deviation = one_deviation[r];
     record.slow_noise = io::kTolerated * slow;
   }
 }
@@ -295,8 +303,9 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
                                                  const std::vector<log::Record>& records,
-                                                 const std::vector<fit::DisplacementZero>& zeros) {
-  const measurement::RigModel rig(records, masksOf(records), tolerances);
+                                                 const std::vector<fit::DisplacementZero>& zeros,
+                                                 bool gains_are_named) {
+  const measurement::RigModel rig(records, masksOf(records), gains_are_named ? withAnyGain(tolerances) : tolerances);
   const std::vector<measurement::RigFit> fits = fitRig(rig, judged, zeros);
   const std::vector<measurement::RigFit> by_rival = fitRig(rig, rival, zeros);
   std::vector<measurement::RigFinding> found;
@@ -304,7 +313,8 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
     const auto of_log = rig.findings(r, fits[r]);
     const auto of_rival = rig.findings(r, by_rival[r]);
     std::copy_if(of_log.begin(), of_log.end(), std::back_inserter(found), [&](const measurement::RigFinding& finding) {
-      return isBeyondChance(finding) && agrees(finding, of_rival);
+      const bool is_named = gains_are_named && finding.finding == "sensor_gain";
+      return isBeyondChance(finding) && (is_named || agrees(finding, of_rival));
     });
     if (const auto colour = measurement::colouredNoiseFinding(records[r].name, fits[r].noise)) {
       found.push_back(*colour);

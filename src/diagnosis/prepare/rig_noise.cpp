@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
 #include "numerics/median.h"
@@ -23,9 +24,15 @@ NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::R
 
 // Of r'(I + C C')^-1 r, the part of the values: what is not that of (I + C C')^-1 r, which they leave.
 double rigCost(const log::Record& record, const Eigen::VectorXd& residual) {
+  if (record.nuisances.cols() == 0) {
+    return 0.0;
+  }
   const Eigen::VectorXd white = record.withoutRig(residual);
   const double squares = white.squaredNorm() - record.withoutRig(white).squaredNorm();
-  return std::sqrt(std::max(0.0, squares) / record.counted()) / record.force_deviation;
+  const double cost = std::sqrt(std::max(0.0, squares) / record.counted()) / record.force_deviation;
+  constexpr double kWithin = 0.95;
+  const boost::math::chi_squared values(static_cast<double>(record.nuisances.cols()));
+  return std::min(cost, record.one_deviation * std::sqrt(boost::math::quantile(values, kWithin)));
 }
 
 void weighByNoise(const std::vector<double>& noise, std::vector<log::Record>& records) {

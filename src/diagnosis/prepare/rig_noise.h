@@ -21,7 +21,8 @@ struct NoiseLimit {
 NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::Record>& records);
 
 /// The error of the rig in a record beside a residual of it [N], as a gap: that of an error as large as its values, in
-/// standard deviations, count as. Any model leaves it.
+/// standard deviations, count as, up to what 95 % of such rigs do: beyond that it is the model that errs. Any model
+/// leaves it.
 double rigCost(const log::Record& record, const Eigen::VectorXd& residual);
 
 /// Let logs whose force is little more than noise, as of a hold, count less (Record::weight): one with more noise than

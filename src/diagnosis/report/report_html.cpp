@@ -370,13 +370,14 @@ std::string benchPage(const Diagnosis& d) {
 
 std::string toHtml(const Diagnosis& d) {
   if (!d.workings) {
-    return benchPage(d);
+    return d.turns ? inRotationUnits(benchPage(d)) : benchPage(d);
   }
   const DrawnFigures figures(d);
-  return page(d, firstScreen(d, firstLoop(figures)) + comparisonSection(d.comparison) + howFar(d) + heading("Which") +
-                     candidateSection(d) + where(d, figures) + furtherFigures(figures) + componentFile(d) +
-                     nextExperiment(d) + couldShow(d) +
-                     (d.table ? tableSection(d) : findings(d) + takenOut(d) + admission(d)) + runRecord(d));
+  const std::string html = page(
+      d, firstScreen(d, firstLoop(figures)) + comparisonSection(d.comparison) + howFar(d) + heading("Which") +
+             candidateSection(d) + where(d, figures) + furtherFigures(figures) + componentFile(d) + nextExperiment(d) +
+             couldShow(d) + (d.table ? tableSection(d) : findings(d) + takenOut(d) + admission(d)) + runRecord(d));
+  return d.turns ? inRotationUnits(html) : html;
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -242,6 +242,9 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"own_parameters", parametersJson(diagnosis)},
       {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
       {"admission", list(diagnosis.admission, admissionJson)}};
+  if (diagnosis.turns) {
+    report["units"] = {{"m", "rad"}, {"N", "N m"}};
+  }
   if (!diagnosis.proposed.displacement.empty()) {
     report["next_experiment_log"] = "next_experiment.csv";
     report["experiment"] = experimentJson(diagnosis.proposed);

@@ -37,7 +37,24 @@ std::string otherwise(const Diagnosis& diagnosis) {
   return texts.empty() ? "" : " It may also be " + enumerated(texts) + ".";
 }
 
-std::string gapText(double gap) { return fmt::format("{:.1f} %", 100.0 * gap); }
+std::string gapText(double gap, int decimals = 1) { return fmt::format("{:.{}f} %", 100.0 * gap, decimals); }
+
+// How a gap changes, with as many decimals as tell both values apart, up to three; then the noise.
+struct ChangeTexts {
+  ChangeTexts(double from, double to, double floor) {
+    int decimals = 1;
+    while (decimals < 3 && gapText(from, decimals) == gapText(to, decimals)) {
+      ++decimals;
+    }
+    before = gapText(from, decimals);
+    after = gapText(to, decimals);
+    noise = gapText(floor, decimals);
+  }
+
+  std::string before;
+  std::string after;
+  std::string noise;
+};
 
 // "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers.
 std::string effectsText(const Diagnosis& diagnosis) {
@@ -122,6 +139,13 @@ std::string withinGain(const Diagnosis& diagnosis) {
              : "";
 }
 
+// Gaps are those of the logs held out, where there are any.
+std::string ofUnseenLogs(const Diagnosis& diagnosis) {
+  const bool any = std::any_of(diagnosis.admission.begin(), diagnosis.admission.end(),
+                               [](const Admission& log) { return log.hold_out; });
+  return any ? " of the unseen logs" : "";
+}
+
 std::string agreement(const Gap& gap) {
   return fmt::format("The model agrees with the measurement: gap {}, noise floor {}.", gapText(gap.as_configured),
                      gapText(gap.noise_floor));
@@ -132,17 +156,19 @@ std::string agreement(const Gap& gap) {
 std::string sentence(const Diagnosis& diagnosis) {
   const Gap& gap = diagnosis.gap;
   const std::string lacks = "the model lacks " + effectsText(diagnosis);
+  const ChangeTexts closed(gap.re_estimated, gap.augmented, gap.noise_floor);
+  const ChangeTexts moved(gap.as_configured, gap.re_estimated, gap.noise_floor);
   const std::string closes = fmt::format(
       " Adding {} removes {} % of the error that other parameter values cannot remove: gap {} to {}, noise {}.{}",
-      diagnosis.effects.size() == 1 ? "it" : "them", wholePercent(diagnosis.closed), gapText(gap.re_estimated),
-      gapText(gap.augmented), gapText(gap.noise_floor), priceText(diagnosis));
+      diagnosis.effects.size() == 1 ? "it" : "them", wholePercent(diagnosis.closed), closed.before, closed.after,
+      closed.noise, priceText(diagnosis));
   switch (diagnosis.verdict) {
     case Verdict::none:
       return agreement(gap);
     case Verdict::parameter_error:
       return fmt::format("{}. Other parameter values reduce the gap from {} to {} (noise {}).{}",
-                         ownValuesText(diagnosis), gapText(gap.as_configured), gapText(gap.re_estimated),
-                         gapText(gap.noise_floor), withinGain(diagnosis) + otherwise(diagnosis));
+                         ownValuesText(diagnosis), moved.before, moved.after, moved.noise,
+                         withinGain(diagnosis) + otherwise(diagnosis));
     case Verdict::named:
       return withOwnValues(diagnosis, lacks) + "." + closes + gainText(diagnosis);
     case Verdict::confounded:
@@ -154,9 +180,10 @@ std::string sentence(const Diagnosis& diagnosis) {
              " A significant part of the gap remains unexplained.";
     default:
       return fmt::format(
-          "The gap of {} is real (noise floor {}) and no effect of the list explains it: see where it lies before you "
+          "The gap of {}{} is real (noise floor {}) and no effect of the list explains it: see where it lies before "
+          "you "
           "trust the model there.",
-          gapText(gap.re_estimated), gapText(gap.noise_floor));
+          gapText(gap.re_estimated), ofUnseenLogs(diagnosis), gapText(gap.noise_floor));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <regex>
 #include <stdexcept>
 #include <utility>
 
@@ -69,6 +70,24 @@ std::string wholePercent(double value) { return fmt::format("{:.0f}", std::round
 
 std::string chance(double probability) {
   return probability < 0.01 ? "below 1" : probability > 0.99 ? "more than 99" : wholePercent(probability);
+}
+
+std::string inRotationUnits(const std::string& text) {
+  static const std::vector<std::pair<std::regex, std::string>> units = [] {
+    std::vector<std::pair<std::regex, std::string>> list;
+    for (const auto& [unit, angular] : {std::pair("(k?)N/(m?)m", "$2N m/$3rad"), std::pair("(k?)N s/m", "$2N m s/rad"),
+                                        std::pair("(k?)N", "$2N m"), std::pair("(m|µ)m", "$2rad")}) {
+      // Behind a number, or in brackets; nothing that continues as another unit.
+      list.emplace_back(std::regex(std::string("([0-9] |\\[)") + unit + "(?![A-Za-z/]| m| s)"),
+                        std::string("$1") + angular);
+    }
+    return list;
+  }();
+  std::string result = text;
+  for (const auto& [unit, angular] : units) {
+    result = std::regex_replace(result, unit, angular);
+  }
+  return result;
 }
 
 std::string rangeText(const std::array<double, 2>& band, double factor) {

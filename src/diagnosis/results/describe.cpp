@@ -221,7 +221,8 @@ class Describer {
     const auto rival = augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
     for (const bool held_out : {false, true}) {
       const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
-                                     held_out ? prepared_.zeros.held_out : prepared_.zeros.training);
+                                     held_out ? prepared_.zeros.held_out : prepared_.zeros.training,
+                                     judged_.hypothesis.free_in_log.gain);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
   }

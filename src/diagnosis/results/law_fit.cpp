@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "diagnosis/results/augmented.h"
+#include "fit/parallel.h"
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension::diagnosis {
@@ -43,6 +45,16 @@ fit::BasisTerm unknownOf(const Entries& start, const NumberPlace& place) {
 bool addsUp(const element::ElementDescription& entry) {
   const element::ElementPointer element = element::makeElement(entry);
   return std::holds_alternative<std::shared_ptr<const element::ParallelElement>>(element);
+}
+
+// Numbers that move each by itself may leave what a law allows of them together.
+bool canBeMade(const Entries& entries) {
+  try {
+    std::for_each(entries.begin(), entries.end(), element::makeElement);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -121,20 +133,6 @@ fit::ParameterVector LawForces::ofTerms(const fit::ParameterVector& parameters) 
   return {parameters.model, parameters.scales(places_)};
 }
 
-const std::optional<gap::Forces>& LawForces::restAt(const fit::ParameterVector& of_terms) const {
-  if (!rest_ || rest_->first.model != of_terms.model || rest_->first.scales != of_terms.scales) {
-    rest_ = {of_terms, forces_.at(terms_, of_terms)};
-  }
-  return rest_->second;
-}
-
-const gap::Forces& LawForces::addedAt(const Eigen::VectorXd& scales) const {
-  if (!added_ || added_->first != scales) {
-    added_ = {scales, gap::simulate(entriesAt(scales), forces_.records())};
-  }
-  return added_->second;
-}
-
 Entries LawForces::entriesAt(const Eigen::VectorXd& scales) const {
   Entries entries;
   const std::vector<Entries> of_members = law_.at(scales);
@@ -146,16 +144,46 @@ Entries LawForces::entriesAt(const Eigen::VectorXd& scales) const {
   return entries;
 }
 
+void LawForces::keep(const fit::ParameterVector& parameters) const {
+  const fit::ParameterVector of_terms = ofTerms(parameters);
+  if (!rest_ || rest_->first.model != of_terms.model || rest_->first.scales != of_terms.scales) {
+    rest_ = {of_terms, forces_.at(terms_, of_terms)};
+  }
+  if (!added_ || added_->first != parameters.scales) {
+    added_ = {parameters.scales, gap::simulate(entriesAt(parameters.scales), forces_.records())};
+  }
+}
+
 std::optional<gap::Forces> LawForces::at(const fit::ParameterVector& parameters) const {
+  if (adds_up_ && canBeMade(entriesAt(parameters.scales))) {
+    keep(parameters);
+  }
+  return forcesAt(parameters);
+}
+
+std::optional<gap::Forces> LawForces::forcesAt(const fit::ParameterVector& parameters) const {
+  const fit::ParameterVector of_terms = ofTerms(parameters);
   const Entries entries = entriesAt(parameters.scales);
-  if (adds_up_ || entries.empty()) {
-    auto forces = restAt(ofTerms(parameters));
-    for (std::size_t r = 0; forces && !entries.empty() && r < forces->size(); ++r) {
-      (*forces)[r] += addedAt(parameters.scales)[r];
+  if (!canBeMade(entries)) {
+    return std::nullopt;
+  }
+  if (adds_up_) {
+    const bool kept = rest_->first.model == of_terms.model && rest_->first.scales == of_terms.scales;
+    auto forces = kept ? rest_->second : forces_.at(terms_, of_terms);
+    if (!forces || entries.empty()) {
+      return forces;
+    }
+    const bool added = added_->first == parameters.scales;
+    const gap::Forces anew = added ? gap::Forces() : gap::simulate(entries, forces_.records());
+    for (std::size_t r = 0; r < forces->size(); ++r) {
+      (*forces)[r] += (added ? added_->second : anew)[r];
     }
     return forces;
   }
-  auto elements = fit::elementsOf(forces_.model(), terms_, ofTerms(parameters));
+  if (entries.empty()) {
+    return forces_.at(terms_, of_terms);
+  }
+  auto elements = fit::elementsOf(forces_.model(), terms_, of_terms);
   if (!elements) {
     return std::nullopt;
   }
@@ -168,7 +196,7 @@ fit::ForceColumn LawForces::difference(const fit::ParameterVector& parameters, c
   const Eigen::Index of_model = parameters.model.size();
   fit::ParameterVector moved = parameters;
   (unknown < of_model ? moved.model[unknown] : moved.scales[unknown - of_model]) += step;
-  auto forces = at(moved);
+  auto forces = forcesAt(moved);
   if (!forces) {
     forces = base;  // no model there: the parameter cannot move
   }
@@ -178,28 +206,36 @@ fit::ForceColumn LawForces::difference(const fit::ParameterVector& parameters, c
   return std::make_shared<const gap::Forces>(std::move(*forces));
 }
 
-std::vector<fit::ForceColumn> LawForces::columns(const fit::ParameterVector& parameters,
-                                                 const gap::Forces& base) const {
+double LawForces::stepOf(const fit::ParameterVector& parameters, const fit::BasisTerm& unknown, Eigen::Index t) const {
+  double step = kNumberStep;
+  if (std::find(places_.begin(), places_.end(), t) != places_.end()) {
+    step = (parameters.scales[t] == 0.0 ? 1.0 : kTermStep) * unknown.typical;
+  }
+  return parameters.scales[t] + step > unknown.upper ? -step : step;
+}
+
+std::vector<fit::ForceColumn> LawForces::columns(const fit::ParameterVector& parameters, const gap::Forces& base,
+                                                 int threads) const {
   const Eigen::Index of_model = parameters.model.size();
   const fit::Hypothesis all = law_.hypothesis();
-  std::vector<fit::ForceColumn> columns;
-  for (Eigen::Index j = 0; j < of_model; ++j) {
-    columns.push_back(difference(parameters, base, j, kModelStep));
+  if (adds_up_) {
+    keep(parameters);
   }
-  for (Eigen::Index t = 0; t < parameters.scales.size(); ++t) {
-    const fit::BasisTerm& term = all.terms[static_cast<std::size_t>(t)];
-    double step = kNumberStep;
-    if (std::find(places_.begin(), places_.end(), t) != places_.end()) {
-      step = (parameters.scales[t] == 0.0 ? 1.0 : kTermStep) * term.typical;
-    }
-    const double direction = parameters.scales[t] + step > term.upper ? -1.0 : 1.0;
-    columns.push_back(difference(parameters, base, of_model + t, direction * step));
-  }
+  std::vector<fit::ForceColumn> columns(static_cast<std::size_t>(of_model + parameters.scales.size()));
+  fit::parallelFor(columns.size(), threads, [&](std::size_t j) {
+    const auto unknown = static_cast<Eigen::Index>(j);
+    const Eigen::Index t = unknown - of_model;
+    const double step = t < 0 ? kModelStep : stepOf(parameters, all.terms[static_cast<std::size_t>(t)], t);
+    columns[j] = difference(parameters, base, unknown, step);
+  });
   return columns;
 }
 
-LawFitter::LawFitter(const fit::Fitter& fitter, const Law& law)
-    : HypothesisFitter(fitter.model()), fitter_(fitter), forces_(fitter.sharedRecords(), fitter.model(), law) {
+LawFitter::LawFitter(const fit::Fitter& fitter, const Law& law, int threads)
+    : HypothesisFitter(fitter.model()),
+      fitter_(fitter),
+      forces_(fitter.sharedRecords(), fitter.model(), law),
+      threads_(threads) {
   setNoise(fitter.noise());
 }
 

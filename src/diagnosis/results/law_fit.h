@@ -57,25 +57,30 @@ struct FittedLaw {
   fit::Fit fit;
 };
 
-/// Forces of a law about a model over some records [N]. Not for several threads at once: it keeps what it simulated
-/// last.
+/// Forces of a law about a model over some records [N]. Not for several threads of a caller at once: it keeps what it
+/// simulated last.
 class LawForces {
  public:
   /// The model has to outlive it.
   LawForces(std::shared_ptr<const std::vector<log::Record>> records, const fit::ModelParameters& model, const Law& law);
 
-  /// Nothing where the model has no solution.
+  /// Nothing where the model has no solution, or a law none of these numbers.
   std::optional<gap::Forces> at(const fit::ParameterVector& parameters) const;
 
-  /// Derivatives by the model's parameters and by the scales, `base` being the forces there.
-  std::vector<fit::ForceColumn> columns(const fit::ParameterVector& parameters, const gap::Forces& base) const;
+  /// Derivatives by the model's parameters and by the scales, `base` being the forces there; on up to `threads`
+  /// threads.
+  std::vector<fit::ForceColumn> columns(const fit::ParameterVector& parameters, const gap::Forces& base,
+                                        int threads) const;
 
  private:
   // Scales of the members that have terms, in the order of terms_.
   fit::ParameterVector ofTerms(const fit::ParameterVector& parameters) const;
   Entries entriesAt(const Eigen::VectorXd& scales) const;
-  const std::optional<gap::Forces>& restAt(const fit::ParameterVector& of_terms) const;
-  const gap::Forces& addedAt(const Eigen::VectorXd& scales) const;
+  // Makes rest_ and added_ those at these parameters, where forces add up.
+  void keep(const fit::ParameterVector& parameters) const;
+  // Takes from rest_ and added_ what these parameters do not change.
+  std::optional<gap::Forces> forcesAt(const fit::ParameterVector& parameters) const;
+  double stepOf(const fit::ParameterVector& parameters, const fit::BasisTerm& unknown, Eigen::Index t) const;
   fit::ForceColumn difference(const fit::ParameterVector& parameters, const gap::Forces& base, Eigen::Index unknown,
                               double step) const;
 
@@ -88,10 +93,10 @@ class LawForces {
   mutable std::optional<std::pair<Eigen::VectorXd, gap::Forces>> added_;
 };
 
-/// Fits a law to the records of a fitter, which has to outlive it.
+/// Fits a law to the records of a fitter, which has to outlive it, on up to `threads` threads.
 class LawFitter final : public fit::HypothesisFitter {
  public:
-  LawFitter(const fit::Fitter& fitter, const Law& law);
+  LawFitter(const fit::Fitter& fitter, const Law& law, int threads);
 
  private:
   std::optional<gap::Forces> simulate(const fit::Hypothesis& /*hypothesis*/,
@@ -104,13 +109,14 @@ class LawFitter final : public fit::HypothesisFitter {
   /// Few unknowns, all of which move.
   fit::BlockGrams normalEquationsAbout(const fit::Hypothesis& hypothesis, const fit::ParameterVector& parameters,
                                        const gap::Forces& base, fit::FreeInLog free,
-                                       const std::vector<bool>& /*active*/, int threads) const override {
-    return fit::normalEquations(fitter_.records(), fitter_.weights(), base, forces_.columns(parameters, base), free,
-                                threads, nullptr, hypothesis.by_zero);
+                                       const std::vector<bool>& /*active*/, int /*threads*/) const override {
+    return fit::normalEquations(fitter_.records(), fitter_.weights(), base, forces_.columns(parameters, base, threads_),
+                                free, threads_, nullptr, hypothesis.by_zero);
   }
 
   const fit::Fitter& fitter_;
   LawForces forces_;
+  int threads_;
 };
 
 /// Force of a fitted law over records, each of them recorded on a new component [N], from the displacement smoothed as

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -29,7 +30,8 @@ class FurtherLogs {
     pick_ = std::discrete_distribution<int>(weight_.data(), weight_.data() + weight_.size());
   }
 
-  double draw() {
+  // Nothing where this draw leaves no gap to close, or an effect that is at work does not close any of it.
+  std::optional<double> draw() {
     const ArrayXd floor = drawnFloors();
     const ArrayXd before = beyond(Evidence::kReEstimated, floor);
     const double variance = drawnVariance(beyond(closing_.hypothesis, floor));
@@ -40,8 +42,11 @@ class FurtherLogs {
       const int log = pick_(generator_);
       const double rest = variance * expected_[log] * std::pow(normal_(generator_), 2);
       gap += before[log] + floor[log];
-      left += (closing_.at_work ? std::min(rest, before[log]) : rest) + floor[log];
+      left += rest + floor[log];
       noise += floor[log];
+    }
+    if (gap <= noise || (closing_.at_work && left >= gap)) {
+      return std::nullopt;
     }
     return gap::closedFraction(std::sqrt(gap), std::sqrt(left), std::sqrt(noise));
   }
@@ -87,11 +92,18 @@ Closing closingOf(const Answer& answer) { return {answer.model, 1.0 - answer.bes
 
 std::array<double, 2> closedOnFurtherLogs(const Evidence& evidence, const Closing& closing, int draws, unsigned seed) {
   FurtherLogs further(evidence, closing, seed);
-  std::vector<double> fractions(static_cast<std::size_t>(draws));
-  std::generate(fractions.begin(), fractions.end(), [&] { return further.draw(); });
+  std::vector<double> fractions;
+  for (int i = 0; i < draws; ++i) {
+    if (const auto fraction = further.draw()) {
+      fractions.push_back(*fraction);
+    }
+  }
+  if (fractions.empty()) {
+    return {0.0, 1.0};
+  }
   std::sort(fractions.begin(), fractions.end());
   const auto at = [&](double share) {
-    return fractions[static_cast<std::size_t>(std::lround(share * static_cast<double>(draws - 1)))];
+    return fractions[static_cast<std::size_t>(std::lround(share * static_cast<double>(fractions.size() - 1)))];
   };
   return {at(0.025), at(0.975)};
 }

@@ -12,7 +12,7 @@ namespace rubber_suspension::diagnosis {
 struct Closing {
   int hypothesis = Evidence::kReEstimated;
   double alone = 1.0;    ///< probability that nothing else is at work: then what it leaves is the form error of its law
-  bool at_work = false;  ///< a law that is at work opens no gap
+  bool at_work = false;  ///< a law that is at work closes some of the gap
 };
 
 /// The effects and values that an answer names.
@@ -25,7 +25,9 @@ Closing closingOf(const Answer& answer);
 /// judgement expects of it there (score.h). Of v the judgement knows what logs of one rig scatter by: beforehand an
 /// inverse chi-square of nu degrees of freedom, after n logs with r^2 left of one of nu + n, so that what is left of a
 /// further log is Student's t. Beside a rest, which may have any size, the logs alone tell v. Noise floors are off by
-/// their standard error. Logs are drawn by their weights. Throws std::invalid_argument as scoreTable() does.
+/// their standard error. Logs are drawn by their weights. Draws without a gap do not count, nor, of a law that is at
+/// work, those in which it closes none of it; without any the interval is that from 0 to 1. Throws
+/// std::invalid_argument as scoreTable() does.
 std::array<double, 2> closedOnFurtherLogs(const Evidence& evidence, const Closing& closing, int draws, unsigned seed);
 
 }  // namespace rubber_suspension::diagnosis

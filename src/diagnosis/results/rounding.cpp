@@ -100,9 +100,8 @@ io::ComponentDescription rounded(const io::ComponentDescription& exact, const st
   return result;
 }
 
-std::string augmentedYaml(const Diagnosis& d) {
+io::YamlStyle augmentedStyle(const Diagnosis& d) {
   io::YamlStyle style = styleOf(d.augmented, d.written, d.finer);
-  style.head = originOf(d, d.gap.augmented);
   style.note = [&](const std::string& place) {
     const SizedValue* const size = at(d.written, place);
     return size == nullptr || isAsConfigured(*size) || !(size->interval_95[0] < size->interval_95[1]) ? ""
@@ -110,6 +109,13 @@ std::string augmentedYaml(const Diagnosis& d) {
                ? fmt::format("95 %: {}; was {}", intervalText(*size), quantity(size->configured, size->unit))
                : "95 %: " + intervalText(*size);
   };
+  return style;
+}
+
+std::string augmentedYaml(const Diagnosis& d) {
+  io::YamlStyle style = augmentedStyle(d);
+  style.head = originOf(d, d.gap.augmented);
+  style.head += d.turns ? "# A rotation as a component of one direction: m stands for rad, N for N m.\n" : "";
   return io::toYaml({d.augmented}, style);
 }
 

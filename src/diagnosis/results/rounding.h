@@ -14,6 +14,9 @@ namespace rubber_suspension::diagnosis {
 io::ComponentDescription rounded(const io::ComponentDescription& exact, const std::vector<SizedValue>& written,
                                  int finer);
 
+/// How it is written: each number as rounded() has it, its interval as a comment. Refers to the diagnosis.
+io::YamlStyle augmentedStyle(const Diagnosis& diagnosis);
+
 /// Text of Diagnosis::augmented, which reads back to it, with comments: origin, gaps, interval of each number.
 std::string augmentedYaml(const Diagnosis& diagnosis);
 

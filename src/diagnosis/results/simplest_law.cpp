@@ -261,7 +261,7 @@ class Chooser {
     MemberLaw& member = simple.law.members[m];
     member.terms.clear();
     member.start = start;
-    const LawFitter fitter(fitter_, simple.law);
+    const LawFitter fitter(fitter_, simple.law, threads_);
     const fit::Hypothesis hypothesis = simple.law.hypothesis();
     fit::ParameterVector from{result_.fitted.fit.parameters.model,
                               Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hypothesis.terms.size()))};

@@ -70,7 +70,7 @@ WrittenLaw writtenLaw(const PreparedCase& prepared, const std::vector<fit::Candi
   const HeldOut held_out{prepared.held_out, prepared.zeros.held_out};
   const SimplestLaw simple = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
   const FittedLaw full = fullLaw(judged, candidates);
-  const LawFitter fitter(prepared.fitter, simple.fitted.law);
+  const LawFitter fitter(prepared.fitter, simple.fitted.law, options.threads);
   WrittenLaw law;
   law.sizes = sizesOf(fitter, simple.fitted, simple.form_error, effectsOf(simple.fitted.law, candidates), options);
   law.full = componentOf(prepared, full.fit.parameters, full.law.at(full.fit.parameters.scales));

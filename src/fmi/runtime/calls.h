@@ -43,23 +43,25 @@ FMI_CALL(fmi2Status, fmi2SetRealInputDerivatives,
 
 #define FMI_STATES(V, State, Deserialize, Byte)                                                                       \
   FMI_CALL(fmi##V##Status, fmi##V##Get##State, (void* c, void** state), saveTo(instance, state))                      \
-  FMI_CALL(fmi##V##Status, fmi##V##Set##State, (void* c, void* state), restoreFrom(instance, state))                  \
-  FMI_CALL(fmi##V##Status, fmi##V##Free##State, (void* c, void** state), freeState(instance, state))                  \
+  FMI_CALL(fmi##V##Status, fmi##V##Set##State, (void* c, void* state),                                                \
+           instance.restore(stateIn(state, "restore of a state")))                                                    \
+  FMI_CALL(fmi##V##Status, fmi##V##Free##State, (void* c, void** state), freeState(state))                            \
   FMI_CALL(fmi##V##Status, fmi##V##Serialized##State##Size, (void* c, void* state, std::size_t* size),                \
-           sizeOfState(instance, state, size))                                                                        \
+           sizeOfState(state, size))                                                                                  \
   FMI_CALL(fmi##V##Status, fmi##V##Serialize##State, (void* c, void* state, Byte bytes[], std::size_t size),          \
-           writeState(instance, state, bytes, size))                                                                  \
+           writeState(state, bytes, size))                                                                            \
   FMI_CALL(fmi##V##Status, fmi##V##Deserialize##State, (void* c, const Byte bytes[], std::size_t size, void** state), \
-           readState(instance, bytes, size, state))
+           readState(bytes, size, state))
 FMI_STATES(2, FMUstate, DeSerialize, char)
 FMI_STATES(3, FMUState, Deserialize, std::uint8_t)
 #undef FMI_STATES
 
 // No step is ever under way when one of these is called.
 FMI_CALL(fmi2Status, fmi2GetRealStatus, (void* c, fmi2StatusKind kind, double* value),
-         lastSuccessfulTime(instance, kind == fmi2LastSuccessfulTime, value))
+         getStatus(instance, kind == fmi2LastSuccessfulTime, "not a real number; accepted: the last successful time",
+                   value, instance.time()))
 FMI_CALL(fmi2Status, fmi2GetBooleanStatus, (void* c, fmi2StatusKind kind, fmi2Boolean* value),
-         isTerminated(instance, kind == fmi2Terminated, value))
+         getStatus(instance, kind == fmi2Terminated, "not a boolean; accepted: terminated", value, 0))
 #define FMI_NO_STATUS(name, Value) \
   FMI_CALL(fmi2Status, name, (void* c, fmi2StatusKind, Value*), instance.discard("status: no step is under way"))
 FMI_NO_STATUS(fmi2GetStatus, fmi2Status)

@@ -7,74 +7,36 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension::fmi {
-namespace {
-
-using nlohmann::json;
-
-json entriesToJson(const std::vector<element::ElementDescription>& entries) {
-  json list = json::array();
-  for (const element::ElementDescription& entry : entries) {
-    list.push_back({{"type", entry.type}, {"values", entry.values}});
+template <>
+struct nlohmann::adl_serializer<Eigen::Isometry3d> {
+  static void to_json(json& list, const Eigen::Isometry3d& frame) {
+    list = std::vector<double>(frame.data(), frame.data() + frame.matrix().size());
   }
-  return list;
-}
+  static void from_json(const json& list, Eigen::Isometry3d& frame) {
+    frame = Eigen::Isometry3d(Eigen::Map<const Eigen::Matrix4d>(list.get<std::array<double, 16>>().data()));
+  }
+};
 
-std::vector<element::ElementDescription> entriesFromJson(const json& list) {
-  std::vector<element::ElementDescription> entries;
-  for (const json& entry : list) {
-    entries.push_back(
-        {entry.at("type").get<std::string>(), entry.at("values").get<std::map<std::string, std::vector<double>>>()});
+namespace rubber_suspension::element {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ElementDescription, type, values)
+}  // namespace rubber_suspension::element
+
+namespace rubber_suspension::component {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SixDirectionsLaws, elements, translation, rotation, axis, measure, valid_rotation,
+                                   on_a, on_b)
+}  // namespace rubber_suspension::component
+
+namespace rubber_suspension::fmi {
+
+std::vector<element::ElementDescription> completed(std::vector<element::ElementDescription> entries) {
+  for (element::ElementDescription& entry : entries) {
+    entry = element::complete(entry);
   }
   return entries;
 }
 
-json frameToJson(const Eigen::Isometry3d& frame) {
-  return std::vector<double>(frame.matrix().data(), frame.matrix().data() + frame.matrix().size());
-}
-
-Eigen::Isometry3d frameFromJson(const json& list) {
-  const auto numbers = list.get<std::array<double, 16>>();
-  return Eigen::Isometry3d(Eigen::Map<const Eigen::Matrix4d>(numbers.data()));
-}
-
-json sixToJson(const ComponentData& data) {
-  const component::SixDirectionsLaws& laws = *data.six;
-  json six = {{"translation", laws.translation}, {"rotation", laws.rotation},    {"axis", laws.axis},
-              {"measure", laws.measure},         {"valid", laws.valid_rotation}, {"on_a", frameToJson(laws.on_a)},
-              {"on_b", frameToJson(laws.on_b)},  {"elements", json::array()}};
-  for (const auto& elements : laws.elements) {
-    six["elements"].push_back(entriesToJson(elements));
-  }
-  return {{"name", data.name}, {"guid", data.guid}, {"six", six}};
-}
-
-component::SixDirectionsLaws sixFromJson(const json& six) {
-  component::SixDirectionsLaws laws;
-  for (std::size_t i = 0; i < laws.elements.size(); ++i) {
-    laws.elements[i] = entriesFromJson(six.at("elements").at(i));
-  }
-  six.at("translation").get_to(laws.translation);
-  six.at("rotation").get_to(laws.rotation);
-  six.at("axis").get_to(laws.axis);
-  six.at("measure").get_to(laws.measure);
-  six.at("valid").get_to(laws.valid_rotation);
-  laws.on_a = frameFromJson(six.at("on_a"));
-  laws.on_b = frameFromJson(six.at("on_b"));
-  return laws;
-}
-
-}  // namespace
-
 std::vector<element::ElementDescription> ComponentData::modelElements() const {
-  if (model == estimation::Model::elements) {
-    return elements;
-  }
-  std::vector<element::ElementDescription> estimated = estimation::estimate(model, specification);
-  for (element::ElementDescription& entry : estimated) {
-    entry = element::complete(entry);
-  }
-  return estimated;
+  return model == estimation::Model::elements ? elements : completed(estimation::estimate(model, specification));
 }
 
 std::vector<element::ElementDescription> ComponentData::allElements() const {
@@ -85,30 +47,29 @@ std::vector<element::ElementDescription> ComponentData::allElements() const {
 }
 
 std::string toJson(const ComponentData& data) {
+  nlohmann::json content = {{"name", data.name}, {"guid", data.guid}};
   if (data.six) {
-    return sixToJson(data).dump();
+    content["six"] = *data.six;
+    return content.dump();
   }
-  json specification = json::object();
+  content["model"] = estimation::toString(data.model);
+  content["specification"] = std::map<std::string, double>();
   for (const auto& [name, value] : data.specification.values()) {
-    specification[name] = value;
+    content["specification"][name] = value;
   }
-  return json({{"name", data.name},
-               {"guid", data.guid},
-               {"model", estimation::toString(data.model)},
-               {"specification", specification},
-               {"elements", entriesToJson(data.elements)},
-               {"add", entriesToJson(data.add)},
-               {"temperature", entriesToJson(data.temperature)}})
-      .dump();
+  content["elements"] = data.elements;
+  content["add"] = data.add;
+  content["temperature"] = data.temperature;
+  return content.dump();
 }
 
 ComponentData fromJson(const std::string& text) {
-  const json content = json::parse(text);
+  const nlohmann::json content = nlohmann::json::parse(text);
   ComponentData data;
-  data.name = content.at("name").get<std::string>();
-  data.guid = content.at("guid").get<std::string>();
+  content.at("name").get_to(data.name);
+  content.at("guid").get_to(data.guid);
   if (content.contains("six")) {
-    data.six = sixFromJson(content.at("six"));
+    data.six = content.at("six").get<component::SixDirectionsLaws>();
     return data;
   }
   const auto model = estimation::modelFromString(content.at("model").get<std::string>());
@@ -120,9 +81,9 @@ ComponentData fromJson(const std::string& text) {
   for (const auto& [name, value] : content.at("specification").items()) {
     data.specification.set(name, value.get<double>());
   }
-  data.elements = entriesFromJson(content.at("elements"));
-  data.add = entriesFromJson(content.at("add"));
-  data.temperature = entriesFromJson(content.at("temperature"));
+  content.at("elements").get_to(data.elements);
+  content.at("add").get_to(data.add);
+  content.at("temperature").get_to(data.temperature);
   return data;
 }
 

@@ -32,6 +32,9 @@ struct ComponentData {
   std::vector<element::ElementDescription> allElements() const;
 };
 
+/// With all parameters.
+std::vector<element::ElementDescription> completed(std::vector<element::ElementDescription> entries);
+
 /// Text that fromJson() reads back to the same numbers, bit by bit.
 std::string toJson(const ComponentData& data);
 

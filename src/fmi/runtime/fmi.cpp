@@ -4,6 +4,7 @@
 #include <exception>
 #include <initializer_list>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "fmi/runtime/embedded.h"
@@ -34,21 +35,20 @@ Result guarded(void* handle, Body body) noexcept {
   }
 }
 
+void logNothing(Status /*status*/, const char* /*category*/, const std::string& /*message*/) {}
+
 // The logger of FMI 2.0 reads its message as a format of printf, and # as a reference to a variable.
 std::string escaped(const std::string& message) {
   std::string result;
   for (const char c : message) {
-    result += c;
-    if (c == '%' || c == '#') {
-      result += c;
-    }
+    result.append(c == '%' || c == '#' ? 2 : 1, c);
   }
   return result;
 }
 
 Log logTo(const fmi2CallbackFunctions* functions, fmiString name) {
   if (functions == nullptr || functions->logger == nullptr) {
-    return [](Status, const char*, const std::string&) {};
+    return logNothing;
   }
   return [logger = functions->logger, environment = functions->componentEnvironment,
           instance = std::string(name == nullptr ? "" : name)](Status status, const char* category,
@@ -59,7 +59,7 @@ Log logTo(const fmi2CallbackFunctions* functions, fmiString name) {
 
 Log logTo(void* environment, fmi3LogMessageCallback callback) {
   if (callback == nullptr) {
-    return [](Status, const char*, const std::string&) {};
+    return logNothing;
   }
   return [=](Status status, const char* category, const std::string& message) {
     callback(environment, static_cast<fmi3Status>(status), category, message.c_str());
@@ -95,14 +95,18 @@ void* instantiate(const char* token, bool logging_on, const char* refused, Logge
   }
 }
 
+// What a pointer of the importer points to. Throws for none, which becomes an error.
+template <class Value>
+Value& at(Value* pointer, const char* call) {
+  return pointer != nullptr ? *pointer : throw std::invalid_argument(std::string(call) + ": a null pointer");
+}
+
 // Switch debugging on or off, for all categories or for those listed.
 Status setLogging(Instance& instance, bool on, std::size_t count, const fmiString* categories) {
-  if (count > 0 && categories == nullptr) {
-    return instance.error("debug logging: a null pointer");
-  }
   bool events = count == 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string name = categories[i] == nullptr ? "" : categories[i];
+    const fmiString given = (&at(categories, "debug logging"))[i];
+    const std::string name = given == nullptr ? "" : given;
     if (name != category::kEvents && name != category::kError && name != category::kDiscard) {
       return instance.error("debug logging: '" + name + "' is no category; accepted: logEvents, logStatusDiscard, " +
                             "logStatusError");
@@ -156,44 +160,31 @@ Status setDerivatives(Instance& instance, const fmiReference* vr, std::size_t co
   return Status::ok;
 }
 
-Status lastSuccessfulTime(Instance& instance, bool asked, double* value) {
-  if (!asked || value == nullptr) {
-    return instance.discard("status: not a real number; accepted: the last successful time");
+// Of a step that went before, since none is ever under way.
+template <class Value>
+Status getStatus(Instance& instance, bool known, const char* accepted, Value* value, Value found) {
+  if (!known || value == nullptr) {
+    return instance.discard(std::string("status: ") + accepted);
   }
-  *value = instance.time();
-  return Status::ok;
-}
-
-Status isTerminated(Instance& instance, bool asked, fmi2Boolean* value) {
-  if (!asked || value == nullptr) {
-    return instance.discard("status: not a boolean; accepted: terminated");
-  }
-  *value = 0;
+  *value = found;
   return Status::ok;
 }
 
 // Save into the state that the importer holds, or into a new one where it holds none.
-Status saveTo(Instance& instance, void** held) {
-  if (held == nullptr) {
-    return instance.error("save of the state: a null pointer");
+Status saveTo(Instance& instance, void** state) {
+  void*& held = at(state, "save of the state");
+  if (held != nullptr) {
+    return instance.save(*static_cast<SavedState*>(held));
   }
-  if (*held != nullptr) {
-    return instance.save(*static_cast<SavedState*>(*held));
-  }
-  auto state = std::make_unique<SavedState>();
-  const Status status = instance.save(*state);
-  if (status == Status::ok) {
-    *held = state.release();
-  }
+  auto saved = std::make_unique<SavedState>();
+  const Status status = instance.save(*saved);
+  held = status == Status::ok ? saved.release() : nullptr;
   return status;
 }
 
-Status restoreFrom(Instance& instance, const void* held) {
-  return held == nullptr ? instance.error("restore of a state: a null pointer")
-                         : instance.restore(*static_cast<const SavedState*>(held));
-}
+const SavedState& stateIn(const void* held, const char* call) { return at(static_cast<const SavedState*>(held), call); }
 
-Status freeState(Instance& /*instance*/, void** held) {
+Status freeState(void** held) {
   if (held != nullptr) {
     delete static_cast<SavedState*>(*held);
     *held = nullptr;
@@ -201,33 +192,26 @@ Status freeState(Instance& /*instance*/, void** held) {
   return Status::ok;
 }
 
-Status sizeOfState(Instance& instance, const void* held, std::size_t* size) {
-  if (held == nullptr || size == nullptr) {
-    return instance.error("size of a state: a null pointer");
-  }
-  *size = serialisedSize(*static_cast<const SavedState*>(held));
+Status sizeOfState(const void* held, std::size_t* size) {
+  at(size, "size of a state") = serialisedSize(stateIn(held, "size of a state"));
   return Status::ok;
 }
 
-Status writeState(Instance& instance, const void* held, void* bytes, std::size_t size) {
-  if (held == nullptr || bytes == nullptr) {
-    return instance.error("serialisation of a state: a null pointer");
-  }
-  const auto& state = *static_cast<const SavedState*>(held);
+Status writeState(const void* held, void* bytes, std::size_t size) {
+  const SavedState& state = stateIn(held, "serialisation of a state");
   if (size < serialisedSize(state)) {
-    return instance.error("serialisation of a state: too few bytes");
+    throw std::invalid_argument("serialisation of a state: too few bytes");
   }
-  serialise(state, static_cast<char*>(bytes));
+  serialise(state, &at(static_cast<char*>(bytes), "serialisation of a state"));
   return Status::ok;
 }
 
-Status readState(Instance& instance, const void* bytes, std::size_t size, void** held) {
-  if (bytes == nullptr || held == nullptr) {
-    return instance.error("deserialisation of a state: a null pointer");
-  }
-  auto state = std::make_unique<SavedState>(deserialise(static_cast<const char*>(bytes), size));
-  freeState(instance, held);
-  *held = state.release();
+Status readState(const void* bytes, std::size_t size, void** held) {
+  void*& state = at(held, "deserialisation of a state");
+  auto read = std::make_unique<SavedState>(
+      deserialise(&at(static_cast<const char*>(bytes), "deserialisation of a state"), size));
+  freeState(held);
+  state = read.release();
   return Status::ok;
 }
 

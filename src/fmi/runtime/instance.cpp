@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -81,22 +80,15 @@ Status Instance::terminate() { return phase_ == Phase::stepping ? enter(Phase::t
 Status Instance::reset() {
   parameters_ = table_.startValues();
   calculated_.clear();
-  discardBuild();
+  body_.reset();
+  initialised_ = false;
   start_time_ = time_ = 0.0;
-  inputs_ = {};
   stop_time_ = kNoStop;
+  inputs_ = outputs_ = {};
   temperature_.reset();
   derivative_ = {};
   has_derivatives_ = false;
-  force_ = {};
-  wrench_ = {};
   return enter(Phase::instantiated);
-}
-
-void Instance::discardBuild() {
-  component_.reset();
-  six_.reset();
-  initialised_ = false;
 }
 
 Status Instance::setAll(const Reference* references, std::size_t count, const double* values) {
@@ -127,8 +119,8 @@ Status Instance::checkSet(Reference reference, double value) {
     return error(fmt::format("set: {} cannot be set", variable.name));
   }
   // Until the component is built, the range of the temperature is that of the parameters at the start.
-  const bool shifted = reference == table_.temperature() && isBuilt();
-  const element::Range range = !shifted ? variable.range : six_ ? six_->temperatures() : component_->temperatures();
+  const bool shifted = reference == table_.temperature() && body_;
+  const element::Range range = shifted ? body_->temperatures() : variable.range;
   if (std::isfinite(value) && range.contains(value)) {
     return Status::ok;
   }
@@ -137,18 +129,20 @@ Status Instance::checkSet(Reference reference, double value) {
 }
 
 void Instance::assign(Reference reference, double value) {
-  if (table_.variables()[reference].causality == Causality::input && reference != table_.temperature()) {
+  if (table_.variables()[reference].causality == Causality::parameter) {
+    parameters_[reference - table_.firstParameter()] = value;
+    body_.reset();
+    initialised_ = false;
+    return;
+  }
+  initialised_ = initialised_ && phase_ == Phase::stepping;
+  if (reference != table_.temperature()) {
     inputs_[reference - reference::kFirstInput] = value;
-    initialised_ = initialised_ && phase_ == Phase::stepping;
-  } else if (reference == table_.temperature()) {
-    temperature_ = value;
-    initialised_ = initialised_ && phase_ == Phase::stepping;
-    if (initialised_) {
-      shift();
-    }
-  } else {
-    parameters_[reference - reference::kFirstParameter] = value;
-    discardBuild();
+    return;
+  }
+  temperature_ = value;
+  if (initialised_) {
+    body_->setTemperature(temperature_);
   }
 }
 
@@ -172,22 +166,19 @@ Status Instance::getAll(const Reference* references, std::size_t count, double* 
 }
 
 double Instance::value(Reference reference) const {
-  if (data_.six && reference >= reference::kFirstInput && reference != table_.temperature()) {
-    const std::size_t place = (reference - reference::kFirstWrench) % 3;
-    return reference < reference::kFirstWrench       ? inputs_[reference - reference::kFirstInput]
-           : reference < reference::kFirstWrench + 3 ? wrench_.force[static_cast<Eigen::Index>(place)]
-                                                     : wrench_.moment[static_cast<Eigen::Index>(place)];
+  if (reference == reference::kTime) {
+    return time_;
   }
-  const double common[] = {time_,          inputs_[0],     force_.total,
-                           force_.elastic, force_.viscous, force_.friction};  // by their references
-  static_assert(std::size(common) == reference::kFirstParameter);
-  if (reference < reference::kFirstParameter) {
-    return common[reference];
+  if (reference < table_.firstOutput()) {
+    return inputs_[reference - reference::kFirstInput];
+  }
+  if (reference < table_.firstParameter()) {
+    return outputs_[reference - table_.firstOutput()];
   }
   if (reference == table_.temperature()) {
     return temperature_ ? *temperature_ : table_.variables()[reference].start.value();
   }
-  const std::size_t parameter = reference - reference::kFirstParameter;
+  const std::size_t parameter = reference - table_.firstParameter();
   return parameter < parameters_.size() ? parameters_[parameter] : calculated_[parameter - parameters_.size()];
 }
 
@@ -208,117 +199,26 @@ Status Instance::setDerivative(Reference reference, int order, double value) {
 }
 
 // Throws where there is no component with these parameters.
-Instance::Build Instance::build(const std::vector<double>& parameters) const {
+Body Instance::build(const std::vector<double>& parameters, std::vector<double>& calculated) const {
   ComponentData changed = data_;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     setValue(changed, table_.place(i), parameters[i]);
   }
-  Build build;
-  if (data_.six) {
-    build.six = std::make_unique<const component::SixDirections>(*data_.six);
-    build.six_state = build.six->makeState();
-    return build;
-  }
-  build.calculated = table_.calculatedValues(changed.modelElements());
-  build.component = std::make_unique<const component::Component>(changed.allElements());
-  build.state = build.component->makeState();
-  return build;
-}
-
-void Instance::take(Build build) {
-  component_ = std::move(build.component);
-  calculated_ = std::move(build.calculated);
-  state_ = std::move(build.state);
-  six_ = std::move(build.six);
-  six_state_ = std::move(build.six_state);
-}
-
-// To the temperature that was set.
-void Instance::shift() {
-  if (six_) {
-    if (temperature_) {
-      six_->setTemperature(six_state_, *temperature_);
-    }
-  } else if (temperature_) {
-    component_->setTemperature(*state_, *temperature_);
-  } else {
-    component_->forgetTemperature(*state_);
-  }
+  calculated = table_.calculatedValues(changed.modelElements());
+  return Body(changed);
 }
 
 void Instance::settle() {
-  if (!isBuilt()) {
-    take(build(parameters_));
+  if (!body_) {
+    std::vector<double> calculated;
+    body_ = build(parameters_, calculated);
+    calculated_ = std::move(calculated);
   }
   if (!initialised_) {
-    shift();
-    if (six_) {
-      settleSix();
-      return;
-    }
-    const element::ComponentForce force = component_->initialise(*state_, inputs_[0]);
-    if (!std::isfinite(force.total)) {
-      throw std::invalid_argument(fmt::format("displacement {:g} m gives a force that is not finite", inputs_[0]));
-    }
-    force_ = force;
+    body_->setTemperature(temperature_);
+    outputs_ = body_->initialise(inputs_);
     initialised_ = true;
   }
-}
-
-Eigen::Isometry3d Instance::pose() const {
-  const component::SixNumbers inputs = Eigen::Map<const component::SixNumbers>(inputs_.data());
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() = inputs.head<3>();
-  pose.linear() = component::rotationOf(data_.six->measure, inputs.tail<3>()).toRotationMatrix();
-  return pose;
-}
-
-void Instance::settleSix() {
-  if (!six_->holds(six_->coordinates(pose()))) {
-    throw std::invalid_argument("a rotation beyond the end of its measure");
-  }
-  const component::Wrench wrench = six_->initialise(six_state_, pose()).wrench;
-  if (!wrench.force.allFinite() || !wrench.moment.allFinite()) {
-    throw std::invalid_argument("the pose gives a wrench that is not finite");
-  }
-  wrench_ = wrench;
-  initialised_ = true;
-}
-
-Status Instance::stepSix(double time, double size) {
-  if (!six_->holds(six_->coordinates(pose()))) {
-    return error("step: a rotation beyond the end of its measure");
-  }
-  wrench_ = six_->step(six_state_, size, pose()).wrench;
-  time_ = time + size;
-  return wrench_.force.allFinite() && wrench_.moment.allFinite() ? Status::ok : fail();
-}
-
-// All that a saved state has of six directions, as the memory of the component.
-std::vector<double> Instance::sixMemory() const {
-  std::vector<double> memory(inputs_.begin(), inputs_.end());
-  memory.insert(memory.end(), wrench_.force.data(), wrench_.force.data() + 3);
-  memory.insert(memory.end(), wrench_.moment.data(), wrench_.moment.data() + 3);
-  if (six_ && initialised_) {
-    const std::vector<double> numbers = six_state_.numbers();
-    memory.insert(memory.end(), numbers.begin(), numbers.end());
-  }
-  return memory;
-}
-
-void Instance::restoreSix(const std::vector<double>& memory, bool settled) {
-  constexpr std::size_t kHead = 12;  // inputs and wrench
-  if (memory.size() < kHead) {
-    throw std::invalid_argument("the state has too few numbers for six directions");
-  }
-  if (settled) {
-    if (!six_) {
-      take(build(parameters_));
-    }
-    six_->restore(six_state_, {memory.begin() + kHead, memory.end()});
-  }
-  std::copy_n(memory.begin(), inputs_.size(), inputs_.begin());
-  wrench_ = {Eigen::Map<const Eigen::Vector3d>(&memory[6]), Eigen::Map<const Eigen::Vector3d>(&memory[9])};
 }
 
 // Importers count time in sums of their own. The time of each step is taken from them, so one rounding of such a sum
@@ -331,16 +231,24 @@ bool Instance::isInTime(double time, double size) const {
 }
 
 // The displacement at the end of a step, which uses up the derivatives.
-double Instance::extrapolated(double size) {
-  double displacement = inputs_[0];
+Numbers Instance::extrapolated(double size) {
+  Numbers moved = inputs_;
   double power = 1.0;  // size^k/k!
   for (std::size_t k = 0; k < kMostDerivatives; ++k) {
     power *= size / static_cast<double>(k + 1);
-    displacement += power * derivative_[k];
+    moved[0] += power * derivative_[k];
   }
   derivative_ = {};
   has_derivatives_ = false;
-  return displacement;
+  return moved;
+}
+
+Status Instance::stepInFull(double time, double size) {
+  if (!body_->holds(inputs_)) {
+    return error("step: a rotation beyond the end of its measure");
+  }
+  time_ = time + size;
+  return body_->step(size, extrapolated(size), outputs_) ? Status::ok : fail();
 }
 
 Status Instance::refuseStep(double time, double size) {
@@ -371,19 +279,15 @@ Status Instance::save(SavedState& state) {
   state.phase = phase_;
   state.time = phase_ == Phase::instantiated ? start_time_ : time_;
   state.stop_time = stop_time_;
-  state.displacement = inputs_[0];
+  state.inputs = inputs_;
+  state.outputs = outputs_;
   state.temperature = temperature_;
   state.derivative = derivative_;
-  state.force = force_;
   state.parameters = parameters_;
-  state.settled = isBuilt() && initialised_;
-  if (data_.six) {
-    state.memory = sixMemory();
-  } else if (state.settled) {
-    state.component_displacement = state_->displacement();
-    state.memory = state_->memory();
-  } else {
-    state.memory.clear();
+  state.settled = body_ && initialised_;
+  state.memory.clear();
+  if (state.settled) {
+    body_->save(state);
   }
   return Status::ok;
 }
@@ -396,28 +300,30 @@ Status Instance::restore(const SavedState& state) {
     return error("restore of a state: it is not one to continue from");
   }
   // All that can fail comes first: an instance is changed as a whole or not at all.
-  const bool other = state.parameters != parameters_;
-  if (data_.six) {
-    restoreSix(state.memory, state.settled);
-  } else if (state.settled && (other || !component_)) {
-    Build rebuilt = build(state.parameters);
-    rebuilt.component->restore(*rebuilt.state, state.component_displacement, state.memory);
-    take(std::move(rebuilt));
-  } else if (state.settled) {
-    component_->restore(*state_, state.component_displacement, state.memory);
-  } else if (other) {
-    component_.reset();
+  if (body_ && state.parameters == parameters_) {
+    if (state.settled) {
+      body_->restore(state);
+    }
+  } else {
+    std::vector<double> calculated;
+    std::optional<Body> rebuilt;
+    if (state.settled) {
+      rebuilt = build(state.parameters, calculated);
+      rebuilt->restore(state);
+    }
+    body_ = std::move(rebuilt);
+    calculated_ = std::move(calculated);
   }
   parameters_ = state.parameters;
   initialised_ = state.settled;
   time_ = state.time;
   stop_time_ = state.stop_time;
   start_time_ = state.phase == Phase::instantiated ? state.time : start_time_;
-  inputs_[0] = state.displacement;
+  inputs_ = state.inputs;
+  outputs_ = state.outputs;
   temperature_ = state.temperature;
   derivative_ = state.derivative;
   has_derivatives_ = std::any_of(derivative_.begin(), derivative_.end(), [](double value) { return value != 0.0; });
-  force_ = state.force;
   phase_ = state.phase;
   return Status::ok;
 }

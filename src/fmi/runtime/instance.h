@@ -4,14 +4,13 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "fmi/runtime/body.h"
 #include "fmi/runtime/saved_state.h"
 #include "fmi/runtime/variables.h"
-#include "rubber_suspension/component/six_directions.h"
 
 namespace rubber_suspension::fmi {
 
@@ -62,8 +61,8 @@ class Instance {
 
   Status get(const Reference* references, std::size_t count, double* values) {
     if (count == 1 && phase_ == Phase::stepping && references != nullptr && values != nullptr &&
-        references[0] == reference::kForce && !six_) {
-      values[0] = force_.total;
+        references[0] == table_.firstOutput()) {
+      values[0] = outputs_[0];
       return Status::ok;
     }
     return getAll(references, count, values);
@@ -77,12 +76,11 @@ class Instance {
     if (phase_ != Phase::stepping || !(size > 0.0) || !std::isfinite(size) || !isInTime(time, size)) {
       return refuseStep(time, size);
     }
-    if (six_) {
-      return stepSix(time, size);
+    if (has_derivatives_ || body_->isSix()) {
+      return stepInFull(time, size);
     }
-    force_ = component_->step(*state_, size, has_derivatives_ ? extrapolated(size) : inputs_[0]);
     time_ = time + size;
-    return std::isfinite(force_.total) ? Status::ok : fail();
+    return body_->stepOne(size, inputs_[0], outputs_) ? Status::ok : fail();
   }
 
   double time() const { return time_; }
@@ -105,29 +103,12 @@ class Instance {
   void assign(Reference reference, double value);
   double value(Reference reference) const;
 
-  /// A component with all that follows from its parameters.
-  struct Build {
-    std::unique_ptr<const component::Component> component;  // of one direction, or of six
-    std::unique_ptr<const component::SixDirections> six;
-    std::vector<double> calculated;  // parameters that follow from those that can be set
-    std::optional<component::ComponentState> state;
-    component::SixDirectionsState six_state;
-  };
-
-  Build build(const std::vector<double>& parameters) const;
-  void take(Build build);
+  Body build(const std::vector<double>& parameters, std::vector<double>& calculated) const;
   void settle();
-  void settleSix();
-  Eigen::Isometry3d pose() const;
-  Status stepSix(double time, double size);
-  bool isBuilt() const { return component_ || six_; }
-  void discardBuild();
-  std::vector<double> sixMemory() const;
-  void restoreSix(const std::vector<double>& memory, bool settled);
-  void shift();
   double roomFor(double size) const;
   bool isInTime(double time, double size) const;
-  double extrapolated(double size);
+  Numbers extrapolated(double size);
+  Status stepInFull(double time, double size);
   Status refuseStep(double time, double size);
   Status fail();
   Status refuseOrder(const std::string& what);
@@ -143,20 +124,16 @@ class Instance {
   double start_time_ = 0.0;  // [s]
   double time_ = 0.0;        // [s]
   double stop_time_ = kNoStop;
-  std::array<double, component::kDirections> inputs_ = {};  // the displacement [m] alone, or a pose [m, rad]
-  std::optional<double> temperature_;                       // [degC]; before it was set, the component is as specified
+  Numbers inputs_ = {};
+  Numbers outputs_ = {};
+  std::optional<double> temperature_;  // [degC]; before it was set, the component is as specified
   std::array<double, kMostDerivatives> derivative_ = {};
   bool has_derivatives_ = false;
 
-  std::vector<double> parameters_;                         // that can be set
-  std::vector<double> calculated_;                         // those that follow from them
-  std::unique_ptr<const component::Component> component_;  // none: parameters have changed
-  std::optional<component::ComponentState> state_;
-  bool initialised_ = false;  // the state is that at rest at the displacement, or has been stepped since
-  element::ComponentForce force_;
-  std::unique_ptr<const component::SixDirections> six_;
-  component::SixDirectionsState six_state_;
-  component::Wrench wrench_;
+  std::vector<double> parameters_;  // that can be set
+  std::vector<double> calculated_;  // those that follow from them
+  std::optional<Body> body_;        // none: parameters have changed
+  bool initialised_ = false;        // the body is at rest at the inputs, or has been stepped since
 };
 
 }  // namespace rubber_suspension::fmi

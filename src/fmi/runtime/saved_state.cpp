@@ -6,13 +6,15 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <tuple>
 
 namespace rubber_suspension::fmi {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x3330544154535352;  // "RSSTAT03", lowest byte first
+constexpr std::uint64_t kMagic = 0x3430544154535352;  // "RSSTAT04", lowest byte first
 constexpr std::size_t kWords = 3;                     // magic number, checksum, FMU
-constexpr std::size_t kHead = 13 + kMostDerivatives;  // numbers
+constexpr std::size_t kSingle = 8;                    // numbers before those in rows
+constexpr std::size_t kHead = kSingle + 2 * std::tuple_size_v<Numbers> + kMostDerivatives;
 
 // FNV-1a.
 std::uint64_t hashOf(const char* bytes, std::size_t size) {
@@ -38,17 +40,15 @@ void serialise(const SavedState& state, char* bytes) {
                                  static_cast<double>(state.parameters.size()),
                                  state.time,
                                  state.stop_time,
-                                 state.displacement,
                                  state.component_displacement,
                                  state.temperature ? 1.0 : 0.0,
-                                 state.temperature.value_or(0.0),
-                                 state.force.total,
-                                 state.force.elastic,
-                                 state.force.viscous,
-                                 state.force.friction};
-  numbers.insert(numbers.end(), state.derivative.begin(), state.derivative.end());
-  numbers.insert(numbers.end(), state.parameters.begin(), state.parameters.end());
-  numbers.insert(numbers.end(), state.memory.begin(), state.memory.end());
+                                 state.temperature.value_or(0.0)};
+  const auto append = [&numbers](const auto& row) { numbers.insert(numbers.end(), row.begin(), row.end()); };
+  append(state.inputs);
+  append(state.outputs);
+  append(state.derivative);
+  append(state.parameters);
+  append(state.memory);
   std::uint64_t words[kWords] = {kMagic, 0, state.fingerprint};
   std::memcpy(bytes, words, sizeof words);
   std::memcpy(bytes + sizeof words, numbers.data(), 8 * numbers.size());
@@ -80,16 +80,21 @@ SavedState deserialise(const char* bytes, std::size_t size) {
   state.settled = numbers[1] != 0.0;
   state.time = numbers[3];
   state.stop_time = numbers[4];
-  state.displacement = numbers[5];
-  state.component_displacement = numbers[6];
-  if (numbers[7] != 0.0) {
-    state.temperature = numbers[8];
+  state.component_displacement = numbers[5];
+  if (numbers[6] != 0.0) {
+    state.temperature = numbers[7];
   }
-  state.force = {numbers[9], numbers[10], numbers[11], numbers[12]};
-  const auto head = numbers.begin() + kHead;
-  std::copy(head - kMostDerivatives, head, state.derivative.begin());
-  state.parameters.assign(head, head + static_cast<std::ptrdiff_t>(parameters));
-  state.memory.assign(head + static_cast<std::ptrdiff_t>(parameters), numbers.end());
+  auto next = numbers.begin() + kSingle;
+  const auto take = [&next](auto& row) {
+    std::copy_n(next, row.size(), row.begin());
+    next += static_cast<std::ptrdiff_t>(row.size());
+  };
+  state.parameters.resize(static_cast<std::size_t>(parameters));
+  take(state.inputs);
+  take(state.outputs);
+  take(state.derivative);
+  take(state.parameters);
+  state.memory.assign(next, numbers.end());
   return state;
 }
 

@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "rubber_suspension/element/element.h"
-
 namespace rubber_suspension::fmi {
 
 /// Where an instance stands between instantiation and release.
@@ -22,15 +20,19 @@ constexpr std::size_t kMostDerivatives = 3;
 /// The stop time of an experiment that defines none [s]: one that no step reaches.
 constexpr double kNoStop = std::numeric_limits<double>::max();
 
+/// Inputs or outputs: one displacement [m] and its force with the parts elastic, viscous and friction [N], or a pose
+/// [m, rad] and a wrench [N, N m].
+using Numbers = std::array<double, 6>;
+
 struct SavedState {
   std::uint64_t fingerprint = 0;  ///< of the FMU
   Phase phase = Phase::instantiated;
-  double time = 0.0;                                     ///< [s]
-  double stop_time = kNoStop;                            ///< [s]
-  double displacement = 0.0;                             ///< the input [m]
+  double time = 0.0;           ///< [s]
+  double stop_time = kNoStop;  ///< [s]
+  Numbers inputs = {};
+  Numbers outputs = {};
   std::array<double, kMostDerivatives> derivative = {};  ///< of the input, the first at [0] [m/s, m/s^2, ...]
   std::optional<double> temperature;                     ///< the input [degC], once it was set
-  element::ComponentForce force;                         ///< [N]
   std::vector<double> parameters;                        ///< those that can be set
   bool settled = false;                                  ///< the component has been built and initialised
   double component_displacement = 0.0;                   ///< where the component stands [m]

@@ -27,11 +27,12 @@ element::Range settableRange(const element::ParameterInfo& parameter, double val
 }  // namespace
 
 VariableTable::VariableTable(const ComponentData& data) {
+  add("time", "s", "time", Causality::independent);
   if (data.six) {
     addSix(data);
     return;
   }
-  addCommon(data);
+  addOne(data);
   addSpecification(data);
   const bool listed = data.model == estimation::Model::elements;
   if (listed) {
@@ -46,31 +47,32 @@ VariableTable::VariableTable(const ComponentData& data) {
   addTemperature(data.name, component::Component(data.allElements()), data.allElements());
 }
 
+void VariableTable::add(const std::string& name, const std::string& unit, const std::string& description,
+                        Causality causality) {
+  variables_.push_back({name, unit, description, causality, {}, {}});
+  if (causality == Causality::input) {
+    variables_.back().start = 0.0;
+    first_output_ = static_cast<Reference>(variables_.size());
+  }
+  first_parameter_ = static_cast<Reference>(variables_.size());
+}
+
 // A pose of B in A, its rotation in the measure of the component, and the wrench.
 void VariableTable::addSix(const ComponentData& data) {
-  const bool cardan = data.six->measure == component::RotationMeasure::cardan;
-  variables_ = {{"time", "s", "time", Causality::independent, {}, {}}};
+  const std::string rotation =
+      data.six->measure == component::RotationMeasure::cardan ? "body-fixed x-y-z angle" : "rotation vector";
   for (std::size_t i = 0; i < component::kDirections; ++i) {
     const auto direction = static_cast<component::Direction>(i);
     const bool turns = component::isRotation(direction);
-    variables_.push_back(
-        {component::toString(direction),
-         turns ? "rad" : "m",
-         fmt::format("{} at the end of the next step", !turns   ? "position of body B in body A"
-                                                       : cardan ? "rotation of body B in body A, body-fixed x-y-z angle"
-                                                                : "rotation of body B in body A, rotation vector"),
-         Causality::input,
-         0.0,
-         {}});
+    add(component::toString(direction), turns ? "rad" : "m",
+        (turns ? "rotation of body B in body A, " + rotation : "position of body B in body A") +
+            " at the end of the next step",
+        Causality::input);
   }
   for (const char* name : {"Fx", "Fy", "Fz", "Mx", "My", "Mz"}) {
-    variables_.push_back(
-        {name,
-         name[0] == 'F' ? "N" : "N m",
-         "of the wrench that has to be applied to body B, at B's origin, to hold the pose; in A's axes",
-         Causality::output,
-         {},
-         {}});
+    add(name, name[0] == 'F' ? "N" : "N m",
+        "of the wrench that has to be applied to body B, at B's origin, to hold the pose; in A's axes",
+        Causality::output);
   }
   std::vector<element::ElementDescription> all;
   for (const auto& elements : data.six->elements) {
@@ -94,15 +96,13 @@ void VariableTable::addTemperature(const std::string& name, const Component& com
                         shift->value("reference"), component.temperatures()});
 }
 
-void VariableTable::addCommon(const ComponentData& data) {
-  const std::string displacement =
-      "displacement of " + data.name + " at the end of the next step; positive gives a positive force";
-  variables_ = {{"time", "s", "time", Causality::independent, {}, {}},
-                {"displacement", "m", displacement, Causality::input, 0.0, {}},
-                {"force", "N", "force that has to be applied to hold the displacement", Causality::output, {}, {}}};
-  for (const char* part : {"elastic", "viscous", "friction"}) {
-    variables_.push_back(
-        {std::string("force_") + part, "N", std::string(part) + " part of the force", Causality::output, {}, {}});
+void VariableTable::addOne(const ComponentData& data) {
+  add("displacement", "m",
+      "displacement of " + data.name + " at the end of the next step; positive gives a positive force",
+      Causality::input);
+  add("force", "N", "force that has to be applied to hold the displacement", Causality::output);
+  for (const std::string part : {"elastic", "viscous", "friction"}) {
+    add("force_" + part, "N", part + " part of the force", Causality::output);
   }
 }
 
@@ -145,7 +145,7 @@ void VariableTable::addParameter(const Variable& variable, const Place& place) {
 std::vector<double> VariableTable::startValues() const {
   std::vector<double> values;
   for (std::size_t i = 0; i < free_count_; ++i) {
-    values.push_back(variables_[reference::kFirstParameter + i].start.value());
+    values.push_back(variables_[first_parameter_ + i].start.value());
   }
   return values;
 }

@@ -13,8 +13,8 @@ namespace rubber_suspension::fmi {
 /// The place of a variable in the list, by which an importer names it.
 using Reference = std::uint32_t;
 
-/// The variables that every FMU has; the parameters follow, and the temperature where it does anything. An FMU of six
-/// directions has the time, six inputs, six outputs and the temperature instead.
+/// The variables that every FMU has come first: the time, inputs, outputs. The parameters follow, and the temperature
+/// where it does anything. These are the references of one direction; of six there are six inputs and six outputs.
 namespace reference {
 constexpr Reference kTime = 0;
 constexpr Reference kDisplacement = 1;
@@ -22,9 +22,7 @@ constexpr Reference kForce = 2;
 constexpr Reference kElastic = 3;
 constexpr Reference kViscous = 4;
 constexpr Reference kFriction = 5;
-constexpr Reference kFirstParameter = 6;
 constexpr Reference kFirstInput = 1;
-constexpr Reference kFirstWrench = 7;  // of six directions: force, then moment
 }  // namespace reference
 
 enum class Causality {
@@ -66,7 +64,10 @@ class VariableTable {
   /// The reference of the temperature; one that no variable has where the component has no shift with temperature.
   Reference temperature() const { return temperature_.value_or(static_cast<Reference>(variables_.size())); }
 
-  /// Of the parameter with the reference kFirstParameter + parameter.
+  Reference firstOutput() const { return first_output_; }
+  Reference firstParameter() const { return first_parameter_; }
+
+  /// Of the parameter with the reference firstParameter() + parameter.
   const Place& place(std::size_t parameter) const { return places_[parameter]; }
 
   /// Values of the parameters that can be set, as the data has them.
@@ -77,7 +78,7 @@ class VariableTable {
   std::vector<double> calculatedValues(const std::vector<element::ElementDescription>& model_elements) const;
 
  private:
-  void addCommon(const ComponentData& data);
+  void addOne(const ComponentData& data);
   void addSix(const ComponentData& data);
   void addSpecification(const ComponentData& data);
   void addElements(const std::vector<element::ElementDescription>& elements, Place::List list, Causality causality);
@@ -86,8 +87,12 @@ class VariableTable {
                       const std::vector<element::ElementDescription>& elements);
   void addParameter(const Variable& variable, const Place& place);
 
+  void add(const std::string& name, const std::string& unit, const std::string& description, Causality causality);
+
   std::vector<Variable> variables_;
   std::vector<Place> places_;
+  Reference first_output_ = 0;
+  Reference first_parameter_ = 0;
   std::optional<Reference> temperature_;
   std::size_t free_count_ = 0;  // of the parameters, those that can be set
 };

@@ -692,19 +692,51 @@ def drift_warm_up(rng, scale, name, law_name):
                       {"tau": tau})
 
 
-# ---- what is in nobody's list ----------------------------------------------------------------------------------------
+# ---- hydraulic mounts: a column of fluid between two chambers --------------------------------------------------------
 
 
-@law("unknown:hydraulic_resonance", "resonant_track")
-def hydraulic(rng, scale, name, law_name):
-    f, damping = rng.uniform(0.3, 0.8) * scale.top_frequency, rng.uniform(0.04, 0.15)
+def track_effect(rng, scale, name, law_name, chamber, shares, parameters):
+    """Columns of fluid side by side, each q'' + 2 d w q' = w^2 f; f = chamber(z - sum q) is the force.
+
+    `shares` of the columns are their cross sections: what flows through all of them leaves the chamber.
+    """
+    w = [2 * np.pi * scale.top_frequency * log_uniform(rng, 0.25, 0.8) for _ in shares]
+    d = [rng.uniform(0.08, 0.4) for _ in shares]
 
     def run(z, rate):
-        w = 2 * np.pi * f / rate
-        r = math.exp(-damping * w)
-        a = [1.0, -2.0 * r * math.cos(w * math.sqrt(1 - damping**2)), r * r]
-        return z - lfilter([sum(a)], a, z)
-    return Effect(name, law_name, "added", each(run), 2.0 * scale.stiffness, {"frequency": f, "damping": damping})
+        parts = max(1, int(math.ceil(8.0 * max(w) / rate)))
+        h, out = 1.0 / (rate * parts), np.empty_like(z)
+        q, v, before = [0.0] * len(w), [0.0] * len(w), float(z[0])
+        start = before
+        for i, x in enumerate(z.tolist()):
+            for part in range(1, parts + 1):
+                force = chamber((before + (x - before) * part / parts - start - sum(q)) / scale.amplitude)
+                for j, share in enumerate(shares):
+                    v[j] += h * w[j] * (share * w[j] * force - 2.0 * d[j] * v[j])
+                    q[j] += h * scale.amplitude * v[j]
+            out[i] = chamber((x - start - sum(q)) / scale.amplitude)
+            before = x
+        return out
+    parameters.update({"w": w, "d": d})
+    return Effect(name, law_name, "parallel", each(run), 2.0 * scale.stiffness * scale.amplitude, parameters)
+
+
+@law("fluid_inertia", "stiffening_chamber")
+def stiffening_chamber(rng, scale, name, law_name):
+    """The rubber that bulges by the pressure stiffens: its last part as a cube."""
+    cube = rng.uniform(0.05, 0.4)
+    return track_effect(rng, scale, name, law_name, lambda x: x * (1.0 + cube * min(x * x, 9.0)), (1.0,),
+                        {"cube": cube})
+
+
+@law("fluid_inertia", "two_tracks", test_only=True)
+def two_tracks(rng, scale, name, law_name):
+    """A long and a short track side by side."""
+    share = rng.uniform(0.3, 0.7)
+    return track_effect(rng, scale, name, law_name, lambda x: x, (share, 1.0 - share), {"share": share})
+
+
+# ---- what is in nobody's list ----------------------------------------------------------------------------------------
 
 
 @law("unknown:load_cell_saturation", "soft_clip")

@@ -44,11 +44,15 @@ fit::Candidate friction(const fit::Excitation& excitation) {
           {{"yield_displacement", {share * largest}}, {"half_rate", {rate_share * excitation.highest_rate}}}));
     }
   }
-  for (const double share : {0.003, 0.01, 0.03, 0.1, 0.3}) {  // laws of two numbers: Berg's, and Dahl's
+  // Laws of two numbers, Berg's and Dahl's, and of three: Bouc-Wen, of which Dahl's is the one without gamma.
+  for (const double share : {0.003, 0.01, 0.03, 0.1, 0.3}) {
     candidate.laws.push_back(fit::additiveTerm("friction", "maximum_force", typical * share * largest,
                                                {{"displacement", {share * largest}}}));
-    candidate.laws.push_back(
-        fit::additiveTerm("bouc_wen", "stiffness", typical, {{"beta", {1.0 / (share * largest)}}, {"gamma", {0.0}}}));
+    for (const double of_beta : {0.0, 0.5, -0.5}) {
+      const double beta = 1.0 / (share * largest);
+      candidate.laws.push_back(
+          fit::additiveTerm("bouc_wen", "stiffness", typical, {{"beta", {beta}}, {"gamma", {of_beta * beta}}}));
+    }
   }
   return candidate;
 }

@@ -1,5 +1,5 @@
 # Sealed laws of what is in no list of effects: some follow from the motion, some do not.
-# A diagnosis is to name none of them.
+# A diagnosis is to name none of them but the inertia track, which entered the list after it was written.
 """What rigs invent."""
 import math
 
@@ -10,7 +10,7 @@ from ..laws import Effect, added_logs, each, log_uniform
 from .registry import angular, law, over_logs, span
 
 
-@law("unknown:hydraulic_resonance", "inertia_track_with_orifice")
+@law("fluid_inertia", "inertia_track_with_orifice")
 def inertia_track(rng, scale, name, law_name):
     """A fluid column between chambers: q'' + 2 d w q' + e |q'| q' + w^2 q = w^2 z; the force is that of z - q."""
     w, d = angular(scale) * rng.uniform(0.25, 0.7), rng.uniform(0.02, 0.06)

@@ -1,0 +1,203 @@
+// The files of a diagnosis of six directions.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "diagnosis/report/page_style.h"
+#include "diagnosis/report/text.h"
+#include "diagnosis/results/rounding.h"
+#include "log/new_file.h"
+#include "rubber_suspension/diagnosis/six_directions.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kSaid = 0.1;  // share of a squared residual from which a pair is named
+constexpr const char* kSixDirectionsMeaning =
+    "Share of what the augmented component leaves of the squared force of a direction, that the displacement of "
+    "another "
+    "predicts beyond the motion of the direction itself, on parts of the logs that took no part in the fit";
+
+std::string forceText(const CrossShare& pair) {
+  const std::string text = quantity(pair.force, "N");
+  return component::isRotation(pair.of) ? inRotationUnits(text) : text;
+}
+
+// The share of a pair, or why there is none; nothing for a direction and itself.
+std::string shareText(const std::vector<CrossShare>& map, component::Direction of, component::Direction by) {
+  for (const CrossShare& pair : map) {
+    if (pair.of == of && pair.by == by) {
+      return std::isnan(pair.share) ? "-" : wholePercent(pair.share) + " %";
+    }
+  }
+  return "";
+}
+
+ordered_json directionJson(const DirectionDiagnosis& found) {
+  const Diagnosis& d = found.diagnosis;
+  return {{"direction", toString(found.direction)},
+          {"report", std::string(toString(found.direction)) + "/report.json"},
+          {"verdict", toString(d.verdict)},
+          {"effects", d.effects},
+          {"sentence", d.sentence},
+          {"gap",
+           {{"as_configured", d.gap.as_configured},
+            {"re_estimated", d.gap.re_estimated},
+            {"augmented", d.gap.augmented},
+            {"noise_floor", d.gap.noise_floor}}}};
+}
+
+ordered_json shareJson(const CrossShare& pair) {
+  const auto number = [](double value) { return std::isnan(value) ? ordered_json(nullptr) : ordered_json(value); };
+  return {{"of", toString(pair.of)},
+          {"by", toString(pair.by)},
+          {"share", number(pair.share)},
+          {"rms", number(pair.force)},
+          {"unit", component::isRotation(pair.of) ? "N m" : "N"}};
+}
+
+std::string directionTable(const SixDirectionsDiagnosis& diagnosis) {
+  Table table({"direction", "verdict", "#gap as configured", "#augmented", "#noise floor", "finding"});
+  for (const auto& [direction, d] : diagnosis.directions) {
+    table.add({fmt::format("<a href=\"{0}/report.html\">{0}</a>", toString(direction)), toString(d.verdict),
+               percent(d.gap.as_configured), percent(d.gap.augmented), percent(d.gap.noise_floor), escape(d.sentence)});
+  }
+  return table.html();
+}
+
+std::string crossTable(const SixDirectionsDiagnosis& diagnosis) {
+  std::vector<std::string> titles = {"left of"};
+  for (std::size_t by = 0; by < component::kDirections; ++by) {
+    titles.push_back(std::string("#by ") + toString(static_cast<component::Direction>(by)));
+  }
+  Table table(titles);
+  for (const DirectionDiagnosis& found : diagnosis.directions) {
+    std::vector<std::string> row = {toString(found.direction)};
+    for (std::size_t by = 0; by < component::kDirections; ++by) {
+      row.push_back(shareText(diagnosis.cross_map, found.direction, static_cast<component::Direction>(by)));
+    }
+    table.add(row);
+  }
+  return table.html();
+}
+
+// The style of the direction that a place is in, and the place in that; nothing where it was not diagnosed.
+std::optional<std::pair<const Diagnosis*, std::string>> placeIn(const SixDirectionsDiagnosis& diagnosis,
+                                                                const std::string& place) {
+  for (const auto& [direction, d] : diagnosis.directions) {
+    const std::string prefix = fmt::format("directions.{}.", toString(direction));
+    if (d.workings && place.compare(0, prefix.size(), prefix) == 0) {
+      return std::pair(&d, place.substr(prefix.size()));
+    }
+  }
+  return std::nullopt;
+}
+
+std::string componentText(const SixDirectionsDiagnosis& diagnosis) {
+  io::YamlStyle style;
+  style.number = [&](const std::string& place, double value) {
+    const auto found = placeIn(diagnosis, place);
+    return found ? augmentedStyle(*found->first).number(found->second, value) : fmt::format("{}", value);
+  };
+  style.note = [&](const std::string& place) {
+    const auto found = placeIn(diagnosis, place);
+    const std::string note = found ? augmentedStyle(*found->first).note(found->second) : "";
+    return found && found->first->turns ? inRotationUnits(note) : note;
+  };
+  style.head = fmt::format("# Diagnosis of {} by direction; others are as configured.\n", diagnosis.component);
+  for (const auto& [direction, d] : diagnosis.directions) {
+    style.head += fmt::format("# {}: {}. Gap {} as configured, {} with this file; noise floor {}.\n",
+                              toString(direction), toString(d.verdict), percent(d.gap.as_configured),
+                              percent(d.gap.augmented), percent(d.gap.noise_floor));
+  }
+  return io::toYaml({diagnosis.augmented}, style);
+}
+
+}  // namespace
+
+std::string crossMapSentence(const SixDirectionsDiagnosis& diagnosis) {
+  std::vector<std::string> pairs;
+  for (const CrossShare& pair : diagnosis.cross_map) {
+    if (pair.share >= kSaid) {
+      pairs.push_back(fmt::format("{} couples with {} ({} % of the squared residual, {} RMS)", toString(pair.of),
+                                  toString(pair.by), wholePercent(pair.share), forceText(pair)));
+    }
+  }
+  return pairs.empty() ? fmt::format(
+                             "No displacement predicts {} % or more of what is left of the squared force of "
+                             "another direction.",
+                             wholePercent(kSaid))
+                       : enumerated(pairs) + ".";
+}
+
+std::string crossMapText(const SixDirectionsDiagnosis& diagnosis) {
+  std::string text = "left of by";
+  for (std::size_t by = 0; by < component::kDirections; ++by) {
+    text += fmt::format("{:>7}", toString(static_cast<component::Direction>(by)));
+  }
+  for (const DirectionDiagnosis& found : diagnosis.directions) {
+    text += fmt::format("\n{:<10}", toString(found.direction));
+    for (std::size_t by = 0; by < component::kDirections; ++by) {
+      text +=
+          fmt::format("{:>7}", shareText(diagnosis.cross_map, found.direction, static_cast<component::Direction>(by)));
+    }
+  }
+  return text + "\n";
+}
+
+std::string toJson(const SixDirectionsDiagnosis& diagnosis) {
+  ordered_json directions = ordered_json::array();
+  for (const DirectionDiagnosis& found : diagnosis.directions) {
+    directions.push_back(directionJson(found));
+  }
+  ordered_json shares = ordered_json::array();
+  for (const CrossShare& pair : diagnosis.cross_map) {
+    shares.push_back(shareJson(pair));
+  }
+  const RunRecord& run = diagnosis.run;
+  const ordered_json report = {
+      {"schema", "rubber_suspension/gap_report/six_directions/1"},
+      {"component", diagnosis.component},
+      {"directions", directions},
+      {"cross_map",
+       {{"meaning", kSixDirectionsMeaning}, {"sentence", crossMapSentence(diagnosis)}, {"shares", shares}}},
+      {"meta", {{"version", run.version}, {"date", run.date}, {"command_line", run.command_line}}}};
+  return report.dump(2) + "\n";
+}
+
+std::string toHtml(const SixDirectionsDiagnosis& diagnosis) {
+  return fmt::format(
+             "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport "
+             "content=\"width=device-width\"><title>Gap report: {}</title><style>{}</style></head><body>\n"
+             "<p class=kicker>Gap report: {}</p>\n<h1>Where {} differs from the logs, by direction</h1>\n",
+             escape(diagnosis.component), kPageStyle, escape(diagnosis.component), escape(diagnosis.component)) +
+         directionTable(diagnosis) + "<h2>Where directions couple</h2>\n<p>" + escape(crossMapSentence(diagnosis)) +
+         "</p>\n" + crossTable(diagnosis) +
+         fmt::format("<p class=note>{}. -: the other direction stands still, or moves as this one does.</p>\n",
+                     kSixDirectionsMeaning) +
+         "<h2>Component file</h2>\n<p>Node and <code>replay</code> run <a href=\"augmented.yaml\">augmented.yaml</a> "
+         "as "
+         "it is; directions that were not diagnosed are as configured.</p>\n" +
+         folded("augmented.yaml", "<pre>" + escape(componentText(diagnosis)) + "</pre>\n") +
+         fmt::format("<p class=note>Made by:</p>\n<pre>{}</pre>\n</body></html>\n", escape(diagnosis.run.command_line));
+}
+
+std::vector<std::string> sixDirectionsFiles() { return {"report.json", "augmented.yaml", "report.html"}; }
+
+void writeReports(const SixDirectionsDiagnosis& diagnosis, const std::string& folder) {
+  const std::filesystem::path path(folder);
+  for (const auto& [direction, d] : diagnosis.directions) {
+    writeReport(d, (path / toString(direction)).string());
+  }
+  log::writeNewFile((path / "report.json").string(), toJson(diagnosis));
+  log::writeNewFile((path / "augmented.yaml").string(), componentText(diagnosis));
+  log::writeNewFile((path / "report.html").string(), toHtml(diagnosis));
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,185 @@
+// Directions of a component of six through the diagnosis of one direction, and what is left of them held against the
+// displacements of the others.
+#include "rubber_suspension/diagnosis/six_directions.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "diagnosis/report/text.h"
+#include "diagnosis/results/cross_map.h"
+#include "rubber_suspension/gap/pose_replay.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using component::Direction;
+using SixLogs = std::array<log::Log, component::kDirections>;
+
+// Whether others share its force, by their radius.
+bool isCoupled(const component::SixDirectionsLaws& laws, Direction direction) {
+  const component::Coupling coupling = component::isRotation(direction) ? laws.rotation : laws.translation;
+  return coupling == component::Coupling::spherical ||
+         (coupling == component::Coupling::cylindrical && direction % 3 != laws.axis);
+}
+
+// Those that can be diagnosed by themselves.
+std::string acceptedDirections(const io::SixDirectionsDescription& six) {
+  std::string list;
+  for (std::size_t i = 0; i < component::kDirections; ++i) {
+    const auto direction = static_cast<Direction>(i);
+    if (six.directions[i] && !isCoupled(six.arrangement, direction)) {
+      list += (list.empty() ? "" : ", ") + std::string(toString(direction));
+    }
+  }
+  return list;
+}
+
+void requireDirection(const io::SixDirectionsDescription& six, Direction direction) {
+  const std::string accepted = acceptedDirections(six);
+  const std::string others = accepted.empty() ? "" : "one of " + accepted;
+  if (!six.directions[direction]) {
+    throw std::invalid_argument(fmt::format("direction {}: is free; accepted: {}", toString(direction),
+                                            others.empty() ? "a direction that the file gives" : others));
+  }
+  if (isCoupled(six.arrangement, direction)) {
+    const char* const force = std::array{"Fx", "Fy", "Fz", "Mx", "My", "Mz"}[direction];
+    throw std::invalid_argument(fmt::format(
+        "direction {}: its force depends on the radius, which it shares with others (key coupling); accepted: {}"
+        "rectangular coupling; or a component of one direction for a log along {} alone, with --columns time=time "
+        "displacement={} force={}",
+        toString(direction), others.empty() ? "" : others + "; ", toString(direction), toString(direction), force));
+  }
+}
+
+std::vector<SixLogs> measuredDirections(const component::SixDirections& component,
+                                        const std::vector<log::PoseLog>& logs) {
+  std::vector<SixLogs> directions;
+  for (const log::PoseLog& log : logs) {
+    if (log.wrench[0].empty()) {
+      throw log::LogError(log.name +
+                          ": no measured wrench; accepted: a log with Fx_N ... Mz_Nm, or a bag with the topic "
+                          "measured_wrench");
+    }
+    directions.push_back(gap::directionLogs(component, log, log.wrench));
+  }
+  return directions;
+}
+
+// The force that the entries of the direction have to give, before its factor.
+std::vector<log::Log> logsOf(const std::vector<SixLogs>& all, Direction direction, double factor) {
+  std::vector<log::Log> logs;
+  for (const SixLogs& directions : all) {
+    logs.push_back(directions[direction]);
+    for (double& force : logs.back().force) {
+      force /= factor;
+    }
+    if (factor != 1.0) {
+      logs.back().notes.push_back(fmt::format("forces divided by {:.6g}, the factor of stiffness_by_preload", factor));
+    }
+  }
+  return logs;
+}
+
+DirectionDiagnosis diagnoseDirection(const io::ComponentDescription& component, Direction direction,
+                                     const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out,
+                                     const DiagnosisOptions& options) {
+  try {
+    DirectionDiagnosis result{direction, diagnose(*component.six->directions[direction], logs, hold_out, options)};
+    result.diagnosis.turns = component::isRotation(direction);
+    if (result.diagnosis.turns) {
+      for (std::string* text : {&result.diagnosis.sentence, &result.diagnosis.next_experiment}) {
+        *text = inRotationUnits(*text);
+      }
+    }
+    return result;
+  } catch (const log::LogError& error) {
+    throw log::LogError(
+        fmt::format("component '{}', direction {}: {}", component.name, toString(direction), error.what()));
+  }
+}
+
+// One direction after the other takes its share of the progress.
+DiagnosisOptions shareOf(const DiagnosisOptions& options, Direction direction, std::size_t i, std::size_t count) {
+  DiagnosisOptions share = options;
+  if (options.progress) {
+    share.progress = [=](const std::string& stage, double fraction) {
+      options.progress(fmt::format("{}: {}", toString(direction), stage),
+                       (static_cast<double>(i) + fraction) / static_cast<double>(count));
+    };
+  }
+  return share;
+}
+
+io::ComponentDescription augmentedOf(const io::ComponentDescription& component,
+                                     const std::vector<DirectionDiagnosis>& directions) {
+  auto six = std::make_shared<io::SixDirectionsDescription>(*component.six);
+  for (const DirectionDiagnosis& found : directions) {
+    if (found.diagnosis.workings) {
+      six->directions[found.direction] = found.diagnosis.augmented;
+    }
+  }
+  io::ComponentDescription augmented = component;
+  augmented.six = std::move(six);
+  return augmented;
+}
+
+// Forces in `measured` become what the component leaves of them.
+void subtractSimulated(const component::SixDirections& component, const log::PoseLog& log, SixLogs& measured) {
+  const SixLogs simulated = gap::directionLogs(component, log, gap::replayPoses(component, log).wrench);
+  for (std::size_t k = 0; k < component::kDirections; ++k) {
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      measured[k].force[i] -= simulated[k].force[i];
+    }
+  }
+}
+
+}  // namespace
+
+void requireDirections(const io::ComponentDescription& component, const std::vector<Direction>& directions) {
+  if (!component.six) {
+    throw std::invalid_argument("has one direction; accepted: without --direction");
+  }
+  if (directions.empty()) {
+    throw std::invalid_argument(
+        fmt::format("has six directions; accepted: --direction with some of {}", acceptedDirections(*component.six)));
+  }
+  for (const Direction direction : directions) {
+    requireDirection(*component.six, direction);
+  }
+}
+
+SixDirectionsDiagnosis diagnoseDirections(const io::ComponentDescription& component,
+                                          const std::vector<Direction>& directions,
+                                          const std::vector<log::PoseLog>& logs,
+                                          const std::vector<log::PoseLog>& hold_out, const DiagnosisOptions& options) {
+  requireDirections(component, directions);
+  const component::SixDirections configured = component.six->makeComponent();
+  std::vector<SixLogs> measured = measuredDirections(configured, logs);
+  const std::vector<SixLogs> unseen = measuredDirections(configured, hold_out);
+  SixDirectionsDiagnosis result;
+  result.component = component.name;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const double factor = component.six->factorOf(directions[i]);
+    result.directions.push_back(diagnoseDirection(component, directions[i], logsOf(measured, directions[i], factor),
+                                                  logsOf(unseen, directions[i], factor),
+                                                  shareOf(options, directions[i], i, directions.size())));
+  }
+  result.augmented = augmentedOf(component, result.directions);
+  const component::SixDirections augmented = result.augmented.six->makeComponent();
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    subtractSimulated(augmented, logs[i], measured[i]);
+  }
+  for (const Direction of : directions) {
+    for (std::size_t by = 0; by < component::kDirections; ++by) {
+      if (by != of) {
+        result.cross_map.push_back(crossShare(measured, of, static_cast<Direction>(by)));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,112 @@
+// Directions of a component of six: which can be diagnosed alone, the cross map on numbers, units of rotations. Whole
+// diagnoses are those of test/usage/six_directions_test.py.
+#include "rubber_suspension/diagnosis/six_directions.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "diagnosis/report/text.h"
+#include "diagnosis/results/cross_map.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using component::kRx;
+using component::kRz;
+using component::kX;
+using component::kY;
+using component::kZ;
+
+constexpr double kNoiseLeft = 5.0;  // of the residuals [N]
+
+// x, y and z move at frequencies of their own, rx as x does, the others stand still. What is left of x is
+// coupling(x, z) [N] of millimetres, with noise and a zero of the log; of the others nothing but noise.
+template <class Coupling>
+std::vector<DirectionResiduals> residuals(Coupling coupling) {
+  std::mt19937 generator(7);
+  std::normal_distribution<double> noise(0.0, kNoiseLeft);
+  std::vector<DirectionResiduals> logs(2);
+  for (std::size_t k = 0; k < logs.size(); ++k) {
+    for (int i = 0; i < 6000; ++i) {
+      const double t = 0.004 * i;
+      const double x = 1.5 * std::sin(9.0 * t + static_cast<double>(k));
+      const double z = 1.0 * std::sin(13.7 * t);
+      const std::array<double, 6> at = {1e-3 * x, 1e-3 * std::sin(5.3 * t), 1e-3 * z, 0.02 * x, 0.0, 0.0};
+      for (std::size_t direction = 0; direction < at.size(); ++direction) {
+        log::Log& log = logs[k][direction];
+        log.stamp.push_back(4000000LL * i);
+        log.displacement.push_back(at[direction]);
+        log.force.push_back(noise(generator) +
+                            (direction == kX ? coupling(x, z) + 100.0 * static_cast<double>(k) : 0.0));
+      }
+    }
+  }
+  return logs;
+}
+
+TEST(CrossMap, SaysWhichDisplacementPredictsTheRest) {
+  const auto logs = residuals([](double x, double z) { return 40.0 * x * z; });
+  const CrossShare by_z = crossShare(logs, kX, kZ);
+  // 40 N/mm^2 times 1.5/sqrt(2) and 1/sqrt(2) mm; the rest is noise.
+  const double rms = 40.0 * 1.5 / 2.0;
+  EXPECT_NEAR(by_z.force, rms, 0.02 * rms);
+  EXPECT_NEAR(by_z.share, rms * rms / (rms * rms + kNoiseLeft * kNoiseLeft), 0.01);
+  EXPECT_LT(crossShare(logs, kX, kY).share, 0.01);
+  EXPECT_LT(crossShare(logs, kZ, kX).share, 0.01);
+}
+
+// What a function of the direction's own motion says is no coupling, and neither is noise.
+TEST(CrossMap, OwnMotionAndNoiseAreNoCoupling) {
+  const auto logs = residuals([](double x, double) { return 30.0 * x * x * x; });
+  for (const component::Direction by : {kY, kZ}) {
+    EXPECT_LT(crossShare(logs, kX, by).share, 0.01);
+    EXPECT_GE(crossShare(logs, kX, by).share, 0.0);
+  }
+}
+
+TEST(CrossMap, IsEmptyWhereTheOtherTellsNothing) {
+  const auto logs = residuals([](double x, double) { return 30.0 * x; });
+  EXPECT_TRUE(std::isnan(crossShare(logs, kX, kRx).share));  // moves as x
+  EXPECT_TRUE(std::isnan(crossShare(logs, kX, kRz).share));  // stands still
+}
+
+std::string refusal(const std::string& coupling, const std::vector<component::Direction>& directions) {
+  const auto component = io::parseComponentFile(
+                             "components:\n  bush:\n    directions: {x: &e {model: elements, elements: [{type: spring, "
+                             "stiffness: 1 kN/mm}]}, y: *e, z: *e}\n    coupling: " +
+                                 coupling + "\n",
+                             "bush.yaml")
+                             .front();
+  try {
+    requireDirections(component, directions);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RequiredDirections, ErrorsNameDirectionAndWhatIsAccepted) {
+  EXPECT_EQ(refusal("rectangular", {kX, kZ}), "");
+  EXPECT_EQ(refusal("cylindrical", {kZ}), "");
+  EXPECT_EQ(refusal("rectangular", {kRx}), "direction rx: is free; accepted: one of x, y, z");
+  EXPECT_EQ(refusal("cylindrical", {}), "has six directions; accepted: --direction with some of z");
+  const std::string coupled = refusal("cylindrical", {kZ, kY});
+  EXPECT_EQ(coupled.rfind("direction y: ", 0), 0U) << coupled;
+  EXPECT_NE(coupled.find("accepted: one of z; rectangular coupling; "), std::string::npos) << coupled;
+  EXPECT_NE(coupled.find("displacement=y force=Fy"), std::string::npos) << coupled;
+  EXPECT_NE(refusal("spherical", {kZ}).find("accepted: rectangular coupling; "), std::string::npos);
+}
+
+TEST(RotationUnits, StandBehindNumbersAndInBracketsOnly) {
+  EXPECT_EQ(inRotationUnits("2 N (1.9 to 2.1 N) at 5 mm or 300 µm"), "2 N m (1.9 to 2.1 N m) at 5 mrad or 300 µrad");
+  EXPECT_EQ(inRotationUnits("4 kN/mm, 3 N/m, 2 kN s/m, [kN] over [mm]"),
+            "4 kN m/mrad, 3 N m/rad, 2 kN m s/rad, [kN m] over [mrad]");
+  const std::string other = "M 10 20 m 5 5, 5 N m, 3 N m/rad, 4 Nm, x_mm, 5 ms, K_n, 7 Hz, 2 m";
+  EXPECT_EQ(inRotationUnits(other), other);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,187 @@
+// Hydraulic mounts whose law is not that of the candidate, and benches without one that may look like it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "diagnosis/rig.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr double kAmplitude = 2e-3;  // the largest of the motion [m]
+constexpr double kStep = 0.004;      // of the logs [s]
+constexpr int kParts = 16;           // of a step, in which the displacement is linear
+
+/// A column of fluid whose track resists by the rate and its square, in a chamber that stiffens.
+struct Column {
+  double stiffness = 0.0;   ///< of the chamber at small pressure [N/m]
+  double resonance = 0.0;   ///< [rad/s]
+  double laminar = 0.0;     ///< damping, of the critical one
+  double turbulent = 0.0;   ///< the same at the rate of a resonance of 1 mm
+  double stiffening = 0.0;  ///< of the chamber at the largest displacement, over its stiffness
+};
+
+RigEffect fluidOf(const Column& column) {
+  return [column, q = 0.0, rate = 0.0, last = 0.0](double time, double z, double /*rate*/) mutable {
+    const auto chamber = [&](double x) { return x * (1.0 + column.stiffening * std::pow(x / kAmplitude, 2)); };
+    const double w = column.resonance;
+    if (time == 0.0) {
+      last = q = z;
+    }
+    constexpr double kPart = kStep / kParts;
+    for (int part = 1; part <= kParts; ++part) {
+      const double moved = last + (z - last) * part / kParts;
+      const double damping = 2.0 * w * (column.laminar + column.turbulent * std::abs(rate) / (w * 1e-3));
+      rate = (rate + kPart * w * w * chamber(moved - q)) / (1.0 + kPart * damping);
+      q += kPart * rate;
+    }
+    last = z;
+    return column.stiffness * chamber(z - q);
+  };
+}
+
+/// Drawn for each bench: a turbulent track, a chamber that stiffens, both, or two tracks of different length.
+std::function<RigEffect()> drawMount(int number) {
+  std::mt19937 generator(static_cast<unsigned>(number));
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(generator);
+  };
+  const int kind = number % 4;
+  Column column{between(3e5, 7e5), 2.0 * element::kPi * between(2.5, 5.0), between(0.15, 0.35), 0.0, 0.0};
+  if (kind == 0 || kind == 2) {
+    column.laminar *= 0.5;
+    column.turbulent = between(0.05, 0.2);
+  }
+  if (kind == 1 || kind == 2) {  // by a third where the column resonates: the chamber does not jump
+    column.laminar = between(0.25, 0.4);
+    column.stiffening = between(0.02, 0.06);
+  }
+  Column second = column;
+  second.resonance *= between(1.3, 1.8);
+  if (kind != 3) {
+    return [=] { return fluidOf(column); };
+  }
+  return [=] {
+    return [one = fluidOf(column), two = fluidOf(second)](double time, double z, double rate) {
+      return 0.6 * one(time, z, rate) + 0.4 * two(time, z, rate);
+    };
+  };
+}
+
+RigEffect mass(double of) {
+  return [of, last = 0.0](double time, double /*z*/, double rate) mutable {
+    const double acceleration = time == 0.0 ? 0.0 : (rate - last) / kStep;
+    last = rate;
+    return of * acceleration;
+  };
+}
+
+RigEffect friction(double limit) {
+  return [limit, force = 0.0, last = 0.0](double time, double z, double /*rate*/) mutable {  // Dahl's, of power 1.5
+    const double step = time == 0.0 ? 0.0 : z - last;
+    last = z;
+    const double left = std::max(0.0, 1.0 - std::copysign(1.0, step) * force / limit);
+    force = std::clamp(force + 1e6 * step * std::pow(left, 1.5), -limit, limit);
+    return force;
+  };
+}
+
+/// A spectrum from 0.05 to 50 Hz, by a power of the frequency.
+RigEffect relaxation(double stiffness) {
+  return [stiffness, forces = std::array<double, 10>{}, last = 0.0](double time, double z, double /*rate*/) mutable {
+    const double step = time == 0.0 ? 0.0 : z - last;
+    last = z;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      const double frequency = 0.05 * std::pow(10.0, static_cast<double>(i) / 3.0);
+      forces[i] = (forces[i] + step) * std::exp(-2.0 * element::kPi * frequency * kStep);
+      sum += stiffness * std::pow(frequency, 0.3) * forces[i];
+    }
+    return sum;
+  };
+}
+
+/// Flow that large forces accelerate.
+RigEffect eyring(double stiffness) {
+  return [stiffness, x = 0.0, last = 0.0](double time, double z, double /*rate*/) mutable {
+    const double step = time == 0.0 ? 0.0 : z - last;
+    last = z;
+    x += step - kStep * 6.0 * 3e-4 * std::sinh(x / 3e-4);
+    return stiffness * x;
+  };
+}
+
+/// The rig's component, recorded late by some samples.
+RigEffect late(int samples) {
+  return [past = std::deque<double>(static_cast<std::size_t>(samples), 0.0)](double /*time*/, double z,
+                                                                             double /*rate*/) mutable {
+    past.push_back(z);
+    const double before = past.front();
+    past.pop_front();
+    return 1.2e6 * (before - z);
+  };
+}
+
+/// What the benches without fluid have, in three sizes.
+std::function<RigEffect()> without(int number) {
+  const double size = std::array{0.4, 1.0, 2.0}[static_cast<std::size_t>(number / 10)];
+  const std::vector<std::function<RigEffect()>> kinds = {
+      [] { return [](double, double, double) { return 0.0; }; },
+      [=] { return friction(200.0 * size); },
+      [=] { return [=](double, double, double rate) { return 4.7e4 * size * rate * std::abs(rate); }; },
+      [=] { return mass(150.0 * size); },
+      [=] { return relaxation(2e5 * size); },
+      [=] { return [=](double, double z, double) { return 300.0 * size * std::sinh(z / 1e-3); }; },
+      [=] {
+        return [=](double, double z, double) { return 1.5e6 * size * std::pow(std::max(0.0, z - 1.2e-3) / 1e-3, 1.5); };
+      },
+      [=] { return late(1 + static_cast<int>(size)); },
+      [=] { return [=](double, double z, double rate) { return size * (1.5e5 * z + 2e3 * rate); }; },
+      [=] { return eyring(4e5 * size); }};
+  return kinds[static_cast<std::size_t>(number % 10)];
+}
+
+/// Of two logs of one component: so few leave wide intervals, which say nothing of the names.
+diagnosis::Diagnosis diagnosisOf(int number, const std::function<RigEffect()>& effect) {
+  std::vector<log::Log> logs;
+  for (int i = 0; i < 2; ++i) {
+    logs.push_back(runRig("log " + std::to_string(i + 1), static_cast<unsigned>(2 * number + i), effect()));
+  }
+  return diagnosis::diagnose(rigComponent(), logs, {});
+}
+
+TEST(FluidInertia, IsNamedFirstWhereTheLawOfTheMountIsAnother) {
+  constexpr int kBenches = 20;
+  int named = 0;
+  for (int i = 0; i < kBenches; ++i) {
+    const diagnosis::Diagnosis result = diagnosisOf(i, drawMount(i));
+    const bool first = !result.effects.empty() && result.effects.front() == "fluid_inertia";
+    named += first ? 1 : 0;
+    EXPECT_GT(result.gap.as_configured, 0.03) << i << ": there is something to be found";
+    if (!first) {
+      std::cout << i << ": " << result.sentence << std::endl;
+    }
+  }
+  EXPECT_GE(named, 18);
+}
+
+TEST(FluidInertia, IsNamedOnNoBenchWithoutIt) {
+  constexpr int kBenches = 30;
+  for (int i = 0; i < kBenches; ++i) {
+    const diagnosis::Diagnosis result = diagnosisOf(100 + i, without(i));
+    EXPECT_EQ(std::count(result.effects.begin(), result.effects.end(), "fluid_inertia"), 0)
+        << i << ": " << result.sentence;
+  }
+}
+
+}  // namespace
+}  // namespace rubber_suspension
