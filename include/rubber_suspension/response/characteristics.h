@@ -1,4 +1,4 @@
-// Stiffness and loss angle of a force-displacement loop.
+// Stiffness and loss angle of a force-displacement loop. Throws nothing.
 #pragma once
 
 #include <complex>
