@@ -117,8 +117,8 @@ TEST(Diagnosis, TakesAMountForItselfOrForWrongValues) {
   EXPECT_TRUE(mayBeMount(result) || result.verdict == diagnosis::Verdict::parameter_error) << result.sentence;
 }
 
-// Beside stiffening that the model knows a mount takes most where the force is large; a fifteenth of the compliance hides
-// in the values but for 0.5 % of the force.
+// Beside stiffening that the model knows a mount takes most where the force is large; a fifteenth of the compliance
+// hides in the values but for 0.5 % of the force.
 TEST(Diagnosis, TakesAMountBesideStiffeningForItselfOrForWrongValues) {
   constexpr double kMount = 2e7;   // [N/m], a fifteenth of the compliance
   constexpr double kCubic = 2e11;  // [N/m^3], 1.6 kN of 4 kN
