@@ -234,7 +234,9 @@ std::optional<std::size_t> chosenSegment(const LogFormat& format, const std::vec
   throw std::runtime_error(
       fmt::format("{} log{} in one file: {}{}; accepted: --segment 1{}", segments.size(),
                   segments.size() == 1 ? "" : "s", join(named), segments.size() > kMostNamed ? ", ..." : "",
-                  segments.size() == 1 ? "" : fmt::format(" to {}, or --segment all", segments.size())));
+                  segments.size() == 1
+                      ? ""
+                      : fmt::format(" to {}, or --segment all of commands that take several logs", segments.size())));
 }
 
 std::string segmentName(const std::string& file, std::size_t number) { return fmt::format("{}_{}", file, number); }

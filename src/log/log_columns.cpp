@@ -187,6 +187,14 @@ std::string nameHint(const std::vector<ColumnName>& header, const std::string& n
   return oneLine(element::didYouMean(name, names));
 }
 
+// The unit that a header tells of a column which the user named: behind its name, or in its place, as of "mm,kN".
+std::string ownUnit(const ColumnName& column, Quantity quantity) {
+  if (!column.unit.empty()) {
+    return column.unit_known ? column.unit : "";
+  }
+  return quantityOfUnit(column.text) == quantity ? column.text : "";
+}
+
 // A column that the user named: its unit is that of the option, else its own, else the SI unit, which is told.
 Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& format, Quantity quantity) {
   const std::string& name = columnOption(format, quantity);
@@ -204,7 +212,7 @@ Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& form
   }
   Column column = columnAt(header, places[0], format, quantity);
   const std::string& option = unitOption(format, quantity);
-  const std::string own = header[places[0]].unit_known ? header[places[0]].unit : "";
+  const std::string own = ownUnit(header[places[0]], quantity);
   const std::string& unit = option.empty() ? own : option;
   column.tells_unit = !unit.empty();
   column.assumed_unit = unit.empty() ? unitOf(format, quantity) : "";

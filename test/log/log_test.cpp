@@ -162,6 +162,19 @@ TEST(LogFormat, SaysWhichUnitsItAssumes) {
                                      "column 'D' is taken to be in m; another unit by --unit"));
 }
 
+TEST(LogFormat, TakesAUnitInPlaceOfAName) {
+  const log::LogFormat format = log::makeLogFormat({"time=1", "displacement=2", "force=3"}, "", 0);
+  for (const char* header : {"ms,mm,kN", "ms,Position (mm),kN"}) {
+    const log::Log log = readText(std::string(header) + "\n0,1,2\n4.5,2,3\n", format);
+    EXPECT_EQ(log.stamp[1], 4500000) << header;
+    EXPECT_DOUBLE_EQ(log.displacement[0], 1e-3) << header;
+    EXPECT_DOUBLE_EQ(log.force[0], 2e3) << header;
+  }
+  // A unit of something else is a name.
+  EXPECT_DOUBLE_EQ(
+      readText("t,s\n0,1\n4.5,2\n", log::makeLogFormat({"time=t", "displacement=s"}, "", 0)).displacement[0], 1.0);
+}
+
 TEST(MakeLogFormat, WordsAloneAreTheColumnsInTheirOrder) {
   const log::LogFormat format = log::makeLogFormat({"force", "time", "displacement=D"}, "", 0);
   EXPECT_EQ(format.of[2].column, "1");
