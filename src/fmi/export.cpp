@@ -21,7 +21,7 @@ constexpr const char* kTool = "rubber_suspension " RUBBER_SUSPENSION_VERSION;
 
 std::string readFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  const std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   if (content.empty()) {
     throw std::runtime_error(path + ": cannot be read; accepted: the file that was built and installed with this one");
   }

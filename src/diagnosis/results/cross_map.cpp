@@ -141,7 +141,8 @@ CrossShare crossShare(const std::vector<DirectionResiduals>& logs, component::Di
   double rows = 0.0;
   for (const DirectionResiduals& log : logs) {
     addMoments(log[of], log[by], scales, stride, moments);
-    rows += static_cast<double>((log[of].size() + stride - 1) / stride);
+    const auto mapped = (log[of].size() + stride - 1) / stride;
+    rows += static_cast<double>(mapped);
   }
   Moments all = Moments::Zero();
   for (const Moments& fold : moments) {
