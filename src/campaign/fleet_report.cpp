@@ -163,10 +163,9 @@ std::string toJson(const FleetFindings& fleet) {
 
 std::string fleetHtml(const FleetFindings& fleet, const CollectSummary& summary) {
   std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport "
-      "content=\"width=device-width\"><title>Fleet report</title><style>{}</style></head><body>\n<h1>Fleet "
-      "report</h1>\n<p>{} jobs done, {} failed, {} missing; all of them in <a href=\"table.csv\">table.csv</a>.</p>\n",
-      diagnosis::kPageStyle, summary.done, summary.failed, summary.missing);
+      "<h1>Fleet report</h1>\n<p>{} jobs done, {} failed, {} missing; all of them in <a "
+      "href=\"table.csv\">table.csv</a>.</p>\n",
+      summary.done, summary.failed, summary.missing);
   if (fleet.types.empty()) {
     html += "<p>No diagnosis and no estimate is done: there is no fleet to compare.</p>\n";
   }
@@ -176,7 +175,7 @@ std::string fleetHtml(const FleetFindings& fleet, const CollectSummary& summary)
             shareTable("Effects", "effect", type.effects) + farOutTable(type) + parameterTable(type) +
             shareTable("Verdicts", "verdict", type.verdicts) + componentTable(type);
   }
-  return html + "</body></html>\n";
+  return diagnosis::page("Fleet report", html);
 }
 
 }  // namespace rubber_suspension::campaign

@@ -1,6 +1,10 @@
 // How the report's page looks.
 #include "diagnosis/report/page_style.h"
 
+#include <fmt/format.h>
+
+#include "diagnosis/report/text.h"
+
 namespace rubber_suspension::diagnosis {
 
 const char* const kPageStyle = R"(
@@ -75,5 +79,13 @@ summary { cursor: pointer; color: var(--link); }
   pre { padding: 1mm; }
 }
 )";
+
+std::string page(const std::string& title, const std::string& body) {
+  return fmt::format(
+             "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport "
+             "content=\"width=device-width\"><title>{}</title><style>{}</style></head><body>\n",
+             escape(title), kPageStyle) +
+         body + "</body></html>\n";
+}
 
 }  // namespace rubber_suspension::diagnosis

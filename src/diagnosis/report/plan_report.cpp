@@ -63,16 +63,13 @@ std::string toJson(const Plan& plan) {
 }
 
 std::string toHtml(const Plan& plan) {
-  return fmt::format(
-             "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport "
-             "content=\"width=device-width\"><title>Experiment plan: {}</title><style>{}</style></head><body>\n",
-             escape(plan.component), kPageStyle) +
-         fmt::format("<p class=kicker>Experiment plan: {}</p>\n<h1>Of {} effects: {}.</h1>\n", escape(plan.component),
-                     plan.could_show.implanted.size(), summaryOf(plan.could_show)) +
-         couldShowHtml(plan.could_show) + "<h2>The programmes</h2>\n" + logTable(plan) +
-         fmt::format("<p class=note>Forces are those of the component as configured. Made by:</p>\n<pre>{}</pre>\n",
-                     escape(plan.run.command_line)) +
-         "</body></html>\n";
+  const std::string title = "Experiment plan: " + plan.component;
+  return page(title, fmt::format("<p class=kicker>{}</p>\n<h1>Of {} effects: {}.</h1>\n", escape(title),
+                                 plan.could_show.implanted.size(), summaryOf(plan.could_show)) +
+                         couldShowHtml(plan.could_show) + "<h2>The programmes</h2>\n" + logTable(plan) +
+                         fmt::format("<p class=note>Forces are those of the component as configured. Made by:</p>\n"
+                                     "<pre>{}</pre>\n",
+                                     escape(plan.run.command_line)));
 }
 
 std::vector<std::string> planFiles() { return {"plan.json", "plan.html"}; }

@@ -337,13 +337,7 @@ std::string couldShow(const Diagnosis& d) {
              : heading("Could " + sourceOf(d) + " have shown it?") + couldShowHtml(d.could_show);
 }
 
-std::string page(const Diagnosis& d, const std::string& body) {
-  return fmt::format(
-             "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport "
-             "content=\"width=device-width\"><title>Gap report: {}</title><style>{}</style></head><body>\n",
-             escape(d.component), kPageStyle) +
-         body + "</body></html>\n";
-}
+std::string titleOf(const Diagnosis& d) { return "Gap report: " + d.component; }
 
 // Each log that cannot be what it says: as it is, and with the correction.
 std::string benchLoops(const Diagnosis& d, const DrawnFigures& figures) {
@@ -359,7 +353,7 @@ std::string benchLoops(const Diagnosis& d, const DrawnFigures& figures) {
 // Of logs that cannot be what they say.
 std::string benchPage(const Diagnosis& d) {
   const DrawnFigures figures(d);
-  return page(d,
+  return page(titleOf(d),
               firstScreen(d, benchLoops(d, figures)) + comparisonSection(d.comparison) + (d.table ? "" : findings(d)) +
                   "<p>No effect is named and no component file is written: physics would be fitted to a fault of the "
                   "bench.</p>\n" +
@@ -373,10 +367,11 @@ std::string toHtml(const Diagnosis& d) {
     return d.turns ? inRotationUnits(benchPage(d)) : benchPage(d);
   }
   const DrawnFigures figures(d);
-  const std::string html = page(
-      d, firstScreen(d, firstLoop(figures)) + comparisonSection(d.comparison) + howFar(d) + heading("Which") +
-             candidateSection(d) + where(d, figures) + furtherFigures(figures) + componentFile(d) + nextExperiment(d) +
-             couldShow(d) + (d.table ? tableSection(d) : findings(d) + takenOut(d) + admission(d)) + runRecord(d));
+  const std::string html =
+      page(titleOf(d), firstScreen(d, firstLoop(figures)) + comparisonSection(d.comparison) + howFar(d) +
+                           heading("Which") + candidateSection(d) + where(d, figures) + furtherFigures(figures) +
+                           componentFile(d) + nextExperiment(d) + couldShow(d) +
+                           (d.table ? tableSection(d) : findings(d) + takenOut(d) + admission(d)) + runRecord(d));
   return d.turns ? inRotationUnits(html) : html;
 }
 

@@ -21,8 +21,7 @@ using nlohmann::ordered_json;
 constexpr double kSaid = 0.1;  // share of a squared residual from which a pair is named
 constexpr const char* kSixDirectionsMeaning =
     "Share of what the augmented component leaves of the squared force of a direction, that the displacement of "
-    "another "
-    "predicts beyond the motion of the direction itself, on parts of the logs that took no part in the fit";
+    "another predicts beyond the motion of the direction itself, on parts of the logs that took no part in the fit";
 
 std::string forceText(const CrossShare& pair) {
   const std::string text = quantity(pair.force, "N");
@@ -53,12 +52,12 @@ ordered_json directionJson(const DirectionDiagnosis& found) {
             {"noise_floor", d.gap.noise_floor}}}};
 }
 
+// What is not a number is written as null.
 ordered_json shareJson(const CrossShare& pair) {
-  const auto number = [](double value) { return std::isnan(value) ? ordered_json(nullptr) : ordered_json(value); };
   return {{"of", toString(pair.of)},
           {"by", toString(pair.by)},
-          {"share", number(pair.share)},
-          {"rms", number(pair.force)},
+          {"share", pair.share},
+          {"rms", pair.force},
           {"unit", component::isRotation(pair.of) ? "N m" : "N"}};
 }
 
@@ -172,20 +171,19 @@ std::string toJson(const SixDirectionsDiagnosis& diagnosis) {
 }
 
 std::string toHtml(const SixDirectionsDiagnosis& diagnosis) {
-  return fmt::format(
-             "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport "
-             "content=\"width=device-width\"><title>Gap report: {}</title><style>{}</style></head><body>\n"
-             "<p class=kicker>Gap report: {}</p>\n<h1>Where {} differs from the logs, by direction</h1>\n",
-             escape(diagnosis.component), kPageStyle, escape(diagnosis.component), escape(diagnosis.component)) +
-         directionTable(diagnosis) + "<h2>Where directions couple</h2>\n<p>" + escape(crossMapSentence(diagnosis)) +
-         "</p>\n" + crossTable(diagnosis) +
-         fmt::format("<p class=note>{}. -: the other direction stands still, or moves as this one does.</p>\n",
-                     kSixDirectionsMeaning) +
-         "<h2>Component file</h2>\n<p>Node and <code>replay</code> run <a href=\"augmented.yaml\">augmented.yaml</a> "
-         "as "
-         "it is; directions that were not diagnosed are as configured.</p>\n" +
-         folded("augmented.yaml", "<pre>" + escape(componentText(diagnosis)) + "</pre>\n") +
-         fmt::format("<p class=note>Made by:</p>\n<pre>{}</pre>\n</body></html>\n", escape(diagnosis.run.command_line));
+  const std::string title = "Gap report: " + diagnosis.component;
+  return page(title,
+              fmt::format("<p class=kicker>{}</p>\n<h1>Where {} differs from the logs, by direction</h1>\n",
+                          escape(title), escape(diagnosis.component)) +
+                  directionTable(diagnosis) + "<h2>Where directions couple</h2>\n<p>" +
+                  escape(crossMapSentence(diagnosis)) + "</p>\n" + crossTable(diagnosis) +
+                  fmt::format("<p class=note>{}. -: the other direction stands still, or moves as this one does.</p>\n",
+                              kSixDirectionsMeaning) +
+                  "<h2>Component file</h2>\n<p>Node and <code>replay</code> run "
+                  "<a href=\"augmented.yaml\">augmented.yaml</a> as it is; directions that were not diagnosed are as "
+                  "configured.</p>\n" +
+                  folded("augmented.yaml", "<pre>" + escape(componentText(diagnosis)) + "</pre>\n") +
+                  fmt::format("<p class=note>Made by:</p>\n<pre>{}</pre>\n", escape(diagnosis.run.command_line)));
 }
 
 std::vector<std::string> sixDirectionsFiles() { return {"report.json", "augmented.yaml", "report.html"}; }
