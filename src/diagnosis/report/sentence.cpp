@@ -37,18 +37,16 @@ std::string otherwise(const Diagnosis& diagnosis) {
   return texts.empty() ? "" : " It may also be " + enumerated(texts) + ".";
 }
 
-std::string gapText(double gap, int decimals = 1) { return fmt::format("{:.{}f} %", 100.0 * gap, decimals); }
-
 // How a gap changes, with as many decimals as tell both values apart, up to three; then the noise.
 struct ChangeTexts {
   ChangeTexts(double from, double to, double floor) {
     int decimals = 1;
-    while (decimals < 3 && gapText(from, decimals) == gapText(to, decimals)) {
+    while (decimals < 3 && percent(from, decimals) == percent(to, decimals)) {
       ++decimals;
     }
-    before = gapText(from, decimals);
-    after = gapText(to, decimals);
-    noise = gapText(floor, decimals);
+    before = percent(from, decimals);
+    after = percent(to, decimals);
+    noise = percent(floor, decimals);
   }
 
   std::string before;
@@ -74,8 +72,8 @@ std::string effectsText(const Diagnosis& diagnosis) {
 
 // The cost of few numbers, where it shows.
 std::string priceText(const Diagnosis& diagnosis) {
-  const std::string simple = gapText(diagnosis.gap.augmented);
-  const std::string full = gapText(diagnosis.gap_of_full_law);
+  const std::string simple = percent(diagnosis.gap.augmented);
+  const std::string full = percent(diagnosis.gap_of_full_law);
   return simple == full
              ? ""
              : fmt::format(" The simple law of augmented.yaml leaves {} instead of {} with all numbers.", simple, full);
@@ -147,8 +145,8 @@ std::string ofUnseenLogs(const Diagnosis& diagnosis) {
 }
 
 std::string agreement(const Gap& gap) {
-  return fmt::format("The model agrees with the measurement: gap {}, noise floor {}.", gapText(gap.as_configured),
-                     gapText(gap.noise_floor));
+  return fmt::format("The model agrees with the measurement: gap {}, noise floor {}.", percent(gap.as_configured),
+                     percent(gap.noise_floor));
 }
 
 }  // namespace
@@ -183,7 +181,7 @@ std::string sentence(const Diagnosis& diagnosis) {
           "The gap of {}{} is real (noise floor {}) and no effect of the list explains it: see where it lies before "
           "you "
           "trust the model there.",
-          gapText(gap.re_estimated), ofUnseenLogs(diagnosis), gapText(gap.noise_floor));
+          percent(gap.re_estimated), ofUnseenLogs(diagnosis), percent(gap.noise_floor));
   }
 }
 

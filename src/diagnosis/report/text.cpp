@@ -64,7 +64,7 @@ std::string escape(const std::string& text) {
   return result;
 }
 
-std::string percent(double value) { return fmt::format("{:.1f} %", 100.0 * value); }
+std::string percent(double value, int decimals) { return fmt::format("{:.{}f} %", 100.0 * value, decimals); }
 
 std::string wholePercent(double value) { return fmt::format("{:.0f}", std::round(100.0 * value) + 0.0); }
 

@@ -16,7 +16,7 @@ std::string sourceOf(const Diagnosis& diagnosis);
 std::string escape(const std::string& text);
 
 /// "7.9 %" of 0.079.
-std::string percent(double value);
+std::string percent(double value, int decimals = 1);
 
 /// "8" of 0.079, without a minus before 0.
 std::string wholePercent(double value);

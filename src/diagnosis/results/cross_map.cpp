@@ -82,10 +82,10 @@ struct Scales {
   Scale other;
 };
 
-// Adds the products of the columns of a log to those of the fold that each sample belongs to. Without the means of the
-// log: a zero of the rig is no coupling.
-void addMoments(const log::Log& own, const log::Log& other, const Scales& scales, std::size_t stride,
-                std::array<Moments, kFolds>& moments) {
+// Adds the products of the columns of a log to those of the fold that each sample belongs to, and gives their rows.
+// Without the means of the log: a zero of the rig is no coupling.
+Eigen::Index addMoments(const log::Log& own, const log::Log& other, const Scales& scales, std::size_t stride,
+                        std::array<Moments, kFolds>& moments) {
   const std::vector<double> rates = ratesOf(own);
   const auto rows = static_cast<Eigen::Index>((own.size() + stride - 1) / stride);
   Eigen::MatrixXd columns(rows, kAll + 1);
@@ -104,6 +104,7 @@ void addMoments(const log::Log& own, const log::Log& other, const Scales& scales
     const auto part = columns.middleRows(begin, end - begin);
     moments[block % kFolds] += part.transpose() * part;
   }
+  return rows;
 }
 
 // Squared error on a fold, of what its first `count` columns predict once they are fitted to the others.
@@ -140,9 +141,7 @@ CrossShare crossShare(const std::vector<DirectionResiduals>& logs, component::Di
   moments.fill(Moments::Zero());
   double rows = 0.0;
   for (const DirectionResiduals& log : logs) {
-    addMoments(log[of], log[by], scales, stride, moments);
-    const auto mapped = (log[of].size() + stride - 1) / stride;
-    rows += static_cast<double>(mapped);
+    rows += static_cast<double>(addMoments(log[of], log[by], scales, stride, moments));
   }
   Moments all = Moments::Zero();
   for (const Moments& fold : moments) {
