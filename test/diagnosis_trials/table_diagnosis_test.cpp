@@ -54,12 +54,6 @@ bool mayBeValues(const Diagnosis& diagnosis) {
          std::any_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), is);
 }
 
-bool mayBe(const Diagnosis& diagnosis, const std::string& effect) {
-  const auto is = [&](const Alternative& other) { return other.effects == std::vector<std::string>{effect}; };
-  return diagnosis.effects == std::vector<std::string>{effect} ||
-         std::any_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), is);
-}
-
 struct Case {
   const char* effect;
   const char* model;
