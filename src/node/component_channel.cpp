@@ -53,7 +53,8 @@ class ComponentChannel::Model {
   Model(const io::ComponentDescription& description, double max_gap)
       : described(std::make_shared<const io::ComponentDescription>(description)),
         sha256(io::sha256(io::toYaml({description}))),
-        valid(description.six ? std::nullopt : description.validDisplacement()) {
+        valid(description.six ? std::nullopt : description.validDisplacement()),
+        max_gap_(max_gap) {
     if (description.six) {
       six.emplace(description.six->makeComponent(), max_gap);
     } else {
@@ -83,8 +84,12 @@ class ComponentChannel::Model {
   void restore(const SavedStream& saved) {
     tell([&](auto& stream) { saved.started ? goOn(stream, saved) : stream.reset(); });
   }
+  // Takes no lock while the model serves, so it leaves the running stream alone.
   void check(const SavedStream& saved) const {
-    ask([&](const auto& /*component*/, auto copy) { goOn(copy, saved); });
+    ask([&](const auto& component, const auto& running) {
+      std::decay_t<decltype(running)> stream(component, max_gap_);
+      goOn(stream, saved);
+    });
   }
 
   // The stream refers to the component, so the two stay at one address.
@@ -101,6 +106,9 @@ class ComponentChannel::Model {
   const std::optional<element::Range> valid;  // [m]
   std::optional<Fed<component::Component, component::SampleStream>> one;
   std::optional<Fed<component::SixDirections, component::PoseStream>> six;
+
+ private:
+  const double max_gap_;
 };
 
 // The model beside the configured one. It is fed with the samples that this one accepts.
