@@ -58,9 +58,15 @@ std::string topicOf(const std::string& wanted, const rosbag::Bag& bag, const std
   const std::set<std::string> topics = topicsEndingIn(bag, end);
   if (topics.empty()) {
     const std::set<std::string> others = topicsEndingIn(bag, wanted);
+    const std::string cure = wanted != kDisplacement
+                                 ? ""
+                                 : fmt::format(
+                                       "; accepted: --columns displacement=/TOPIC/FIELD force=/TOPIC/FIELD, of "
+                                       "its topics {}",
+                                       fmt::join(topicsEndingIn(bag, ""), ", "));
     throw log::LogError(fmt::format(
         "{}: no topic ends in {}; the bag has {}", path, end,
-        others.empty() ? "no " + wanted.substr(1) + " at all" : fmt::format("{}", fmt::join(others, ", "))));
+        others.empty() ? "no " + wanted.substr(1) + " at all" + cure : fmt::format("{}", fmt::join(others, ", "))));
   }
   if (topics.size() > 1) {
     throw log::LogError(

@@ -247,8 +247,17 @@ Eigen::VectorXd ForceModel::derivative(const Eigen::VectorXd& search, Eigen::Ind
   for (const Part& part : parts_) {
     if (std::find(part.unknowns.begin(), part.unknowns.end(), at) != part.unknowns.end()) {
       const double coefficient = part.column < 0 ? 1.0 : coefficients[part.column];
-      sum += coefficient / (2.0 * kStep) *
-             (simulate(part, valuesOf(part, after)) - simulate(part, valuesOf(part, before)));
+      double steps = 2.0;
+      const auto simulated = [&](const Eigen::VectorXd& place) {
+        try {
+          return simulate(part, valuesOf(part, place));
+        } catch (const std::invalid_argument&) {  // beyond the border of what the law accepts
+          steps = 1.0;
+          return simulate(part, valuesOf(part, search));
+        }
+      };
+      const Eigen::VectorXd difference = simulated(after) - simulated(before);
+      sum += coefficient / (steps * kStep) * difference;
     }
   }
   return sum;

@@ -1,6 +1,9 @@
 // Variable projection on columns of all samples.
 #include "fit/residual_fit.h"
 
+#include <limits>
+#include <stdexcept>
+
 #include "fit/bounded_least_squares.h"
 #include "numerics/least_squares.h"
 
@@ -39,8 +42,12 @@ ModelFit ResidualFit::fitAt(const Eigen::VectorXd& search) {
 }
 
 double ResidualFit::at(const Eigen::VectorXd& search) {
-  last_ = fitAt(search);
-  return last_.cost();
+  try {
+    last_ = fitAt(search);
+    return last_.cost();
+  } catch (const std::invalid_argument&) {  // values that a law does not accept together
+    return std::numeric_limits<double>::infinity();
+  }
 }
 
 SumOfSquares::Slope ResidualFit::slope() {

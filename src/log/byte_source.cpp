@@ -21,7 +21,9 @@ namespace {
 
 class FileBytes final : public ByteSource {
  public:
-  explicit FileBytes(const std::string& path) : file_(std::fopen(path.c_str(), "rb"), std::fclose) {
+  explicit FileBytes(const std::string& path) : file_(nullptr, std::fclose) {
+    refuseNamedPipe(path);
+    file_.reset(std::fopen(path.c_str(), "rb"));
     if (!file_) {
       throw std::runtime_error(std::strerror(errno));
     }

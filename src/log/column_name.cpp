@@ -16,9 +16,10 @@ struct QuantityNames {
   Quantity quantity;
   const char* name;
   const char* unit;
-  std::vector<std::string> words;   // in lower case
-  std::vector<std::string> others;  // that may name it, where nothing else does
-  std::vector<std::string> units;   // that this package writes behind the name
+  std::vector<std::string> words;    // in lower case
+  std::vector<std::string> others;   // that may name it, where nothing else does
+  std::vector<std::string> units;    // that this package writes behind the name
+  std::vector<std::string> defined;  // names of a file format that has them in this unit
 };
 
 const std::vector<QuantityNames>& quantityTable() {
@@ -29,15 +30,17 @@ const std::vector<QuantityNames>& quantityTable() {
        {"time", "zeit", "timestamp", "timestamps", "zeitstempel", "uhrzeit", "date time", "datetime", "date/time",
         "date & time", "datum/uhrzeit", "datum uhrzeit", "x_value"},
        {"date", "datum"},
-       {"s"}},
+       {"s"},
+       {"x_value", "timestamps"}},  // of LabVIEW's .lvm; of MDF where it was exported to HDF5
       {Quantity::displacement,
        "displacement",
        "m",
        {"displacement", "deflection", "weg", "federweg", "auslenkung", "verschiebung", "einfederung"},
        {"position", "travel", "stroke", "hub"},
-       {"m", "mm", "um"}},
-      {Quantity::force, "force", "N", {"force", "kraft"}, {"load", "last"}, {"N", "kN", "MN"}},
-      {Quantity::temperature, "temperature", "degC", {"temperature", "temperatur"}, {}, {"degC"}},
+       {"m", "mm", "um"},
+       {}},
+      {Quantity::force, "force", "N", {"force", "kraft"}, {"load", "last"}, {"N", "kN", "MN"}, {}},
+      {Quantity::temperature, "temperature", "degC", {"temperature", "temperatur"}, {}, {"degC"}, {}},
   };
   return table;
 }
@@ -170,6 +173,11 @@ std::optional<Quantity> quantityOfUnit(const std::string& unit) {
     }
   }
   return std::nullopt;
+}
+
+std::string definedUnit(const std::string& bare) {
+  const auto quantity = quantityWith(bare, &QuantityNames::defined);
+  return quantity ? siUnit(*quantity) : "";
 }
 
 bool isCanonical(const std::string& text, Quantity quantity) {

@@ -51,6 +51,9 @@ std::optional<Quantity> quantityOfUnit(const std::string& unit);
 /// The quantity that another word may name, where nothing else is that quantity: position, load, date.
 std::optional<Quantity> quantityOfOtherName(const std::string& bare);
 
+/// The unit of a name that a file format defines, such as X_Value in LabVIEW's .lvm; else empty.
+std::string definedUnit(const std::string& bare);
+
 /// True for a name that this package writes: time_s, displacement_<m|mm|um>, force_<N|kN|MN>, temperature_degC.
 bool isCanonical(const std::string& text, Quantity quantity);
 

@@ -345,10 +345,13 @@ void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
     header.next_line = lines_[row - 1].number;
     return;
   }
-  if (!are_names(first) && !(count == 1 && first.size() == 1 && !anyNumber(first))) {
+  std::vector<std::string> units;
+  if (!first.empty()) {
+    units = cellsBelow(withoutCommentMark(lines_[row - 1].text), header.separator, count);
+  }
+  if (units.empty() && !are_names(first) && !(count == 1 && first.size() == 1 && !anyNumber(first))) {
     return;
   }
-  const std::vector<std::string> units = cellsBelow(withoutCommentMark(lines_[row - 1].text), header.separator, count);
   const bool two_rows = !units.empty() && are_names(second);
   first.resize(count);  // without names where the rows end in separators
   second.resize(count);

@@ -221,8 +221,8 @@ Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& form
 }
 
 [[noreturn]] void refuseNoUnit(const Column& column, Quantity quantity) {
-  throw std::runtime_error(fmt::format("column {} tells no unit; accepted: {}, '{} [UNIT]', or --unit {}=UNIT",
-                                       quoted(column.name), accepted(quantity), column.name, toString(quantity)));
+  throw std::runtime_error(fmt::format("column {} tells no unit; accepted: --unit {}=UNIT, or '{} [UNIT]', or {}",
+                                       quoted(column.name), toString(quantity), column.name, accepted(quantity)));
 }
 
 // A column found by its name or unit, which has to tell its unit or be told it.
@@ -232,6 +232,7 @@ Column foundColumn(const std::vector<ColumnName>& header, std::size_t place, con
   const std::string& option = unitOption(format, quantity);
   const std::string& unit = option.empty() ? header[place].unit : option;
   column.tells_unit = !unit.empty();
+  column.assumed_unit = unit.empty() ? definedUnit(header[place].bare) : "";
   if (!column.tells_unit && quantity != Quantity::time) {
     refuseNoUnit(column, quantity);
   }

@@ -105,7 +105,7 @@ std::string textOf(matvar_t& variable, std::size_t element, const std::vector<st
 }
 
 // The vectors in a struct, within structs as well. One that stands beside a text that names it, as in what Simulink and
-// data acquisition write, has that name.
+// data acquisition write, has that name. In Simulink's structure with time, `time` beside `signals`, it is in seconds.
 class FieldFinder {
  public:
   FieldFinder(std::vector<MatColumn>& columns, std::string variable)
@@ -126,6 +126,7 @@ class FieldFinder {
   void addElement(matvar_t& structure, std::size_t element, const std::string& place, std::vector<MatStep> path) {
     const std::string label = textOf(structure, element, {"name", "label", "title"});
     const std::string unit = textOf(structure, element, {"unit", "units"});
+    const bool with_time = Mat_VarGetStructFieldByName(&structure, "signals", element) != nullptr;
     char* const* names = Mat_VarGetStructFieldnames(&structure);
     for (unsigned i = 0; i < Mat_VarGetNumberOfFields(&structure); ++i) {
       matvar_t* const field = Mat_VarGetStructFieldByIndex(&structure, i, element);
@@ -135,7 +136,9 @@ class FieldFinder {
         add(*field, name, path);
       } else if (field != nullptr && isVector(*field)) {
         const bool labelled = !label.empty() && elementCount(*field) > 1;
-        columns_.push_back({labelled ? label : name, unit, labelled ? label : names[i], group_, variable_, path, 0});
+        const bool seconds = with_time && unit.empty() && path.back().field == "time";
+        columns_.push_back(
+            {labelled ? label : name, seconds ? "s" : unit, labelled ? label : names[i], group_, variable_, path, 0});
       }
       path.pop_back();
     }

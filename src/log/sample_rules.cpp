@@ -18,15 +18,20 @@ constexpr double kRateAgrees = 0.01;
 constexpr std::size_t kMostCollected = 100000;  // stamps
 
 // The rate of a recording whose stamps are equal, swapped or rounded: from the usual step between different stamps, and
-// how many rows share one. 0 where they do not tell it.
+// how many rows share one. The first and the last of them need not be there from their first row to their last. 0 where
+// they do not tell it.
 double rateOfStamps(std::vector<std::int64_t> stamps) {
-  const auto rows = static_cast<double>(stamps.size());
   std::sort(stamps.begin(), stamps.end());
+  const auto first_rows = std::upper_bound(stamps.begin(), stamps.end(), stamps.front()) - stamps.begin();
+  const auto last_rows = stamps.end() - std::lower_bound(stamps.begin(), stamps.end(), stamps.back());
+  const auto all_rows = stamps.end() - stamps.begin();
   stamps.erase(std::unique(stamps.begin(), stamps.end()), stamps.end());
   if (stamps.size() < 2) {
     return 0.0;
   }
-  double share = rows / static_cast<double>(stamps.size());
+  const auto different = static_cast<double>(stamps.size());
+  double share = stamps.size() == 2 ? static_cast<double>(std::max(first_rows, last_rows))
+                                    : static_cast<double>(all_rows - first_rows - last_rows) / (different - 2.0);
   constexpr double kWhole = 0.02;
   share = std::abs(share - std::round(share)) < kWhole ? std::round(share) : share;
   for (std::size_t i = 0; i + 1 < stamps.size(); ++i) {

@@ -122,21 +122,17 @@ std::string quoted(const std::string& text) {
 
 std::string join(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
-namespace {
-
-// Whose other end nobody may ever open. What a shell puts in the place of a command, <(...), is open already.
-bool isNamedPipe(const std::string& path) {
+void refuseNamedPipe(const std::string& path) {
   struct stat status {};
-  return stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode) && path.rfind("/dev/", 0) != 0 &&
-         path.rfind("/proc/", 0) != 0;
+  // What a shell puts in the place of a command, <(...), is open already.
+  const bool is_open = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
+  if (!is_open && stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode)) {
+    throw std::runtime_error("is a pipe; accepted: a regular file, or what a command writes, as <(COMMAND)");
+  }
 }
 
-}  // namespace
-
 std::string readFile(const std::string& path, std::size_t maximum_size) {
-  if (isNamedPipe(path)) {
-    throw std::runtime_error("is a pipe; accepted: a regular file");
-  }
+  refuseNamedPipe(path);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) {
     throw std::runtime_error(std::strerror(errno));

@@ -51,6 +51,9 @@ std::string quoted(const std::string& text);
 /// Names as a list "a, b, c".
 std::string join(const std::vector<std::string>& names);
 
+/// Throws std::runtime_error for a named pipe, whose other end nobody may ever open.
+void refuseNamedPipe(const std::string& path);
+
 /// The content of a file of at most that many bytes. Throws std::runtime_error with the reason.
 std::string readFile(const std::string& path, std::size_t maximum_size);
 

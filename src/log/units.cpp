@@ -175,6 +175,16 @@ std::string spellingHint(const std::string& text, const ut_unit* wanted) {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
+// Whether three digits stand behind each separator from the first on.
+bool endsInGroups(const std::string& digits, std::size_t first, char separator) {
+  for (std::size_t i = first; i < digits.size(); ++i) {
+    if ((digits[i] == separator) != ((i - first) % 4 == 0)) {
+      return false;
+    }
+  }
+  return (digits.size() - first) % 4 == 0;
+}
+
 // Text behind a number that is no unit: a decimal comma, or separators of thousands.
 void refuseSeparators(const std::string& text, std::size_t length) {
   const char separator = length < text.size() ? text[length] : ' ';
@@ -190,6 +200,10 @@ void refuseSeparators(const std::string& text, std::size_t length) {
     ++end;
   }
   end = text.find_last_not_of(separator, end - 1) + 1;
+  const bool groups = endsInGroups(text.substr(0, end), length, separator);
+  if (separator != ',' && !groups) {
+    return;  // two numbers
+  }
   std::string digits = text.substr(0, end);
   std::string point = digits;
   point[length] = '.';
@@ -197,6 +211,9 @@ void refuseSeparators(const std::string& text, std::size_t length) {
   const std::string rest = text.substr(end);
   const bool several = std::count(text.begin() + static_cast<std::ptrdiff_t>(length),
                                   text.begin() + static_cast<std::ptrdiff_t>(end), separator) > 1;
+  if (several && !groups) {
+    return;
+  }
   if (separator != ',' || several) {
     throw std::invalid_argument(fmt::format("separators of thousands (did you mean '{}{}'?)", digits, rest));
   }
@@ -321,8 +338,7 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   const double value = strtod_l(quantity.substr(0, length).c_str(), nullptr, cLocale());
   const std::string rest = trimmed(quantity.substr(length));
   if (!isUnitExpression(rest)) {
-    throw std::invalid_argument(fmt::format(
-        "{} behind the number is no unit; accepted: one number and one unit, as in '3 kN/mm'", quoted(rest)));
+    throw std::invalid_argument(fmt::format("{} behind the number is no unit", quoted(rest)));
   }
   return UnitConversion(rest, unit)(value);
 }

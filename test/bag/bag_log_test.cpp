@@ -339,6 +339,13 @@ TEST_F(BagPoses, AreRefusedAsTheNodeDropsThem) {
   EXPECT_THAT(refusalOf(write(), "other"), HasSubstr("no topic ends in /other/pose; the bag has /bench/bush/pose"));
   bag::writeBagLog(path("a.bag"), "bush", log());
   EXPECT_THAT(refusalOf(path("a.bag"), "bush"), HasSubstr("the bag has no pose at all"));
+  try {
+    bag::readBagLog(write(), "bush");
+    ADD_FAILURE() << "accepted";
+  } catch (const log::LogError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no displacement at all; accepted: --columns displacement=/TOPIC/FIELD "
+                                        "force=/TOPIC/FIELD, of its topics /bench/bush/pose"));
+  }
 }
 
 }  // namespace

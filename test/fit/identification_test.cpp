@@ -82,6 +82,22 @@ double truth(const fit::IdentifiedParameter& parameter) {
   throw std::out_of_range(parameter.element);
 }
 
+// Its search leads to gammas beyond beta, which the law does not accept.
+TEST(Identification, StaysWithinWhatALawAcceptsTogether) {
+  log::Log measurement = motion(10.0, 200.0);
+  simulate(
+      {{"spring", {{"stiffness", {3e6}}}}, {"bouc_wen", {{"stiffness", {1e6}}, {"beta", {900.0}}, {"gamma", {890.0}}}}},
+      measurement);
+  fit::IdentificationOptions options;
+  options.starts = 6;
+  const fit::Identification result = fit::identify(
+      {{"spring", {{"stiffness", {2e6}}}}, {"bouc_wen", {{"stiffness", {2e6}}, {"beta", {500.0}}, {"gamma", {450.0}}}}},
+      {measurement}, options);
+  EXPECT_NEAR(find(result, "bouc_wen", "beta").value, 900.0, 5.0);
+  EXPECT_LE(std::abs(find(result, "bouc_wen", "gamma").value), find(result, "bouc_wen", "beta").value);
+  EXPECT_LT(result.relative_residual, 1e-3);
+}
+
 TEST(Identification, FindsTheTruthInAnExactLog) {
   log::Log measurement = motion(10.0, 200.0);
   simulate(kTruth, measurement);

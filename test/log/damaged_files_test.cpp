@@ -130,7 +130,7 @@ std::string scopeMat() {
                           MatBytes::numbers("", channel(1.0)) + MatBytes::text("", "Displacement [mm]") +
                               MatBytes::numbers("", channel(500.0)) + MatBytes::text("", "Force [N]"));
   return MatBytes::header() +
-         MatBytes::structure("ScopeData", {"time_s", "signals"}, 1, MatBytes::numbers("", times()) + signals);
+         MatBytes::structure("ScopeData", {"time", "signals"}, 1, MatBytes::numbers("", times()) + signals);
 }
 
 void expectChannels(const log::Log& log) {

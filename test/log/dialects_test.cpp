@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/temporary_file.h"
@@ -101,8 +102,16 @@ class Dialect {
     const std::string mm = draw_.of(std::array<const char*, 3>{"mm", "MM", "millimeter"});
     const std::string newton = draw_.of(std::array<const char*, 3>{"N", "newton", "N"});
     if (units_row_) {
-      addCells({time, "Travel", "Axial Load"});
-      addCells({time_unit, mm, newton});
+      std::vector<std::string> names = {time, "Travel", "Axial Load"};
+      std::vector<std::string> units = {time_unit, mm, newton};
+      const int below = 1 + draw_.upTo(1);  // one unit stands there at least, others may stand in the name
+      for (int i = 0; i < 3; ++i) {
+        if (i != below && !units[i].empty() && draw_.chance()) {
+          names[i] += " [" + std::exchange(units[i], "") + "]";
+        }
+      }
+      addCells(names);
+      addCells(units);
     } else {
       addCells({time + (time_unit.empty() ? "" : " [" + time_unit + "]"), "Travel (" + mm + ")",
                 "Axial Load [" + newton + "]"});
@@ -195,6 +204,9 @@ TEST(Dialects, SayWhatTheirWriterWrote) {
     EXPECT_EQ(noted, dialect.leftOut());  // each log lacks one at most
     if (logs.size() > 1) {
       EXPECT_THROW(log::readLog(file.path()), log::LogError);
+    } else {
+      expectLog(log::readLog(file.path(), log::makeLogFormat({"time", "displacement", "force"}, "", 0.0)),
+                dialect.logs()[0], dialect);
     }
     if (::testing::Test::HasFailure()) {
       return;
@@ -273,6 +285,15 @@ TEST(Advice, ReplacesStampsThatAreEqualSwappedOrRounded) {
   }
 }
 
+// Whole seconds of a clock; the recording begins and ends within one.
+TEST(Advice, CountsTheRowsOfWholeSeconds) {
+  std::string text = "Timestamp,displacement_mm,force_N\n";
+  for (int i = 0; i < 2000; ++i) {
+    text += fmt::format("10:11:{:02d},{},{}\n", 10 + (130 + i) / 200, i % 17, i % 13);
+  }
+  EXPECT_EQ(adviceOf(refusalOf(text), "--sampling-rate").rate, 200.0);
+}
+
 TEST(Advice, KeepsGoodStampsAgainstAnotherRate) {
   const std::string text = "time_s,displacement_mm\n0,1\n0.005,2\n0.01,3\n";
   const std::string error = refusalOf(text, log::makeLogFormat({}, "", 2000.0));
@@ -302,6 +323,21 @@ TEST(Advice, NamesTheSegments) {
   EXPECT_THAT(error, HasSubstr("2 logs in one file: lines 2 to 3, lines 7 to 8"));
   EXPECT_EQ(readBy(text, adviceOf(error, "--segment")).displacement[0], 1e-3);
   EXPECT_EQ(readBy(text, log::makeLogFormat({}, "", 0.0, "", "2", -1.0)).displacement[0], 3e-3);
+}
+
+// As LabVIEW writes it, whose X_Value is in seconds.
+TEST(Advice, NamesTheSegmentsOfAFormatThatDefinesItsTime) {
+  std::string text;
+  for (int segment = 1; segment <= 2; ++segment) {
+    text += "***End_of_Header***\nChannels\t2\nY_Unit_Label\tmm\tN\n***End_of_Header***\nX_Value\tTravel\tLoad\n";
+    text += fmt::format("0.0\t{0}\t1.5\n0.5\t{0}\t2.5\n\n", segment);
+  }
+  const std::string error = refusalOf(text);
+  EXPECT_THAT(error, HasSubstr("2 logs in one file: lines 6 to 7, lines 14 to 15"));
+  const log::Log log = readBy(text, log::makeLogFormat({}, "", 0.0, "", "2", -1.0));
+  EXPECT_EQ(log.stamp[1], 500000000);
+  EXPECT_EQ(log.displacement[0], 2e-3);
+  EXPECT_THAT(log.notes, ::testing::Contains("column 'X_Value' is taken to be in s; another unit by --unit"));
 }
 
 TEST(Units, AreUnderstoodOrRefusedByName) {

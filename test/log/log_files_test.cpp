@@ -2,6 +2,7 @@
 // and a line "stamp [ns], displacement [m], force [N]" per sample. bad_logs/X.csv has in X.error how its error begins,
 // behind the file's name and a colon.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "io/temporary_file.h"
 #include "log/text.h"
 #include "rubber_suspension/log/log.h"
 
@@ -142,6 +144,18 @@ INSTANTIATE_TEST_SUITE_P(Files, BadLog, ::testing::ValuesIn(filesIn("bad_logs", 
 TEST(LogFiles, AreAllThere) {
   EXPECT_GE(filesIn("good_logs", ".expected").size(), 40u);
   EXPECT_GE(filesIn("bad_logs", ".csv").size(), 46u);
+}
+
+TEST(LogFiles, APipeWhoseOtherEndNobodyOpensIsRefused) {
+  const TemporaryFile pipe("log.csv", "");
+  std::filesystem::remove(pipe.path());
+  ASSERT_EQ(mkfifo(pipe.path().c_str(), 0600), 0);
+  try {
+    log::readLog(pipe.path());
+    FAIL() << "accepted";
+  } catch (const log::LogError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is a pipe; accepted: a regular file"));
+  }
 }
 
 TEST(OneLine, EscapesWhatATerminalObeys) {
