@@ -110,10 +110,16 @@ std::string spelledSuffix(const std::string& suffix, const std::string& bare) {
   return quantity ? spelledUnit(suffix, rowOf(*quantity).unit) : suffix;
 }
 
-bool splitSuffix(ColumnName& name) {
-  const std::size_t at = name.text.rfind('_');
+bool splitSuffix(ColumnName& name, char mark) {
+  const std::size_t at = name.text.rfind(mark);
   return at != std::string::npos && isPlainSuffix(spelledSuffix(name.text.substr(at + 1), name.text.substr(0, at))) &&
          splitAt(name, at, at + 1);
+}
+
+// "F/kN" and "s/mm", but neither "N/mm" nor "Stiffness N/mm", where the unit begins earlier.
+bool splitSlash(ColumnName& name) {
+  const std::string before = name.text.substr(0, name.text.find('/'));
+  return before.find(' ') == std::string::npos && (before == "s" || !isPlainSuffix(before)) && splitSuffix(name, '/');
 }
 
 }  // namespace
@@ -136,8 +142,9 @@ std::string ColumnName::withUnit() const { return unit.empty() || names_unit ? t
 
 ColumnName parseColumnName(const std::string& text) {
   ColumnName name{text, text, ""};
-  if (!splitBracket(name) && !splitMark(name, " / ") && !splitMark(name, " in ")) {
-    splitSuffix(name);
+  if (!splitBracket(name) && !splitMark(name, " / ") && !splitMark(name, " in ") && !splitSuffix(name, '_') &&
+      !splitSlash(name)) {
+    splitSuffix(name, ' ');
   }
   return name;
 }

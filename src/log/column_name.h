@@ -22,7 +22,7 @@ std::string groupOf(const std::string& name);
 std::string siUnit(Quantity quantity);
 
 /// A column as the file names it. The unit stands behind the name, "Kraft [kN]", "Kraft (kN)", "Kraft / kN",
-/// "Kraft in kN", "force_kN", or in a row of units.
+/// "Kraft in kN", "F/kN", "force_kN", "Kraft kN", or in a row of units.
 struct ColumnName {
   std::string text;         ///< as in the file, UTF-8
   std::string bare;         ///< without unit

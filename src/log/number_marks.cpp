@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/erase.hpp>
 #include <cmath>
+#include <regex>
 #include <stdexcept>
 
 #include "log/column_name.h"
@@ -34,6 +36,17 @@ bool isGrouped(std::string_view digits, char mark) {
     at = next == digits.size() ? std::string_view::npos : next;
   }
   return true;
+}
+
+// "1 072.5" as "1072.5": an apostrophe or a blank before each group of three digits, which is never a decimal mark.
+std::string withoutGroupMarks(std::string_view text) {
+  static const std::regex kGrouped("[+-]?[0-9]{1,3}('| |\u2019|\u00A0|\u202F)[0-9]{3}(?:\\1[0-9]{3})*(?:[.,][0-9]*)?");
+  std::string number(text);
+  std::smatch match;
+  if (number.find_first_of("' \xC2\xE2") != std::string::npos && std::regex_match(number, match, kGrouped)) {
+    boost::algorithm::erase_all(number, match.str(1));
+  }
+  return number;
 }
 
 double relativeStep(double from, double to) {
@@ -125,13 +138,14 @@ void NumberMarks::lookAt(std::string_view text, std::size_t channel, std::size_t
   column.decimals = column.decimals || !grouped_only;
 }
 
-const char* NumberMarks::normalised(std::string_view text, std::size_t channel, const std::string& name,
+const char* NumberMarks::normalised(std::string_view field, std::size_t channel, const std::string& name,
                                     std::size_t line) {
+  const std::string text = withoutGroupMarks(field);
+  thousands_ = thousands_ || text.size() < field.size();
   if (text.size() >= sizeof buffer_) {
-    throw std::runtime_error(
-        fmt::format("{}: {} is not a number; accepted: a finite number", name, quoted(std::string(text))));
+    throw std::runtime_error(fmt::format("{}: {} is not a number; accepted: a finite number", name, quoted(text)));
   }
-  const bool has_mark = text.find_first_of(".,") != std::string_view::npos;
+  const bool has_mark = text.find_first_of(".,") != std::string::npos;
   last_marked_ = last_may_be_either_ = false;
   const bool is_number = std::all_of(text.begin(), text.end(), [](char c) {
     return isMarkDigit(c) || c == '.' || c == ',' || c == '+' || c == '-' || c == 'e' || c == 'E';

@@ -30,7 +30,7 @@ class NumberMarks {
 
   /// The number with a decimal point and without marks between thousands, ended by a 0; valid until the next call.
   /// Throws std::runtime_error where the marks contradict others, and OtherDecimalMark.
-  const char* normalised(std::string_view text, std::size_t channel, const std::string& name, std::size_t line);
+  const char* normalised(std::string_view field, std::size_t channel, const std::string& name, std::size_t line);
   const char* end() const { return end_; }
 
   /// Of a field between commas, in which every mark is a point and nothing has to be normalised.

@@ -49,6 +49,7 @@ class Dialect {
     separator_ = draw_.of(std::array<char, 3>{';', '\t', ','});
     decimal_ = draw_.chance() ? ',' : '.';
     thousands_ = draw_.chance();
+    group_mark_ = draw_.of(std::array<const char*, 4>{"", "", "'", "\u00A0"});
     quotes_ = separator_ == ',';
     units_row_ = draw_.chance();
     style_ = draw_.of(std::array<TimeStyle, 3>{TimeStyle::number, TimeStyle::clock, TimeStyle::date});
@@ -113,6 +114,12 @@ class Dialect {
       addCells(names);
       addCells(units);
     } else {
+      const bool short_names = draw_.chance();
+      const char* const mark = draw_.of(std::array<const char*, 2>{"/", " "});
+      if (short_names && style_ == TimeStyle::number) {
+        addCells({fmt::format("t{}s", mark), fmt::format("s{}mm", mark), fmt::format("F{}N", mark)});
+        return;
+      }
       addCells({time + (time_unit.empty() ? "" : " [" + time_unit + "]"), "Travel (" + mm + ")",
                 "Axial Load [" + newton + "]"});
     }
@@ -148,7 +155,7 @@ class Dialect {
     const std::int64_t whole = std::abs(thousandths) / 1000;
     std::string digits = std::to_string(whole);
     if (thousands_ && whole >= 1000) {
-      digits.insert(digits.size() - 3, 1, decimal_ == ',' ? '.' : ',');
+      digits.insert(digits.size() - 3, group_mark_.empty() ? std::string(1, decimal_ == ',' ? '.' : ',') : group_mark_);
     }
     const std::string text =
         fmt::format("{}{}{}{:03d}", thousandths < 0 ? "-" : "", digits, decimal_, std::abs(thousandths) % 1000);
@@ -159,6 +166,7 @@ class Dialect {
   char separator_ = ';';
   char decimal_ = '.';
   bool thousands_ = false;
+  std::string group_mark_;  // empty: the mark that is not decimal
   bool quotes_ = false;
   bool units_row_ = false;
   bool trailing_ = false;
