@@ -65,7 +65,7 @@ std::string callTrigger(const std::string& resolved_service, double timeout) {
   ros::CallbackQueue nothing;
   std_srvs::Trigger trigger;
   waitFor(nothing, timeout, [&] { return ros::service::exists(resolved_service, false); });
-  const bool done = ros::service::call(resolved_service, trigger) && trigger.response.success != 0U;
+  const bool done = callService(resolved_service, trigger) && trigger.response.success != 0U;
   return done ? "" : fmt::format("service {} failed {}", resolved_service, trigger.response.message);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ros/callback_queue.h>
+#include <ros/node_handle.h>
 
 #include <functional>
 #include <string>
@@ -11,6 +12,13 @@ namespace rubber_suspension::ros_interface {
 
 /// Call what comes to the queue until the condition holds. False where it does not within `timeout` [s], or ROS ends.
 bool waitFor(ros::CallbackQueue& queue, double timeout, const std::function<bool()>& condition);
+
+/// Call a service by a connection that stays open until the answer is there. Where ros::service::call() is given an
+/// answer before it has begun to wait for it, it sees the connection closed and reports a failure.
+template <class Service>
+bool callService(const std::string& name, Service& service) {
+  return ros::NodeHandle().serviceClient<Service>(name, true).call(service);
+}
 
 /// Call a service of type std_srvs/Trigger, once it is there. Returns why it failed, or was not there within `timeout`
 /// [s], or nothing.

@@ -52,13 +52,13 @@ TEST(BenchPlayer, StepsAndHolds) {
   const std::shared_ptr<void> ends_play_on_failure(nullptr, [&](void*) { control.pause(false); });
   for (std::size_t steps = 1; steps <= 3; ++steps) {
     std_srvs::Trigger step;
-    ASSERT_TRUE(ros::service::call(ros::names::resolve("~step"), step));
+    ASSERT_TRUE(ros_interface::callService(ros::names::resolve("~step"), step));
     ASSERT_TRUE(bench.waitForForces(steps * kStep));
     EXPECT_EQ(bench.forces.size(), steps * kStep);
   }
   std_srvs::SetBool let_go;
   let_go.request.data = false;
-  ASSERT_TRUE(ros::service::call(ros::names::resolve("~pause"), let_go));
+  ASSERT_TRUE(ros_interface::callService(ros::names::resolve("~pause"), let_go));
   const auto counts = played.get();
   EXPECT_EQ(counts.at(0).samples, kSamples);
   EXPECT_TRUE(counts.at(0).exactlyOneEach());

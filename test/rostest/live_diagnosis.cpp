@@ -116,7 +116,7 @@ class LiveDiagnosisTopic : public testing::Test {
   static std_srvs::Trigger call(const std::string& service) {
     std_srvs::Trigger trigger;
     EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(kPatience)));
-    EXPECT_TRUE(ros::service::call(service, trigger));
+    EXPECT_TRUE(ros_interface::callService(service, trigger));
     return trigger;
   }
 

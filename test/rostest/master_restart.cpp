@@ -49,7 +49,7 @@ TEST_F(MasterRestart, SamplesAreServedAndTheNodeIsFoundAgain) {
   EXPECT_NEAR(right.ask(kStart, 0.002).displacement, 0.002, 0.0);
   ASSERT_TRUE(ros::service::waitForService("/simulate/reset", ros::Duration(kPatience)));
   std_srvs::Trigger reset;
-  EXPECT_TRUE(ros::service::call("/simulate/reset", reset));
+  EXPECT_TRUE(ros_interface::callService("/simulate/reset", reset));
   EXPECT_TRUE(reset.response.success);
 }
 

@@ -32,7 +32,7 @@ TEST(Nominal, RestAtADisplacementIsTheStaticForce) {
   Bench bench("left_secondary");
   ASSERT_TRUE(bench.connect());
   std_srvs::Trigger reset;
-  ASSERT_TRUE(ros::service::call("/simulate/reset", reset));
+  ASSERT_TRUE(ros_interface::callService("/simulate/reset", reset));
   EXPECT_TRUE(reset.response.success) << reset.response.message;
   // 2 mm at 3 kN/mm; a component at rest is relaxed, so the static stiffness is all there is.
   EXPECT_NEAR(bench.ask(kStart, 0.002).force, 6000.0, 1e-6);
@@ -47,7 +47,7 @@ TEST(Nominal, ABundleIsAnsweredByTheSameComponents) {
   ASSERT_TRUE(ros_interface::waitForPublishers(subscriber.getTopic(), kPatience));
   ASSERT_TRUE(spinUntil([&] { return publisher.getNumSubscribers() > 0; }));
   std_srvs::Trigger reset;
-  ASSERT_TRUE(ros::service::call("/simulate/reset", reset));
+  ASSERT_TRUE(ros_interface::callService("/simulate/reset", reset));
   DisplacementArray bundle;
   bundle.header.stamp = bag::toRosTime(kStart);
   bundle.displacement = {0.002, 0.001};
@@ -61,7 +61,7 @@ TEST(Nominal, ABundleIsAnsweredByTheSameComponents) {
   Bench bench("left_secondary");
   ASSERT_TRUE(bench.connect());
   EXPECT_GT(bench.ask(kStart + kMillisecond, 0.003).viscous, 0.0);
-  ASSERT_TRUE(ros::service::call("/simulate/reset", reset));
+  ASSERT_TRUE(ros_interface::callService("/simulate/reset", reset));
 }
 
 TEST(Nominal, DiagnosticsTellRateAndCounts) {

@@ -114,7 +114,7 @@ class Poses : public testing::Test {
 
   static void call(const std::string& service) {
     std_srvs::Trigger trigger;
-    ASSERT_TRUE(ros::service::call(service, trigger));
+    ASSERT_TRUE(ros_interface::callService(service, trigger));
     EXPECT_TRUE(trigger.response.success) << trigger.response.message;
   }
 

@@ -74,7 +74,7 @@ TEST_F(Respawn, GoesOnBitByBitWhereTheStateWasSaved) {
   ask(0, 100);
   ASSERT_TRUE(ros::service::waitForService("/keeping/simulate/save_state", ros::Duration(kPatience)));
   std_srvs::Trigger save;
-  ASSERT_TRUE(ros::service::call("/keeping/simulate/save_state", save));
+  ASSERT_TRUE(ros_interface::callService("/keeping/simulate/save_state", save));
   ASSERT_TRUE(save.response.success) << save.response.message;
   ask(100, 200);
   const std::vector<Force> without_interruption(bench_->forces.begin() + 100, bench_->forces.begin() + 200);

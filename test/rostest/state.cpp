@@ -19,24 +19,24 @@ double wave(int i) { return 2e-3 * std::sin(0.025 * i) + 1e-4 * std::cos(0.3 * i
 
 std_srvs::Trigger::Response trigger(const std::string& service) {
   std_srvs::Trigger call;
-  EXPECT_TRUE(ros::service::call(service, call)) << service;
+  EXPECT_TRUE(ros_interface::callService(service, call)) << service;
   return call.response;
 }
 
 void enable(const std::string& service, bool enabled) {
   std_srvs::SetBool call;
   call.request.data = enabled ? 1 : 0;
-  EXPECT_TRUE(ros::service::call(service, call)) << service;
+  EXPECT_TRUE(ros_interface::callService(service, call)) << service;
   EXPECT_TRUE(call.response.success);
 }
 
 template <class Service>
 void callFor(const std::string& service, const std::string& component, Service call) {
   call.request.component = component;
-  EXPECT_TRUE(ros::service::call(service, call)) << service;
+  EXPECT_TRUE(ros_interface::callService(service, call)) << service;
   EXPECT_TRUE(call.response.success) << call.response.message;
   call.request.component = component + "s";
-  EXPECT_TRUE(ros::service::call(service, call)) << service;
+  EXPECT_TRUE(ros_interface::callService(service, call)) << service;
   EXPECT_FALSE(call.response.success);
   EXPECT_NE(call.response.message.find("did you mean"), std::string::npos) << call.response.message;
 }
