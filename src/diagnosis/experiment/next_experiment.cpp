@@ -72,8 +72,8 @@ class Proposer {
     const Experiment& chosen = *best.experiment;
     NextExperiment next;
     next.text = fmt::format(
-        "{}: it is to decide between {}. If {} is right, {} would still be off by {} there after a refit; over all of "
-        "them {:.1f} noise floors are expected, and the right one to stand at {} % after it.",
+        "{}. It decides between {}. If {} is right, {} would still differ by {} there, fitted anew. Over all of them the "
+        "difference is {:.1f} times the noise. The right one should then stand at {} %.",
         chosen.description, allNames(), nameOfExplanation(0), nameOfExplanation(best.nearest),
         quantity(best.difference, "N"), best.floors, chance(best.probability));
     next.proposed.description = chosen.description;

@@ -34,7 +34,7 @@ std::string closedText(const CandidateResult& c) {
 }
 
 Table emptyTable() {
-  return Table({"effect", "#probability", "#gap with it alone", "#closes (95 %)", "parameters, or why out"});
+  return Table({"effect", "#probability", "#gap with it alone", "#removes (95 %)", "parameters, or why out"});
 }
 
 void addRow(Table& table, const Diagnosis& d, const CandidateResult& c) {
@@ -74,7 +74,7 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
                        wholePercent(c.visible_share));
   }
   if (c.interval[0] <= 0.0) {
-    return "may close nothing of further logs: the interval holds 0";
+    return "may remove nothing on further logs: the interval holds 0";
   }
   if (d.effects.empty()) {
     return fmt::format("leaves {} of the {} that re-estimation leaves", percent(c.gap), percent(d.gap.re_estimated));

@@ -28,12 +28,14 @@ double medianAmplitude(const std::vector<log::Record>& logs, double frequency) {
   return numerics::medianOf(near.empty() ? all : near);
 }
 
-// A loop that is this near to its end is told: a sensor's zero, or heat, takes minutes.
-std::optional<response::Characteristics> settledAt(const io::ComponentDescription& component, double frequency,
-                                                   double amplitude) {
+// As a test machine measures it: heat and drift go on for minutes after these cycles.
+std::optional<response::Characteristics> measuredAt(const io::ComponentDescription& component, double frequency,
+                                                    double amplitude) {
+  response::LoopOptions options;
+  options.maximum_cycles = 20;
   try {
-    const auto point = response::characteristicsAt(component.makeComponent(), frequency, amplitude);
-    return point.settled ? std::optional(point.characteristics) : std::nullopt;
+    const auto point = response::characteristicsAt(component.makeComponent(), frequency, amplitude, options);
+    return std::isfinite(point.characteristics.stiffness) ? std::optional(point.characteristics) : std::nullopt;
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
@@ -54,8 +56,8 @@ std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& bef
   whole.nominal_amplitude = specification.has("nominal_amplitude");
   whole.amplitude =
       whole.nominal_amplitude ? specification.at("nominal_amplitude") : medianAmplitude(logs, whole.frequency);
-  const auto was = settledAt(before, whole.frequency, whole.amplitude);
-  const auto is = settledAt(after, whole.frequency, whole.amplitude);
+  const auto was = measuredAt(before, whole.frequency, whole.amplitude);
+  const auto is = measuredAt(after, whole.frequency, whole.amplitude);
   if (!was || !is) {
     return std::nullopt;
   }
