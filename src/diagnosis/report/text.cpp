@@ -111,6 +111,12 @@ std::string quantity(double value, const std::string& unit) {
 std::string intervalText(const SizedValue& size) {
   const Display& display = displayOf(size.unit, std::abs(size.value));
   const auto text = [&](double value, int digits) { return fmt::format("{:.{}g}", value / display.factor, digits); };
+  if (size.at_bound[1] && size.value >= size.interval_95[1]) {
+    return text(size.interval_95[0], 3) + unitText(display, size.unit) + " or more, the fit ends at a bound";
+  }
+  if (size.at_bound[0] && size.value <= size.interval_95[0]) {
+    return text(size.interval_95[1], 3) + unitText(display, size.unit) + " or less, the fit ends at a bound";
+  }
   int digits = 3;  // and as many more as tell the ends apart
   while (digits < 6 && size.interval_95[0] < size.interval_95[1] &&
          text(size.interval_95[0], digits) == text(size.interval_95[1], digits)) {
