@@ -227,6 +227,10 @@ TEST(Headline, IsShortForPeople) {
 TEST(ReportText, TellsTheEndsOfAnIntervalApart) {
   EXPECT_EQ(diagnosis::intervalText({"", "", "N/m", 0.0, 1.55e6, {1.5496e6, 1.5502e6}}), "1.5496 to 1.5502 kN/mm");
   EXPECT_EQ(diagnosis::intervalText({"", "", "N", 0.0, 5.0, {5.0, 5.0}}), "5 to 5 N");
+  EXPECT_EQ(diagnosis::intervalText({"", "", "N", 0.0, 5.0, {4.0, 5.0}, {false, true}}),
+            "4 N or more, the fit ends at a bound");
+  EXPECT_EQ(diagnosis::intervalText({"", "", "N", 0.0, 4.0, {4.0, 5.0}, {true, false}}),
+            "5 N or less, the fit ends at a bound");
 }
 
 diagnosis::Diagnosis withSizes(std::vector<diagnosis::SizedValue> sizes) {
