@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "log/log_columns.h"
+#include "log/number_marks.h"
 #include "log/text.h"
 #include "log/time_text.h"
 #include "rubber_suspension/log/units.h"
@@ -210,7 +211,7 @@ bool isComment(std::string_view line) {
 
 bool isNumberField(std::string_view text) {
   constexpr std::size_t kLongest = 64;
-  std::string number(text.substr(0, kLongest));
+  std::string number = withoutGroupMarks(text.substr(0, kLongest));
   std::replace(number.begin(), number.end(), ',', '.');
   for (std::size_t mark = number.find('.'); mark != number.rfind('.'); mark = number.find('.')) {
     number.erase(mark, 1);  // between thousands

@@ -38,7 +38,13 @@ bool isGrouped(std::string_view digits, char mark) {
   return true;
 }
 
-// "1 072.5" as "1072.5": an apostrophe or a blank before each group of three digits, which is never a decimal mark.
+double relativeStep(double from, double to) {
+  const double scale = std::max(std::abs(from), std::abs(to));
+  return scale > 0.0 ? std::abs(to - from) / scale : 0.0;
+}
+
+}  // namespace
+
 std::string withoutGroupMarks(std::string_view text) {
   static const std::regex kGrouped("[+-]?[0-9]{1,3}('| |\u2019|\u00A0|\u202F)[0-9]{3}(?:\\1[0-9]{3})*(?:[.,][0-9]*)?");
   std::string number(text);
@@ -48,13 +54,6 @@ std::string withoutGroupMarks(std::string_view text) {
   }
   return number;
 }
-
-double relativeStep(double from, double to) {
-  const double scale = std::max(std::abs(from), std::abs(to));
-  return scale > 0.0 ? std::abs(to - from) / scale : 0.0;
-}
-
-}  // namespace
 
 // The digits and marks of a number, without sign and exponent.
 struct NumberMarks::Marks {

@@ -9,6 +9,9 @@
 
 namespace rubber_suspension::log {
 
+/// "1 072.5" as "1072.5": an apostrophe or a blank before each group of three digits, which is never a decimal mark.
+std::string withoutGroupMarks(std::string_view text);
+
 /// Thrown where numbers have been read with another decimal mark than a later one tells: to be read again.
 struct OtherDecimalMark {
   char decimal;

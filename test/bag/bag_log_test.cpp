@@ -344,7 +344,7 @@ TEST_F(BagPoses, AreRefusedAsTheNodeDropsThem) {
     ADD_FAILURE() << "accepted";
   } catch (const log::LogError& error) {
     EXPECT_THAT(error.what(), HasSubstr("no displacement at all; accepted: --columns displacement=/TOPIC/FIELD "
-                                        "force=/TOPIC/FIELD, of its topics /bench/bush/pose"));
+                                        "force=/TOPIC/FIELD, of its topics /bench/bush/measured_wrench, /bench/bush/pose"));
   }
 }
 
