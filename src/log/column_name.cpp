@@ -110,10 +110,11 @@ std::string spelledSuffix(const std::string& suffix, const std::string& bare) {
   return quantity ? spelledUnit(suffix, rowOf(*quantity).unit) : suffix;
 }
 
+// A number is no name.
 bool splitSuffix(ColumnName& name, char mark) {
   const std::size_t at = name.text.rfind(mark);
-  return at != std::string::npos && isPlainSuffix(spelledSuffix(name.text.substr(at + 1), name.text.substr(0, at))) &&
-         splitAt(name, at, at + 1);
+  return at != std::string::npos && name.text.find_first_not_of("0123456789.,+- ") < at &&
+         isPlainSuffix(spelledSuffix(name.text.substr(at + 1), name.text.substr(0, at))) && splitAt(name, at, at + 1);
 }
 
 // "F/kN" and "s/mm", but neither "N/mm" nor "Stiffness N/mm", where the unit begins earlier.

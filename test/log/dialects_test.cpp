@@ -348,6 +348,11 @@ TEST(Advice, NamesTheSegmentsOfAFormatThatDefinesItsTime) {
   EXPECT_THAT(log.notes, ::testing::Contains("column 'X_Value' is taken to be in s; another unit by --unit"));
 }
 
+TEST(Units, BehindNumbersMakeNoHeader) {
+  EXPECT_THAT(refusalOf("time;displacement;force\n0.0 s;1.5 mm;8 N\n0.1 s;1.6 mm;9 N\n0.2 s;1.7 mm;9 N\n"),
+              HasSubstr(":1: column 'displacement' tells no unit; accepted: --unit displacement=UNIT"));
+}
+
 TEST(Units, AreUnderstoodOrRefusedByName) {
   const auto at = [](const std::string& column, const std::string& value = "1") {
     return "time_s," + column + "\n0," + value + "\n1,2\n";
