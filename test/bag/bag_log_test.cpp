@@ -343,8 +343,9 @@ TEST_F(BagPoses, AreRefusedAsTheNodeDropsThem) {
     bag::readBagLog(write(), "bush");
     ADD_FAILURE() << "accepted";
   } catch (const log::LogError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("no displacement at all; accepted: --columns displacement=/TOPIC/FIELD "
-                                        "force=/TOPIC/FIELD, of its topics /bench/bush/measured_wrench, /bench/bush/pose"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("no displacement at all; accepted: --columns displacement=/TOPIC/FIELD "
+                          "force=/TOPIC/FIELD, of its topics /bench/bush/measured_wrench, /bench/bush/pose"));
   }
 }
 

@@ -72,7 +72,8 @@ class Proposer {
     const Experiment& chosen = *best.experiment;
     NextExperiment next;
     next.text = fmt::format(
-        "{}. It decides between {}. If {} is right, {} would still differ by {} there, fitted anew. Over all of them the "
+        "{}. It decides between {}. If {} is right, {} would still differ by {} there, fitted anew. Over all of them "
+        "the "
         "difference is {:.1f} times the noise. The right one should then stand at {} %.",
         chosen.description, allNames(), nameOfExplanation(0), nameOfExplanation(best.nearest),
         quantity(best.difference, "N"), best.floors, chance(best.probability));
