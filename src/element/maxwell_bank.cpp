@@ -5,11 +5,6 @@
 
 namespace rubber_suspension::element {
 
-double MaxwellBank::initialise(double /*displacement*/, double* memory) const {
-  std::fill(memory, memory + elements_.size(), 0.0);
-  return 0.0;
-}
-
 double MaxwellBank::step(const Motion& motion, double* memory) const {
   double force = 0.0;
   for (std::size_t i = 0; i < elements_.size(); ++i) {

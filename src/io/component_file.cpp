@@ -442,7 +442,7 @@ class Loader {
     if (const YAML::Node valid = node["valid_rotation"]) {
       const element::Range range{0.0, arrangement.valid_rotation, true, false};
       arrangement.valid_rotation =
-          loadNumber(valid, "valid_rotation", {"valid_rotation", "rad", element::Role::choice, range, {}, ""});
+          loadNumber(valid, "valid_rotation", {"valid_rotation", "rad", element::Role::choice, range, ""});
     }
     if (const YAML::Node frame = node["frame"]) {
       if (!frame.IsMap()) {
@@ -501,7 +501,7 @@ class Loader {
   }
 
   Eigen::Vector3d loadThree(const YAML::Node& node, const std::string& path, const std::string& unit) {
-    const element::ParameterInfo row{"", unit, element::Role::choice, element::Range::any(), {}, "", true};
+    const element::ParameterInfo row{"", unit, element::Role::choice, element::Range::any(), "", {}, true};
     if (!node.IsSequence() || node.size() != 3) {
       refuse(node, path, fmt::format("{}; accepted: a list of three, along or about x, y, z", kindOf(node)));
     }
@@ -538,7 +538,7 @@ class Loader {
                       turns ? "moment ('20 N m') or rotation ('2 deg')" : "force ('2 kN') or displacement ('1 mm')"));
     }
     const std::string si = preload.is_force ? (turns ? "N m" : "N") : (turns ? "rad" : "m");
-    preload.value = loadNumber(node, path, {"", si, element::Role::choice, element::Range::any(), {}, ""});
+    preload.value = loadNumber(node, path, {"", si, element::Role::choice, element::Range::any(), ""});
     return preload;
   }
 
@@ -560,7 +560,7 @@ class Loader {
     const YAML::Node preload = require(node, path, "preload", "a list of loads with units");
     const YAML::Node factor = require(node, path, "factor", "a list of as many factors");
     table.factor = loadNumbers(factor, child(path, "factor"),
-                               {"", "1", element::Role::choice, element::Range::positive(), {}, "", true});
+                               {"", "1", element::Role::choice, element::Range::positive(), "", {}, true});
     if (!preload.IsSequence() || preload.size() != table.factor.size()) {
       refuse(preload, child(path, "preload"),
              fmt::format("{}; accepted: a list of {}, as many as factors", kindOf(preload), table.factor.size()));
@@ -661,7 +661,7 @@ class Loader {
     element::ElementDescription description{law.type, {}};
     for (element::ParameterInfo parameter : table) {
       if (parameter.name == "activation_energy") {
-        parameter.range = element::Range{0.0, parameter.range.upper, true, false};
+        parameter.range = element::Range::openBelow(0.0, parameter.range.upper);
       }
       const std::string path = child("temperature", parameter.name);
       if (parameter.name != kVertical) {
@@ -834,7 +834,7 @@ class Loader {
     estimation::StaticCurve curve;
     for (const auto& [key, unit, list] :
          {std::tuple("displacement", "m", &curve.displacement), std::tuple("force", "N", &curve.force)}) {
-      const element::ParameterInfo row{key, unit, element::Role::choice, element::Range::any(), {}, "", true};
+      const element::ParameterInfo row{key, unit, element::Role::choice, element::Range::any(), "", {}, true};
       *list = loadNumbers(require(node, path, key, "a list"), child(path, key), row);
     }
     if (const YAML::Node monotone = node["monotone"]) {
@@ -870,7 +870,7 @@ class Loader {
     checkKeys(node, path, {"frequency", "amplitude", "stiffness", "loss_angle", "weight"});
     const auto number = [&](const char* key, const char* row) -> std::optional<double> {
       const YAML::Node value = node[key];
-      element::ParameterInfo parameter{"", "1", element::Role::choice, element::Range::positive(), {}, ""};
+      element::ParameterInfo parameter{"", "1", element::Role::choice, element::Range::positive(), ""};
       if (row != nullptr) {
         parameter = *element::findParameter(estimation::specificationParameters(), row);
       }
