@@ -14,6 +14,7 @@
 #include "campaign/jobs_file.h"
 #include "campaign/path_pattern.h"
 #include "campaign/tolerance_draws.h"
+#include "element/suggestion.h"
 #include "fit/parallel.h"
 #include "io/output_files.h"
 #include "io/progress.h"
@@ -59,11 +60,7 @@ std::vector<std::string> componentsOf(const JobGroup& group, const Components& c
   if (group.components != std::vector<std::string>{"*"}) {
     return group.components.empty() ? std::vector<std::string>{""} : group.components;
   }
-  std::vector<std::string> names;
-  for (const io::ComponentDescription& component : components) {
-    names.push_back(component.name);
-  }
-  return names;
+  return element::namesOf(components);
 }
 
 void hash(InputFile& file) {
