@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/report/page_style.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "log/text.h"
 

@@ -1,6 +1,4 @@
 // The part of the report that a reader sees first.
-#include "diagnosis/report/first_screen.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "diagnosis/report/finding_advice.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/model_values.h"
 #include "diagnosis/results/taken_out.h"

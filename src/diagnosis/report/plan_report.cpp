@@ -4,9 +4,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "diagnosis/report/could_show_json.h"
-#include "diagnosis/report/could_show_section.h"
-#include "diagnosis/report/page_style.h"
+#include "diagnosis/report/json_parts.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/plan.h"

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "diagnosis/judge/evidence_json.h"
-#include "diagnosis/report/figure_data.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/results/missing_force.h"
 #include "diagnosis/results/rounding.h"

@@ -11,7 +11,6 @@
 #include <numeric>
 
 #include "diagnosis/prepare/bench_evidence.h"
-#include "diagnosis/report/table_figures.h"
 #include "diagnosis/results/missing_force.h"
 #include "diagnosis/results/workings.h"
 #include "rubber_suspension/gap/gap.h"
@@ -325,6 +324,22 @@ std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
                        missingForceFigure(missingForce(diagnosis))});
   }
   return figures;
+}
+
+io::Figure overviewFigure(const Diagnosis& diagnosis) {
+  io::Figure overview;
+  overview.title = diagnosis.component + ": " + toString(diagnosis.verdict);
+  for (std::size_t i = 0; i < diagnosis.effects.size(); ++i) {
+    overview.title += (i == 0 ? ": " : ", ") + diagnosis.effects[i];
+  }
+  for (const ReportFigure& part : reportFigures(diagnosis)) {
+    if (!part.figure.axes.empty()) {
+      overview.axes.push_back(part.figure.axes.front());
+      io::Axes& axes = overview.axes.back();
+      axes.title = part.figure.title + (axes.title.empty() ? "" : "\n" + axes.title);
+    }
+  }
+  return overview;
 }
 
 std::string figureDataFile(const std::string& name) { return "figure_" + name + ".csv"; }

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "diagnosis/report/could_show_json.h"
-#include "diagnosis/report/table_section.h"
+#include "diagnosis/report/json_parts.h"
 #include "diagnosis/results/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 

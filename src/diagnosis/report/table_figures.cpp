@@ -1,6 +1,4 @@
 // Stiffness and loss angle of a table, measured and simulated.
-#include "diagnosis/report/table_figures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <map>
 #include <tuple>
 
+#include "diagnosis/report/report_figures.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
