@@ -90,7 +90,7 @@ ordered_json rowJson(const CouldShow& could_show, const ImplantedEffect& row) {
           {"named_as", named},
           {"nothing_named", row.nothing_named},
           {"visible_share", row.visible_share},
-          {"least_size", std::isfinite(row.least_size) ? ordered_json(row.least_size) : ordered_json(nullptr)}};
+          {"least_size", row.least_size}};
 }
 
 }  // namespace
