@@ -121,8 +121,7 @@ void writeHistoryCsv(const std::string& path, const PerBush<std::string>& names,
 }
 
 io::Figure historyFigure(const History& history, const History& reference, const std::string& title) {
-  io::Figure figure;
-  figure.title = title;
+  io::Figure figure{title};
   for (std::size_t i = 0; i < kStruts; ++i) {
     io::Axes displacement;
     displacement.title = strutNames()[i];
