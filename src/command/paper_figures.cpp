@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "command/sweep_values.h"
+#include "io/output_files.h"
 #include "io/progress.h"
 #include "log/new_file.h"
 #include "rubber_suspension/element/constants.h"
@@ -248,11 +249,7 @@ std::vector<std::string> paperFigurePaths(const std::string& folder) {
 }
 
 std::vector<std::string> writePaperFigures(const std::vector<PaperFigure>& figures, const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw std::runtime_error(folder + ": " + error.message());
-  }
+  io::makeFolder(folder);
   io::Progress progress("figures", figures.size());
   std::vector<std::string> paths;
   for (const PaperFigure& figure : figures) {

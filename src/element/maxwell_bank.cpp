@@ -1,8 +1,6 @@
 // A law that is realised by Maxwell elements in parallel.
 #include "rubber_suspension/element/maxwell_bank.h"
 
-#include <algorithm>
-
 namespace rubber_suspension::element {
 
 double MaxwellBank::step(const Motion& motion, double* memory) const {

@@ -7,7 +7,6 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <map>
 #include <stdexcept>
 

@@ -1,7 +1,6 @@
 // Implanted effects: on the page, for a terminal, as JSON.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <functional>

@@ -1,5 +1,4 @@
 // The report for programs: report.json.
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 

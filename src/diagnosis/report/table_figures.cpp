@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
 
 #include "diagnosis/report/report_figures.h"
 #include "rubber_suspension/element/constants.h"
