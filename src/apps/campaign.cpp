@@ -7,7 +7,6 @@
 
 #include "bag/bag_log.h"
 #include "campaign/collect.h"
-#include "campaign/fleet_report.h"
 #include "campaign/make.h"
 #include "campaign/run.h"
 #include "campaign/slurm.h"

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "element/side.h"
-
 namespace rubber_suspension::element {
 
 double BumpStop::force(double displacement) const {

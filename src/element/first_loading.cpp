@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "element/side.h"
-
 namespace rubber_suspension::element {
 namespace {
 

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "element/side.h"
-
 namespace rubber_suspension::element {
 
 double SeriesCompliance::deflection(double force) const {

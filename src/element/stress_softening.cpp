@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "element/side.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::element {
