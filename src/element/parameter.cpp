@@ -32,16 +32,8 @@ std::string describe(const Range& range) {
 }
 
 std::string toString(Role role) {
-  switch (role) {
-    case Role::scale:
-      return "scale";
-    case Role::shape:
-      return "shape";
-    case Role::choice:
-      return "choice";
-    default:
-      return "reference";
-  }
+  static const char* const words[] = {"scale", "shape", "choice", "reference"};
+  return words[static_cast<std::size_t>(role)];
 }
 
 const ParameterInfo* findParameter(const std::vector<ParameterInfo>& table, std::string_view name) {
