@@ -7,12 +7,12 @@
 
 #include "bag/bag_log.h"
 #include "campaign/collect.h"
-#include "campaign/fleet_report.h"
 #include "campaign/make.h"
 #include "campaign/run.h"
 #include "campaign/slurm.h"
 #include "campaign/status.h"
 #include "command_line/command.h"
+#include "io/output_files.h"
 #include "io/progress.h"
 #include "log/text.h"
 
@@ -125,7 +125,7 @@ int make(const Options& options) {
     }
     return kFailed;
   }
-  campaign::makeFolder(options.output);
+  io::makeFolder(options.output);
   campaign::writeManifest(expansion.manifest, options.output);
   for (const std::string& note : expansion.notes) {
     printNote("campaign", note);

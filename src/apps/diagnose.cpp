@@ -19,7 +19,7 @@
 #include "command_line/plot_option.h"
 #include "command_line/warnings.h"
 #include "diagnosis/report/compare.h"
-#include "diagnosis/report/overview_figure.h"
+#include "diagnosis/report/report_figures.h"
 #include "diagnosis/report/run_record.h"
 #include "diagnosis/results/model_values.h"
 #include "diagnosis/results/taken_out.h"

@@ -138,9 +138,7 @@ int runTrack(ros_interface::RosCommandLine& line, const Options& options) {
 // Growth over the step around the limit of each delay.
 io::Figure stabilityFigure(const VehicleParameters& parameters, const std::vector<component::Component>& components,
                            double margin) {
-  io::Axes axes;
-  axes.x_label = "step [ms]";
-  axes.y_label = "growth of the oscillation [1/s]";
+  io::Axes axes{"", "step [ms]", "growth of the oscillation [1/s]"};
   double longest = 0.0;
   for (int delay = 0; delay <= 2; ++delay) {
     const double limit = margin / (delay + 0.5);

@@ -83,9 +83,7 @@ std::string markdown(const std::vector<Result>& results) {
 }
 
 io::Figure ratioFigure(const std::vector<Result>& results) {
-  io::Axes axes;
-  axes.x_label = "time of the library / time of the other [-]";
-  axes.log_x = true;
+  io::Axes axes{"", "time of the library / time of the other [-]", "", true};
   std::vector<io::Spread> ratios;
   for (const Result& result : results) {
     axes.rows.push_back(rowName(result));

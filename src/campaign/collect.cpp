@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <unordered_set>
 
-#include "campaign/fleet_report.h"
 #include "campaign/line_file.h"
 #include "campaign/record.h"
 #include "log/new_file.h"

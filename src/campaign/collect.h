@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/fleet.h"
 #include "campaign/manifest.h"
 
 namespace rubber_suspension::campaign {
@@ -22,5 +23,17 @@ CollectSummary collect(const Manifest& manifest, const std::string& folder);
 
 std::string tableCsvPath(const std::string& folder);
 std::string tableJsonPath(const std::string& folder);
+
+std::string fleetJsonPath(const std::string& folder);
+std::string fleetReportPath(const std::string& folder);
+
+/// The fleet report for programs: schema rubber_suspension/fleet/3: types with verdicts, effects, parameters and values
+/// that are far out; parameters by rig and type. Values are logarithms of re-estimated over configured value. The same
+/// bytes for the same results.
+std::string toJson(const FleetFindings& fleet);
+
+/// The fleet report as a page for people without scripts or network, with links to the reports of components. The same
+/// bytes for the same results.
+std::string fleetHtml(const FleetFindings& fleet, const CollectSummary& summary);
 
 }  // namespace rubber_suspension::campaign

@@ -12,6 +12,7 @@
 
 #include "command/identify.h"
 #include "diagnosis/results/rounding.h"
+#include "io/output_files.h"
 #include "io/sha256.h"
 #include "log/new_file.h"
 #include "log/text.h"
@@ -272,7 +273,7 @@ const log::Log& Executor::keptLog(const Job& job, std::size_t file) {
 // Made if missing; what an earlier try left there has the same names and is replaced.
 std::string Executor::makeReportFolder(const Job& job) const {
   std::string folder = folder_ + "/" + reportFolder(job.id);
-  makeFolder(folder);
+  io::makeFolder(folder);
   return folder;
 }
 

@@ -1,12 +1,11 @@
 // The fleet report as JSON and as HTML.
-#include "campaign/fleet_report.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/report/page_style.h"
+#include "campaign/collect.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "log/text.h"
 

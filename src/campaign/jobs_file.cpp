@@ -35,14 +35,7 @@ using Tell = std::function<void(int line, const std::string& path, const std::st
 
 int lineOf(const YAML::Mark& mark) { return std::max(mark.line + 1, 1); }
 
-template <class Row>
-Keys namesOf(const std::vector<Row>& table) {
-  Keys names;
-  for (const Row& row : table) {
-    names.push_back(row.name);
-  }
-  return names;
-}
+using element::namesOf;
 
 // A node of the file and where it stands, "jobs.fleet.log". What is wrong with it is told, and what it holds is then
 // empty.

@@ -2,6 +2,7 @@
 #include "campaign/make.h"
 
 #include <fmt/format.h>
+#include <glob.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,8 +13,8 @@
 #include <utility>
 
 #include "campaign/jobs_file.h"
-#include "campaign/path_pattern.h"
 #include "campaign/tolerance_draws.h"
+#include "element/suggestion.h"
 #include "fit/parallel.h"
 #include "io/output_files.h"
 #include "io/progress.h"
@@ -25,6 +26,49 @@ namespace rubber_suspension::campaign {
 namespace {
 
 namespace fs = std::filesystem;
+
+// By glob(3) of the C library.
+struct Matches : glob_t {
+  Matches() : glob_t{} {}
+  Matches(const Matches&) = delete;
+  Matches& operator=(const Matches&) = delete;
+  ~Matches() { globfree(this); }
+};
+
+// A folder's own name is no pattern, whatever letters it has.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '*' || c == '?' || c == '[' || c == '\\') {
+      result += '\\';
+    }
+    result += c;
+  }
+  return result;
+}
+
+// What `pattern` of the shell (*, ?, [...]) names, relative to `folder` unless it begins with a slash: absolute paths
+// without symbolic links resolved, sorted byte by byte, so that the order is that of no locale. Empty where nothing
+// matches.
+std::vector<std::string> matchPattern(const std::string& folder, const std::string& pattern) {
+  const std::string base = fs::absolute(folder.empty() ? "." : folder).lexically_normal().string();
+  Matches matches;
+  const std::string full = pattern.front() == '/' ? pattern : escaped(base) + "/" + pattern;
+  const int status = glob(full.c_str(), GLOB_NOSORT, nullptr, &matches);
+  if (status != 0 && status != GLOB_NOMATCH) {
+    throw std::runtime_error(fmt::format("{}: a folder cannot be read", full));
+  }
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < matches.gl_pathc; ++i) {
+    std::string path = fs::path(matches.gl_pathv[i]).lexically_normal().string();
+    if (path.size() > 1 && path.back() == '/') {
+      path.pop_back();
+    }
+    paths.push_back(std::move(path));
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
 
 using Components = std::vector<io::ComponentDescription>;
 
@@ -59,11 +103,7 @@ std::vector<std::string> componentsOf(const JobGroup& group, const Components& c
   if (group.components != std::vector<std::string>{"*"}) {
     return group.components.empty() ? std::vector<std::string>{""} : group.components;
   }
-  std::vector<std::string> names;
-  for (const io::ComponentDescription& component : components) {
-    names.push_back(component.name);
-  }
-  return names;
+  return element::namesOf(components);
 }
 
 void hash(InputFile& file) {

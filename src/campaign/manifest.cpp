@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string_view>
@@ -113,14 +112,6 @@ std::string recordPath(const std::string& folder, const std::string& id) {
 }
 
 std::string reportFolder(const std::string& id) { return "reports/" + split(id); }
-
-void makeFolder(const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) {
-    throw std::runtime_error(folder + ": cannot be made: " + failure.message());
-  }
-}
 
 void writeManifest(const Manifest& manifest, const std::string& folder) {
   LineFile file(manifestPath(folder));

@@ -25,9 +25,6 @@ std::string recordPath(const std::string& folder, const std::string& id);
 /// The folder of a job's reports, relative to that of the campaign.
 std::string reportFolder(const std::string& id);
 
-/// Throws std::runtime_error that begins with the folder.
-void makeFolder(const std::string& folder);
-
 /// JSON lines: a header with the numbers of lines, the inputs, the jobs. Throws std::runtime_error.
 void writeManifest(const Manifest& manifest, const std::string& folder);
 

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "campaign/manifest.h"
+#include "io/output_files.h"
 #include "log/new_file.h"
 
 namespace rubber_suspension::campaign {
@@ -115,7 +116,7 @@ std::string reportPath(const Record& record) {
 
 void writeRecord(const Record& record, const std::string& folder) {
   const std::string path = recordPath(folder, record.id);
-  makeFolder(std::filesystem::path(path).parent_path());
+  io::makeFolder(std::filesystem::path(path).parent_path());
   // An error may quote a file's bytes, which need not be UTF-8.
   log::writeNewFile(path, recordJson(record).dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }

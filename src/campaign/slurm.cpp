@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "io/output_files.h"
 #include "log/new_file.h"
 #include "log/text.h"
 
@@ -120,7 +121,7 @@ SlurmArray planArray(const Status& status, const std::string& folder, const Slur
 
 std::string submitArray(const SlurmArray& array, const std::string& folder) {
   refuseSecond(folder);
-  makeFolder(folder + "/slurm");
+  io::makeFolder(folder + "/slurm");
   const std::string script = folder + "/slurm/array.sh";
   log::writeNewFile(script, array.script);
   const Said said = ask("sbatch --parsable --output=" + shellWord(logPattern(folder)) + " " + shellWord(script));

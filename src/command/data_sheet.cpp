@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
-#include <iterator>
 #include <map>
 #include <stdexcept>
 

@@ -477,9 +477,8 @@ std::string toJson(const std::vector<EstimateReport>& reports) {
 }
 
 io::Figure toFigure(const std::vector<EstimateReport>& reports, Legends legends) {
-  io::Figure figure;
-  figure.title = reports.size() == 1 ? "Stiffness and loss angle of " + reports.front().description.name
-                                     : "Stiffness and loss angle";
+  io::Figure figure{reports.size() == 1 ? "Stiffness and loss angle of " + reports.front().description.name
+                                        : "Stiffness and loss angle"};
   const std::vector<FigureColumn> columns = {
       {constantTitle("amplitude", "mm", reports, [](const auto& r) { return r.working_point.amplitude * 1e3; }),
        "frequency [Hz]", &EstimateReport::over_frequency, frequencyOf},
@@ -490,11 +489,7 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports, Legends legends)
   figure.columns = 3;
   for (const bool stiffness : {true, false}) {
     for (const FigureColumn& column : columns) {
-      io::Axes axes;
-      axes.title = column.title;
-      axes.x_label = column.x_label;
-      axes.y_label = stiffness ? "stiffness [kN/mm]" : "loss angle [deg]";
-      axes.log_x = true;
+      io::Axes axes{column.title, column.x_label, stiffness ? "stiffness [kN/mm]" : "loss angle [deg]", true};
       for (std::size_t i = 0; i < reports.size(); ++i) {
         const int colour = static_cast<int>(i);
         const SweepQuantity quantity = stiffness ? stiffnessOf : angleOf;

@@ -28,14 +28,6 @@ std::string directionText(const fit::UndeterminedDirection& direction) {
   return text;
 }
 
-io::Axes emptyAxes(const std::string& title, const std::string& x_label, const std::string& y_label) {
-  io::Axes axes;
-  axes.title = title;
-  axes.x_label = x_label;
-  axes.y_label = y_label;
-  return axes;
-}
-
 constexpr double kCycles = 5.0;  // of a loop: more run into one area
 
 // Every n-th sample, so that a figure stays small.
@@ -204,13 +196,12 @@ std::string toJson(const std::string& component, const fit::Identification& resu
 
 io::Figure identificationFigure(const io::ComponentDescription& description, const fit::Identification& result,
                                 const std::vector<log::Log>& logs) {
-  io::Figure figure;
-  figure.title = description.name + ": measured and fitted";
+  io::Figure figure{description.name + ": measured and fitted"};
   const component::Component component(result.elements);
   for (const log::Log& log : logs) {
     const std::vector<double> force = gap::replay(component, log).force;
-    io::Axes loop = emptyAxes(log.name, "displacement [mm]", "force [kN]");
-    io::Axes rest = emptyAxes(log.name, "time [s]", "measured less fitted [kN]");
+    io::Axes loop{log.name, "displacement [mm]", "force [kN]"};
+    io::Axes rest{log.name, "time [s]", "measured less fitted [kN]"};
     // Measured broad and below, fitted thin and above: both are to be seen.
     loop.curves = {{"measured", {}, {}, "-", 0, 2.8}, {"fitted", {}, {}, "-", io::kInk, 1.0}};
     rest.curves = {{"", {}, {}, "-", 4}};

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "command/sweep_values.h"
+#include "io/output_files.h"
 #include "io/progress.h"
 #include "log/new_file.h"
 #include "rubber_suspension/element/constants.h"
@@ -107,10 +108,7 @@ using Quantity = double (*)(const response::SweepPoint&);
 enum class Over { frequency, amplitude };
 
 io::Axes sweepAxes(const std::vector<PaperCurve>& curves, Over over, const std::string& y_label, Quantity y) {
-  io::Axes axes;
-  axes.x_label = over == Over::amplitude ? "amplitude [mm]" : "frequency [Hz]";
-  axes.y_label = y_label;
-  axes.log_x = true;
+  io::Axes axes{"", over == Over::amplitude ? "amplitude [mm]" : "frequency [Hz]", y_label, true};
   for (const PaperCurve& paper_curve : curves) {
     io::Curve curve;
     curve.label = paper_curve.label;
@@ -157,11 +155,7 @@ std::vector<double> edgesOf(const std::vector<double>& centres) {
 
 io::Axes surface(const PaperCurve& curve, const std::vector<double>& frequencies, std::vector<double> amplitudes,
                  const std::string& label, Quantity quantity) {
-  io::Axes axes;
-  axes.title = curve.label;
-  axes.x_label = "frequency [Hz]";
-  axes.y_label = "amplitude [mm]";
-  axes.log_x = axes.log_y = true;
+  io::Axes axes{curve.label, "frequency [Hz]", "amplitude [mm]", true, true};
   std::for_each(amplitudes.begin(), amplitudes.end(), [](double& amplitude) { amplitude *= 1e3; });
   io::HeatMap map{edgesOf(frequencies), edgesOf(amplitudes), {}, label};
   std::transform(curve.points.begin(), curve.points.end(), std::back_inserter(map.values), quantity);
@@ -255,11 +249,7 @@ std::vector<std::string> paperFigurePaths(const std::string& folder) {
 }
 
 std::vector<std::string> writePaperFigures(const std::vector<PaperFigure>& figures, const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw std::runtime_error(folder + ": " + error.message());
-  }
+  io::makeFolder(folder);
   io::Progress progress("figures", figures.size());
   std::vector<std::string> paths;
   for (const PaperFigure& figure : figures) {

@@ -1,9 +1,7 @@
 // The rig model about elements that were found without it.
 #include "command/rig_of_logs.h"
 
-#include <algorithm>
 #include <set>
-#include <string>
 
 #include "gap/simulate.h"
 #include "log/even_blocks.h"

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <type_traits>
 
 #include "command_line/command.h"
 #include "element/suggestion.h"

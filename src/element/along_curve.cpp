@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <stdexcept>
 
 #include "rubber_suspension/element/constants.h"
@@ -23,13 +22,9 @@ double momentOverStep(double x, const Relaxation& relaxation) {
 
 // Row of the displacements of all three.
 ParameterInfo pointsParameter() {
-  return {"displacement",
-          "m",
-          Role::choice,
-          Range::any(),
-          std::nullopt,
-          "displacements of the points, not decreasing; constant beyond",
-          true};
+  return {
+      "displacement", "m", Role::choice, Range::any(), "displacements of the points, not decreasing; constant beyond",
+      std::nullopt,   true};
 }
 
 PositionTable tableOf(const ElementDescription& description, const std::string& name) {
@@ -85,8 +80,8 @@ ElementType maxwellAlongCurveType() {
   return {"maxwell_along_curve",
           "Maxwell element whose stiffness follows the displacement, dF/dt = k(z) dz/dt - 2 pi f_b F.",
           {pointsParameter(),
-           {"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k at the points", true},
-           {"break_frequency", "Hz", Role::shape, Range::positive(), std::nullopt, "break frequency f_b"}},
+           {"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k at the points", std::nullopt, true},
+           {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const MaxwellAlongCurve>(tableOf(description, "stiffness"),
                                                              description.value("break_frequency"));
@@ -97,7 +92,7 @@ ElementType dashpotAlongCurveType() {
   return {"dashpot_along_curve",
           "Dashpot whose damping follows the displacement, F = c(z) dz/dt.",
           {pointsParameter(),
-           {"damping", "N s/m", Role::scale, Range::positive(), std::nullopt, "damping c at the points", true}},
+           {"damping", "N s/m", Role::scale, Range::positive(), "damping c at the points", std::nullopt, true}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const DashpotAlongCurve>(tableOf(description, "damping"));
           }};
@@ -107,10 +102,10 @@ ElementType slidersAlongCurveType() {
   return {"sliders_along_curve",
           "Friction sliders whose force follows the displacement: that of iwan_table times a factor b(z).",
           {pointsParameter(),
-           {"factor", "1", Role::reference, Range::nonNegative(), std::nullopt, "factor b at the points", true},
-           {"yield_displacement", "m", Role::shape, Range::positive(), std::nullopt,
-            "displacement at which each slider starts to slide", true},
-           {"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness of each slider", true}},
+           {"factor", "1", Role::reference, Range::nonNegative(), "factor b at the points", std::nullopt, true},
+           {"yield_displacement", "m", Role::shape, Range::positive(),
+            "displacement at which each slider starts to slide", std::nullopt, true},
+           {"stiffness", "N/m", Role::scale, Range::positive(), "stiffness of each slider", std::nullopt, true}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const SlidersAlongCurve>(slidersFromTable(description),
                                                              tableOf(description, "factor"));

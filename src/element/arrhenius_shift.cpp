@@ -34,14 +34,11 @@ ElementType arrheniusShiftType() {
   return {"arrhenius_shift",
           "Shift of all rates with temperature by Arrhenius, ln a_T = E/R (1/T - 1/T_0); the key `temperature` of a "
           "component makes one.",
-          {{"activation_energy", "J/mol", Role::shape, Range::closed(-kMost, kMost), std::nullopt,
+          {{"activation_energy", "J/mol", Role::shape, Range::closed(-kMost, kMost),
             "activation energy E; negative only where it takes back another shift"},
            referenceParameter(),
            verticalParameter("vertical", 0.0)},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const ArrheniusShift>(ArrheniusShift::Parameters{
-                description.value("activation_energy"), description.value("reference"), description.value("vertical")});
-          }};
+          makes<ArrheniusShift, ArrheniusShift::Parameters>("activation_energy", "reference", "vertical")};
 }
 
 }  // namespace rubber_suspension::element

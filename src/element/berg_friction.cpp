@@ -1,7 +1,6 @@
 // Berg's friction element.
 #include "rubber_suspension/element/berg_friction.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rubber_suspension::element {
@@ -68,17 +67,15 @@ double BergFriction::settledLoss(double amplitude) const {
 }
 
 ElementType bergFrictionType() {
-  return {"friction",
-          "Berg's friction element: smooth, rate-independent, amplitude-dependent stiffness and loss.",
-          {{"maximum_force", "N", Role::scale, Range::positive(), std::nullopt, "force F_max that friction tends to"},
-           {"displacement", "m", Role::shape, Range::positive(), std::nullopt,
-            "displacement z2 from rest at which friction reaches half of its maximum"},
-           {"dead_band", "m", Role::choice, Range::nonNegative(), 0.0,
-            "travel back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const BergFriction>(
-                description.value("maximum_force"), description.value("displacement"), description.value("dead_band"));
-          }};
+  return {
+      "friction",
+      "Berg's friction element: smooth, rate-independent, amplitude-dependent stiffness and loss.",
+      {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max that friction tends to"},
+       {"displacement", "m", Role::shape, Range::positive(),
+        "displacement z2 from rest at which friction reaches half of its maximum"},
+       {"dead_band", "m", Role::choice, Range::nonNegative(),
+        "travel back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise", 0.0}},
+      makes<BergFriction>("maximum_force", "displacement", "dead_band")};
 }
 
 }  // namespace rubber_suspension::element

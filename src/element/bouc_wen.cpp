@@ -119,25 +119,24 @@ double BoucWen::step(const Motion& motion, double* memory) const {
 }
 
 ElementType boucWenType() {
-  return {
-      "bouc_wen",
-      "Bouc-Wen hysteresis alone, dh/dt = A dz/dt - beta |dz/dt| |h|^(n-1) h - gamma dz/dt |h|^n; put a spring and "
-      "a dashpot beside it.",
-      {{"stiffness", "N/m", Role::shape, Range::positive(), std::nullopt, "stiffness A from rest"},
-       {"beta", "1/m", Role::shape, Range::positive(), std::nullopt, "beta; for n other than 1 a number in N^(1-n)/m"},
-       {"gamma", "1/m", Role::shape, Range::any(), std::nullopt,
-        "gamma, at most beta in magnitude; for n other than 1 a number in N^(1-n)/m"},
-       {"exponent", "1", Role::choice, Range::closed(1.0, 20.0), 1.0, "n; the larger, the sharper the bend"}},
-      [](const ElementDescription& description) -> ElementPointer {
-        const double beta = description.value("beta");
-        const double gamma = description.value("gamma");
-        if (std::abs(gamma) > beta) {
-          refuseValue(description.type, "gamma", gamma, "1/m",
-                      fmt::format("in [{:g}, {:g}], as beta >= |gamma| keeps it from making energy", -beta, beta));
-        }
-        return std::make_shared<const BoucWen>(description.value("stiffness"), beta, gamma,
-                                               description.value("exponent"));
-      }};
+  return {"bouc_wen",
+          "Bouc-Wen hysteresis alone, dh/dt = A dz/dt - beta |dz/dt| |h|^(n-1) h - gamma dz/dt |h|^n; put a spring and "
+          "a dashpot beside it.",
+          {{"stiffness", "N/m", Role::shape, Range::positive(), "stiffness A from rest"},
+           {"beta", "1/m", Role::shape, Range::positive(), "beta; for n other than 1 a number in N^(1-n)/m"},
+           {"gamma", "1/m", Role::shape, Range::any(),
+            "gamma, at most beta in magnitude; for n other than 1 a number in N^(1-n)/m"},
+           {"exponent", "1", Role::choice, Range::closed(1.0, 20.0), "n; the larger, the sharper the bend", 1.0}},
+          [](const ElementDescription& description) -> ElementPointer {
+            const double beta = description.value("beta");
+            const double gamma = description.value("gamma");
+            if (std::abs(gamma) > beta) {
+              refuseValue(description.type, "gamma", gamma, "1/m",
+                          fmt::format("in [{:g}, {:g}], as beta >= |gamma| keeps it from making energy", -beta, beta));
+            }
+            return std::make_shared<const BoucWen>(description.value("stiffness"), beta, gamma,
+                                                   description.value("exponent"));
+          }};
 }
 
 }  // namespace rubber_suspension::element

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "element/side.h"
-
 namespace rubber_suspension::element {
 
 double BumpStop::force(double displacement) const {
@@ -21,15 +19,13 @@ ElementType bumpStopType() {
   return {
       "bump_stop",
       "Bump stop: F = k_s d (d/d_ref)^(p-1) beyond a gap, d being the depth of contact.",
-      {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt,
-        "secant stiffness k_s at the reference depth"},
-       {"gap", "m", Role::shape, Range::nonNegative(), std::nullopt,
-        "displacement at which the stop comes into contact"},
-       {"exponent", "1", Role::shape, Range::closed(1.0, 3.0), 1.0,
-        "exponent p of the force over the depth; 1 is linear"},
-       {"reference_depth", "m", Role::reference, Range::positive(), 0.001,
-        "depth d_ref at which the stop has its stiffness"},
-       {"side", "1", Role::choice, Range::closed(-1.0, 1.0), 0.0, "1: stop at z > 0 only, -1: at z < 0 only, 0: both"}},
+      {{"stiffness", "N/m", Role::scale, Range::positive(), "secant stiffness k_s at the reference depth"},
+       {"gap", "m", Role::shape, Range::nonNegative(), "displacement at which the stop comes into contact"},
+       {"exponent", "1", Role::shape, Range::closed(1.0, 3.0), "exponent p of the force over the depth; 1 is linear",
+        1.0},
+       {"reference_depth", "m", Role::reference, Range::positive(), "depth d_ref at which the stop has its stiffness",
+        0.001},
+       {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: stop at z > 0 only, -1: at z < 0 only, 0: both", 0.0}},
       [](const ElementDescription& description) -> ElementPointer {
         return std::make_shared<const BumpStop>(description.value("stiffness"), description.value("gap"),
                                                 description.value("exponent"), description.value("reference_depth"),

@@ -53,15 +53,6 @@
 namespace rubber_suspension::element {
 namespace {
 
-template <class Rows>
-std::vector<std::string> namesOf(const Rows& rows) {
-  std::vector<std::string> names;
-  for (const auto& row : rows) {
-    names.push_back(row.name);
-  }
-  return names;
-}
-
 const ElementType& requireType(const std::string& name) {
   if (const ElementType* type = findElementType(name)) {
     return *type;

@@ -6,12 +6,9 @@ namespace rubber_suspension::element {
 ElementType coulombFrictionType() {
   return {"coulomb_friction",
           "Coulomb friction behind a contact spring: sticks up to its maximum force, then slides.",
-          {{"maximum_force", "N", Role::shape, Range::positive(), std::nullopt, "force F_max at which it slides"},
-           {"stiffness", "N/m", Role::shape, Range::positive(), std::nullopt, "stiffness k while it sticks"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const CoulombFriction>(description.value("maximum_force"),
-                                                           description.value("stiffness"));
-          }};
+          {{"maximum_force", "N", Role::shape, Range::positive(), "force F_max at which it slides"},
+           {"stiffness", "N/m", Role::shape, Range::positive(), "stiffness k while it sticks"}},
+          makes<CoulombFriction>("maximum_force", "stiffness")};
 }
 
 }  // namespace rubber_suspension::element

@@ -45,10 +45,10 @@ Creep::Creep(double stiffness_per_decade, double shortest_time, double longest_t
 ElementType creepType() {
   return {"creep",
           "Slow relaxation: the force under a hold falls linearly in log t.",
-          {{"stiffness_per_decade", "N/m", Role::scale, Range::positive(), std::nullopt,
+          {{"stiffness_per_decade", "N/m", Role::scale, Range::positive(),
             "fall of the force per displacement and decade of time"},
-           {"shortest_time", "s", Role::choice, Range::positive(), 1.0, "time at which the fall begins"},
-           {"longest_time", "s", Role::choice, Range::positive(), 10000.0, "time at which it ends"}},
+           {"shortest_time", "s", Role::choice, Range::positive(), "time at which the fall begins", 1.0},
+           {"longest_time", "s", Role::choice, Range::positive(), "time at which it ends", 10000.0}},
           [](const ElementDescription& description) -> ElementPointer {
             checkTimes(description);
             return std::make_shared<const Creep>(description.value("stiffness_per_decade"),

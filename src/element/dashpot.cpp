@@ -6,9 +6,9 @@ namespace rubber_suspension::element {
 ElementType dashpotType() {
   return {"dashpot",
           "Linear dashpot, F = c dz/dt.",
-          {{"damping", "N s/m", Role::scale, Range::positive(), std::nullopt, "damping constant c"},
-           {"order", "1", Role::choice, Range::closed(1.0, 2.0), 1.0,
-            "of the difference for the rate; 1: displacement linear between samples, 2: smooth, without lag"}},
+          {{"damping", "N s/m", Role::scale, Range::positive(), "damping constant c"},
+           {"order", "1", Role::choice, Range::closed(1.0, 2.0),
+            "of the difference for the rate; 1: displacement linear between samples, 2: smooth, without lag", 1.0}},
           [](const ElementDescription& description) -> ElementPointer {
             const double damping = description.value("damping");
             const double order = description.value("order");

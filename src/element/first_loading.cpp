@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "element/side.h"
-
 namespace rubber_suspension::element {
 namespace {
 
@@ -46,19 +44,18 @@ double FirstLoading::step(const Motion& motion, double* memory) const {
 }
 
 ElementType firstLoadingType() {
-  return {"first_loading",
-          "What a new test piece carries beyond displacements that were reached before: k beyond them, k b |z|/(1 + b) "
-          "at most, and gone within some cycles.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt,
-            "stiffness k just beyond the largest past displacement"},
-           {"yield_share", "1", Role::shape, Range::closed(1e-3, 1e3), std::nullopt,
-            "share b of the displacement over which the force approaches its limit"},
-           {"side", "1", Role::choice, Range::closed(-1.0, 1.0), 0.0, "1: at z > 0 only, -1: at z < 0 only, 0: both"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const FirstLoading>(description.value("stiffness"),
-                                                        description.value("yield_share"),
-                                                        static_cast<FirstLoading::Side>(sideOf(description, "z")));
-          }};
+  return {
+      "first_loading",
+      "What a new test piece carries beyond displacements that were reached before: k beyond them, k b |z|/(1 + b) "
+      "at most, and gone within some cycles.",
+      {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k just beyond the largest past displacement"},
+       {"yield_share", "1", Role::shape, Range::closed(1e-3, 1e3),
+        "share b of the displacement over which the force approaches its limit"},
+       {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: at z > 0 only, -1: at z < 0 only, 0: both", 0.0}},
+      [](const ElementDescription& description) -> ElementPointer {
+        return std::make_shared<const FirstLoading>(description.value("stiffness"), description.value("yield_share"),
+                                                    static_cast<FirstLoading::Side>(sideOf(description, "z")));
+      }};
 }
 
 }  // namespace rubber_suspension::element

@@ -6,10 +6,8 @@ namespace rubber_suspension::element {
 ElementType forceDriftType() {
   return {"force_drift",
           "Force that grows with time: drift of the load cell.",
-          {{"rate", "N/s", Role::scale, Range::any(), std::nullopt, "growth of the force per time, of either sign"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const ForceDrift>(description.value("rate"));
-          }};
+          {{"rate", "N/s", Role::scale, Range::any(), "growth of the force per time, of either sign"}},
+          makes<ForceDrift>("rate")};
 }
 
 }  // namespace rubber_suspension::element

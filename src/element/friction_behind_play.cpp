@@ -20,14 +20,11 @@ double FrictionBehindPlay::step(const Motion& motion, double* memory) const {
 ElementType frictionBehindPlayType() {
   return {"friction_behind_play",
           "Friction behind a clearance of its own: missing over 2 g of travel after each reversal.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k while it sticks"},
-           {"yield_displacement", "m", Role::shape, Range::positive(), std::nullopt,
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
+           {"yield_displacement", "m", Role::shape, Range::positive(),
             "displacement y beyond the clearance at which it slides"},
-           {"gap", "m", Role::shape, Range::positive(), std::nullopt, "clearance g to either side"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const FrictionBehindPlay>(
-                description.value("stiffness"), description.value("yield_displacement"), description.value("gap"));
-          }};
+           {"gap", "m", Role::shape, Range::positive(), "clearance g to either side"}},
+          makes<FrictionBehindPlay>("stiffness", "yield_displacement", "gap")};
 }
 
 }  // namespace rubber_suspension::element

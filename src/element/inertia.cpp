@@ -1,7 +1,6 @@
 // Mass that moves with the actuator.
 #include "rubber_suspension/element/inertia.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "rubber_suspension/element/constants.h"
@@ -12,11 +11,6 @@ namespace {
 enum InertiaSlot { kVelocity, kAcceleration, kLastStep, kStepBeforeLast };
 
 }  // namespace
-
-double Inertia::initialise(double /*displacement*/, double* memory) const {
-  std::fill(memory, memory + memorySize(), 0.0);
-  return 0.0;
-}
 
 double Inertia::step(const Motion& motion, double* memory) const {
   // Before a rest the displacement was constant, so any step length may be assumed there.
@@ -36,11 +30,6 @@ double Inertia::step(const Motion& motion, double* memory) const {
 }
 
 SmoothedInertia::SmoothedInertia(double mass, double bandwidth) : mass_(mass), rate_(2.0 * kPi * bandwidth) {}
-
-double SmoothedInertia::initialise(double /*displacement*/, double* memory) const {
-  std::fill(memory, memory + kLags, 0.0);
-  return 0.0;
-}
 
 // Lags y_k' = w_b (y_(k-1) - y_k) in a row, y_0 = z. Under a ramp of slope v, y_k follows z - k v/w_b; what it deviates
 // by decays as exp(-w_b t) times a polynomial of the deviations before it. Kept are y_k - z, which are 0 at rest.
@@ -72,20 +61,19 @@ std::optional<std::complex<double>> SmoothedInertia::complexStiffness(double ome
 }
 
 ElementType inertiaType() {
-  return {
-      "inertia",
-      "Mass that moves with the actuator: F = m d2z/dt2.",
-      {{"mass", "kg", Role::scale, Range::positive(), std::nullopt, "moving mass m between load cell and test piece"},
-       {"bandwidth", "Hz", Role::choice, Range::nonNegative(), 0.0,
-        "of a filter for displacements with noise; 0: none, for displacements that are smooth"}},
-      [](const ElementDescription& description) -> ElementPointer {
-        const double mass = description.value("mass");
-        const double bandwidth = description.value("bandwidth");
-        if (bandwidth > 0.0) {
-          return std::make_shared<const SmoothedInertia>(mass, bandwidth);
-        }
-        return std::make_shared<const Inertia>(mass);
-      }};
+  return {"inertia",
+          "Mass that moves with the actuator: F = m d2z/dt2.",
+          {{"mass", "kg", Role::scale, Range::positive(), "moving mass m between load cell and test piece"},
+           {"bandwidth", "Hz", Role::choice, Range::nonNegative(),
+            "of a filter for displacements with noise; 0: none, for displacements that are smooth", 0.0}},
+          [](const ElementDescription& description) -> ElementPointer {
+            const double mass = description.value("mass");
+            const double bandwidth = description.value("bandwidth");
+            if (bandwidth > 0.0) {
+              return std::make_shared<const SmoothedInertia>(mass, bandwidth);
+            }
+            return std::make_shared<const Inertia>(mass);
+          }};
 }
 
 }  // namespace rubber_suspension::element

@@ -53,11 +53,6 @@ InertiaTrack::InertiaTrack(double mass, double damping, double stiffness, double
       decay_(0.5 * damping / mass),
       square_(stiffness / mass) {}
 
-double InertiaTrack::initialise(double /*displacement*/, double* memory) const {
-  memory[kDeflection] = memory[kRate] = 0.0;
-  return 0.0;
-}
-
 // de/dt = v - p, dp/dt = square e - 2 a p for a constant velocity v: the matrix exponential, and its integral for v.
 InertiaTrack::Flow InertiaTrack::coupled(Flow flow, double dt, double velocity) const {
   const Oscillation oscillation(decay_, square_, dt);
@@ -177,14 +172,14 @@ ElementType inertiaTrackType() {
   return {"inertia_track",
           "Fluid in a hydraulic mount, m d2q/dt2 + c dq/dt = F, F = k_h (z - q), by mass, damping and stiffness or by "
           "the numbers of the fluid; 0: not given.",
-          {{"mass", "kg", Role::shape, range, 0.0, "mass m of the column, referred to the pumping area"},
-           {"damping", "N s/m", Role::shape, range, 0.0, "damping c of the track, referred to the pumping area"},
-           {"stiffness", "N/m", Role::shape, range, 0.0, "stiffness k_h of the upper chamber by its bulge"},
-           {"inertance", "kg/m^4", Role::shape, range, 0.0, "inertance I of the track, m = I A_p^2"},
-           {"resistance", "Pa s/m^3", Role::shape, range, 0.0, "resistance R of the track, c = R A_p^2"},
-           {"compliance", "m^3/Pa", Role::shape, range, 0.0, "compliance C of the upper chamber, k_h = A_p^2/C"},
-           {"pumping_area", "m^2", Role::reference, range, 0.0, "area A_p of the piston that the rubber makes"},
-           {"free_travel", "m", Role::shape, range, 0.0, "free travel d of a decoupler to either side; 0: none"}},
+          {{"mass", "kg", Role::shape, range, "mass m of the column, referred to the pumping area", 0.0},
+           {"damping", "N s/m", Role::shape, range, "damping c of the track, referred to the pumping area", 0.0},
+           {"stiffness", "N/m", Role::shape, range, "stiffness k_h of the upper chamber by its bulge", 0.0},
+           {"inertance", "kg/m^4", Role::shape, range, "inertance I of the track, m = I A_p^2", 0.0},
+           {"resistance", "Pa s/m^3", Role::shape, range, "resistance R of the track, c = R A_p^2", 0.0},
+           {"compliance", "m^3/Pa", Role::shape, range, "compliance C of the upper chamber, k_h = A_p^2/C", 0.0},
+           {"pumping_area", "m^2", Role::reference, range, "area A_p of the piston that the rubber makes", 0.0},
+           {"free_travel", "m", Role::shape, range, "free travel d of a decoupler to either side; 0: none", 0.0}},
           makeInertiaTrack};
 }
 

@@ -64,10 +64,10 @@ std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement
 ElementType iwanType() {
   return {"iwan",
           "Friction with memory: a bank of Jenkins sliders (Iwan) whose curve from rest is a hyperbola.",
-          {{"maximum_force", "N", Role::scale, Range::positive(), std::nullopt, "force F_max once all sliders slide"},
-           {"displacement", "m", Role::shape, Range::positive(), std::nullopt,
+          {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max once all sliders slide"},
+           {"displacement", "m", Role::shape, Range::positive(),
             "displacement z2 from rest at which friction reaches half of its maximum"},
-           {"sliders", "1", Role::choice, Range::closed(2.0, kMaximumSliders), 16.0, "number of sliders, whole"}},
+           {"sliders", "1", Role::choice, Range::closed(2.0, kMaximumSliders), "number of sliders, whole", 16.0}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const Iwan>(description.value("maximum_force"), description.value("displacement"),
                                                 sliderCount(description));
@@ -78,9 +78,9 @@ ElementType iwanTableType() {
   return {
       "iwan_table",
       "Friction with memory: a bank of Jenkins sliders (Iwan) given one by one.",
-      {{"yield_displacement", "m", Role::shape, Range::positive(), std::nullopt,
-        "displacement of each slider's spring at which it slides", true},
-       {"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness of each slider's spring", true}},
+      {{"yield_displacement", "m", Role::shape, Range::positive(),
+        "displacement of each slider's spring at which it slides", std::nullopt, true},
+       {"stiffness", "N/m", Role::scale, Range::positive(), "stiffness of each slider's spring", std::nullopt, true}},
       [](const ElementDescription& description) -> ElementPointer {
         return std::make_shared<const IwanTable>(slidersFromTable(description));
       }};

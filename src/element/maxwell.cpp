@@ -6,12 +6,9 @@ namespace rubber_suspension::element {
 ElementType maxwellType() {
   return {"maxwell",
           "Maxwell element: spring k and dashpot c = k/(2 pi f_b) in series.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k of the spring"},
-           {"break_frequency", "Hz", Role::shape, Range::positive(), std::nullopt, "break frequency f_b = k/(2 pi c)"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const Maxwell>(description.value("stiffness"),
-                                                   description.value("break_frequency"));
-          }};
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
+           {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b = k/(2 pi c)"}},
+          makes<Maxwell>("stiffness", "break_frequency")};
 }
 
 }  // namespace rubber_suspension::element

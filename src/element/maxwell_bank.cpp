@@ -1,14 +1,7 @@
 // A law that is realised by Maxwell elements in parallel.
 #include "rubber_suspension/element/maxwell_bank.h"
 
-#include <algorithm>
-
 namespace rubber_suspension::element {
-
-double MaxwellBank::initialise(double /*displacement*/, double* memory) const {
-  std::fill(memory, memory + elements_.size(), 0.0);
-  return 0.0;
-}
 
 double MaxwellBank::step(const Motion& motion, double* memory) const {
   double force = 0.0;

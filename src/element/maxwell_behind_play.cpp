@@ -53,14 +53,11 @@ double MaxwellBehindPlay::step(const Motion& motion, double* memory) const {
 ElementType maxwellBehindPlayType() {
   return {"maxwell_behind_play",
           "Spring and dashpot in series behind a clearance of their own: a damper with backlash.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k of the spring"},
-           {"break_frequency", "Hz", Role::shape, Range::positive(), std::nullopt,
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
+           {"break_frequency", "Hz", Role::shape, Range::positive(),
             "break frequency f_b; high for a dashpot c = k/(2 pi f_b)"},
-           {"gap", "m", Role::shape, Range::positive(), std::nullopt, "clearance g to either side"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const MaxwellBehindPlay>(
-                description.value("stiffness"), description.value("break_frequency"), description.value("gap"));
-          }};
+           {"gap", "m", Role::shape, Range::positive(), "clearance g to either side"}},
+          makes<MaxwellBehindPlay>("stiffness", "break_frequency", "gap")};
 }
 
 }  // namespace rubber_suspension::element

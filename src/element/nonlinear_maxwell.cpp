@@ -28,18 +28,12 @@ ElementType nonlinearMaxwellType() {
   return {"nonlinear_maxwell",
           "Maxwell element whose dashpot yields, dF/dt = k dz/dt - 2 pi f_b F (1 + (|F|/(k y))^p): rate and amplitude "
           "dependence that are coupled.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k of the spring"},
-           {"break_frequency", "Hz", Role::shape, Range::positive(), std::nullopt,
-            "break frequency f_b at small amplitude"},
-           {"displacement", "m", Role::shape, Range::positive(), std::nullopt,
-            "displacement y at which the dashpot yields"},
-           {"power", "1", Role::choice, Range::closed(0.5, 10.0), 1.0,
-            "p; the larger, the more y is a limit of the spring's displacement"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const NonlinearMaxwell>(
-                description.value("stiffness"), description.value("break_frequency"), description.value("displacement"),
-                description.value("power"));
-          }};
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
+           {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b at small amplitude"},
+           {"displacement", "m", Role::shape, Range::positive(), "displacement y at which the dashpot yields"},
+           {"power", "1", Role::choice, Range::closed(0.5, 10.0),
+            "p; the larger, the more y is a limit of the spring's displacement", 1.0}},
+          makes<NonlinearMaxwell>("stiffness", "break_frequency", "displacement", "power")};
 }
 
 }  // namespace rubber_suspension::element

@@ -7,11 +7,6 @@
 
 namespace rubber_suspension::element {
 
-double Overstress::initialise(double /*displacement*/, double* memory) const {
-  memory[0] = 0.0;
-  return 0.0;
-}
-
 // Memory: the spring's displacement in units of y.
 double Overstress::step(const Motion& motion, double* memory) const {
   const Parameters& p = parameters_;
@@ -29,17 +24,11 @@ ElementType overstressType() {
       "overstress",
       "Spring that flows beyond a limit of its force, the faster the farther beyond: F = k y (1 + (v/v_r)^(1/m)) at "
       "a steady rate v, k y after a hold.",
-      {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k of the spring"},
-       {"yield_displacement", "m", Role::shape, Range::positive(), std::nullopt,
-        "displacement y of the spring at the limit k y"},
-       {"reference_rate", "m/s", Role::shape, Range::positive(), std::nullopt,
-        "rate v_r that doubles the force in flow"},
-       {"power", "1", Role::shape, Range::closed(0.25, 10.0), 2.0, "m, by which what is beyond the limit flows"}},
-      [](const ElementDescription& description) -> ElementPointer {
-        return std::make_shared<const Overstress>(
-            Overstress::Parameters{description.value("stiffness"), description.value("yield_displacement"),
-                                   description.value("reference_rate"), description.value("power")});
-      }};
+      {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
+       {"yield_displacement", "m", Role::shape, Range::positive(), "displacement y of the spring at the limit k y"},
+       {"reference_rate", "m/s", Role::shape, Range::positive(), "rate v_r that doubles the force in flow"},
+       {"power", "1", Role::shape, Range::closed(0.25, 10.0), "m, by which what is beyond the limit flows", 2.0}},
+      makes<Overstress, Overstress::Parameters>("stiffness", "yield_displacement", "reference_rate", "power")};
 }
 
 }  // namespace rubber_suspension::element

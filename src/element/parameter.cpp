@@ -32,16 +32,8 @@ std::string describe(const Range& range) {
 }
 
 std::string toString(Role role) {
-  switch (role) {
-    case Role::scale:
-      return "scale";
-    case Role::shape:
-      return "shape";
-    case Role::choice:
-      return "choice";
-    default:
-      return "reference";
-  }
+  static const char* const words[] = {"scale", "shape", "choice", "reference"};
+  return words[static_cast<std::size_t>(role)];
 }
 
 const ParameterInfo* findParameter(const std::vector<ParameterInfo>& table, std::string_view name) {
@@ -62,6 +54,15 @@ void refuseValue(const std::string& type, const std::string& parameter, double v
                  const std::string& accepted) {
   throw std::invalid_argument(
       fmt::format("{}.{}: {:g} {} is out of range; accepted: {}", type, parameter, value, unit, accepted));
+}
+
+int sideOf(const ElementDescription& description, const char* quantity) {
+  const double side = description.value("side");
+  if (side != -1.0 && side != 0.0 && side != 1.0) {
+    refuseValue(description.type, "side", side, "1",
+                fmt::format("1 ({0} > 0 only), -1 ({0} < 0 only) or 0 (both)", quantity));
+  }
+  return static_cast<int>(side);
 }
 
 }  // namespace rubber_suspension::element

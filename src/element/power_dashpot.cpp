@@ -15,14 +15,10 @@ double PowerDashpot::force(double rate) const {
 ElementType powerDashpotType() {
   return {"power_dashpot",
           "Dashpot whose force follows a power of the rate, F = c v_r sign(v) |v/v_r|^p, v = dz/dt.",
-          {{"damping", "N s/m", Role::scale, Range::positive(), std::nullopt, "damping constant c at the rate v_r"},
-           {"reference_rate", "m/s", Role::reference, Range::positive(), std::nullopt,
-            "rate v_r at which the damping holds"},
-           {"exponent", "1", Role::shape, Range{0.0, 4.0, true, false}, std::nullopt, "power p; 1: a linear dashpot"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const PowerDashpot>(
-                description.value("damping"), description.value("reference_rate"), description.value("exponent"));
-          }};
+          {{"damping", "N s/m", Role::scale, Range::positive(), "damping constant c at the rate v_r"},
+           {"reference_rate", "m/s", Role::reference, Range::positive(), "rate v_r at which the damping holds"},
+           {"exponent", "1", Role::shape, Range::openBelow(0.0, 4.0), "power p; 1: a linear dashpot"}},
+          makes<PowerDashpot>("damping", "reference_rate", "exponent")};
 }
 
 }  // namespace rubber_suspension::element

@@ -1,7 +1,6 @@
 // Hydraulic damper in a worn eye.
 #include "rubber_suspension/element/power_dashpot_behind_play.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "rubber_suspension/element/implicit_flow.h"
@@ -33,17 +32,13 @@ ElementType powerDashpotBehindPlayType() {
       "power_dashpot_behind_play",
       "Spring and dashpot of any power in series behind a clearance of their own: a hydraulic damper in a worn eye, "
       "F = k y (v/v_r)^p in steady flow.",
-      {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k of the spring"},
-       {"displacement", "m", Role::shape, Range::positive(), std::nullopt,
-        "displacement y of the spring in flow at the rate v_r"},
-       {"reference_rate", "m/s", Role::shape, Range::positive(), std::nullopt, "rate v_r"},
-       {"exponent", "1", Role::shape, Range::closed(0.1, 4.0), std::nullopt, "power p; 1: a linear dashpot"},
-       {"gap", "m", Role::shape, Range::positive(), std::nullopt, "clearance g to either side"}},
-      [](const ElementDescription& description) -> ElementPointer {
-        return std::make_shared<const PowerDashpotBehindPlay>(PowerDashpotBehindPlay::Parameters{
-            description.value("stiffness"), description.value("displacement"), description.value("reference_rate"),
-            description.value("exponent"), description.value("gap")});
-      }};
+      {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
+       {"displacement", "m", Role::shape, Range::positive(), "displacement y of the spring in flow at the rate v_r"},
+       {"reference_rate", "m/s", Role::shape, Range::positive(), "rate v_r"},
+       {"exponent", "1", Role::shape, Range::closed(0.1, 4.0), "power p; 1: a linear dashpot"},
+       {"gap", "m", Role::shape, Range::positive(), "clearance g to either side"}},
+      makes<PowerDashpotBehindPlay, PowerDashpotBehindPlay::Parameters>("stiffness", "displacement", "reference_rate",
+                                                                        "exponent", "gap")};
 }
 
 }  // namespace rubber_suspension::element

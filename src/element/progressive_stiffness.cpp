@@ -17,13 +17,13 @@ ElementType progressiveStiffnessType() {
   return {"progressive_stiffness",
           "Stiffness that rises with amplitude: F = k2 z|z| + k3 z^3 + k5 z^5 + k_e (s sinh(z/s) - z), on "
           "top of a linear spring.",
-          {{"quadratic", "N/m^2", Role::scale, Range::nonNegative(), 0.0,
-            "coefficient k2 of z|z|; one of the coefficients must be greater than 0"},
-           {"cubic", "N/m^3", Role::scale, Range::nonNegative(), 0.0, "coefficient k3"},
-           {"quintic", "N/m^5", Role::scale, Range::nonNegative(), 0.0, "coefficient k5"},
-           {"exponential", "N/m", Role::scale, Range::nonNegative(), 0.0, "stiffness k_e of the exponential"},
-           {"exponential_scale", "m", Role::shape, Range::nonNegative(), 0.0,
-            "displacement s over which it grows by e; 0: no exponential"}},
+          {{"quadratic", "N/m^2", Role::scale, Range::nonNegative(),
+            "coefficient k2 of z|z|; one of the coefficients must be greater than 0", 0.0},
+           {"cubic", "N/m^3", Role::scale, Range::nonNegative(), "coefficient k3", 0.0},
+           {"quintic", "N/m^5", Role::scale, Range::nonNegative(), "coefficient k5", 0.0},
+           {"exponential", "N/m", Role::scale, Range::nonNegative(), "stiffness k_e of the exponential", 0.0},
+           {"exponential_scale", "m", Role::shape, Range::nonNegative(),
+            "displacement s over which it grows by e; 0: no exponential", 0.0}},
           [](const ElementDescription& description) -> ElementPointer {
             const double quadratic = description.value("quadratic");
             const double cubic = description.value("cubic");

@@ -37,13 +37,9 @@ ElementType selfHeatingType() {
   return {
       "self_heating",
       "Softening by the heat of the component's own loss: stiffness falls slowly under hard work and recovers at rest.",
-      {{"energy_sensitivity", "1/J", Role::shape, Range::positive(), std::nullopt,
-        "relative softening per energy lost"},
-       {"time_constant", "s", Role::shape, Range::positive(), std::nullopt, "time constant of cooling"}},
-      [](const ElementDescription& description) -> ElementPointer {
-        return std::make_shared<const SelfHeating>(description.value("energy_sensitivity"),
-                                                   description.value("time_constant"));
-      }};
+      {{"energy_sensitivity", "1/J", Role::shape, Range::positive(), "relative softening per energy lost"},
+       {"time_constant", "s", Role::shape, Range::positive(), "time constant of cooling"}},
+      makes<SelfHeating>("energy_sensitivity", "time_constant")};
 }
 
 }  // namespace rubber_suspension::element

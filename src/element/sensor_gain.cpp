@@ -6,10 +6,8 @@ namespace rubber_suspension::element {
 ElementType sensorGainType() {
   return {"sensor_gain",
           "Wrong gain of the force's channel: the recorded force is 1 + g times that of the test piece.",
-          {{"gain", "1", Role::shape, Range::closed(-0.9, 9.0), std::nullopt, "error g of the gain"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const SensorGain>(description.value("gain"));
-          }};
+          {{"gain", "1", Role::shape, Range::closed(-0.9, 9.0), "error g of the gain"}},
+          makes<SensorGain>("gain")};
 }
 
 }  // namespace rubber_suspension::element

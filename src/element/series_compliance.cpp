@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "element/side.h"
-
 namespace rubber_suspension::element {
 
 double SeriesCompliance::deflection(double force) const {
@@ -26,11 +24,11 @@ std::optional<SeriesElement::Compliance> SeriesCompliance::compliance() const {
 ElementType seriesComplianceType() {
   return {"series_compliance",
           "Compliance of bracket, bolted connection or rig in series with the test piece: u = F/(K_s (1 + |F|/F_c)).",
-          {{"stiffness", "N/m", Role::shape, Range::positive(), std::nullopt, "stiffness K_s of what is in series"},
-           {"closing_force", "N", Role::shape, Range::nonNegative(), 0.0,
-            "force F_c that halves its compliance, as of a bolted connection that closes under load; 0: linear"},
-           {"side", "1", Role::choice, Range::closed(-1.0, 1.0), 0.0,
-            "1: yields to F > 0 only, -1: to F < 0 only, 0: to both"}},
+          {{"stiffness", "N/m", Role::shape, Range::positive(), "stiffness K_s of what is in series"},
+           {"closing_force", "N", Role::shape, Range::nonNegative(),
+            "force F_c that halves its compliance, as of a bolted connection that closes under load; 0: linear", 0.0},
+           {"side", "1", Role::choice, Range::closed(-1.0, 1.0),
+            "1: yields to F > 0 only, -1: to F < 0 only, 0: to both", 0.0}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const SeriesCompliance>(
                 description.value("stiffness"), description.value("closing_force"),

@@ -6,10 +6,8 @@ namespace rubber_suspension::element {
 ElementType springType() {
   return {"spring",
           "Linear spring, F = k z.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const Spring>(description.value("stiffness"));
-          }};
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k"}},
+          makes<Spring>("stiffness")};
 }
 
 }  // namespace rubber_suspension::element

@@ -60,10 +60,10 @@ ElementType springTableType() {
   return {
       kTableName,
       "Spring with a characteristic given by points, linear between them, with the end slopes beyond.",
-      {{"displacement", "m", Role::choice, Range::any(), std::nullopt, "displacements of the points, increasing", true},
-       {"force", "N", Role::scale, Range::any(), std::nullopt, "forces of the points", true},
-       {"monotone", "1", Role::choice, Range::closed(0.0, 1.0), 1.0,
-        "1: the forces do not decrease and are 0 at displacement 0; 0: any forces"}},
+      {{"displacement", "m", Role::choice, Range::any(), "displacements of the points, increasing", std::nullopt, true},
+       {"force", "N", Role::scale, Range::any(), "forces of the points", std::nullopt, true},
+       {"monotone", "1", Role::choice, Range::closed(0.0, 1.0),
+        "1: the forces do not decrease and are 0 at displacement 0; 0: any forces", 1.0}},
       [](const ElementDescription& description) -> ElementPointer {
         return std::make_shared<const SpringTable>(description.list("displacement"), description.list("force"),
                                                    description.value("monotone") != 0.0);

@@ -77,14 +77,12 @@ Springpot::Springpot(const SpringpotLaw& law) : MaxwellBank(springpotBank(law)),
 ElementType springpotType() {
   return {"springpot",
           "Fractional element, K* = K_r (i f/f_r)^alpha: constant loss angle of 90 degrees times alpha.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt,
-            "magnitude K_r of K* at the reference frequency"},
-           {"order", "1", Role::shape, Range::open(0.0, 1.0), std::nullopt,
-            "order alpha; towards 0 a spring, towards 1 a dashpot"},
-           {"reference_frequency", "Hz", Role::reference, Range::positive(), 1.0, "reference frequency f_r"},
-           {"low_frequency", "Hz", Role::choice, Range::positive(), 0.001,
-            "lower end of the range in which K* holds within 0.1 %; far below the element relaxes"},
-           {"high_frequency", "Hz", Role::choice, Range::positive(), 1000.0, "upper end of that range"}},
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "magnitude K_r of K* at the reference frequency"},
+           {"order", "1", Role::shape, Range::open(0.0, 1.0), "order alpha; towards 0 a spring, towards 1 a dashpot"},
+           {"reference_frequency", "Hz", Role::reference, Range::positive(), "reference frequency f_r", 1.0},
+           {"low_frequency", "Hz", Role::choice, Range::positive(),
+            "lower end of the range in which K* holds within 0.1 %; far below the element relaxes", 0.001},
+           {"high_frequency", "Hz", Role::choice, Range::positive(), "upper end of that range", 1000.0}},
           [](const ElementDescription& description) -> ElementPointer {
             checkRange(description);
             return std::make_shared<const Springpot>(SpringpotLaw{

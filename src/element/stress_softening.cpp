@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "element/side.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::element {
@@ -114,22 +113,22 @@ double StressSoftening::step(const Motion& motion, const ComponentForce& /*force
 ElementType stressSofteningType() {
   return {"stress_softening",
           "Mullins effect: softer within displacements that were reached before.",
-          {{"reduction", "1", Role::shape, Range::closed(0.0, 0.9), std::nullopt,
-            "share R of the force that is lost deep within"},
-           {"width", "1", Role::shape, Range::closed(0.01, 10.0), 0.5,
-            "width w of the transition, as a share of that power at the largest past displacement"},
-           {"path", "m", Role::shape, Range::nonNegative(), 0.0, "travel over which softening sets in; 0: at once"},
-           {"reach_exponent", "1", Role::shape, Range::closed(0.0, 4.0), 0.0,
-            "power q of the reach by which the reduction grows; 0: the same at any reach"},
-           {"full_reach", "m", Role::shape, Range::nonNegative(), 0.0,
-            "largest past displacement at which the reduction is R and from which on it grows no more"},
-           {"recovery_time", "s", Role::shape, Range::nonNegative(), 0.0,
-            "time over which softening is lost again; 0: permanent"},
-           {"side", "1", Role::choice, Range::closed(-1.0, 1.0), 0.0,
-            "1: softens at z > 0 only, -1: at z < 0 only, 0: both"},
-           {"ratio_power", "1", Role::choice, Range::closed(0.5, 8.0), 2.0,
+          {{"reduction", "1", Role::shape, Range::closed(0.0, 0.9), "share R of the force that is lost deep within"},
+           {"width", "1", Role::shape, Range::closed(0.01, 10.0),
+            "width w of the transition, as a share of that power at the largest past displacement", 0.5},
+           {"path", "m", Role::shape, Range::nonNegative(), "travel over which softening sets in; 0: at once", 0.0},
+           {"reach_exponent", "1", Role::shape, Range::closed(0.0, 4.0),
+            "power q of the reach by which the reduction grows; 0: the same at any reach", 0.0},
+           {"full_reach", "m", Role::shape, Range::nonNegative(),
+            "largest past displacement at which the reduction is R and from which on it grows no more", 0.0},
+           {"recovery_time", "s", Role::shape, Range::nonNegative(),
+            "time over which softening is lost again; 0: permanent", 0.0},
+           {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: softens at z > 0 only, -1: at z < 0 only, 0: both",
+            0.0},
+           {"ratio_power", "1", Role::choice, Range::closed(0.5, 8.0),
             "power a of the displacement over the reach by which the transition goes; 2: by energy, 1: by "
-            "displacement"}},
+            "displacement",
+            2.0}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const StressSoftening>(parametersFrom(description));
           }};

@@ -7,6 +7,16 @@
 
 namespace rubber_suspension::element {
 
+/// The names of the rows of a table.
+template <class Rows>
+std::vector<std::string> namesOf(const Rows& rows) {
+  std::vector<std::string> names;
+  for (const auto& row : rows) {
+    names.push_back(row.name);
+  }
+  return names;
+}
+
 /// The letters to change, add, leave out or swap with their neighbour to get from one word to the other; case does not
 /// matter (optimal string alignment).
 std::size_t editDistance(const std::string& one, const std::string& other);

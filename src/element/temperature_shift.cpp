@@ -10,15 +10,17 @@ Range intersection(const Range& a, const Range& b) {
 }
 
 ParameterInfo verticalParameter(const std::string& name, const std::optional<double>& default_value) {
-  return {name,          "1/K",
-          Role::shape,   Range::closed(-1.0, 1.0),
-          default_value, "coefficient beta of the force, b_T = 1 + beta (T - T_0)"};
+  return {name,
+          "1/K",
+          Role::shape,
+          Range::closed(-1.0, 1.0),
+          "coefficient beta of the force, b_T = 1 + beta (T - T_0)",
+          default_value};
 }
 
 ParameterInfo referenceParameter() {
-  return {"reference",  "degC",
-          Role::choice, Range{-kZeroCelsius, 1000.0, true, false},
-          std::nullopt, "temperature T_0 at which all other values of the component hold"};
+  return {"reference", "degC", Role::choice, Range::openBelow(-kZeroCelsius, 1000.0),
+          "temperature T_0 at which all other values of the component hold"};
 }
 
 }  // namespace rubber_suspension::element

@@ -41,19 +41,16 @@ double ThixotropicMaxwell::step(const Motion& motion, double* memory) const {
 }
 
 ElementType thixotropicMaxwellType() {
-  return {"thixotropic_maxwell",
-          "Maxwell element whose stiffness k m breaks down with motion and builds up at rest, dm/dt = (1 - m)/T_b - m "
-          "|dz/dt|/s: rate and amplitude dependence that are coupled.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k of the unbroken structure"},
-           {"break_frequency", "Hz", Role::shape, Range::positive(), std::nullopt, "break frequency f_b"},
-           {"build_up_time", "s", Role::shape, Range::positive(), std::nullopt,
-            "time T_b over which the structure builds up at rest"},
-           {"travel", "m", Role::shape, Range::positive(), std::nullopt, "travel s over which motion breaks it by e"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const ThixotropicMaxwell>(
-                ThixotropicMaxwell::Parameters{description.value("stiffness"), description.value("break_frequency"),
-                                               description.value("build_up_time"), description.value("travel")});
-          }};
+  return {
+      "thixotropic_maxwell",
+      "Maxwell element whose stiffness k m breaks down with motion and builds up at rest, dm/dt = (1 - m)/T_b - m "
+      "|dz/dt|/s: rate and amplitude dependence that are coupled.",
+      {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the unbroken structure"},
+       {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b"},
+       {"build_up_time", "s", Role::shape, Range::positive(), "time T_b over which the structure builds up at rest"},
+       {"travel", "m", Role::shape, Range::positive(), "travel s over which motion breaks it by e"}},
+      makes<ThixotropicMaxwell, ThixotropicMaxwell::Parameters>("stiffness", "break_frequency", "build_up_time",
+                                                                "travel")};
 }
 
 }  // namespace rubber_suspension::element

@@ -81,10 +81,8 @@ ElementType timeDelayType() {
   return {"time_delay",
           "Force late against the displacement (delay > 0) or early (delay < 0).",
           {{"delay", "s", Role::shape, Range::closed(-TimeDelay::kLongestAdvance, TimeDelay::kLongestDelay),
-            std::nullopt, "delay T of the force; a negative one should be a few samples at most"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const TimeDelay>(description.value("delay"));
-          }};
+            "delay T of the force; a negative one should be a few samples at most"}},
+          makes<TimeDelay>("delay")};
 }
 
 }  // namespace rubber_suspension::element

@@ -23,14 +23,11 @@ Range TransitionShift::temperatures() const {
 ElementType transitionShiftType() {
   return {"transition_shift",
           "Shift of the force towards the glass transition, b_T = 1 + a (exp(-(T - T_0)/w) - 1).",
-          {{"share", "1", Role::shape, Range::closed(0.0, 100.0), std::nullopt,
+          {{"share", "1", Role::shape, Range::closed(0.0, 100.0),
             "share a of the force at T_0 that falls with the temperature"},
-           {"width", "K", Role::shape, Range::closed(0.1, 1000.0), std::nullopt, "width w over which it falls by e"},
+           {"width", "K", Role::shape, Range::closed(0.1, 1000.0), "width w over which it falls by e"},
            referenceParameter()},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const TransitionShift>(description.value("share"), description.value("width"),
-                                                           description.value("reference"));
-          }};
+          makes<TransitionShift>("share", "width", "reference")};
 }
 
 }  // namespace rubber_suspension::element

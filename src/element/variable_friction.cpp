@@ -41,23 +41,19 @@ double VariableFriction::step(const Motion& motion, double* memory) const {
 }
 
 ElementType variableFrictionType() {
-  return {
-      "variable_friction",
-      "Friction behind a contact spring that slides at k y m (1 + |z|/d): grows with displacement, wears with "
-      "travel (m), builds up at rest.",
-      {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k while it sticks"},
-       {"yield_displacement", "m", Role::shape, Range::positive(), std::nullopt,
-        "displacement y at which it slides about zero displacement, unworn"},
-       {"growth_displacement", "m", Role::shape, Range::nonNegative(), 0.0,
-        "displacement d at which the limit is twice that at zero; 0: no growth"},
-       {"travel", "m", Role::shape, Range::nonNegative(), 0.0, "travel s over which it wears by e; 0: no wear"},
-       {"build_up_time", "s", Role::shape, Range::nonNegative(), 0.0,
-        "time T_b over which it builds up again; 0: never"}},
-      [](const ElementDescription& description) -> ElementPointer {
-        return std::make_shared<const VariableFriction>(VariableFriction::Parameters{
-            description.value("stiffness"), description.value("yield_displacement"),
-            description.value("growth_displacement"), description.value("travel"), description.value("build_up_time")});
-      }};
+  return {"variable_friction",
+          "Friction behind a contact spring that slides at k y m (1 + |z|/d): grows with displacement, wears with "
+          "travel (m), builds up at rest.",
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
+           {"yield_displacement", "m", Role::shape, Range::positive(),
+            "displacement y at which it slides about zero displacement, unworn"},
+           {"growth_displacement", "m", Role::shape, Range::nonNegative(),
+            "displacement d at which the limit is twice that at zero; 0: no growth", 0.0},
+           {"travel", "m", Role::shape, Range::nonNegative(), "travel s over which it wears by e; 0: no wear", 0.0},
+           {"build_up_time", "s", Role::shape, Range::nonNegative(), "time T_b over which it builds up again; 0: never",
+            0.0}},
+          makes<VariableFriction, VariableFriction::Parameters>("stiffness", "yield_displacement",
+                                                                "growth_displacement", "travel", "build_up_time")};
 }
 
 }  // namespace rubber_suspension::element

@@ -24,10 +24,7 @@ ElementType verticalShiftType() {
   return {"vertical_shift",
           "Shift of the force alone with temperature, b_T = 1 + beta (T - T_0).",
           {verticalParameter("coefficient", std::nullopt), referenceParameter()},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const VerticalShift>(description.value("coefficient"),
-                                                         description.value("reference"));
-          }};
+          makes<VerticalShift>("coefficient", "reference")};
 }
 
 }  // namespace rubber_suspension::element

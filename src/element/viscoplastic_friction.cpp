@@ -5,11 +5,6 @@
 
 namespace rubber_suspension::element {
 
-double ViscoplasticFriction::initialise(double /*displacement*/, double* memory) const {
-  memory[0] = 0.0;
-  return 0.0;
-}
-
 // f + a f/(1 - |f|) = r with f = F/(k y), a = v_0 dt/y, r = f before + dz/y. f has the sign of r, and |f| is the
 // smaller root of f^2 - (1 + a + |r|) f + |r| = 0; both root and discriminant (|r| - 1 + a)^2 + 4 a without
 // cancellation.
@@ -25,15 +20,11 @@ ElementType viscoplasticFrictionType() {
   return {"viscoplastic_friction",
           "Friction that a rate brings to its limit, dF/dt = k (dz/dt - v_0 F/(k y - |F|)): at a steady rate v, "
           "F = k y v/(v_0 + |v|).",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k while it sticks"},
-           {"yield_displacement", "m", Role::shape, Range::positive(), std::nullopt,
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
+           {"yield_displacement", "m", Role::shape, Range::positive(),
             "displacement y of the spring at the limit k y of the force"},
-           {"half_rate", "m/s", Role::shape, Range::positive(), std::nullopt, "rate v_0 at half of the limit"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const ViscoplasticFriction>(description.value("stiffness"),
-                                                                description.value("yield_displacement"),
-                                                                description.value("half_rate"));
-          }};
+           {"half_rate", "m/s", Role::shape, Range::positive(), "rate v_0 at half of the limit"}},
+          makes<ViscoplasticFriction>("stiffness", "yield_displacement", "half_rate")};
 }
 
 }  // namespace rubber_suspension::element

@@ -22,17 +22,12 @@ ElementType wlfShiftType() {
   return {"wlf_shift",
           "Shift of all rates with temperature by Williams, Landel and Ferry, log10 a_T = -C_1 (T - T_0)/(C_2 + T - "
           "T_0); the key `temperature` of a component makes one.",
-          {{"c1", "1", Role::shape, Range{0.0, 100.0, true, false}, std::nullopt,
-            "constant C_1 at the reference temperature"},
-           {"c2", "K", Role::shape, Range{0.0, 1000.0, true, false}, std::nullopt,
+          {{"c1", "1", Role::shape, Range::openBelow(0.0, 100.0), "constant C_1 at the reference temperature"},
+           {"c2", "K", Role::shape, Range::openBelow(0.0, 1000.0),
             "constant C_2 at the reference temperature, a difference of temperatures"},
            referenceParameter(),
            verticalParameter("vertical", 0.0)},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const WlfShift>(
-                WlfShift::Parameters{description.value("c1"), description.value("c2"), description.value("reference"),
-                                     description.value("vertical")});
-          }};
+          makes<WlfShift, WlfShift::Parameters>("c1", "c2", "reference", "vertical")};
 }
 
 }  // namespace rubber_suspension::element

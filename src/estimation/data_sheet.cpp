@@ -7,7 +7,6 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -217,26 +216,18 @@ double compressionFactor(double shape_factor) {
 }
 
 const std::vector<element::ParameterInfo>& dataSheetParameters() {
+  using element::Range;
+  using element::Role;
   static const std::vector<element::ParameterInfo> table = {
-      {"shore_a", "1", element::Role::shape, element::Range::closed(kLowestHardness, kHighestHardness), std::nullopt,
-       "Shore A hardness"},
-      {"loaded_area", "m^2", element::Role::shape, element::Range::positive(), std::nullopt,
-       "loaded area of one layer"},
-      {"layer_thickness", "m", element::Role::shape, element::Range::positive(), std::nullopt,
-       "thickness of one layer of rubber"},
-      {"shape_factor", "1", element::Role::shape, element::Range::closed(kLowestShapeFactor, 50.0), std::nullopt,
+      {"shore_a", "1", Role::shape, Range::closed(kLowestHardness, kHighestHardness), "Shore A hardness"},
+      {"loaded_area", "m^2", Role::shape, Range::positive(), "loaded area of one layer"},
+      {"layer_thickness", "m", Role::shape, Range::positive(), "thickness of one layer of rubber"},
+      {"shape_factor", "1", Role::shape, Range::closed(kLowestShapeFactor, 50.0),
        "loaded area over force-free area of one layer"},
-      {"layers", "1", element::Role::choice, element::Range::closed(1.0, 100.0), 1.0, "layers in series"},
-      {"dynamic_to_static_ratio",
-       "1",
-       element::Role::shape,
-       {1.0, 10.0, true, false},
-       std::nullopt,
-       "K_n/K_st at the nominal frequency"},
-      {"second_frequency", "Hz", element::Role::reference, element::Range::positive(), std::nullopt,
-       "frequency of the second loss angle"},
-      {"second_loss_angle", "rad", element::Role::shape, element::Range::open(0.0, 0.5 * element::kPi), std::nullopt,
-       "loss angle there"},
+      {"layers", "1", Role::choice, Range::closed(1.0, 100.0), "layers in series", 1.0},
+      {"dynamic_to_static_ratio", "1", Role::shape, Range::openBelow(1.0, 10.0), "K_n/K_st at the nominal frequency"},
+      {"second_frequency", "Hz", Role::reference, Range::positive(), "frequency of the second loss angle"},
+      {"second_loss_angle", "rad", Role::shape, Range::open(0.0, 0.5 * element::kPi), "loss angle there"},
   };
   return table;
 }

@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "fit/parallel.h"
 #include "gap/simulate.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"

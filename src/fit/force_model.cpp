@@ -1,11 +1,8 @@
 // Simulated force over unknown parameters.
 #include "fit/force_model.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "log/even_blocks.h"
 #include "rubber_suspension/component/sample_stream.h"

@@ -4,8 +4,24 @@
 #include <cmath>
 
 #include "numerics/least_squares.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {
+namespace {
+
+// Over the samples of a log from `first` on, as many as the columns have rows, times `weight`.
+void fillTrends(const log::Record& record, Eigen::Index first, double weight, Eigen::Ref<Eigen::MatrixXd> columns) {
+  const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(columns.rows(), static_cast<double>(first),
+                                                        static_cast<double>(first + columns.rows() - 1)) /
+                              static_cast<double>(record.size() - 1);
+  columns.col(0).setConstant(weight);
+  columns.col(1) = weight * (time - 0.5);
+  for (Eigen::Index k = 2; k < kTrendsPerLog; ++k) {
+    columns.col(k) = weight * (time * element::kPi * static_cast<double>(k - 1)).cos();
+  }
+}
+
+}  // namespace
 
 void fillFreeInLog(FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated,
                    const Eigen::VectorXd& by_zero, Eigen::Index first, double weight,

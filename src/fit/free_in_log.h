@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 
-#include "fit/trends.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
+
+/// Of the slow trend of a log, a drift of its own: the zero, a ramp and eight half cosines.
+constexpr Eigen::Index kTrendsPerLog = 10;
 
 /// Which of them belong to a hypothesis.
 struct FreeInLog {

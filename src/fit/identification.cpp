@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <memory>
 #include <random>
 #include <stdexcept>
 

@@ -1,8 +1,6 @@
 // Fit to a table: the settled loops of the model against the points.
 #include "fit/table_fit.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Core>
 #include <cmath>
 #include <complex>

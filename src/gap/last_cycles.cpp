@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "rubber_suspension/element/constants.h"
-
 namespace rubber_suspension::gap {
 
 double meanFrequency(const log::Log& log) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -48,9 +47,7 @@ std::vector<double> secondsOf(const log::Log& log) {
 // The measured curve is broad and below, the simulated one thin and above: both are to be seen.
 io::Axes forceAxes(const std::string& x_label, const std::vector<double>& x, const log::Log& log,
                    const std::vector<double>& force, const Stretch& stretch, const ForceLabels& labels) {
-  io::Axes axes;
-  axes.x_label = x_label;
-  axes.y_label = "force [kN]";
+  io::Axes axes{"", x_label, "force [kN]"};
   if (!log.force.empty()) {
     axes.curves.push_back({labels.log, x, thinned(log.force, stretch, 1e-3), "-", 0, kBroad});
   }
@@ -62,9 +59,7 @@ io::Axes residualAxes(const std::vector<double>& seconds, const log::Log& log, c
                       const Stretch& stretch, const ForceLabels& labels) {
   std::vector<double> residual(log.size());
   std::transform(log.force.begin(), log.force.end(), force.begin(), residual.begin(), std::minus<>());
-  io::Axes axes;
-  axes.x_label = "time [s]";
-  axes.y_label = labels.log + " - " + labels.force + " [kN]";
+  io::Axes axes{"", "time [s]", labels.log + " - " + labels.force + " [kN]"};
   axes.curves.push_back({"", thinned(seconds, stretch, 1.0), thinned(residual, stretch, 1e-3), "-", 4});
   return axes;
 }
@@ -91,10 +86,8 @@ io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, c
     low.y.push_back(smallest);
     high.y.push_back(largest);
   }
-  io::Axes axes;
-  axes.title = "the whole log: smallest and largest";
-  axes.x_label = "time [s]";
-  axes.y_label = log.force.empty() ? "force [kN]" : labels.log + " - " + labels.force + " [kN]";
+  io::Axes axes{"the whole log: smallest and largest", "time [s]",
+                log.force.empty() ? "force [kN]" : labels.log + " - " + labels.force + " [kN]"};
   axes.curves = {low, high};
   return axes;
 }
@@ -188,8 +181,7 @@ io::Figure replayFigure(const std::string& component, const log::Log& log, const
   const std::vector<double> seconds = secondsOf(log);
   const std::vector<double> shown = thinned(seconds, stretch, 1.0);
   const std::vector<double> millimetres = thinned(log.displacement, stretch, 1e3);
-  io::Figure figure;
-  figure.title = fmt::format("{}, {}", component, log.name);
+  io::Figure figure{fmt::format("{}, {}", component, log.name)};
   if (stretch.first > 0) {
     figure.title +=
         fmt::format(": the last {:.3g} s of {:.5g} s", seconds.back() - seconds[stretch.first], seconds.back());

@@ -23,27 +23,13 @@ namespace {
 
 constexpr std::size_t kMaximumNameLength = 100;
 
-std::vector<std::string> namesOf(const std::vector<element::ParameterInfo>& table) {
-  std::vector<std::string> names;
-  for (const element::ParameterInfo& parameter : table) {
-    names.push_back(parameter.name);
-  }
-  return names;
-}
+using element::namesOf;
 
 std::vector<std::string> modelNames() {
   std::vector<std::string> names;
   for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
        ++i) {
     names.push_back(estimation::toString(static_cast<estimation::Model>(i)));
-  }
-  return names;
-}
-
-std::vector<std::string> elementTypeNames() {
-  std::vector<std::string> names;
-  for (const element::ElementType& type : element::elementTypes()) {
-    names.push_back(type.name);
   }
   return names;
 }
@@ -138,14 +124,6 @@ const std::vector<ShiftLaw>& shiftLaws() {
   return laws;
 }
 
-std::vector<std::string> shiftNames() {
-  std::vector<std::string> names;
-  for (const ShiftLaw& law : shiftLaws()) {
-    names.push_back(law.name);
-  }
-  return names;
-}
-
 // The unit of a rotation for one of a translation: rad for m, N m for N. Itself where it has neither.
 std::string rotationalUnit(const std::string& unit) {
   static const std::map<std::string, std::string> units = {
@@ -176,13 +154,11 @@ class Loader {
 
   std::vector<ComponentDescription> load(const std::string& text) {
     const YAML::Node root = parse(text);
-    if (!root.IsMap()) {
-      refuse(root, "", fmt::format("{}; accepted: a map with the key 'components'", kindOf(root)));
-    }
+    requireMap(root, "", "a map with the key 'components'");
     checkKeys(root, "", {"components"});
     const YAML::Node components = require(root, "", "components", "a map of components by name");
     if (!components.IsMap() || components.size() == 0) {
-      refuse(components, "components", fmt::format("{}; accepted: a map of components by name", kindOf(components)));
+      refuseContent(components, "components", "a map of components by name");
     }
     if (components.size() > kMaximumComponents) {
       refuse(components, "components",
@@ -209,6 +185,24 @@ class Loader {
     const auto key_line = node.IsNull() ? lines_of_nothing_.find(node.Mark().pos) : lines_of_nothing_.end();
     const int line = key_line == lines_of_nothing_.end() ? node.Mark().line : key_line->second;
     refuseLine(std::max(line + 1, 1), path, problem);
+  }
+
+  // By what stands there.
+  [[noreturn]] void refuseContent(const YAML::Node& node, const std::string& path, const std::string& accepted) const {
+    refuse(node, path, kindOf(node) + "; accepted: " + accepted);
+  }
+
+  // A word that is none of these names.
+  [[noreturn]] void refuseWord(const YAML::Node& node, const std::string& path, const std::string& wanted,
+                               const std::vector<std::string>& names) const {
+    refuse(node, path,
+           fmt::format("{} is not {}{}; accepted: {}", kindOf(node), wanted, hintOf(node, names), log::join(names)));
+  }
+
+  void requireMap(const YAML::Node& node, const std::string& path, const std::string& accepted = "a map") const {
+    if (!node.IsMap()) {
+      refuseContent(node, path, accepted);
+    }
   }
 
   YAML::Node parse(const std::string& text) const {
@@ -279,8 +273,7 @@ class Loader {
     for (std::size_t i = 0; i < (list ? sources.size() : 1); ++i) {
       const YAML::Node source = list ? sources[i] : sources;
       if (!source.IsMap() || source.is(map) || depth == kDeepest) {
-        refuse(source, child(path, kMerge),
-               fmt::format("{}; accepted: an anchor of another map, or a list of such", kindOf(source)));
+        refuseContent(source, child(path, kMerge), "an anchor of another map, or a list of such");
       }
       merge(source, path, depth + 1);
       for (const auto& entry : source) {
@@ -330,10 +323,7 @@ class Loader {
     }
     component_ = key.Scalar();
     units_.clear();
-    if (!node.IsMap()) {
-      refuse(node, "",
-             fmt::format("{}; accepted: a map with the key 'model', or 'directions' for six of them", kindOf(node)));
-    }
+    requireMap(node, "", "a map with the key 'model', or 'directions' for six of them");
     checkUnique(node, "");
     return node["directions"].IsDefined() ? loadSixDirections(key, node) : loadOneDirection(key, node);
   }
@@ -367,7 +357,7 @@ class Loader {
     }
     const YAML::Node directions = node["directions"];
     if (!directions.IsMap() || directions.size() == 0) {
-      refuse(directions, "directions", fmt::format("{}; accepted: a map of x, y, z, rx, ry, rz", kindOf(directions)));
+      refuseContent(directions, "directions", "a map of x, y, z, rx, ry, rz");
     }
     checkKeys(directions, "directions", directionNames());
     for (const auto& entry : directions) {
@@ -442,12 +432,10 @@ class Loader {
     if (const YAML::Node valid = node["valid_rotation"]) {
       const element::Range range{0.0, arrangement.valid_rotation, true, false};
       arrangement.valid_rotation =
-          loadNumber(valid, "valid_rotation", {"valid_rotation", "rad", element::Role::choice, range, {}, ""});
+          loadNumber(valid, "valid_rotation", {"valid_rotation", "rad", element::Role::choice, range, ""});
     }
     if (const YAML::Node frame = node["frame"]) {
-      if (!frame.IsMap()) {
-        refuse(frame, "frame", fmt::format("{}; accepted: a map with the keys a and b, the bodies", kindOf(frame)));
-      }
+      requireMap(frame, "frame", "a map with the keys a and b, the bodies");
       checkKeys(frame, "frame", {"a", "b"});
       six.frame_on_a = loadFrame(frame["a"], "frame.a");
       six.frame_on_b = loadFrame(frame["b"], "frame.b");
@@ -487,9 +475,7 @@ class Loader {
     if (!node.IsDefined()) {
       return frame;
     }
-    if (!node.IsMap()) {
-      refuse(node, path, fmt::format("{}; accepted: a map with the keys position and rotation", kindOf(node)));
-    }
+    requireMap(node, path, "a map with the keys position and rotation");
     checkKeys(node, path, {"position", "rotation"});
     if (const YAML::Node position = node["position"]) {
       frame.head<3>() = loadThree(position, child(path, "position"), "m");
@@ -501,18 +487,16 @@ class Loader {
   }
 
   Eigen::Vector3d loadThree(const YAML::Node& node, const std::string& path, const std::string& unit) {
-    const element::ParameterInfo row{"", unit, element::Role::choice, element::Range::any(), {}, "", true};
+    const element::ParameterInfo row{"", unit, element::Role::choice, element::Range::any(), "", {}, true};
     if (!node.IsSequence() || node.size() != 3) {
-      refuse(node, path, fmt::format("{}; accepted: a list of three, along or about x, y, z", kindOf(node)));
+      refuseContent(node, path, "a list of three, along or about x, y, z");
     }
     const std::vector<double> values = loadNumbers(node, path, row);
     return {values[0], values[1], values[2]};
   }
 
   void loadPreloads(const YAML::Node& node, SixDirectionsDescription& six) {
-    if (!node.IsMap()) {
-      refuse(node, "preload", fmt::format("{}; accepted: a map of a load by direction", kindOf(node)));
-    }
+    requireMap(node, "preload", "a map of a load by direction");
     checkKeys(node, "preload", directionNames());
     for (const auto& entry : node) {
       const auto direction = *component::directionFromString(entry.first.Scalar());
@@ -532,13 +516,12 @@ class Loader {
       preload.is_force = true;
     }
     if (unit.empty()) {
-      refuse(
-          node, path,
-          fmt::format("{}; accepted: text with a unit, a static {}", kindOf(node),
-                      turns ? "moment ('20 N m') or rotation ('2 deg')" : "force ('2 kN') or displacement ('1 mm')"));
+      refuseContent(node, path,
+                    fmt::format("text with a unit, a static {}", turns ? "moment ('20 N m') or rotation ('2 deg')"
+                                                                       : "force ('2 kN') or displacement ('1 mm')"));
     }
     const std::string si = preload.is_force ? (turns ? "N m" : "N") : (turns ? "rad" : "m");
-    preload.value = loadNumber(node, path, {"", si, element::Role::choice, element::Range::any(), {}, ""});
+    preload.value = loadNumber(node, path, {"", si, element::Role::choice, element::Range::any(), ""});
     return preload;
   }
 
@@ -560,17 +543,17 @@ class Loader {
     const YAML::Node preload = require(node, path, "preload", "a list of loads with units");
     const YAML::Node factor = require(node, path, "factor", "a list of as many factors");
     table.factor = loadNumbers(factor, child(path, "factor"),
-                               {"", "1", element::Role::choice, element::Range::positive(), {}, "", true});
+                               {"", "1", element::Role::choice, element::Range::positive(), "", {}, true});
     if (!preload.IsSequence() || preload.size() != table.factor.size()) {
-      refuse(preload, child(path, "preload"),
-             fmt::format("{}; accepted: a list of {}, as many as factors", kindOf(preload), table.factor.size()));
+      refuseContent(preload, child(path, "preload"),
+                    fmt::format("a list of {}, as many as factors", table.factor.size()));
     }
     for (std::size_t i = 0; i < preload.size(); ++i) {
       const std::string place = fmt::format("{}[{}]", child(path, "preload"), i);
       table.preload.push_back(loadPreload(preload[i], place, table.by));
       if (i > 0 && !(table.preload[i].is_force == table.preload[0].is_force &&
                      table.preload[i].value > table.preload[i - 1].value)) {
-        refuse(preload[i], place, kindOf(preload[i]) + "; accepted: loads of one kind that increase");
+        refuseContent(preload[i], place, "loads of one kind that increase");
       }
     }
     try {
@@ -588,9 +571,7 @@ class Loader {
     const std::optional<estimation::Model> found =
         model.IsScalar() ? estimation::modelFromString(model.Scalar()) : std::nullopt;
     if (!found) {
-      refuse(model, "model",
-             fmt::format("{} is not a model{}; accepted: {}", kindOf(model), hintOf(model, modelNames()),
-                         log::join(modelNames())));
+      refuseWord(model, "model", "a model", modelNames());
     }
     return *found;
   }
@@ -617,14 +598,8 @@ class Loader {
   }
 
   RigTolerances loadRig(const YAML::Node& node) {
-    if (!node.IsMap()) {
-      refuse(node, "rig", fmt::format("{}; accepted: a map", kindOf(node)));
-    }
-    std::vector<std::string> names;
-    for (const RigToleranceInfo& row : rigToleranceTable()) {
-      names.push_back(row.name);
-    }
-    checkKeys(node, "rig", names);
+    requireMap(node, "rig");
+    checkKeys(node, "rig", namesOf(rigToleranceTable()));
     RigTolerances tolerances;
     for (const RigToleranceInfo& row : rigToleranceTable()) {
       if (const YAML::Node value = node[row.name]) {
@@ -635,23 +610,18 @@ class Loader {
   }
 
   const ShiftLaw& loadShift(const YAML::Node& node) const {
-    const std::string accepted_names = log::join(shiftNames());
-    const YAML::Node shift = require(node, "temperature", "shift", accepted_names);
     const auto& laws = shiftLaws();
+    const YAML::Node shift = require(node, "temperature", "shift", log::join(namesOf(laws)));
     const auto found = std::find_if(
         laws.begin(), laws.end(), [&](const ShiftLaw& law) { return shift.IsScalar() && shift.Scalar() == law.name; });
     if (found == laws.end()) {
-      refuse(shift, "temperature.shift",
-             fmt::format("{} is not a law of temperature{}; accepted: {}", kindOf(shift), hintOf(shift, shiftNames()),
-                         accepted_names));
+      refuseWord(shift, "temperature.shift", "a law of temperature", namesOf(laws));
     }
     return *found;
   }
 
   element::ElementDescription loadTemperature(const YAML::Node& node) {
-    if (!node.IsMap()) {
-      refuse(node, "temperature", fmt::format("{}; accepted: a map with the key 'shift'", kindOf(node)));
-    }
+    requireMap(node, "temperature", "a map with the key 'shift'");
     checkUnique(node, "temperature");
     const ShiftLaw& law = loadShift(node);
     const std::vector<element::ParameterInfo>& table = element::findElementType(law.type)->parameters;
@@ -661,7 +631,7 @@ class Loader {
     element::ElementDescription description{law.type, {}};
     for (element::ParameterInfo parameter : table) {
       if (parameter.name == "activation_energy") {
-        parameter.range = element::Range{0.0, parameter.range.upper, true, false};
+        parameter.range = element::Range::openBelow(0.0, parameter.range.upper);
       }
       const std::string path = child("temperature", parameter.name);
       if (parameter.name != kVertical) {
@@ -725,9 +695,7 @@ class Loader {
   }
 
   ComponentDescription loadSpecification(const YAML::Node& node, estimation::Model model, const YAML::Node& add) {
-    if (!node.IsMap()) {
-      refuse(node, "specification", fmt::format("{}; accepted: a map", kindOf(node)));
-    }
+    requireMap(node, "specification");
     estimation::Specification specification =
         loadNumbers(node, "specification", {"describes", "static_curve", "scale_with", "points", "preloads"});
     loadDescribed(node, specification);
@@ -827,14 +795,12 @@ class Loader {
 
   estimation::StaticCurve loadCurve(const YAML::Node& node, const YAML::Node& scale) {
     const std::string path = "specification.static_curve";
-    if (!node.IsMap()) {
-      refuse(node, path, fmt::format("{}; accepted: a map with the lists displacement and force", kindOf(node)));
-    }
+    requireMap(node, path, "a map with the lists displacement and force");
     checkKeys(node, path, {"displacement", "force", "monotone"});
     estimation::StaticCurve curve;
     for (const auto& [key, unit, list] :
          {std::tuple("displacement", "m", &curve.displacement), std::tuple("force", "N", &curve.force)}) {
-      const element::ParameterInfo row{key, unit, element::Role::choice, element::Range::any(), {}, "", true};
+      const element::ParameterInfo row{key, unit, element::Role::choice, element::Range::any(), "", {}, true};
       *list = loadNumbers(require(node, path, key, "a list"), child(path, key), row);
     }
     if (const YAML::Node monotone = node["monotone"]) {
@@ -853,14 +819,12 @@ class Loader {
   template <class Entry, class Load>
   std::vector<Entry> loadMaps(const YAML::Node& node, const std::string& path, Load load) {
     if (!node.IsSequence() || node.size() == 0 || node.size() > kMaximumElements) {
-      refuse(node, path, fmt::format("{}; accepted: a list of 1 to {} maps", kindOf(node), kMaximumElements));
+      refuseContent(node, path, fmt::format("a list of 1 to {} maps", kMaximumElements));
     }
     std::vector<Entry> entries;
     for (std::size_t i = 0; i < node.size(); ++i) {
       const std::string place = fmt::format("{}[{}]", path, i);
-      if (!node[i].IsMap()) {
-        refuse(node[i], place, fmt::format("{}; accepted: a map", kindOf(node[i])));
-      }
+      requireMap(node[i], place);
       entries.push_back(load(node[i], place));
     }
     return entries;
@@ -870,7 +834,7 @@ class Loader {
     checkKeys(node, path, {"frequency", "amplitude", "stiffness", "loss_angle", "weight"});
     const auto number = [&](const char* key, const char* row) -> std::optional<double> {
       const YAML::Node value = node[key];
-      element::ParameterInfo parameter{"", "1", element::Role::choice, element::Range::positive(), {}, ""};
+      element::ParameterInfo parameter{"", "1", element::Role::choice, element::Range::positive(), ""};
       if (row != nullptr) {
         parameter = *element::findParameter(estimation::specificationParameters(), row);
       }
@@ -951,9 +915,8 @@ class Loader {
       return {loadNumber(node, path, parameter)};
     }
     if (!node.IsSequence() || node.size() == 0 || node.size() > kMaximumListLength) {
-      refuse(node, path,
-             fmt::format("{}; accepted: a list of 1 to {} numbers, each {}", kindOf(node), kMaximumListLength,
-                         accepted(here(parameter))));
+      refuseContent(node, path,
+                    fmt::format("a list of 1 to {} numbers, each {}", kMaximumListLength, accepted(here(parameter))));
     }
     std::vector<double> values;
     for (std::size_t i = 0; i < node.size(); ++i) {
@@ -966,7 +929,7 @@ class Loader {
   std::vector<element::ElementDescription> loadEntries(const YAML::Node& node, const std::string& path,
                                                        const estimation::Specification* specification = nullptr) {
     if (!node.IsSequence()) {
-      refuse(node, path, fmt::format("{}; accepted: a list of elements", kindOf(node)));
+      refuseContent(node, path, "a list of elements");
     }
     if (node.size() > kMaximumElements) {
       refuse(node, path, fmt::format("{} elements; accepted: at most {}", node.size(), kMaximumElements));
@@ -979,16 +942,13 @@ class Loader {
   }
 
   const element::ElementType& loadType(const YAML::Node& node, const std::string& path) {
-    if (!node.IsMap()) {
-      refuse(node, path, fmt::format("{}; accepted: a map with the key 'type'", kindOf(node)));
-    }
+    requireMap(node, path, "a map with the key 'type'");
     checkUnique(node, path);
-    const YAML::Node type = require(node, path, "type", log::join(elementTypeNames()));
+    const std::vector<std::string> names = namesOf(element::elementTypes());
+    const YAML::Node type = require(node, path, "type", log::join(names));
     const element::ElementType* found = type.IsScalar() ? element::findElementType(type.Scalar()) : nullptr;
     if (found == nullptr) {
-      refuse(type, child(path, "type"),
-             fmt::format("{} is not an element{}; accepted: {}", kindOf(type), hintOf(type, elementTypeNames()),
-                         log::join(elementTypeNames())));
+      refuseWord(type, child(path, "type"), "an element", names);
     }
     return *found;
   }

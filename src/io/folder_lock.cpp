@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <stdexcept>
 #include <system_error>
 
 #include "io/output_files.h"
@@ -14,11 +13,7 @@
 namespace rubber_suspension::io {
 
 FolderLock::FolderLock(std::filesystem::path folder) : folder_(std::move(folder)) {
-  std::error_code failure;
-  made_ = std::filesystem::create_directories(folder_, failure);
-  if (failure) {
-    throw std::runtime_error(folder_.string() + ": cannot be made: " + failure.message());
-  }
+  made_ = makeFolder(folder_.string());
   if (made_) {
     removal_.emplace(folder_.string());
   }

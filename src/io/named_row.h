@@ -19,8 +19,7 @@ template <class Row>
 const Row& namedRow(const std::vector<Row>& table, const std::string& key, const std::string& otherwise) {
   const auto found = std::find_if(table.begin(), table.end(), [&](const Row& row) { return row.name == key; });
   if (found == table.end()) {
-    std::vector<std::string> names(table.size());
-    std::transform(table.begin(), table.end(), names.begin(), [](const Row& row) { return row.name; });
+    const std::vector<std::string> names = element::namesOf(table);
     throw std::invalid_argument(fmt::format("{}: {}{}; accepted: {}", log::quoted(key), otherwise,
                                             element::didYouMean(key, names), log::join(names)));
   }

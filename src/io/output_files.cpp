@@ -228,6 +228,15 @@ void refuseEqualLogs(const std::vector<InputFile>& logs) {
   }
 }
 
+bool makeFolder(const std::string& folder) {
+  std::error_code error;
+  const bool made = fs::create_directories(folder, error);
+  if (error) {
+    failToMake(folder, error.message());
+  }
+  return made;
+}
+
 std::string makeRunFolder(const std::string& folder, const std::vector<std::string>& records) {
   fs::path base(folder);
   base = base.has_filename() ? base : base.parent_path();  // without a slash at the end

@@ -68,6 +68,9 @@ void refuseEqualLogs(const std::vector<InputFile>& logs);
 /// True for a file of that kind.
 bool isOfKind(const std::string& path, FileKind kind);
 
+/// Makes a folder with those above it; true where it was not there. Throws std::runtime_error that begins with it.
+bool makeFolder(const std::string& folder);
+
 /// The folder for the records of a run, which never replaces an earlier one: `folder` itself, made where missing,
 /// unless one of the records stands in it or is being written; then the next free number, run_1, run_2 or NAME, NAME_2.
 /// `records` are names of files in it. Throws std::runtime_error where it cannot be made.

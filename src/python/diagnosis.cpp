@@ -2,7 +2,6 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 #include <algorithm>
-#include <memory>
 
 #include "python/bindings.h"
 

@@ -18,10 +18,7 @@ const element::ParameterInfo& findParameter(const element::ElementType& type, co
   if (const element::ParameterInfo* parameter = element::findParameter(type.parameters, name)) {
     return *parameter;
   }
-  std::vector<std::string> names;
-  for (const element::ParameterInfo& parameter : type.parameters) {
-    names.push_back(parameter.name);
-  }
+  const std::vector<std::string> names = element::namesOf(type.parameters);
   throw std::invalid_argument(fmt::format("{}: unknown key '{}'{}; accepted: {}", type.name, name,
                                           element::didYouMean(name, names), log::join(names)));
 }
@@ -34,10 +31,7 @@ const element::ElementType& findType(const py::dict& entry) {
   if (const element::ElementType* type = element::findElementType(name)) {
     return *type;
   }
-  std::vector<std::string> names;
-  for (const element::ElementType& type : element::elementTypes()) {
-    names.push_back(type.name);
-  }
+  const std::vector<std::string> names = element::namesOf(element::elementTypes());
   throw std::invalid_argument(
       fmt::format("'{}' is not an element{}; accepted: {}", name, element::didYouMean(name, names), log::join(names)));
 }

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "bag/header_stamp.h"
 #include "ros_interface/connection.h"
 

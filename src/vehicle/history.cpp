@@ -2,12 +2,8 @@
 #include "vehicle/history.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <stdexcept>
 
 #include "log/new_file.h"
@@ -22,25 +18,14 @@ void checkSizes(std::size_t size, std::size_t reference) {
   }
 }
 
-// A CSV file that `write` fills.
-template <class Write>
-void writeCsv(const std::string& path, Write write) {
-  log::NewFile new_file(path);
-  std::ofstream file(new_file.writingPath());
-  write(file);
-  file.close();
-  if (!file) {
-    throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
-  }
-  new_file.commit();
-}
-
 // Behind others, to the last bit.
 template <class Numbers>
-void writeNumbers(std::ofstream& file, const Numbers& numbers) {
+std::string numbersText(const Numbers& numbers) {
+  std::string text;
   for (const double number : numbers) {
-    file << fmt::format(",{:.17g}", number);
+    text += fmt::format(",{:.17g}", number);
   }
+  return text;
 }
 
 }  // namespace
@@ -78,56 +63,47 @@ PerBush<double> displacementDifference(const PerBush<component::SixDirections>& 
 }
 
 void writeHistoryCsv(const std::string& path, const History& history) {
-  writeCsv(path, [&](std::ofstream& file) {
-    file << "time_s,frame_m,pitch_rad,body_m";
-    for (const std::string& name : strutNames()) {
-      file << ',' << name << "_displacement_m," << name << "_force_N";
+  std::string text = "time_s,frame_m,pitch_rad,body_m";
+  for (const std::string& name : strutNames()) {
+    text += fmt::format(",{0}_displacement_m,{0}_force_N", name);
+  }
+  text += '\n';
+  for (std::size_t n = 0; n < history.size(); ++n) {
+    text += fmt::format("{:.9f}", history.time[n]) + numbersText(history.position[n]);
+    for (std::size_t i = 0; i < kStruts; ++i) {
+      text += fmt::format(",{:.17g},{:.17g}", history.compression[n][i], history.force[n][i]);
     }
-    file << '\n';
-    for (std::size_t n = 0; n < history.size(); ++n) {
-      const auto& q = history.position[n];
-      file << fmt::format("{:.9f},{:.17g},{:.17g},{:.17g}", history.time[n], q[0], q[1], q[2]);
-      for (std::size_t i = 0; i < kStruts; ++i) {
-        file << fmt::format(",{:.17g},{:.17g}", history.compression[n][i], history.force[n][i]);
-      }
-      file << '\n';
-    }
-  });
+    text += '\n';
+  }
+  log::writeNewFile(path, text);
 }
 
 void writeHistoryCsv(const std::string& path, const PerBush<std::string>& names,
                      const PerBush<component::SixDirections>& components, const BushedHistory& history) {
-  writeCsv(path, [&](std::ofstream& file) {
-    file << "time_s";
-    for (const std::string& name : names) {
-      for (const char* column :
-           {"x_m", "y_m", "z_m", "rx_rad", "ry_rad", "rz_rad", "Fx_N", "Fy_N", "Fz_N", "Mx_Nm", "My_Nm", "Mz_Nm"}) {
-        file << ',' << name << '_' << column;
-      }
+  std::string text = "time_s";
+  for (const std::string& name : names) {
+    for (const char* column :
+         {"x_m", "y_m", "z_m", "rx_rad", "ry_rad", "rz_rad", "Fx_N", "Fy_N", "Fz_N", "Mx_Nm", "My_Nm", "Mz_Nm"}) {
+      text += fmt::format(",{}_{}", name, column);
     }
-    file << '\n';
-    for (std::size_t n = 0; n < history.size(); ++n) {
-      file << fmt::format("{:.9f}", history.time[n]);
-      for (std::size_t i = 0; i < components.size(); ++i) {
-        const component::SixNumbers q = components[i].coordinates(history.pose[n][i]);
-        const component::Wrench& wrench = history.wrench[n][i];
-        writeNumbers(file, q);
-        writeNumbers(file, wrench.force);
-        writeNumbers(file, wrench.moment);
-      }
-      file << '\n';
+  }
+  text += '\n';
+  for (std::size_t n = 0; n < history.size(); ++n) {
+    text += fmt::format("{:.9f}", history.time[n]);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+      const component::SixNumbers q = components[i].coordinates(history.pose[n][i]);
+      const component::Wrench& wrench = history.wrench[n][i];
+      text += numbersText(q) + numbersText(wrench.force) + numbersText(wrench.moment);
     }
-  });
+    text += '\n';
+  }
+  log::writeNewFile(path, text);
 }
 
 io::Figure historyFigure(const History& history, const History& reference, const std::string& title) {
-  io::Figure figure;
-  figure.title = title;
+  io::Figure figure{title};
   for (std::size_t i = 0; i < kStruts; ++i) {
-    io::Axes displacement;
-    displacement.title = strutNames()[i];
-    displacement.x_label = "time [s]";
-    displacement.y_label = "displacement [mm]";
+    io::Axes displacement{strutNames()[i], "time [s]", "displacement [mm]"};
     io::Curve with{"loop", history.time, {}, "-", 1};
     io::Curve without{"undelayed", reference.time, {}, "-", 0};
     io::Axes difference = displacement;

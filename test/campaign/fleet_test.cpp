@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/fleet_report.h"
+#include "campaign/collect.h"
 
 namespace rubber_suspension {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/report/candidate_section.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/model_values.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"

@@ -1,11 +1,10 @@
 // The figure of `diagnose --plot`: one picture each of where and how much, with what was found in its title.
-#include "diagnosis/report/overview_figure.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 
+#include "diagnosis/report/report_figures.h"
 #include "diagnosis/results/workings.h"
 #include "rubber_suspension/element/constants.h"
 

@@ -14,11 +14,8 @@
 #include <regex>
 #include <sstream>
 
-#include "diagnosis/report/candidate_section.h"
-#include "diagnosis/report/figure_data.h"
-#include "diagnosis/report/finding_advice.h"
-#include "diagnosis/report/first_screen.h"
-#include "diagnosis/report/page_style.h"
+#include "diagnosis/report/page.h"
+#include "diagnosis/report/report_figures.h"
 #include "diagnosis/report/run_record.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/augmented.h"

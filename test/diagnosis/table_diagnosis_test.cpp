@@ -12,7 +12,7 @@
 #include <string>
 
 #include "diagnosis/laboratory.h"
-#include "diagnosis/report/table_section.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/table/scatter.h"
 
 namespace rubber_suspension::diagnosis {

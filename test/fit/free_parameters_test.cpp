@@ -81,17 +81,17 @@ TEST(FreeParameters, IncludeDefaults) {
 }
 
 TEST(IsFree, KeepsEndsOfRangesListsChoicesAndReferences) {
-  const element::ParameterInfo share{"share", "1", element::Role::shape, {0.0, 1.0, true, false}, 1.0, "share"};
+  const element::ParameterInfo share{"share", "1", element::Role::shape, {0.0, 1.0, true, false}, "share", 1.0};
   EXPECT_FALSE(element::isFree(share, {1.0}));
   EXPECT_TRUE(element::isFree(share, {0.9}));
-  element::ParameterInfo other{"other", "1", element::Role::scale, element::Range::any(), std::nullopt, "other"};
+  element::ParameterInfo other{"other", "1", element::Role::scale, element::Range::any(), "other"};
   EXPECT_TRUE(element::isFree(other, {-2.0}));
   EXPECT_FALSE(element::isFree(other, {0.0}));
   for (const element::Role role : {element::Role::choice, element::Role::reference}) {
     other.role = role;
     EXPECT_FALSE(element::isFree(other, {2.0}));
   }
-  const element::ParameterInfo list{"list", "N", element::Role::scale, element::Range::any(), {}, "list", true};
+  const element::ParameterInfo list{"list", "N", element::Role::scale, element::Range::any(), "list", {}, true};
   EXPECT_FALSE(element::isFree(list, {1.0, 2.0}));
 }
 

@@ -20,7 +20,6 @@ class MaxwellAlongCurve final : public ParallelElement {
   MaxwellAlongCurve(PositionTable stiffness /* k(z) [N/m] */, double break_frequency /* f_b [Hz] */);
 
   std::size_t memorySize() const override { return 1; }
-  double initialise(double /*displacement*/, double* memory) const override { return memory[0] = 0.0; }
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::viscous; }
 
@@ -34,7 +33,6 @@ class DashpotAlongCurve final : public ParallelElement {
  public:
   explicit DashpotAlongCurve(PositionTable damping /* c(z) [N s/m] */) : damping_(std::move(damping)) {}
 
-  double initialise(double /*displacement*/, double* /*memory*/) const override { return 0.0; }
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::viscous; }
 

@@ -27,7 +27,6 @@ class BoucWen final : public ParallelElement {
   double limit() const { return scale_ * limit_; }
 
   std::size_t memorySize() const override { return 1; }
-  double initialise(double /*displacement*/, double* memory) const override { return memory[0] = 0.0; }
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::friction; }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -37,6 +38,19 @@ struct ElementType {
   /// values that are each in range makes no sense.
   std::function<ElementPointer(const ElementDescription&)> make;
 };
+
+/// Makes a law from its parameters of these names, in the order of its constructor's arguments or, where these are one
+/// struct, of the members of it.
+template <class Law, class Arguments = void, class... Names>
+std::function<ElementPointer(const ElementDescription&)> makes(Names... names) {
+  return [=](const ElementDescription& description) -> ElementPointer {
+    if constexpr (std::is_void_v<Arguments>) {
+      return std::make_shared<const Law>(description.value(names)...);
+    } else {
+      return std::make_shared<const Law>(Arguments{description.value(names)...});
+    }
+  };
+}
 
 /// All laws, in the order of the reference page.
 const std::vector<ElementType>& elementTypes();

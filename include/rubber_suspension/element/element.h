@@ -1,6 +1,7 @@
 // The interfaces that every law implements; a law keeps its parameters, its memory is handed in. No law throws.
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <optional>
@@ -70,7 +71,11 @@ class Element {
 class ParallelElement : public Element {
  public:
   /// Initialise the memory for a component at rest at this displacement [m], relaxed since long; returns the force [N].
-  virtual double initialise(double displacement, double* memory) const = 0;
+  /// Zeros and no force, unless a law says otherwise.
+  virtual double initialise(double /*displacement*/, double* memory) const {
+    std::fill_n(memory, memorySize(), 0.0);
+    return 0.0;
+  }
 
   /// Bring the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
   /// force there [N].

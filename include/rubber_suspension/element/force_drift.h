@@ -12,7 +12,6 @@ class ForceDrift final : public ParallelElement {
   explicit ForceDrift(double rate /* r [N/s] */) : rate_(rate) {}
 
   std::size_t memorySize() const override { return 1; }
-  double initialise(double /*displacement*/, double* memory) const override { return memory[0] = 0.0; }
   double step(const Motion& motion, double* memory) const override { return rate_ * (memory[0] += motion.dt); }
   Part part() const override { return Part::elastic; }
   bool onRig() const override { return true; }

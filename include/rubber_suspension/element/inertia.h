@@ -16,7 +16,6 @@ class Inertia final : public ParallelElement {
   explicit Inertia(double mass /* m [kg] */) : mass_(mass) {}
 
   std::size_t memorySize() const override { return 4; }
-  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::elastic; }
   bool onRig() const override { return true; }
@@ -38,7 +37,6 @@ class SmoothedInertia final : public ParallelElement {
   SmoothedInertia(double mass /* m [kg] */, double bandwidth /* w_b/(2 pi) [Hz] */);
 
   std::size_t memorySize() const override { return kLags; }
-  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::elastic; }
   bool onRig() const override { return true; }

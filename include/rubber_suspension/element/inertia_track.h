@@ -29,7 +29,6 @@ class InertiaTrack final : public ParallelElement {
   double stiffness() const { return stiffness_; }
 
   std::size_t memorySize() const override { return kMemorySize; }
-  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::viscous; }
   std::optional<std::complex<double>> complexStiffness(double omega) const override;

@@ -34,7 +34,6 @@ class Maxwell final : public ParallelElement {
   double rate() const { return rate_; }                       ///< 1/tau [1/s]
 
   std::size_t memorySize() const override { return 1; }
-  double initialise(double /*displacement*/, double* memory) const override { return memory[0] = 0.0; }
   double step(const Motion& motion, double* memory) const override {
     const MaxwellStep coefficients(stiffness_, Relaxation::over(motion.dt * rate_));
     return memory[0] = maxwellForce(coefficients.decay, coefficients.gain, memory[0], motion.increment);

@@ -18,7 +18,6 @@ class MaxwellBank : public ParallelElement {
   const std::vector<Maxwell>& elements() const { return elements_; }
 
   std::size_t memorySize() const override { return elements_.size(); }
-  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::viscous; }
   bool addTo(BasicLaws& sum) const override;

@@ -21,9 +21,6 @@ class NonlinearMaxwell final : public ParallelElement {
       : linear_(stiffness, break_frequency), force_(stiffness * displacement), power_(power) {}
 
   std::size_t memorySize() const override { return linear_.memorySize(); }
-  double initialise(double displacement, double* memory) const override {
-    return linear_.initialise(displacement, memory);
-  }
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::viscous; }
 

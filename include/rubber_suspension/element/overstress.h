@@ -25,7 +25,6 @@ class Overstress final : public ParallelElement {
   explicit Overstress(const Parameters& parameters) : parameters_(parameters) {}
 
   std::size_t memorySize() const override { return 1; }
-  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::friction; }
 

@@ -24,6 +24,8 @@ struct Range {
   static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true, false}; }
   static Range nonNegative() { return {0.0, std::numeric_limits<double>::infinity(), false, false}; }
   static Range closed(double lower, double upper) { return {lower, upper, false, false}; }
+  static Range openBelow(double lower, double upper) { return {lower, upper, true, false}; }
+  static Range openAbove(double lower, double upper) { return {lower, upper, false, true}; }
   static Range open(double lower, double upper) { return {lower, upper, true, true}; }
 };
 
@@ -43,13 +45,13 @@ std::string toString(Role role);
 
 /// One row of a table of parameters.
 struct ParameterInfo {
-  std::string name;                     ///< the YAML key
-  std::string unit;                     ///< SI unit in UDUNITS spelling, "1" for none; fixes the dimension
-  Role role;                            ///< what it does to the force
-  Range range;                          ///< admissible values, in that unit
-  std::optional<double> default_value;  ///< absent: the parameter is required
-  std::string documentation;            ///< one sentence for reference page and errors
-  bool is_list = false;                 ///< takes a list of numbers in place of one
+  std::string name;           ///< the YAML key
+  std::string unit;           ///< SI unit in UDUNITS spelling, "1" for none; fixes the dimension
+  Role role;                  ///< what it does to the force
+  Range range;                ///< admissible values, in that unit
+  std::string documentation;  ///< one sentence for reference page and errors
+  std::optional<double> default_value = std::nullopt;  ///< absent: the parameter is required
+  bool is_list = false;                                ///< takes a list of numbers in place of one
 };
 
 /// The row of that name, or nullptr.
@@ -85,5 +87,9 @@ struct ElementDescription {
 /// Throws std::invalid_argument in the form of all errors about a value: law, parameter, value, what is accepted.
 [[noreturn]] void refuseValue(const std::string& type, const std::string& parameter, double value,
                               const std::string& unit, const std::string& accepted);
+
+/// The parameter `side` of laws that may act on one side of rest alone: 1, -1 or 0 for both. Throws
+/// std::invalid_argument for another value; `quantity` is the signal whose sign counts.
+int sideOf(const ElementDescription& description, const char* quantity);
 
 }  // namespace rubber_suspension::element

@@ -22,9 +22,6 @@ class SlidingMaxwell final : public ParallelElement {
       : linear_(stiffness, break_frequency), limit_(stiffness * yield_displacement) {}
 
   std::size_t memorySize() const override { return linear_.memorySize(); }
-  double initialise(double displacement, double* memory) const override {
-    return linear_.initialise(displacement, memory);
-  }
   double step(const Motion& motion, double* memory) const override {
     return memory[0] = std::clamp(linear_.step(motion, memory), -limit_, limit_);
   }

@@ -12,10 +12,6 @@ namespace rubber_suspension::element {
 class SmoothRateDashpot : public ParallelElement {
  public:
   std::size_t memorySize() const final { return 2; }
-  double initialise(double /*displacement*/, double* memory) const final {
-    memory[0] = memory[1] = 0.0;
-    return 0.0;
-  }
   Part part() const final { return Part::viscous; }
 
  protected:

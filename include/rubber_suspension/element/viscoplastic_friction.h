@@ -23,7 +23,6 @@ class ViscoplasticFriction final : public ParallelElement {
       : stiffness_(stiffness), yield_displacement_(yield_displacement), half_rate_(half_rate) {}
 
   std::size_t memorySize() const override { return 1; }
-  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::friction; }
 

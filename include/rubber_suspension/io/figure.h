@@ -34,14 +34,14 @@ struct Axes {
   std::string y_label;
   bool log_x = false;
   bool log_y = false;
-  std::vector<std::string> rows;  ///< names of y = 0, 1, 2, ..., from the top down; none: y is a number
-  std::vector<Curve> curves;
-  std::vector<HeatMap> maps;  ///< none or one
+  std::vector<std::string> rows = {};  ///< names of y = 0, 1, 2, ..., from the top down; none: y is a number
+  std::vector<Curve> curves = {};
+  std::vector<HeatMap> maps = {};  ///< none or one
 };
 
 struct Figure {
   std::string title;
-  std::vector<Axes> axes;
+  std::vector<Axes> axes = {};
   int columns = 2;  ///< of the grid of axes
 };
 

@@ -96,8 +96,7 @@ struct Series {
 };
 
 io::Axes axesOf(const std::vector<LatencyRow>& rows, const std::string& x_label, const std::vector<Series>& all) {
-  io::Axes axes;
-  axes.x_label = x_label;
+  io::Axes axes{"", x_label, ""};
   for (const LatencyRow& row : rows) {
     axes.rows.push_back(fmt::format("{} component{}\n{:.0f} Hz{}", row.components, row.components == 1 ? "" : "s",
                                     row.rate, row.bundled ? ", one message" : ""));

@@ -63,9 +63,7 @@ void printMarkdown(const SoakResult& result, std::ostream& out) {
 }
 
 io::Figure soakFigure(const SoakResult& result) {
-  io::Axes axes;
-  axes.x_label = "samples served [millions]";
-  axes.y_label = "resident memory of the node [MiB]";
+  io::Axes axes{"", "samples served [millions]", "resident memory of the node [MiB]"};
   io::Curve curve{"", {}, {}, "-", 0};
   const double per_piece = 1e-6 * static_cast<double>(result.sent) / static_cast<double>(result.memory.size());
   for (std::size_t i = 0; i < result.memory.size(); ++i) {

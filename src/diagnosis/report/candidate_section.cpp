@@ -1,10 +1,9 @@
 // Which effects were weighed.
-#include "diagnosis/report/candidate_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/augmented.h"
 #include "diagnosis/results/workings.h"

@@ -1,10 +1,10 @@
 // The numbers behind a figure of the report, as CSV.
-#include "diagnosis/report/figure_data.h"
-
 #include <fmt/format.h>
 
 #include <cctype>
 #include <cmath>
+
+#include "diagnosis/report/report_figures.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {

@@ -1,8 +1,7 @@
 // The meaning of each finding about the rig, and how to mend it at the bench.
-#include "diagnosis/report/finding_advice.h"
-
 #include <map>
 
+#include "diagnosis/report/page.h"
 #include "rubber_suspension/measurement/rig_finding.h"
 
 namespace rubber_suspension::diagnosis {

@@ -1,14 +1,11 @@
 // The part of the report that a reader sees first.
-#include "diagnosis/report/first_screen.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
-#include "diagnosis/report/finding_advice.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/model_values.h"
 #include "diagnosis/results/taken_out.h"

@@ -1,8 +1,7 @@
 // How the report's page looks.
-#include "diagnosis/report/page_style.h"
-
 #include <fmt/format.h>
 
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 
 namespace rubber_suspension::diagnosis {

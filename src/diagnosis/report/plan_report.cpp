@@ -2,12 +2,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <stdexcept>
 
-#include "diagnosis/report/could_show_json.h"
-#include "diagnosis/report/could_show_section.h"
-#include "diagnosis/report/page_style.h"
+#include "diagnosis/report/json_parts.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
+#include "io/output_files.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/plan.h"
 
@@ -75,11 +74,7 @@ std::string toHtml(const Plan& plan) {
 std::vector<std::string> planFiles() { return {"plan.json", "plan.html"}; }
 
 void writePlan(const Plan& plan, const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) {
-    throw std::runtime_error(folder + ": cannot be made: " + failure.message());
-  }
+  io::makeFolder(folder);
   log::writeNewFile((std::filesystem::path(folder) / "plan.json").string(), toJson(plan));
   log::writeNewFile((std::filesystem::path(folder) / "plan.html").string(), toHtml(plan));
 }

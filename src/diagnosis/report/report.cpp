@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "diagnosis/judge/evidence_json.h"
-#include "diagnosis/report/figure_data.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/results/missing_force.h"
 #include "diagnosis/results/rounding.h"
 #include "diagnosis/results/workings.h"
+#include "io/output_files.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/log.h"
@@ -102,11 +102,7 @@ std::vector<std::string> reportFiles() {
 }
 
 void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) {
-    throw std::runtime_error(folder + ": cannot be made: " + failure.message());
-  }
+  io::makeFolder(folder);
   NewReport report(folder);
   report.write("report.json", toJson(diagnosis));
   if (diagnosis.workings) {

@@ -11,7 +11,6 @@
 #include <numeric>
 
 #include "diagnosis/prepare/bench_evidence.h"
-#include "diagnosis/report/table_figures.h"
 #include "diagnosis/results/missing_force.h"
 #include "diagnosis/results/workings.h"
 #include "rubber_suspension/gap/gap.h"
@@ -93,17 +92,14 @@ void addForces(io::Axes& axes, const std::vector<double>& x, const std::vector<d
 
 io::Figure loops(const Diagnosis& diagnosis) {
   const Workings& w = *diagnosis.workings;
-  io::Figure figure;
-  figure.title = "Force over displacement";
+  io::Figure figure{"Force over displacement"};
   for (const std::size_t r : worstRecords(diagnosis)) {
     const log::Record& record = w.records[r];
     const Eigen::Index count = cyclesOf(record, kCyclesOfLoop);
     const Eigen::Index first = widestStretch(record, count);
-    io::Axes axes;
-    axes.title = fmt::format("{}{}, {:.4g} to {:.4g} s", record.name, r >= w.training ? " (held out)" : "",
-                             static_cast<double>(first) * record.dt, static_cast<double>(first + count) * record.dt);
-    axes.x_label = "displacement [mm]";
-    axes.y_label = "force [kN]";
+    io::Axes axes{fmt::format("{}{}, {:.4g} to {:.4g} s", record.name, r >= w.training ? " (held out)" : "",
+                              static_cast<double>(first) * record.dt, static_cast<double>(first + count) * record.dt),
+                  "displacement [mm]", "force [kN]"};
     addForces(axes, take(record.raw_displacement, first, count, 1e3), take(record.force, first, count, 1e-3),
               take(w.force_configured[r], first, count, 1e-3), take(w.force_augmented[r], first, count, 1e-3));
     figure.axes.push_back(std::move(axes));
@@ -114,10 +110,7 @@ io::Figure loops(const Diagnosis& diagnosis) {
 io::Axes comparedAxes(const ComparedLog& log, const std::string& as) {
   const Eigen::Index count = cyclesOf(log.record, kCyclesOfLoop);
   const Eigen::Index first = widestStretch(log.record, count);
-  io::Axes axes;
-  axes.title = log.record.name + ", " + as;
-  axes.x_label = "displacement [mm]";
-  axes.y_label = "force [kN]";
+  io::Axes axes{log.record.name + ", " + as, "displacement [mm]", "force [kN]"};
   const std::vector<double> x = take(log.record.raw_displacement, first, count, 1e3);
   axes.curves.push_back({"measured", x, take(log.record.force, first, count, 1e-3), "-", 0, kBroad});
   axes.curves.push_back({"simulated", x, take(log.simulated, first, count, 1e-3), "-", io::kInk, kThin});
@@ -126,8 +119,7 @@ io::Axes comparedAxes(const ComparedLog& log, const std::string& as) {
 
 // Two panels for each log: as it is, and with the correction.
 io::Figure benchFigure(const Diagnosis& diagnosis) {
-  io::Figure figure;
-  figure.title = "Measured and simulated";
+  io::Figure figure{"Measured and simulated"};
   for (const CheckedLog& log : diagnosis.bench_evidence->logs) {
     figure.axes.push_back(comparedAxes(log.as_recorded, "as it is"));
     if (log.corrected) {
@@ -173,9 +165,7 @@ io::Figure gapMapFigure(const Diagnosis& diagnosis) {
   };
   unique(x_edges);
   unique(y_edges);
-  io::Figure figure;
-  figure.title = "Where the squared gap lies";
-  figure.columns = 1;
+  io::Figure figure{"Where the squared gap lies", {}, 1};
   if (x_edges.size() < 2 || y_edges.size() < 2) {
     return figure;
   }
@@ -200,10 +190,7 @@ io::Figure gapMapFigure(const Diagnosis& diagnosis) {
   for (const double edge : y_edges) {
     map.y_edges.push_back(1e3 * edge);
   }
-  io::Axes axes;
-  axes.x_label = "frequency [Hz]";
-  axes.y_label = "amplitude [mm]";
-  axes.log_x = axes.log_y = true;
+  io::Axes axes{"", "frequency [Hz]", "amplitude [mm]", true, true};
   axes.maps.push_back(std::move(map));
   figure.axes.push_back(std::move(axes));
   return figure;
@@ -224,10 +211,7 @@ io::Curve meanOver(const log::Record& record, const Eigen::VectorXd& residual, d
       count[static_cast<std::size_t>(bin)] += 1.0;
     }
   }
-  io::Curve curve;
-  curve.label = label;
-  curve.style = style;
-  curve.colour = colour;
+  io::Curve curve{label, {}, {}, style, colour};
   for (std::size_t b = 0; b < kBins; ++b) {
     if (count[b] >= 5.0) {
       curve.x.push_back(1e3 * (low + (static_cast<double>(b) + 0.5) * width));
@@ -238,16 +222,12 @@ io::Curve meanOver(const log::Record& record, const Eigen::VectorXd& residual, d
 }
 
 io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
-  io::Figure figure;
-  figure.title = "Mean residual over displacement";
+  io::Figure figure{"Mean residual over displacement"};
   for (const std::size_t r : worstRecords(diagnosis)) {
     const log::Record& record = diagnosis.workings->records[r];
     const Eigen::VectorXd before = record.force - diagnosis.workings->force_configured[r];
     const Eigen::VectorXd after = record.force - diagnosis.workings->force_augmented[r];
-    io::Axes axes;
-    axes.title = record.name;
-    axes.x_label = "displacement [mm]";
-    axes.y_label = "measured less simulated [kN]";
+    io::Axes axes{record.name, "displacement [mm]", "measured less simulated [kN]"};
     axes.curves.push_back(meanOver(record, before, 1.0, "before, rising", "-", 1));
     axes.curves.push_back(meanOver(record, before, -1.0, "before, falling", "--", 1));
     axes.curves.push_back(meanOver(record, after, 1.0, "after, rising", "-", 2));
@@ -261,10 +241,7 @@ io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
 io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::VectorXd>& simulated,
                         const std::string& label, const std::string& style, int colour) {
   constexpr Eigen::Index kMostStretches = 60;  // of a log
-  io::Curve curve;
-  curve.label = label;
-  curve.style = style;
-  curve.colour = colour;
+  io::Curve curve{label, {}, {}, style, colour};
   double start = 0.0;
   for (std::size_t r = 0; r < diagnosis.workings->records.size(); ++r) {
     const log::Record& record = diagnosis.workings->records[r];
@@ -282,13 +259,8 @@ io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::Vec
 }
 
 io::Figure residualOverTime(const Diagnosis& diagnosis) {
-  io::Figure figure;
-  figure.title = "Gap over time";
-  figure.columns = 1;
-  io::Axes axes;
-  axes.x_label = "time [s]";
-  axes.y_label = "gap [-]";
-  axes.log_y = true;
+  io::Figure figure{"Gap over time", {}, 1};
+  io::Axes axes{"", "time [s]", "gap [-]", false, true};
   axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_configured, "as configured", "-", 1));
   axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_re_estimated, "re-estimated", "--", 3));
   axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_augmented, "augmented", "-", 2));
@@ -325,6 +297,21 @@ std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
                        missingForceFigure(missingForce(diagnosis))});
   }
   return figures;
+}
+
+io::Figure overviewFigure(const Diagnosis& diagnosis) {
+  io::Figure overview{diagnosis.component + ": " + toString(diagnosis.verdict)};
+  for (std::size_t i = 0; i < diagnosis.effects.size(); ++i) {
+    overview.title += (i == 0 ? ": " : ", ") + diagnosis.effects[i];
+  }
+  for (const ReportFigure& part : reportFigures(diagnosis)) {
+    if (!part.figure.axes.empty()) {
+      overview.axes.push_back(part.figure.axes.front());
+      io::Axes& axes = overview.axes.back();
+      axes.title = part.figure.title + (axes.title.empty() ? "" : "\n" + axes.title);
+    }
+  }
+  return overview;
 }
 
 std::string figureDataFile(const std::string& name) { return "figure_" + name + ".csv"; }

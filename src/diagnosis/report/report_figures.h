@@ -21,6 +21,20 @@ struct ReportFigure {
 /// correction that is proposed.
 std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis);
 
+/// Those of a report on a table: stiffness, where the gap lies, and loss angle, in this order.
+std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis);
+
+/// Their names, but for that of the map, which reports on logs have as well.
+std::vector<std::string> tableFigureNames();
+
+/// The diagnosis on one page, as `diagnose --plot` draws it: the report's figures, each for one log, which is the first
+/// hold-out or, without hold-outs, that of the largest gap.
+io::Figure overviewFigure(const Diagnosis& diagnosis);
+
+/// CSV of all curves of a figure, one point a row: curve, panel, and the two values under their axes' labels. Of a map:
+/// curve, panel, the edges of the cell and its value. What a figure leaves blank is left out.
+std::string figureCsv(const io::Figure& figure);
+
 /// Name of the file with the numbers of a figure.
 std::string figureDataFile(const std::string& name);
 

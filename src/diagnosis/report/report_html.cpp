@@ -7,14 +7,9 @@
 #include <map>
 
 #include "diagnosis/prepare/bench_evidence.h"
-#include "diagnosis/report/candidate_section.h"
 #include "diagnosis/report/compare.h"
-#include "diagnosis/report/could_show_section.h"
-#include "diagnosis/report/finding_advice.h"
-#include "diagnosis/report/first_screen.h"
-#include "diagnosis/report/page_style.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
-#include "diagnosis/report/table_section.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/model_values.h"
 #include "diagnosis/results/rounding.h"

@@ -1,22 +1,15 @@
 // The report for programs: report.json.
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "diagnosis/report/could_show_json.h"
-#include "diagnosis/report/table_section.h"
+#include "diagnosis/report/json_parts.h"
 #include "diagnosis/results/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
-using nlohmann::ordered_json;
-
-// JSON has no infinity; a value that is not finite is left null.
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
-
-ordered_json interval(const std::array<double, 2>& bounds) { return {number(bounds[0]), number(bounds[1])}; }
+using nlohmann::ordered_json;  // which writes null for what is not finite
 
 ordered_json entries(const std::vector<element::ElementDescription>& elements) {
   ordered_json result = ordered_json::array();
@@ -32,12 +25,12 @@ ordered_json entries(const std::vector<element::ElementDescription>& elements) {
 
 ordered_json candidateJson(const CandidateResult& candidate) {
   return {{"effect", candidate.effect},
-          {"probability", number(candidate.probability)},
-          {"gap", number(candidate.gap)},
-          {"closed", number(candidate.closed)},
-          {"interval_95", interval(candidate.interval)},
+          {"probability", candidate.probability},
+          {"gap", candidate.gap},
+          {"closed", candidate.closed},
+          {"interval_95", candidate.interval},
           {"testable", candidate.testable},
-          {"visible_share", number(candidate.visible_share)},
+          {"visible_share", candidate.visible_share},
           {"on_rig", candidate.on_rig},
           {"parameters", candidate.parameters},
           {"add", entries(candidate.add)}};
@@ -48,8 +41,8 @@ ordered_json cellJson(const gap::GapCell& cell) {
           {"frequency_hz", {cell.frequency[0], cell.frequency[1]}},
           {"amplitude_m", {cell.amplitude[0], cell.amplitude[1]}},
           {"quantity", gap::toString(cell.quantity)},
-          {"share", number(cell.share)},
-          {"noise_ratio", number(cell.noise_ratio)}};
+          {"share", cell.share},
+          {"noise_ratio", cell.noise_ratio}};
 }
 
 ordered_json admissionJson(const Admission& log) {
@@ -59,40 +52,35 @@ ordered_json admissionJson(const Admission& log) {
           {"step_s", log.dt},
           {"largest_displacement_m", log.largest_displacement},
           {"highest_frequency_hz", log.highest_frequency},
-          {"noise_floor", number(log.noise)},
-          {"repeats", number(log.repeats)},
-          {"gap_as_recorded", number(log.recorded)},
-          {"gap", number(log.left)},
+          {"noise_floor", log.noise},
+          {"repeats", log.repeats},
+          {"gap_as_recorded", log.recorded},
+          {"gap", log.left},
           {"notes", log.notes}};
 }
 
 ordered_json takenOutJson(const TakenOut& part) {
-  return {{"log", part.log}, {"kind", part.kind}, {"share_of_force", number(part.share)}};
+  return {{"log", part.log}, {"kind", part.kind}, {"share_of_force", part.share}};
 }
 
 ordered_json findingJson(const measurement::RigFinding& finding) {
-  return {{"log", finding.log},
-          {"finding", finding.finding},
-          {"value", number(finding.value)},
-          {"interval_95", interval(finding.interval_95)},
-          {"unit", finding.unit},
-          {"beyond_tolerance", finding.beyond_tolerance},
+  return {{"log", finding.log},     {"finding", finding.finding},
+          {"value", finding.value}, {"interval_95", finding.interval_95},
+          {"unit", finding.unit},   {"beyond_tolerance", finding.beyond_tolerance},
           {"text", finding.text}};
 }
 
 ordered_json errorsJson(const CharacteristicErrors& errors) {
-  return {{"stiffness", number(errors.stiffness)},
-          {"loss_angle_rad", number(errors.loss_angle)},
-          {"energy_per_cycle", number(errors.energy)}};
+  return {{"stiffness", errors.stiffness}, {"loss_angle_rad", errors.loss_angle}, {"energy_per_cycle", errors.energy}};
 }
 
 ordered_json surrogateJson(const Surrogate& surrogate) {
   return {{"file", "surrogate.yaml"},
-          {"gap", number(surrogate.gap)},
+          {"gap", surrogate.gap},
           {"function_of_the_motion", surrogate.function_of_the_motion},
-          {"share_of_the_rest", number(surrogate.share)},
-          {"gap_unseen", {{"before", number(surrogate.unseen_before)}, {"after", number(surrogate.unseen_after)}}},
-          {"chance", number(surrogate.chance)},
+          {"share_of_the_rest", surrogate.share},
+          {"gap_unseen", {{"before", surrogate.unseen_before}, {"after", surrogate.unseen_after}}},
+          {"chance", surrogate.chance},
           {"missing_force", "missing_force.csv"}};
 }
 
@@ -105,10 +93,10 @@ ordered_json hypothesesJson(const Search& search) {
       effects.push_back(search.candidates[static_cast<std::size_t>(member)].effect);
     }
     result.push_back({{"effects", effects},
-                      {"held_out", number(fitted.fit.held_out)},
-                      {"in_sample", number(fitted.fit.gap)},
-                      {"own_moved_by", number(std::exp(fitted.fit.parameters.largestChange()))},
-                      {"departure", number(fitted.fit.penalty)}});
+                      {"held_out", fitted.fit.held_out},
+                      {"in_sample", fitted.fit.gap},
+                      {"own_moved_by", std::exp(fitted.fit.parameters.largestChange())},
+                      {"departure", fitted.fit.penalty}});
   };
   add(search.re_estimated);
   for (const FittedHypothesis* fitted : search.withEffects()) {
@@ -120,7 +108,7 @@ ordered_json hypothesesJson(const Search& search) {
 ordered_json ratiosJson(const ParameterRatios& ratios) {
   ordered_json result = ordered_json::object();
   for (const auto& [name, ratio] : ratios) {
-    result[name] = number(ratio);
+    result[name] = ratio;
   }
   return result;
 }
@@ -129,27 +117,26 @@ ordered_json parametersJson(const Diagnosis& diagnosis) {
   ordered_json by_log = ordered_json::array();
   for (const ParameterByLog& row : diagnosis.by_log) {
     by_log.push_back({{"log", row.log},
-                      {"amplitude_m", number(row.amplitude)},
-                      {"frequency_hz", number(row.frequency)},
+                      {"amplitude_m", row.amplitude},
+                      {"frequency_hz", row.frequency},
                       {"ratios", ratiosJson(row.ratios)}});
   }
   return {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}, {"by_log", by_log}};
 }
 
 ordered_json alternativeJson(const Alternative& other) {
-  return {{"verdict", toString(other.verdict)}, {"effects", other.effects}, {"probability", number(other.probability)}};
+  return {{"verdict", toString(other.verdict)}, {"effects", other.effects}, {"probability", other.probability}};
 }
 
 ordered_json sizeJson(const SizedValue& size) {
-  return {{"owner", size.owner},         {"name", size.name},
-          {"unit", size.unit},           {"configured", number(size.configured)},
-          {"value", number(size.value)}, {"interval_95", interval(size.interval_95)},
+  return {{"owner", size.owner},           {"name", size.name},   {"unit", size.unit},
+          {"configured", size.configured}, {"value", size.value}, {"interval_95", size.interval_95},
           {"at_bound", size.at_bound}};
 }
 
 ordered_json wholeJson(const WholeStiffness& whole) {
   const auto at = [&](std::size_t i) {
-    return ordered_json{{"stiffness", number(whole.stiffness[i])}, {"loss_angle_rad", number(whole.loss_angle[i])}};
+    return ordered_json{{"stiffness", whole.stiffness[i]}, {"loss_angle_rad", whole.loss_angle[i]}};
   };
   return {{"frequency_hz", whole.frequency},
           {"amplitude_m", whole.amplitude},
@@ -178,13 +165,13 @@ ordered_json comparisonJson(const Comparison& comparison) {
 
 ordered_json experimentJson(const ProposedExperiment& experiment) {
   return {{"motion", experiment.description},
-          {"duration_s", number(static_cast<double>(experiment.displacement.size() - 1) * experiment.dt)},
-          {"sampling_rate_hz", number(1.0 / experiment.dt)},
+          {"duration_s", static_cast<double>(experiment.displacement.size() - 1) * experiment.dt},
+          {"sampling_rate_hz", 1.0 / experiment.dt},
           {"decides", experiment.decides},
           {"against", experiment.against},
-          {"expected_difference_N", number(experiment.difference)},
-          {"floors", number(experiment.floors)},
-          {"confidence", number(experiment.probability)}};
+          {"expected_difference_N", experiment.difference},
+          {"floors", experiment.floors},
+          {"confidence", experiment.probability}};
 }
 
 template <class T, class Function>
@@ -199,49 +186,48 @@ ordered_json list(const std::vector<T>& values, Function convert) {
 }  // namespace
 
 std::string toJson(const Diagnosis& diagnosis) {
-  ordered_json report = {
-      {"schema", "rubber_suspension/gap_report/1"},
-      {"component", diagnosis.component},
-      {"verdict", toString(diagnosis.verdict)},
-      {"probability", number(diagnosis.probability)},
-      {"sentence", diagnosis.sentence},
-      {"effects", diagnosis.effects},
-      {"gap",
-       {{"as_configured", number(diagnosis.gap.as_configured)},
-        {"re_estimated", number(diagnosis.gap.re_estimated)},
-        {"augmented", number(diagnosis.gap.augmented)},
-        {"full_law", number(diagnosis.gap_of_full_law)},
-        {"noise_floor", number(diagnosis.gap.noise_floor)},
-        {"noise_source", diagnosis.noise_source}}},
-      {"gap_as_recorded",
-       {{"as_configured", number(diagnosis.gap_as_recorded.as_configured)},
-        {"re_estimated", number(diagnosis.gap_as_recorded.re_estimated)},
-        {"augmented", number(diagnosis.gap_as_recorded.augmented)}}},
-      {"rig_findings", list(diagnosis.rig_findings, findingJson)},
-      {"taken_out", list(diagnosis.taken_out, takenOutJson)},
-      {"closed", {{"fraction", number(diagnosis.closed)}, {"interval_95", interval(diagnosis.closed_interval)}}},
-      {"confounded", diagnosis.confounded},
-      {"alternatives", list(diagnosis.alternatives, alternativeJson)},
-      {"candidates", list(diagnosis.candidates, candidateJson)},
-      {"probability_none_of_these", number(diagnosis.posterior.none_of_these)},
-      {"posterior",
-       {{"none", number(diagnosis.posterior.none)},
-        {"parameter_error", number(diagnosis.posterior.parameter_error)},
-        {"effects", number(diagnosis.posterior.effects)},
-        {"none_of_these", number(diagnosis.posterior.none_of_these)}}},
-      {"where", list(diagnosis.where, cellJson)},
-      {"next_experiment", diagnosis.next_experiment},
-      {"model_sizes", list(diagnosis.model_sizes, sizeJson)},
-      {"effect_sizes", list(diagnosis.effect_sizes, sizeJson)},
-      {"written", list(diagnosis.written, sizeJson)},
-      {"whole_component", diagnosis.whole ? wholeJson(*diagnosis.whole) : ordered_json(nullptr)},
-      {"augmented_full_add", entries(diagnosis.augmented_full.add)},
-      {"errors",
-       {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
-        {"augmented", errorsJson(diagnosis.errors_augmented)}}},
-      {"own_parameters", parametersJson(diagnosis)},
-      {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
-      {"admission", list(diagnosis.admission, admissionJson)}};
+  ordered_json report = {{"schema", "rubber_suspension/gap_report/1"},
+                         {"component", diagnosis.component},
+                         {"verdict", toString(diagnosis.verdict)},
+                         {"probability", diagnosis.probability},
+                         {"sentence", diagnosis.sentence},
+                         {"effects", diagnosis.effects},
+                         {"gap",
+                          {{"as_configured", diagnosis.gap.as_configured},
+                           {"re_estimated", diagnosis.gap.re_estimated},
+                           {"augmented", diagnosis.gap.augmented},
+                           {"full_law", diagnosis.gap_of_full_law},
+                           {"noise_floor", diagnosis.gap.noise_floor},
+                           {"noise_source", diagnosis.noise_source}}},
+                         {"gap_as_recorded",
+                          {{"as_configured", diagnosis.gap_as_recorded.as_configured},
+                           {"re_estimated", diagnosis.gap_as_recorded.re_estimated},
+                           {"augmented", diagnosis.gap_as_recorded.augmented}}},
+                         {"rig_findings", list(diagnosis.rig_findings, findingJson)},
+                         {"taken_out", list(diagnosis.taken_out, takenOutJson)},
+                         {"closed", {{"fraction", diagnosis.closed}, {"interval_95", diagnosis.closed_interval}}},
+                         {"confounded", diagnosis.confounded},
+                         {"alternatives", list(diagnosis.alternatives, alternativeJson)},
+                         {"candidates", list(diagnosis.candidates, candidateJson)},
+                         {"probability_none_of_these", diagnosis.posterior.none_of_these},
+                         {"posterior",
+                          {{"none", diagnosis.posterior.none},
+                           {"parameter_error", diagnosis.posterior.parameter_error},
+                           {"effects", diagnosis.posterior.effects},
+                           {"none_of_these", diagnosis.posterior.none_of_these}}},
+                         {"where", list(diagnosis.where, cellJson)},
+                         {"next_experiment", diagnosis.next_experiment},
+                         {"model_sizes", list(diagnosis.model_sizes, sizeJson)},
+                         {"effect_sizes", list(diagnosis.effect_sizes, sizeJson)},
+                         {"written", list(diagnosis.written, sizeJson)},
+                         {"whole_component", diagnosis.whole ? wholeJson(*diagnosis.whole) : ordered_json(nullptr)},
+                         {"augmented_full_add", entries(diagnosis.augmented_full.add)},
+                         {"errors",
+                          {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
+                           {"augmented", errorsJson(diagnosis.errors_augmented)}}},
+                         {"own_parameters", parametersJson(diagnosis)},
+                         {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
+                         {"admission", list(diagnosis.admission, admissionJson)}};
   if (diagnosis.turns) {
     report["units"] = {{"m", "rad"}, {"N", "N m"}};
   }
@@ -260,7 +246,7 @@ std::string toJson(const Diagnosis& diagnosis) {
   }
   if (diagnosis.workings) {
     report["trials"] = hypothesesJson(diagnosis.workings->search);
-    report["surrogate_gap"] = number(diagnosis.workings->search.surrogate_gap);
+    report["surrogate_gap"] = diagnosis.workings->search.surrogate_gap;
   }
   if (diagnosis.table) {
     report["table"] = tableJson(*diagnosis.table);

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "diagnosis/report/page_style.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/rounding.h"
 #include "log/new_file.h"

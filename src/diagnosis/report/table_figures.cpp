@@ -1,14 +1,12 @@
 // Stiffness and loss angle of a table, measured and simulated.
-#include "diagnosis/report/table_figures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
 
+#include "diagnosis/report/report_figures.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
@@ -71,11 +69,7 @@ std::vector<Panel> panelsOf(const Rows& rows, bool along_frequency) {
 using PartOfStiffness = double (*)(std::complex<double>);
 
 io::Axes axesOf(const Panel& panel, bool along_frequency, const char* label, PartOfStiffness value) {
-  io::Axes axes;
-  axes.title = panel.title;
-  axes.x_label = along_frequency ? "frequency [Hz]" : "amplitude [mm]";
-  axes.y_label = label;
-  axes.log_x = true;
+  io::Axes axes{panel.title, along_frequency ? "frequency [Hz]" : "amplitude [mm]", label, true};
   io::Curve measured{"measured", {}, {}, "o", 0};
   io::Curve before{"before: as configured", {}, {}, "--", 1};
   io::Curve after{"after: augmented", {}, {}, "-", io::kInk};
@@ -95,8 +89,7 @@ io::Axes axesOf(const Panel& panel, bool along_frequency, const char* label, Par
 
 io::Figure panelFigure(const Diagnosis& diagnosis, const char* title, const char* label, PartOfStiffness value) {
   const Rows& rows = diagnosis.table->rows;
-  io::Figure figure;
-  figure.title = title;
+  io::Figure figure{title};
   const bool along_frequency = severalFrequencies(rows);
   for (const Panel& panel : panelsOf(rows, along_frequency)) {
     figure.axes.push_back(axesOf(panel, along_frequency, label, value));
@@ -126,9 +119,7 @@ std::size_t cellOf(const std::vector<double>& edges, double value) {
 
 // All preloads and temperatures together.
 io::Figure mapFigure(const Diagnosis& diagnosis) {
-  io::Figure figure;
-  figure.title = "Where the squared gap lies";
-  figure.columns = 1;
+  io::Figure figure{"Where the squared gap lies", {}, 1};
   std::vector<double> frequencies;
   std::vector<double> amplitudes;
   for (const gap::GapCell& cell : diagnosis.where) {
@@ -149,10 +140,7 @@ io::Figure mapFigure(const Diagnosis& diagnosis) {
         map.values[cellOf(map.y_edges, 1e3 * cell.amplitude[0]) * width + cellOf(map.x_edges, cell.frequency[0])];
     value = (std::isnan(value) ? 0.0 : value) + 100.0 * cell.share;
   }
-  io::Axes axes;
-  axes.x_label = "frequency [Hz]";
-  axes.y_label = "amplitude [mm]";
-  axes.log_x = axes.log_y = true;
+  io::Axes axes{"", "frequency [Hz]", "amplitude [mm]", true, true};
   axes.maps.push_back(std::move(map));
   figure.axes.push_back(std::move(axes));
   return figure;

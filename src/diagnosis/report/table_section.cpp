@@ -1,11 +1,11 @@
 // The table of a report.
-#include "diagnosis/report/table_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/report/json_parts.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "rubber_suspension/element/constants.h"
 

@@ -1,19 +1,20 @@
-// Tables of implanted effects.
-#include "diagnosis/report/could_show_section.h"
-
+// Implanted effects: on the page, for a terminal, as JSON.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <functional>
 #include <map>
 
+#include "diagnosis/report/json_parts.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "rubber_suspension/diagnosis/plan.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
+
+using nlohmann::ordered_json;
 
 std::string leastSizeText(double size) { return std::isfinite(size) ? fmt::format("{:.2g} %", 100.0 * size) : "none"; }
 
@@ -75,6 +76,22 @@ std::string outcomesInWords(const CouldShow& could_show) {
   return text;
 }
 
+ordered_json rowJson(const CouldShow& could_show, const ImplantedEffect& row) {
+  ordered_json named = ordered_json::object();
+  for (std::size_t e = 0; e < row.named_as.size(); ++e) {
+    if (row.named_as[e] > 0.0) {
+      named[could_show.effects[e]] = row.named_as[e];
+    }
+  }
+  return {{"effect", row.effect},
+          {"outcome", row.outcome},
+          {"taken_for", row.taken_for},
+          {"named_as", named},
+          {"nothing_named", row.nothing_named},
+          {"visible_share", row.visible_share},
+          {"least_size", row.least_size}};
+}
+
 }  // namespace
 
 std::string outcomeText(const std::string& outcome) {
@@ -108,6 +125,18 @@ std::string toText(const CouldShow& could_show) {
                         namesText(row.taken_for, 4));
   }
   return text;
+}
+
+ordered_json toJson(const CouldShow& could_show) {
+  ordered_json rows = ordered_json::array();
+  for (const ImplantedEffect& row : could_show.implanted) {
+    rows.push_back(rowJson(could_show, row));
+  }
+  return {{"size", could_show.size},
+          {"size_N", could_show.force},
+          {"why", could_show.why},
+          {"noise_floor", could_show.noise},
+          {"implanted", rows}};
 }
 
 }  // namespace rubber_suspension::diagnosis

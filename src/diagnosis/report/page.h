@@ -1,0 +1,50 @@
+// The parts of a report's page, and how the page looks: on a wide screen, at 400 px, in the dark, on paper.
+#pragma once
+
+#include <string>
+
+#include "rubber_suspension/diagnosis/could_show.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// The style sheet. Colours of text and their backgrounds stand in variables, for both schemes, with the contrast that
+/// WCAG 2 asks for at level AA.
+extern const char* const kPageStyle;
+
+/// A whole page of that style; the title is text, the body HTML.
+std::string page(const std::string& title, const std::string& body);
+
+/// What a reader sees first: where, which, how far, how sure, what next. `loop`: the figure of the log with the largest
+/// gap, empty where there is none.
+std::string firstScreen(const Diagnosis& diagnosis, const std::string& loop);
+
+/// How the experiment that is proposed can be played; empty where none is.
+std::string howToPlay(const Diagnosis& diagnosis);
+
+/// The candidates of 1 % and more or named, the others folded with the reason.
+std::string candidateSection(const Diagnosis& diagnosis);
+
+/// Why a candidate is not named, in half a sentence; empty where it is.
+std::string whyOut(const Diagnosis& diagnosis, const CandidateResult& candidate);
+
+/// What no table shows, and every row of the table, measured and simulated.
+std::string tableSection(const Diagnosis& diagnosis);
+
+/// Effects that the logs could have shown, without a heading: what would be found of each, and what would be taken for
+/// what.
+std::string couldShowHtml(const CouldShow& could_show);
+
+/// "found", "taken for another", ...: an outcome for people.
+std::string outcomeText(const std::string& outcome);
+
+/// The meaning of a finding about the rig, and how to mend it at the bench.
+struct FindingAdvice {
+  std::string meaning;
+  std::string remedy;
+};
+
+/// By the name that reports write. Of a name without an entry both are empty: the finding's own text says it.
+const FindingAdvice& adviceOn(const std::string& finding);
+
+}  // namespace rubber_suspension::diagnosis
