@@ -154,14 +154,14 @@ void SixDirections::addCoupling(std::vector<Direction> directions, SixElements& 
 void SixDirections::coupleRadial(Direction first, SixElements& elements) {
   const std::vector<Direction> across = coupledDirections(first, Coupling::cylindrical, laws_.axis);
   SixElements radial;
-  for (const std::size_t direction : {first, first + 1UL, first + 2UL}) {
+  for (std::size_t direction = first; direction < first + 3U; ++direction) {
     auto& own = elements[direction];
     const auto by_radius = std::stable_partition(own.begin(), own.end(), std::not_fn(element::isRadial));
     radial[direction].assign(by_radius, own.end());
     own.erase(by_radius, own.end());
   }
   const bool any = !radial[across[0]].empty() || !radial[across[1]].empty();
-  for (const std::size_t direction : {first, first + 1UL, first + 2UL}) {
+  for (std::size_t direction = first; direction < first + 3U; ++direction) {
     const bool shares = any && direction != first + laws_.axis;
     if (radial[direction].empty() == shares) {
       throw std::invalid_argument(
