@@ -153,7 +153,7 @@ Case sixCase(const std::string& name, std::size_t samples, std::size_t bushes, c
   const auto bench = std::make_shared<SixDirectionBench>(samples, bushes, coupling);
   Case result;
   result.name = name;
-  result.baseline = "six components of one direction";
+  result.baseline = fmt::format("{} components of one direction", bushes * kDirections);
   result.unit = "step of six";
   result.count = result.baseline_count = bench->count();
   result.library = [bench] { bench->stepSix(); };
