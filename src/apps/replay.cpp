@@ -43,9 +43,6 @@ void noteBridged(const Options& options, std::uint64_t bridged) {
 }
 
 int runPoses(const Options& options, const io::ComponentDescription& description) {
-  if (!options.plot.empty()) {
-    throw UsageError("--plot draws one direction, " + description.name + " has six; accepted: without it");
-  }
   const component::SixDirections component = description.six->makeComponent();
   const log::PoseLog log =
       options.log_options.readPoses("replay", options.log, description.name, component.laws().measure);
@@ -53,6 +50,9 @@ int runPoses(const Options& options, const io::ComponentDescription& description
   {
     const io::Activity writing("writing " + options.output);
     log::writeWrenchCsv(options.output, log, result.wrench);
+  }
+  if (!options.plot.empty()) {
+    drawPlot(gap::replayFigure(description.name, log, result.wrench), options.plot);
   }
   if (result.beyond_valid > 0) {
     printWarning("replay", fmt::format("{}: {} of {} samples are beyond valid_rotation, {:g} rad", options.log,

@@ -1,4 +1,7 @@
 // Components of six directions against six components of one with the same elements, moved by the same coordinates.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -32,14 +35,14 @@ std::vector<element::ElementDescription> directionElements(bool bank, bool turns
   return elements;
 }
 
-// A component of six directions and six of one on one path.
+// Components of six directions, and six times as many of one, on one path.
 class SixDirectionBench {
  public:
-  SixDirectionBench(std::size_t samples, component::Coupling coupling)
-      : bush_(lawsOf(coupling)),
+  SixDirectionBench(std::size_t samples, std::size_t bushes, component::Coupling coupling)
+      : bushes_(bushes, component::SixDirections(lawsOf(coupling))),
         coordinates_(samples),
         poses_(samples),
-        state_(bush_.makeState()),
+        states_(bushes, bushes_[0].makeState()),
         expected_(samples),
         found_(samples) {
     const std::vector<double> displacement = benchmarkDisplacement(samples + 100 * kDirections);
@@ -47,30 +50,58 @@ class SixDirectionBench {
       for (std::size_t k = 0; k < kDirections; ++k) {
         coordinates_[i][static_cast<Eigen::Index>(k)] = displacement[i + 70 * k] * (k < 3 ? 1.0 : 50.0);
       }
-      poses_[i] = bush_.pose(coordinates_[i]);
+      poses_[i] = bushes_[0].pose(coordinates_[i]);
     }
-    for (std::size_t k = 0; k < kDirections; ++k) {
-      singles_.emplace_back(bush_.laws().elements[k]);
+    for (std::size_t k = 0; k < kDirections * bushes; ++k) {
+      singles_.emplace_back(bushes_[0].laws().elements[k % kDirections]);
       single_states_.push_back(singles_.back().makeState());
     }
   }
 
   void stepSix() {
-    found_[0] = bush_.initialise(state_, poses_[0]).direction;
+    for (std::size_t b = 0; b < bushes_.size(); ++b) {
+      found_[0] = bushes_[b].initialise(states_[b], poses_[0]).direction;
+    }
     for (std::size_t i = 1; i < poses_.size(); ++i) {
-      found_[i] = bush_.step(state_, kStep, poses_[i]).direction;
+      for (std::size_t b = 0; b < bushes_.size(); ++b) {
+        found_[i] = bushes_[b].step(states_[b], kStep, poses_[i]).direction;
+      }
     }
   }
 
   void stepSingles() {
     for (std::size_t i = 0; i < poses_.size(); ++i) {
-      for (std::size_t k = 0; k < kDirections; ++k) {
-        const double displacement = coordinates_[i][static_cast<Eigen::Index>(k)];
-        expected_[i][k] = i == 0 ? singles_[k].initialise(single_states_[k], displacement)
-                                 : singles_[k].step(single_states_[k], kStep, displacement);
+      for (std::size_t k = 0; k < singles_.size(); ++k) {
+        const double displacement = coordinates_[i][static_cast<Eigen::Index>(k % kDirections)];
+        expected_[i][k % kDirections] = i == 0 ? singles_[k].initialise(single_states_[k], displacement)
+                                               : singles_[k].step(single_states_[k], kStep, displacement);
       }
     }
   }
+
+  // About each pose, from rest; of the translations, whose axes stay, what both sides have to agree on is added up.
+  void tangentOfSix() {
+    component::SixDirectionsState trial = states_[0];
+    tangents_ = 0.0;
+    for (const Eigen::Isometry3d& pose : poses_) {
+      const component::SixTangent tangent = bushes_[0].tangent(states_[0], kStep, pose, trial);
+      tangents_ += (tangent.stiffness + tangent.damping / kStep).topLeftCorner<3, 3>().trace();
+    }
+  }
+
+  void tangentOfSingles() {
+    std::vector<component::ComponentState> trial = single_states_;
+    expected_tangents_ = 0.0;
+    for (const component::SixNumbers& at : coordinates_) {
+      for (std::size_t k = 0; k < kDirections; ++k) {
+        const component::Tangent tangent =
+            singles_[k].tangent(single_states_[k], kStep, at[static_cast<Eigen::Index>(k)], trial[k]);
+        expected_tangents_ += k < 3 ? tangent.stiffness + tangent.damping / kStep : 0.0;
+      }
+    }
+  }
+
+  double errorOfTangents() const { return std::abs(tangents_ / expected_tangents_ - 1.0); }
 
   // Of the forces by direction, each of its own largest. Poses are rounded, and so are coordinates found in them.
   double error() {
@@ -93,7 +124,7 @@ class SixDirectionBench {
     return 1.0 - state;
   }
 
-  double count() const { return static_cast<double>(poses_.size()); }
+  double count() const { return static_cast<double>(poses_.size() * bushes_.size()); }
 
  private:
   static component::SixDirectionsLaws lawsOf(component::Coupling coupling) {
@@ -105,21 +136,24 @@ class SixDirectionBench {
     return laws;
   }
 
-  component::SixDirections bush_;
+  std::vector<component::SixDirections> bushes_;
   std::vector<component::Component> singles_;
   std::vector<component::SixNumbers> coordinates_;
   std::vector<Eigen::Isometry3d> poses_;
-  component::SixDirectionsState state_;
+  std::vector<component::SixDirectionsState> states_;
   std::vector<component::ComponentState> single_states_;
   std::vector<std::array<element::ComponentForce, kDirections>> expected_;
   std::vector<std::array<element::ComponentForce, kDirections>> found_;
+  double tangents_ = 0.0;
+  double expected_tangents_ = 0.0;
 };
 
-Case sixCase(const std::string& name, std::size_t samples, component::Coupling coupling, double most) {
-  const auto bench = std::make_shared<SixDirectionBench>(samples, coupling);
+Case sixCase(const std::string& name, std::size_t samples, std::size_t bushes, component::Coupling coupling,
+             double most) {
+  const auto bench = std::make_shared<SixDirectionBench>(samples, bushes, coupling);
   Case result;
   result.name = name;
-  result.baseline = "six components of one direction";
+  result.baseline = fmt::format("{} components of one direction", bushes * kDirections);
   result.unit = "step of six";
   result.count = result.baseline_count = bench->count();
   result.library = [bench] { bench->stepSix(); };
@@ -132,14 +166,35 @@ Case sixCase(const std::string& name, std::size_t samples, component::Coupling c
   return result;
 }
 
+Case tangentCase(std::size_t samples) {
+  const auto bench = std::make_shared<SixDirectionBench>(samples, 1, component::Coupling::rectangular);
+  Case result;
+  result.name = "`SixDirections::tangent`, rectangular";
+  result.baseline = "`Component::tangent` of six";
+  result.unit = "tangent";
+  result.count = result.baseline_count = bench->count();
+  result.library = [bench] { bench->tangentOfSix(); };
+  result.bare = [bench] { bench->tangentOfSingles(); };
+  result.error = [bench] { return bench->errorOfTangents(); };
+  result.error_meaning = "of the stiffnesses along the axes";
+  result.tolerance = 1e-6;
+  return result;
+}
+
 }  // namespace
 
 std::vector<Case> sixDirectionCases(const BenchmarkSize& size) {
   constexpr double kMostOfPoses = 1.5;
   constexpr double kMostOfRadius = 2.5;
-  return {sixCase("`SixDirections::step`, rectangular", size.samples, component::Coupling::rectangular, kMostOfPoses),
-          sixCase("`SixDirections::step`, cylindrical, `iwan`", size.samples, component::Coupling::cylindrical,
-                  kMostOfRadius)};
+  constexpr std::size_t kMostTicks = 100;
+  const auto bushes = static_cast<std::size_t>(size.components);
+  return {
+      sixCase("`SixDirections::step`, rectangular", size.samples, 1, component::Coupling::rectangular, kMostOfPoses),
+      sixCase(fmt::format("{} bushes at each tick, `SixDirections::step`", bushes), std::min(kMostTicks, size.samples),
+              bushes, component::Coupling::rectangular, kMostOfPoses),
+      sixCase("`SixDirections::step`, cylindrical, `iwan`", size.samples, 1, component::Coupling::cylindrical,
+              kMostOfRadius),
+      tangentCase(size.samples / 10)};
 }
 
 }  // namespace rubber_suspension::benchmark

@@ -64,7 +64,7 @@ std::vector<element::ElementDescription>& listFor(const element::ElementDescript
   if (isOneOf<element::Spring, element::Maxwell, element::Dashpot, element::SmoothDashpot, element::Springpot>(law)) {
     return sorted.along;
   }
-  if (isOneOf<element::SpringTable, element::BumpStop>(law)) {
+  if (isOneOf<element::SpringTable, element::BumpStop, element::RadialStiffness>(law)) {
     return sorted.elastic;
   }
   if (isOneOf<element::MaxwellAlongCurve, element::DashpotAlongCurve>(law)) {
@@ -79,7 +79,7 @@ std::vector<element::ElementDescription>& listFor(const element::ElementDescript
   throw std::invalid_argument(
       fmt::format("{} has no form by the radius; accepted: spring, static_curve or spring_table, maxwell, dashpot, "
                   "springpot, iwan, "
-                  "iwan_table, bump_stop; or coupling: rectangular",
+                  "iwan_table, bump_stop, radial_stiffness; or coupling: rectangular",
                   description.type));
 }
 
@@ -147,6 +147,10 @@ void RadialLaw::addStop(const element::ElementDescription& stop) {
                     stop.value("gap"), stop.value("exponent")});
 }
 
+void RadialLaw::addStiffening(const element::ElementDescription& radial) {
+  stiffenings_.push_back(element::radialLaws({radial}).front());
+}
+
 const RadialLaw::Point& RadialLaw::pointBefore(double r) const {
   const auto after = std::upper_bound(points_.begin() + 1, points_.end(), r,
                                       [](double value, const Point& point) { return value < point.radius; });
@@ -175,6 +179,17 @@ double RadialLaw::force(double r) const {
   for (const Stop& stop : stops_) {
     sum += stop.law.force(r);
   }
+  for (const element::RadialStiffness& law : stiffenings_) {
+    sum += law.alongRadius(r);
+  }
+  return sum;
+}
+
+double RadialLaw::own(double displacement) const {
+  double sum = 0.0;
+  for (const element::RadialStiffness& law : stiffenings_) {
+    sum += law.own(displacement);
+  }
   return sum;
 }
 
@@ -182,6 +197,9 @@ double RadialLaw::energy(double r) const {
   double sum = curveEnergy(r);
   for (const Stop& stop : stops_) {
     sum += stop.law.force(r) * (r - stop.gap) / (stop.exponent + 1.0);
+  }
+  for (const element::RadialStiffness& law : stiffenings_) {
+    sum += law.energy(r);
   }
   return sum;
 }
@@ -249,7 +267,9 @@ RadialCoupling::RadialCoupling(std::vector<Direction> directions, SixElements& e
 
 void RadialCoupling::takeElastic(std::size_t axis, const std::vector<element::ElementDescription>& elastic) {
   for (const element::ElementDescription& element : elastic) {
-    element.type == kStopType ? laws_[axis].addStop(element) : laws_[axis].addCurve(element);
+    element.type == kStopType    ? laws_[axis].addStop(element)
+    : element::isRadial(element) ? laws_[axis].addStiffening(element)
+                                 : laws_[axis].addCurve(element);
   }
   elastic_ = elastic_ || !laws_[axis].empty();
   laws_[axis].appendRadii(radii_);
@@ -298,6 +318,16 @@ Eigen::Vector3d RadialCoupling::elasticForce(const Eigen::Vector3d& d, bool with
   return c.cwiseProduct((tangential.array() + share.dot(forces)).matrix());
 }
 
+// Of all that has no memory.
+Eigen::Vector3d RadialCoupling::heldForce(const Eigen::Vector3d& d) const {
+  Eigen::Vector3d force = elasticForce(d, true);
+  for (std::size_t axis = 0; axis < directions_.size(); ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    force[i] -= laws_[axis].own(d[i]);
+  }
+  return force;
+}
+
 void RadialCoupling::add(const Eigen::Vector3d& sum, double element::ComponentForce::*part, BushForce& force) const {
   for (std::size_t axis = 0; axis < directions_.size(); ++axis) {
     element::ComponentForce& direction = force.direction[directions_[axis]];
@@ -314,7 +344,7 @@ void RadialCoupling::initialise(const Coordinates& coordinates, double* memory, 
   }
   std::fill_n(memory, branch_count_, 0.0);
   if (elastic_) {
-    add(elasticForce(d, true), &element::ComponentForce::elastic, force);
+    add(heldForce(d), &element::ComponentForce::elastic, force);
   }
 }
 
@@ -322,7 +352,7 @@ void RadialCoupling::step(double dt, const Coordinates& begin, const Coordinates
                           BushForce& force) const {
   const Eigen::Vector3d d = vectorOf(end);
   if (elastic_) {
-    add(elasticForce(d, true), &element::ComponentForce::elastic, force);
+    add(heldForce(d), &element::ComponentForce::elastic, force);
   }
   if (!sliders_.empty()) {
     add(stepSliders(d, memory), &element::ComponentForce::friction, force);

@@ -6,28 +6,33 @@
 
 #include "rubber_suspension/component/six_directions.h"
 #include "rubber_suspension/element/bump_stop.h"
+#include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/element/slider_bank.h"
 
 namespace rubber_suspension::component {
 
-/// The static curve and the stops of one direction as functions of the radius r >= 0.
+/// The static curve, the stops and the radial stiffnesses of one direction as functions of the radius r >= 0.
 class RadialLaw {
  public:
   /// Throws std::invalid_argument where a curve is not odd, or is a second one.
   void addCurve(const element::ElementDescription& table);
   void addStop(const element::ElementDescription& stop);
+  void addStiffening(const element::ElementDescription& radial);
 
   double curve(double r) const;  ///< force of the curve [N]
-  double force(double r) const;  ///< of curve and stops [N]
+  double force(double r) const;  ///< of all [N]
   double curveEnergy(double r) const;
-  double energy(double r) const;  ///< of curve and stops [J]
+  double energy(double r) const;  ///< of all [J]
+
+  /// What the radius has not of a displacement along the direction alone [N].
+  double own(double displacement) const;
 
   /// Stiffness or damping in proportion to the slope of the curve: their ratio. Throws std::invalid_argument where the
   /// entry's `values` do not follow the curve.
   double ratioOf(const element::ElementDescription& entry, const std::string& values) const;
 
   bool hasCurve() const { return !points_.empty(); }
-  bool empty() const { return points_.empty() && stops_.empty(); }
+  bool empty() const { return points_.empty() && stops_.empty() && stiffenings_.empty(); }
   void appendRadii(std::vector<double>& radii) const;  ///< at which the slope changes
 
  private:
@@ -47,13 +52,15 @@ class RadialLaw {
 
   std::vector<Point> points_;
   std::vector<Stop> stops_;
+  std::vector<element::RadialStiffness> stiffenings_;
 };
 
 /// Two directions (cylindrical) or three (spherical) with coordinates d, r = |d|. Of these laws
 ///   - spring, Maxwell element, dashpot and springpot act along each direction by itself, as vectors do anyhow;
-///   - static curve and stop have the potential U = sum c_i^2 U_i(r), c = d/r, with U_i that of direction i: the radial
-///     force is the elliptic interpolation sum c_i^2 F_i(r), and a tangential one makes it do no work over closed
-///     loops; F = F(r) c where the directions have one law;
+///   - static curve, stop and radial_stiffness have the potential U = sum c_i^2 U_i(r), c = d/r, with U_i that of
+///     direction i: the radial force is the elliptic interpolation sum c_i^2 F_i(r), and a tangential one makes it do
+///     no work over closed loops; F = F(r) c where the directions have one law. What a radial_stiffness has along one
+///     direction alone is taken out of it;
 ///   - a branch that is scaled along the curve follows the force F_s of the curves,
 ///     dF_j/dt = (k_j/k_0) dF_s/dt - F_j/tau_j, a dashpot likewise, F_j = (c/k_0) dF_s/dt; F_s is linear in time
 ///     between the radii at which the slope changes, which is exact for motion along a radius;
@@ -87,6 +94,7 @@ class RadialCoupling {
 
   Eigen::Vector3d vectorOf(const Coordinates& coordinates) const;
   Eigen::Vector3d elasticForce(const Eigen::Vector3d& d, bool with_stops) const;
+  Eigen::Vector3d heldForce(const Eigen::Vector3d& d) const;
   void add(const Eigen::Vector3d& sum, double element::ComponentForce::*part, BushForce& force) const;
   Eigen::Vector3d stepSliders(const Eigen::Vector3d& d, double* memory) const;
   Eigen::Vector3d stepBranches(double dt, const Eigen::Vector3d& begin, const Eigen::Vector3d& end,

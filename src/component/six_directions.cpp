@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
+#include <utility>
 
 #include "component/radial_coupling.h"
 #include "rubber_suspension/element/dashpot.h"
+#include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/element/temperature_shift.h"
 
 namespace rubber_suspension::component {
@@ -99,8 +102,13 @@ SixDirections::SixDirections(SixDirectionsLaws laws)
       framed_(!laws_.on_a.isApprox(Eigen::Isometry3d::Identity(), 0.0) ||
               !laws_.on_b.isApprox(Eigen::Isometry3d::Identity(), 0.0)) {
   auto elements = laws_.elements;
-  couple(coupledDirections(kX, laws_.translation, laws_.axis), elements);
-  couple(coupledDirections(kRx, laws_.rotation, laws_.axis), elements);
+  for (const auto& [first, coupling] : {std::pair(kX, laws_.translation), std::pair(kRx, laws_.rotation)}) {
+    if (coupling == Coupling::rectangular) {
+      coupleRadial(first, elements);
+    } else {
+      couple(coupledDirections(first, coupling, laws_.axis), elements);
+    }
+  }
   for (std::size_t i = 0; i < kDirections; ++i) {
     const auto direction = static_cast<Direction>(i);
     try {
@@ -134,8 +142,37 @@ void SixDirections::couple(std::vector<Direction> directions, SixElements& eleme
       elements[direction] = elements[first];
     }
   }
+  addCoupling(std::move(directions), elements);
+}
+
+void SixDirections::addCoupling(std::vector<Direction> directions, SixElements& elements) {
   couplings_.push_back(std::make_shared<const RadialCoupling>(std::move(directions), elements));
   coupled_size_ += couplings_.back()->memorySize();
+}
+
+// What two directions across the axis have by their radius though they are rectangular else.
+void SixDirections::coupleRadial(Direction first, SixElements& elements) {
+  const std::vector<Direction> across = coupledDirections(first, Coupling::cylindrical, laws_.axis);
+  SixElements radial;
+  for (std::size_t direction = first; direction < first + 3U; ++direction) {
+    auto& own = elements[direction];
+    const auto by_radius = std::stable_partition(own.begin(), own.end(), std::not_fn(element::isRadial));
+    radial[direction].assign(by_radius, own.end());
+    own.erase(by_radius, own.end());
+  }
+  const bool any = !radial[across[0]].empty() || !radial[across[1]].empty();
+  for (std::size_t direction = first; direction < first + 3U; ++direction) {
+    const bool shares = any && direction != first + laws_.axis;
+    if (radial[direction].empty() == shares) {
+      throw std::invalid_argument(
+          fmt::format("{}: radial_stiffness is of a radius; accepted: in both {} and {}, across coupling.axis, or in "
+                      "neither",
+                      kDirectionNames[direction], toString(across[0]), toString(across[1])));
+    }
+  }
+  if (any) {
+    addCoupling(across, radial);
+  }
 }
 
 SixDirectionsState SixDirections::makeState() const {

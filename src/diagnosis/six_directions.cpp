@@ -4,12 +4,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/cross_map.h"
+#include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/gap/pose_replay.h"
 
 namespace rubber_suspension::diagnosis {
@@ -23,6 +27,16 @@ bool isCoupled(const component::SixDirectionsLaws& laws, Direction direction) {
   const component::Coupling coupling = component::isRotation(direction) ? laws.rotation : laws.translation;
   return coupling == component::Coupling::spherical ||
          (coupling == component::Coupling::cylindrical && direction % 3 != laws.axis);
+}
+
+// The other one across the axis, with which it may share a radius; nothing where that is free, or scaled by another
+// factor.
+std::optional<Direction> partnerOf(const io::SixDirectionsDescription& six, Direction direction) {
+  const std::size_t own = direction % 3;
+  const std::size_t axis = six.arrangement.axis;
+  const auto other = static_cast<Direction>(direction - own + 3 - own - axis);
+  const bool shares = own != axis && six.directions[other] && six.factorOf(other) == six.factorOf(direction);
+  return shares ? std::optional(other) : std::nullopt;
 }
 
 // Those that can be diagnosed by themselves.
@@ -69,10 +83,14 @@ std::vector<SixLogs> measuredDirections(const component::SixDirections& componen
 }
 
 // The force that the entries of the direction have to give, before its factor.
-std::vector<log::Log> logsOf(const std::vector<SixLogs>& all, Direction direction, double factor) {
+std::vector<log::Log> logsOf(const std::vector<SixLogs>& all, Direction direction,
+                             const io::SixDirectionsDescription& six) {
+  const double factor = six.factorOf(direction);
+  const std::optional<Direction> partner = partnerOf(six, direction);
   std::vector<log::Log> logs;
   for (const SixLogs& directions : all) {
     logs.push_back(directions[direction]);
+    logs.back().across = partner ? directions[*partner].displacement : std::vector<double>();
     for (double& force : logs.back().force) {
       force /= factor;
     }
@@ -113,6 +131,16 @@ DiagnosisOptions shareOf(const DiagnosisOptions& options, Direction direction, s
   return share;
 }
 
+// What two directions have by their radius stands in both: one that has nothing takes it from the other.
+void completeRadius(io::SixDirectionsDescription& six, Direction direction) {
+  const std::optional<Direction> partner = partnerOf(six, direction);
+  const auto elements = six.directions[direction]->allElements();
+  if (partner && element::radialLaws(six.directions[*partner]->allElements()).empty()) {
+    std::copy_if(elements.begin(), elements.end(), std::back_inserter(six.directions[*partner]->add),
+                 element::isRadial);
+  }
+}
+
 io::ComponentDescription augmentedOf(const io::ComponentDescription& component,
                                      const std::vector<DirectionDiagnosis>& directions) {
   auto six = std::make_shared<io::SixDirectionsDescription>(*component.six);
@@ -120,6 +148,9 @@ io::ComponentDescription augmentedOf(const io::ComponentDescription& component,
     if (found.diagnosis.workings) {
       six->directions[found.direction] = found.diagnosis.augmented;
     }
+  }
+  for (const DirectionDiagnosis& found : directions) {
+    completeRadius(*six, found.direction);
   }
   io::ComponentDescription augmented = component;
   augmented.six = std::move(six);
@@ -162,10 +193,9 @@ SixDirectionsDiagnosis diagnoseDirections(const io::ComponentDescription& compon
   SixDirectionsDiagnosis result;
   result.component = component.name;
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    const double factor = component.six->factorOf(directions[i]);
-    result.directions.push_back(diagnoseDirection(component, directions[i], logsOf(measured, directions[i], factor),
-                                                  logsOf(unseen, directions[i], factor),
-                                                  shareOf(options, directions[i], i, directions.size())));
+    result.directions.push_back(diagnoseDirection(
+        component, directions[i], logsOf(measured, directions[i], *component.six),
+        logsOf(unseen, directions[i], *component.six), shareOf(options, directions[i], i, directions.size())));
   }
   result.augmented = augmentedOf(component, result.directions);
   const component::SixDirections augmented = result.augmented.six->makeComponent();

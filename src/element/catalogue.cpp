@@ -32,6 +32,7 @@
 #include "rubber_suspension/element/power_dashpot.h"
 #include "rubber_suspension/element/power_dashpot_behind_play.h"
 #include "rubber_suspension/element/progressive_stiffness.h"
+#include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/element/residual.h"
 #include "rubber_suspension/element/self_heating.h"
 #include "rubber_suspension/element/sensor_gain.h"
@@ -81,6 +82,7 @@ const std::vector<ElementType>& elementTypes() {
       springType(),
       progressiveStiffnessType(),
       asymmetricStiffnessType(),
+      radialStiffnessType(),
       springTableType(),
       bumpStopType(),
       dashpotType(),

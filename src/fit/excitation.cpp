@@ -23,6 +23,28 @@ void addTemperature(const std::vector<log::Record>& records, Excitation& result)
   }
 }
 
+// Largest radius, where all logs have a displacement across that moves by itself.
+double largestRadius(const std::vector<log::Record>& records) {
+  constexpr double kLeastApart = 0.2;  // of the own motion
+  double largest = 0.0;
+  double squares = 0.0;  // of what does not follow the own motion
+  double own = 0.0;
+  for (const log::Record& record : records) {
+    if (record.across.size() == 0) {
+      return 0.0;
+    }
+    const Eigen::ArrayXd z = record.displacement.array();
+    const Eigen::ArrayXd across = record.across.array();
+    const Eigen::ArrayXd centred = z - z.mean();
+    const Eigen::ArrayXd other = across - across.mean();
+    const double slope = (centred * other).sum() / centred.square().sum();
+    squares += (other - slope * centred).square().sum();
+    own += centred.square().sum();
+    largest = std::max(largest, std::sqrt((z.square() + across.square()).maxCoeff()));
+  }
+  return squares > kLeastApart * kLeastApart * own ? largest : 0.0;
+}
+
 }  // namespace
 
 Excitation summarise(const std::vector<log::Record>& records) {
@@ -52,6 +74,7 @@ Excitation summarise(const std::vector<log::Record>& records) {
   }
   result.stiffness = std::sqrt(force_power / displacement_power);
   addTemperature(records, result);
+  result.largest_radius = largestRadius(records);
   result.mass_bandwidth = massBandwidth(records, result.highest_frequency);
   return result;
 }

@@ -23,7 +23,10 @@ struct Excitation {
   bool has_temperature = false;       ///< all logs have one
   double lowest_temperature = 0.0;    ///< [degC]
   double highest_temperature = 0.0;   ///< [degC]
-  double mass_bandwidth = 0.0;        ///< of the filter with which the node errs least by a mass [Hz]; 0: none
+  /// Largest root of displacement squared and of that across squared [m]; 0 where the logs do not tell one from the
+  /// other.
+  double largest_radius = 0.0;
+  double mass_bandwidth = 0.0;  ///< of the filter with which the node errs least by a mass [Hz]; 0: none
 };
 
 Excitation summarise(const std::vector<log::Record>& records);

@@ -10,6 +10,7 @@
 
 #include "gap/last_cycles.h"
 #include "io/progress.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::gap {
@@ -47,11 +48,12 @@ std::vector<double> secondsOf(const log::Log& log) {
 // The measured curve is broad and below, the simulated one thin and above: both are to be seen.
 io::Axes forceAxes(const std::string& x_label, const std::vector<double>& x, const log::Log& log,
                    const std::vector<double>& force, const Stretch& stretch, const ForceLabels& labels) {
-  io::Axes axes{"", x_label, "force [kN]"};
+  io::Axes axes{"", x_label, labels.quantity};
   if (!log.force.empty()) {
-    axes.curves.push_back({labels.log, x, thinned(log.force, stretch, 1e-3), "-", 0, kBroad});
+    axes.curves.push_back({labels.log, x, thinned(log.force, stretch, labels.factor), "-", 0, kBroad});
   }
-  axes.curves.push_back({labels.force, x, thinned(force, stretch, 1e-3), "-", log.force.empty() ? 1 : io::kInk, kThin});
+  axes.curves.push_back(
+      {labels.force, x, thinned(force, stretch, labels.factor), "-", log.force.empty() ? 1 : io::kInk, kThin});
   return axes;
 }
 
@@ -196,6 +198,36 @@ io::Figure replayFigure(const std::string& component, const log::Log& log, const
     figure.axes.push_back(displacement);
   } else {
     figure.axes.push_back(residualAxes(seconds, log, force, stretch, labels));  // below the force over time
+  }
+  return figure;
+}
+
+io::Figure replayFigure(const std::string& component, const log::PoseLog& log,
+                        const std::array<std::vector<double>, 6>& wrench) {
+  constexpr double kDegrees = 180.0 / element::kPi;
+  constexpr std::array<const char*, 6> kForces = {"Fx [kN]", "Fy [kN]", "Fz [kN]", "Mx [N m]", "My [N m]", "Mz [N m]"};
+  constexpr std::array<const char*, 6> kPlaces = {"x [mm]", "y [mm]", "z [mm]", "rx [deg]", "ry [deg]", "rz [deg]"};
+  const auto changes = [](const std::vector<double>& values) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return *least < *most;
+  };
+  io::Figure figure;
+  figure.title = fmt::format("{}, {}", component, log.name);
+  for (std::size_t k = 0; k < wrench.size(); ++k) {
+    log::Log direction;
+    direction.stamp = log.stamp;
+    direction.displacement = log.coordinate[k];
+    direction.force = log.wrench[k];
+    if (!changes(direction.displacement) && !changes(wrench[k])) {
+      continue;
+    }
+    const bool turns = k >= 3;
+    const ForceLabels labels{"measured", "simulated", kForces[k], turns ? 1.0 : 1e-3};
+    const Stretch stretch{firstOfLastCycles(direction, meanFrequency(direction), kCycles), log.size()};
+    figure.axes.push_back(forceAxes(kPlaces[k], thinned(direction.displacement, stretch, turns ? kDegrees : 1e3),
+                                    direction, wrench[k], stretch, labels));
+    figure.axes.push_back(
+        forceAxes("time [s]", thinned(secondsOf(direction), stretch, 1.0), direction, wrench[k], stretch, labels));
   }
   return figure;
 }

@@ -5,6 +5,7 @@
 
 #include "io/cancellation.h"
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/element/radial_stiffness.h"
 
 namespace rubber_suspension::gap {
 namespace {
@@ -23,12 +24,11 @@ bool followsTemperature(const Component& component, const log::Record& record) {
   return component.shiftsWithTemperature() && record.temperature.size() > 0;
 }
 
-// The temperature of each sample; of a motion before the record, that of its first.
-Eigen::VectorXd temperatureOf(const log::Record& record, Eigen::Index samples) {
-  const Eigen::Index before = samples - record.temperature.size();
-  Eigen::VectorXd temperature(samples);
-  temperature << Eigen::VectorXd::Constant(before, record.temperature[0]), record.temperature;
-  return temperature;
+// A channel at each sample; of a motion before the record, its first value.
+Eigen::VectorXd heldBefore(const Eigen::VectorXd& channel, Eigen::Index samples) {
+  Eigen::VectorXd held(samples);
+  held << Eigen::VectorXd::Constant(samples - channel.size(), channel[0]), channel;
+  return held;
 }
 
 // Samples of a record's drive from `first` on.
@@ -36,7 +36,7 @@ void simulateFrom(const Component& component, ComponentState& state, const log::
                   const Eigen::VectorXd& z, Eigen::Index first, Eigen::VectorXd& force) {
   const auto count = static_cast<std::size_t>(z.size() - first);
   if (followsTemperature(component, record)) {
-    const Eigen::VectorXd temperature = temperatureOf(record, z.size());
+    const Eigen::VectorXd temperature = heldBefore(record.temperature, z.size());
     component.simulate(state, record.dt, z.data() + first, temperature.data() + first, count, force.data() + first);
   } else {
     component.simulate(state, record.dt, z.data() + first, count, force.data() + first);
@@ -80,6 +80,7 @@ Eigen::VectorXd simulateLedIn(const Component& component, ComponentState& state,
 Forces simulate(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
                 const Drive& drive) {
   const Component component(elements);
+  const std::vector<element::RadialStiffness> radial = element::radialLaws(elements);
   ComponentState state = component.makeState();
   Forces forces;
   for (std::size_t r = 0; r < records.size(); ++r) {
@@ -91,6 +92,10 @@ Forces simulate(const std::vector<element::ElementDescription>& elements, const 
     setTemperature(component, state, record);
     forces.push_back(record.lead_in.size() > 0 ? simulateLedIn(component, state, record, z, before)
                                                : simulateRested(component, state, record, z, before));
+    if (!radial.empty() && record.across.size() > 0) {
+      const Eigen::VectorXd across = heldBefore(record.across, z.size());
+      element::addAcross(radial, z.data(), across.data(), static_cast<std::size_t>(z.size()), forces.back().data());
+    }
   }
   return forces;
 }

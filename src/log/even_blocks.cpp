@@ -2,6 +2,7 @@
 #include "log/even_blocks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -18,6 +19,20 @@ constexpr double kMostGrowth = 2.0;          // samples at even steps for one of
 constexpr double kFewSamples = 20000.0;      // or so many in all, as of a creep test sampled by the logarithm of time
 
 double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
+
+// Each of them may be empty.
+constexpr std::array<std::vector<double> Log::*, 4> kChannels = {&Log::displacement, &Log::force, &Log::temperature,
+                                                                 &Log::across};
+
+EvenBlocks::Piece pieceOf(double gap, const Log& log) {
+  const auto begin = [](const std::vector<double>& values) { return values.empty() ? nullptr : values.data(); };
+  return {gap,
+          log.displacement.size(),
+          begin(log.displacement),
+          begin(log.force),
+          begin(log.temperature),
+          begin(log.across)};
+}
 
 }  // namespace
 
@@ -133,8 +148,7 @@ void EvenBlocks::handOut(const Take& take) {
   if (even_.displacement.empty()) {
     return;
   }
-  take({gap_, even_.displacement.size(), even_.displacement.data(), even_.force.data(),
-        even_.temperature.empty() ? nullptr : even_.temperature.data()});
+  take(pieceOf(gap_, even_));
   gap_ = 0.0;
   even_ = Log();
 }
@@ -144,10 +158,10 @@ void EvenBlocks::interpolate(const Log& left, std::size_t l, const Log& block, s
   const double until = seconds(block.stamp[right] - first_stamp_);
   for (; done_ < steps_.samples && static_cast<double>(done_) * steps_.dt <= until; ++done_) {
     const double share = std::clamp((static_cast<double>(done_) * steps_.dt - from) / (until - from), 0.0, 1.0);
-    even_.displacement.push_back((1.0 - share) * left.displacement[l] + share * block.displacement[right]);
-    even_.force.push_back((1.0 - share) * left.force[l] + share * block.force[right]);
-    if (!block.temperature.empty()) {
-      even_.temperature.push_back((1.0 - share) * left.temperature[l] + share * block.temperature[right]);
+    for (const auto channel : kChannels) {
+      if (!(block.*channel).empty()) {
+        (even_.*channel).push_back((1.0 - share) * (left.*channel)[l] + share * (block.*channel)[right]);
+      }
     }
   }
 }
@@ -157,10 +171,10 @@ void EvenBlocks::endStretch(const Log& last, std::size_t sample) {
   const double steps = seconds(last.stamp[sample] - first_stamp_) / steps_.dt;
   const auto samples = std::min(static_cast<std::size_t>(std::floor(steps + kRounding)) + 1, steps_.samples);
   for (; done_ < samples; ++done_) {
-    even_.displacement.push_back(last.displacement[sample]);
-    even_.force.push_back(last.force[sample]);
-    if (!last.temperature.empty()) {
-      even_.temperature.push_back(last.temperature[sample]);
+    for (const auto channel : kChannels) {
+      if (!(last.*channel).empty()) {
+        (even_.*channel).push_back((last.*channel)[sample]);
+      }
     }
   }
 }
@@ -173,8 +187,7 @@ void EvenBlocks::beginBehindGap(std::int64_t stamp) {
 
 void EvenBlocks::add(const Log& block, const Take& take) {
   if (steps_.as_recorded) {
-    take({0.0, block.size(), block.displacement.data(), block.force.data(),
-          block.temperature.empty() ? nullptr : block.temperature.data()});
+    take(pieceOf(0.0, block));
     return;
   }
   for (std::size_t i = 0; i < block.size(); ++i) {

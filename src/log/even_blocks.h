@@ -66,13 +66,15 @@ Log longestStretch(const Log& log);
 /// A log at even steps, piece by piece.
 class EvenBlocks {
  public:
-  /// Samples at even steps that follow one another; valid while they are taken. No temperature where the log has none.
+  /// Samples at even steps that follow one another; valid while they are taken. Null where the log has none of a
+  /// channel.
   struct Piece {
     double gap;  ///< time since the sample before, where a time gap lies between them [s]; 0: a step
     std::size_t samples;
     const double* displacement;
     const double* force;
     const double* temperature;
+    const double* across;
   };
   using Take = std::function<void(const Piece&)>;
 

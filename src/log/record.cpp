@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <random>
+#include <utility>
 
 #include "log/even_blocks.h"
 #include "numerics/fourier.h"
@@ -50,13 +51,17 @@ void setTimeBase(const Log& log, Record& record) {
   record.raw_displacement.resize(samples);
   record.force.resize(samples);
   record.temperature.resize(log.temperature.empty() ? 0 : samples);
+  record.across.resize(log.across.empty() ? 0 : samples);
   Eigen::Index done = 0;
   const auto append = [&](const EvenBlocks::Piece& piece) {
     const auto count = static_cast<Eigen::Index>(piece.samples);
     record.raw_displacement.segment(done, count) = Eigen::Map<const Eigen::VectorXd>(piece.displacement, count);
     record.force.segment(done, count) = Eigen::Map<const Eigen::VectorXd>(piece.force, count);
-    if (piece.temperature != nullptr) {
-      record.temperature.segment(done, count) = Eigen::Map<const Eigen::VectorXd>(piece.temperature, count);
+    for (const auto& [from, to] :
+         {std::pair(piece.temperature, &record.temperature), std::pair(piece.across, &record.across)}) {
+      if (from != nullptr) {
+        to->segment(done, count) = Eigen::Map<const Eigen::VectorXd>(from, count);
+      }
     }
     done += count;
   };

@@ -21,6 +21,7 @@ void appendSamples(const Log& from, std::size_t first, std::size_t count, Log& t
   append(from.displacement, first, count, to.displacement);
   append(from.force, first, count, to.force);
   append(from.temperature, first, count, to.temperature);
+  append(from.across, first, count, to.across);
   to.units = from.units;
 }
 

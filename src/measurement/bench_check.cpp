@@ -567,10 +567,10 @@ void bringForward(Index samples, log::Record& record) {
   const Index of_force = std::max<Index>(samples, 0);
   const Index of_displacement = std::max<Index>(-samples, 0);
   record.force = VectorXd(record.force.segment(of_force, count));
-  record.displacement = VectorXd(record.displacement.segment(of_displacement, count));
-  record.raw_displacement = VectorXd(record.raw_displacement.segment(of_displacement, count));
-  if (record.temperature.size() > 0) {
-    record.temperature = VectorXd(record.temperature.segment(of_displacement, count));
+  for (VectorXd* channel : {&record.displacement, &record.raw_displacement, &record.temperature, &record.across}) {
+    if (channel->size() > 0) {
+      *channel = VectorXd(channel->segment(of_displacement, count));
+    }
   }
 }
 

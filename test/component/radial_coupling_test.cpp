@@ -65,6 +65,44 @@ TEST(RadialCoupling, GivesTheEllipticForcesOfTheReference) {
   EXPECT_LT((forceAt(laws, kReference) - Vector3d(2400.0, -1280.0, 500.0)).norm(), 1e-9);
 }
 
+// The law of the reference as springs of each direction and what they have by their radius: all of its cubic part, or
+// what is missing where each direction has that by itself.
+TEST(RadialCoupling, RectangularDirectionsShareARadialStiffness) {
+  SixDirectionsLaws laws;
+  laws.elements[component::kX] = {spring(4e6), {"radial_stiffness", {{"cubic", {2e12}}}}};
+  laws.elements[component::kY] = laws.elements[component::kX];
+  laws.elements[component::kZ] = {spring(1e6)};
+  EXPECT_LT((forceAt(laws, kReference) - Vector3d(3600.0, -4800.0, 500.0)).norm(), 1e-9);
+  laws.translation = Coupling::cylindrical;
+  EXPECT_LT((forceAt(laws, kReference) - Vector3d(3600.0, -4800.0, 500.0)).norm(), 1e-9);
+  laws.translation = Coupling::rectangular;
+  laws.elements[component::kX] = {spring(4e6),
+                                  {"progressive_stiffness", {{"cubic", {2e12}}}},
+                                  {"radial_stiffness", {{"cubic", {2e12}}, {"alone", {0.0}}}}};
+  laws.elements[component::kY] = laws.elements[component::kX];
+  EXPECT_LT((forceAt(laws, kReference) - Vector3d(3600.0, -4800.0, 500.0)).norm(), 1e-9);
+  laws.elements[component::kRx] = laws.elements[component::kRy] = laws.elements[component::kRz] = {spring(250.0)};
+  expectTangent(SixDirections(laws));
+  laws.elements[component::kY].back().values["cubic"] = {1e12};  // other numbers, and still a potential
+  const LoopWork work = closedLoop(SixDirections(laws), 20000);
+  EXPECT_LT(std::abs(work.work), 1e-6 * work.turnover);
+}
+
+TEST(RadialCoupling, ARadialStiffnessOfOneDirectionIsRefused) {
+  for (const component::Direction direction : {component::kX, component::kY, component::kZ}) {
+    SixDirectionsLaws laws;
+    laws.elements[direction] = {spring(4e6), {"radial_stiffness", {{"cubic", {2e12}}}}};
+    try {
+      SixDirections bush(laws);
+      FAIL();
+    } catch (const std::invalid_argument& error) {
+      const std::string at = direction == component::kX ? "y" : direction == component::kY ? "x" : "z";
+      EXPECT_EQ(std::string(error.what()).rfind(at + ": radial_stiffness", 0), 0U) << error.what();
+      EXPECT_NE(std::string(error.what()).find("accepted: in both x and y"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(RadialCoupling, SlidersFollowTheReference) {
   SixDirectionsLaws laws;
   laws.translation = Coupling::cylindrical;

@@ -182,16 +182,39 @@ TEST(Candidates, AreEnteredOnceEach) {
   std::set<std::string> names;
   for (const fit::Candidate& candidate : diagnosis::candidates(fit::summarise(records))) {
     EXPECT_TRUE(names.insert(candidate.effect).second) << candidate.effect;
-    EXPECT_EQ(candidate.applies(), candidate.effect != "temperature") << candidate.effect;  // the logs have none
+    // The logs have neither a temperature nor another displacement.
+    EXPECT_EQ(candidate.applies(), candidate.effect != "temperature" && candidate.effect != "radial_coupling")
+        << candidate.effect;
     EXPECT_FALSE(candidate.documentation.empty()) << candidate.effect;
   }
   // The effects that reports may name, besides parameter_error and unknown.
   const std::set<std::string> contract = {
-      "friction",    "relaxation", "creep",        "viscous_damping",   "progressive_stiffness",
-      "free_play",   "bump_stop",  "self_heating", "stress_softening",  "asymmetric_stiffness",
-      "inertia",     "time_delay", "force_offset", "series_compliance", "rate_amplitude_coupling",
-      "force_drift", "backlash",   "temperature",  "sensor_gain",       "fluid_inertia"};
+      "friction",       "relaxation", "creep",        "viscous_damping",   "progressive_stiffness",
+      "free_play",      "bump_stop",  "self_heating", "stress_softening",  "asymmetric_stiffness",
+      "inertia",        "time_delay", "force_offset", "series_compliance", "rate_amplitude_coupling",
+      "force_drift",    "backlash",   "temperature",  "sensor_gain",       "fluid_inertia",
+      "radial_coupling"};
   EXPECT_EQ(names, contract);
+}
+
+// Another displacement that moves by itself: one that follows the own, or next to none, tells of no radius.
+TEST(Candidates, RadialCouplingNeedsAnotherDisplacement) {
+  const auto offered = [](double share, double apart) {
+    log::Log log = noisyLog(0.0);
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      log.across.push_back(share * log.displacement[i] + apart * 1e-3 * std::sin(11.0 * log.time(i)));
+    }
+    for (const fit::Candidate& candidate : diagnosis::candidates(fit::summarise({log::makeRecord(log)}))) {
+      if (candidate.effect == "radial_coupling") {
+        return candidate.applies();
+      }
+    }
+    return false;
+  };
+  EXPECT_TRUE(offered(0.0, 1.0));
+  EXPECT_TRUE(offered(1.0, 1.0));
+  EXPECT_FALSE(offered(1.0, 0.0));
+  EXPECT_FALSE(offered(0.0, 0.01));
 }
 
 class KnownEffects : public testing::TestWithParam<std::vector<element::ElementDescription>> {};

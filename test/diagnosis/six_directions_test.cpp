@@ -10,6 +10,7 @@
 
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/cross_map.h"
+#include "gap/simulate.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -71,6 +72,38 @@ TEST(CrossMap, IsEmptyWhereTheOtherTellsNothing) {
   const auto logs = residuals([](double x, double) { return 30.0 * x; });
   EXPECT_TRUE(std::isnan(crossShare(logs, kX, kRx).share));  // moves as x
   EXPECT_TRUE(std::isnan(crossShare(logs, kX, kRz).share));  // stands still
+}
+
+io::ComponentDescription radialBush() {
+  return io::parseComponentFile(
+             "components:\n  bush:\n    directions:\n      x: &e {model: elements, elements: [{type: spring, "
+             "stiffness: "
+             "4 kN/mm}, {type: maxwell, stiffness: 1 kN/mm, break_frequency: 2 Hz}], add: [{type: radial_stiffness, "
+             "cubic: 2.0e+11, alone: 0.5}]}\n      y: *e\n",
+             "bush.yaml")
+      .front();
+}
+
+// What a diagnosis of one direction simulates, the other as given motion, is what the whole bush does.
+TEST(RadialStiffness, OfARecordIsThatOfTheBush) {
+  const component::SixDirections bush = radialBush().six->makeComponent();
+  component::SixDirectionsState state = bush.makeState();
+  log::Log log;
+  std::vector<double> expected;
+  for (int i = 0; i < 500; ++i) {
+    component::SixNumbers at = component::SixNumbers::Zero();
+    at[0] = 1.5e-3 * std::sin(0.02 * i);
+    at[1] = 1e-3 * (1.0 - std::cos(0.033 * i));
+    log.stamp.push_back(4000000LL * i);
+    log.displacement.push_back(at[0]);
+    log.across.push_back(at[1]);
+    const auto force = i == 0 ? bush.initialise(state, bush.pose(at)) : bush.step(state, 4e-3, bush.pose(at));
+    expected.push_back(force.wrench.force.x());
+  }
+  log.force = expected;
+  const log::Record record = log::evenRecord(log);
+  const Eigen::VectorXd found = gap::simulate(radialBush().six->directions[kX]->allElements(), {record}).front();
+  EXPECT_LT((found - record.force).cwiseAbs().maxCoeff(), 1e-9 * record.force.cwiseAbs().maxCoeff());
 }
 
 std::string refusal(const std::string& coupling, const std::vector<component::Direction>& directions) {

@@ -3,11 +3,13 @@
 
 #include <complex>
 #include <stdexcept>
+#include <utility>
 
 #include "rubber_suspension/element/asymmetric_stiffness.h"
 #include "rubber_suspension/element/bump_stop.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/progressive_stiffness.h"
+#include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/element/spring_table.h"
 
 namespace rubber_suspension::test {
@@ -60,6 +62,30 @@ TEST(ProgressiveStiffness, HyperbolicSineStiffensAlikeInBothDirections) {
   // Beyond 20 scales along the tangent there.
   EXPECT_NEAR(law.force(25e-3) - law.force(24e-3), 2e5 * 1e-3 * (std::cosh(20.0) - 1.0), 1e-6 * law.force(1e-2));
   EXPECT_TRUE(std::isfinite(law.force(1e3)));
+}
+
+// The gradient of W(r) - (1 - a)(W(|x|) + W(|y|)).
+TEST(RadialStiffness, HasAPotential) {
+  const double alone = 0.3;
+  const element::RadialStiffness law(2e8, 1e11, 3e16, alone);
+  const auto potential = [&](double x, double y) {
+    return law.energy(std::hypot(x, y)) - (1.0 - alone) * (law.energy(std::abs(x)) + law.energy(std::abs(y)));
+  };
+  constexpr double kStep = 1e-7;
+  for (const auto& [x, y] : {std::pair(1.5e-3, -0.7e-3), std::pair(-0.2e-3, 2e-3), std::pair(1e-3, 0.0)}) {
+    const double expected = (potential(x + kStep, y) - potential(x - kStep, y)) / (2.0 * kStep);
+    EXPECT_NEAR(law.force(x, y), expected, 1e-6 * std::abs(expected));
+  }
+}
+
+TEST(RadialStiffness, AloneIsItsShareOfAnOddStiffening) {
+  const element::ProgressiveStiffness odd(1e11, 3e16, 2e8);
+  for (const double alone : {0.0, 0.4, 1.0}) {
+    const element::RadialStiffness law(2e8, 1e11, 3e16, alone);
+    EXPECT_NEAR(law.force(kA, 0.0), alone * odd.force(kA), 1e-9);
+    EXPECT_EQ(law.force(-kA, 1e-3), -law.force(kA, -1e-3));
+  }
+  EXPECT_THROW(element::makeElement({"radial_stiffness", {{"alone", {0.5}}}}), std::invalid_argument);
 }
 
 TEST(ProgressiveStiffness, RefusesAnExponentialWithoutScale) {

@@ -46,6 +46,8 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"progressive_stiffness", {{"quintic", {2e16}}}},
       {"progressive_stiffness", {{"quadratic", {2e8}}}},
       {"progressive_stiffness", {{"exponential", {2e5}}, {"exponential_scale", {1e-3}}}},
+      {"radial_stiffness", {{"cubic", {1e11}}, {"quintic", {1e15}}}},
+      {"radial_stiffness", {{"quadratic", {2e8}}, {"alone", {0.3}}}},
       {"asymmetric_stiffness", {{"quadratic", {1e8}}, {"tension_stiffness", {-2e5}}}},
       {"asymmetric_stiffness", {{"exponential", {2e5}}, {"exponential_scale", {-1e-3}}}},
       {"asymmetric_stiffness", {{"even_exponential", {-2e5}}, {"exponential_scale", {1e-3}}}},

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/progress.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {
 namespace {
@@ -105,6 +106,30 @@ TEST(ReplayFigure, ShowsAllOfAShortLog) {
   const io::Figure figure = gap::replayFigure("bush", log, std::vector<double>(log.size(), 2000.0));
   EXPECT_EQ(figure.title, "bush, " + log.name);
   EXPECT_EQ(figure.axes[1].curves[0].x.size(), 10u);
+}
+
+// A row for each direction that moves or carries a load; moments in N m over degrees.
+TEST(ReplayFigure, ShowsTheDirectionsOfABush) {
+  log::PoseLog log;
+  std::array<std::vector<double>, 6> wrench;
+  for (int i = 0; i < 300; ++i) {
+    log.stamp.push_back(4000000LL * i);
+    for (std::size_t k = 0; k < 6; ++k) {
+      log.coordinate[k].push_back(k == 0 || k == 5 ? 1e-3 * std::sin(0.2 * i) : 0.0);
+      wrench[k].push_back(k == 2 ? 10.0 * std::sin(0.1 * i) : 2000.0);
+    }
+  }
+  log.coordinate[5][299] = element::kPi / 180.0;
+  const io::Figure figure = gap::replayFigure("bush", log, wrench);
+  ASSERT_EQ(figure.axes.size(), 6u);
+  EXPECT_EQ(figure.axes[0].x_label, "x [mm]");
+  EXPECT_EQ(figure.axes[0].y_label, "Fx [kN]");
+  EXPECT_EQ(figure.axes[0].curves[0].y[0], 2.0);
+  EXPECT_EQ(figure.axes[2].y_label, "Fz [kN]");
+  EXPECT_EQ(figure.axes[4].y_label, "Mz [N m]");
+  EXPECT_EQ(figure.axes[4].curves[0].y[0], 2000.0);
+  EXPECT_NEAR(figure.axes[4].curves[0].x.back(), 1.0, 1e-12);
+  EXPECT_EQ(figure.axes[5].x_label, "time [s]");
 }
 
 TEST(ProgressBar, FillsWithThePercentageAndFitsTheTerminal) {

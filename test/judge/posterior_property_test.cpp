@@ -151,6 +151,27 @@ RC_GTEST_PROP(AnyEvidence, NeverNamesWhatCannotBeSimulated, ()) {
   RC_ASSERT(probabilityOf(posteriorOf(evidence), {0}) == 0.0);
 }
 
+// One more on the list, which the logs lack something for: a temperature, another displacement.
+RC_GTEST_PROP(AnEffectThatDoesNotApply, ChangesNothing, ()) {
+  Evidence evidence = anyEvidence();
+  const SetPosterior before = posteriorOf(evidence);
+  const auto effect = static_cast<std::ptrdiff_t>(evidence.effects.size());
+  HypothesisEvidence single = evidence.hypotheses[Evidence::kFirstSingle];
+  single.members = {static_cast<int>(effect)};
+  single.terms = 0;
+  evidence.hypotheses.insert(evidence.hypotheses.begin() + Evidence::kFirstSingle + effect, single);
+  evidence.effects.emplace_back("of_other_logs");
+  evidence.on_rig.push_back(false);
+  const SetPosterior after = posteriorOf(evidence);
+  // The sum over all hypotheses is rounded in another order.
+  const auto same = [](double x, double y) { return std::abs(x - y) <= 1e-13 * std::max(x, y); };
+  RC_ASSERT(same(after.none, before.none));
+  RC_ASSERT(probabilityOf(after, single.members) == 0.0);
+  for (const SetProbability& set : before.sets) {
+    RC_ASSERT(same(probabilityOf(after, set.members), probabilityOf(before, set.members)));
+  }
+}
+
 RC_GTEST_PROP(AnEffectThatRemovesNothing, IsNeverNamed, ()) {
   const auto logs = static_cast<std::size_t>(*rc::gen::inRange(1, 7));
   const Evidence evidence = unexplained(logs, *rc::gen::inRange(1, 25), anyGap(4, 500));

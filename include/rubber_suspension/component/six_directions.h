@@ -194,6 +194,8 @@ class SixDirections {
   };
 
   void couple(std::vector<Direction> directions, SixElements& elements);
+  void coupleRadial(Direction first, SixElements& elements);
+  void addCoupling(std::vector<Direction> directions, SixElements& elements);
   BushForce start(SixDirectionsState& state, const Place& place, bool as_new) const;
   Place placeAt(const Eigen::Isometry3d& pose) const;
   Place framedPlaceAt(const Eigen::Isometry3d& pose) const;

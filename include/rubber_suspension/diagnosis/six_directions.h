@@ -32,7 +32,7 @@ struct SixDirectionsDiagnosis {
   std::string component;
   std::vector<DirectionDiagnosis> directions;
   std::vector<CrossShare> cross_map;   ///< of each direction diagnosed, by each other
-  io::ComponentDescription augmented;  ///< the whole component, directions that were not diagnosed as configured
+  io::ComponentDescription augmented;  ///< the whole component, other directions as configured but for radial_stiffness
   RunRecord run;
 };
 

@@ -1,6 +1,7 @@
 // Simulates a component on a recorded log, offline.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/figure.h"
 #include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/pose_log.h"
 
 namespace rubber_suspension::gap {
 
@@ -34,15 +36,21 @@ Replay replay(const component::Component& component, const log::Log& log);
 /// One line for the terminal: samples, duration, range of the force and, with a measured force, the gap.
 std::string summary(const std::string& component, const log::Log& log, const Replay& replay);
 
-/// The names of the force of the log and of the other one in a figure.
+/// The names of the force of the log and of the other one in a figure, and what is drawn of them.
 struct ForceLabels {
   std::string log = "measured";
   std::string force = "simulated";
+  std::string quantity = "force [kN]";
+  double factor = 1e-3;  ///< from SI to its unit
 };
 
 /// The last cycles: force over displacement and over time, measured less simulated below; and the whole log by its
 /// smallest and largest residual, or force.
 io::Figure replayFigure(const std::string& component, const log::Log& log, const std::vector<double>& force,
                         const ForceLabels& labels = {});
+
+/// The last cycles of each direction that moves or carries a load: force over coordinate and over time.
+io::Figure replayFigure(const std::string& component, const log::PoseLog& log,
+                        const std::array<std::vector<double>, 6>& wrench);
 
 }  // namespace rubber_suspension::gap

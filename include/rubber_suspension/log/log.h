@@ -29,6 +29,7 @@ struct Log {
   std::vector<double> displacement;  ///< [m]
   std::vector<double> force;         ///< measured [N]; empty if the log has none
   std::vector<double> temperature;   ///< [degC]; empty if the log has none
+  std::vector<double> across;        ///< displacement that shares a radius with this one [m]; empty: none is known
   std::vector<std::string> notes;    ///< what was ignored and why
   UnitsAre units = UnitsAre::named;
 

@@ -21,6 +21,7 @@ struct Record {
   Eigen::VectorXd raw_displacement;  ///< [m], as recorded
   Eigen::VectorXd force;             ///< measured [N]
   Eigen::VectorXd temperature;       ///< [degC]; empty if the log has none
+  Eigen::VectorXd across;            ///< displacement that shares a radius with this one [m]; likewise
   double force_deviation = 0.0;      ///< standard deviation of the measured force [N]
   double displacement_noise = 0.0;   ///< standard deviation of the sensor's white noise, estimated [m]
   double passed_frequency = 0.0;     ///< above this the displacement was smoothed [Hz]; 0 if it is as recorded

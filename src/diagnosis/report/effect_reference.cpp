@@ -15,6 +15,7 @@ namespace {
 fit::Excitation typicalExcitation() {
   fit::Excitation excitation;
   excitation.largest_displacement = 2e-3;
+  excitation.largest_radius = 2e-3;
   excitation.stiffness = 3e6;
   excitation.force = 4e3;
   excitation.power = 100.0;

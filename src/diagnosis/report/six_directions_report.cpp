@@ -109,7 +109,8 @@ std::string componentText(const SixDirectionsDiagnosis& diagnosis) {
     const std::string note = found ? augmentedStyle(*found->first).note(found->second) : "";
     return found && found->first->turns ? inRotationUnits(note) : note;
   };
-  style.head = fmt::format("# Diagnosis of {} by direction; others are as configured.\n", diagnosis.component);
+  style.head = fmt::format("# Diagnosis of {} by direction; others are as configured, but for a radial_stiffness.\n",
+                           diagnosis.component);
   for (const auto& [direction, d] : diagnosis.directions) {
     style.head += fmt::format("# {}: {}. Gap {} as configured, {} with this file; noise floor {}.\n",
                               toString(direction), toString(d.verdict), percent(d.gap.as_configured),
@@ -181,7 +182,7 @@ std::string toHtml(const SixDirectionsDiagnosis& diagnosis) {
                               kSixDirectionsMeaning) +
                   "<h2>Component file</h2>\n<p>Node and <code>replay</code> run "
                   "<a href=\"augmented.yaml\">augmented.yaml</a> as it is; directions that were not diagnosed are as "
-                  "configured.</p>\n" +
+                  "configured, but for a radial_stiffness that they share.</p>\n" +
                   folded("augmented.yaml", "<pre>" + escape(componentText(diagnosis)) + "</pre>\n") +
                   fmt::format("<p class=note>Made by:</p>\n<pre>{}</pre>\n", escape(diagnosis.run.command_line)));
 }

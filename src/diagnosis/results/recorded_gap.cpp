@@ -6,6 +6,7 @@
 
 #include "fit/parallel.h"
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis {
@@ -39,7 +40,7 @@ class Deviation {
 class Driven {
  public:
   explicit Driven(const std::vector<element::ElementDescription>& elements)
-      : component_(elements), state_(component_.makeState()) {}
+      : component_(elements), radial_(element::radialLaws(elements)), state_(component_.makeState()) {}
 
   void beginLog(bool as_new) {
     as_new_ = as_new;
@@ -65,6 +66,9 @@ class Driven {
                           force_.data() + done);
     } else {
       component_.simulate(state_, dt, piece.displacement + done, piece.samples - done, force_.data() + done);
+    }
+    if (piece.across != nullptr) {
+      element::addAcross(radial_, piece.displacement, piece.across, piece.samples, force_.data());
     }
     for (std::size_t i = 0; i < piece.samples; ++i) {
       squares_ += (piece.force[i] - force_[i]) * (piece.force[i] - force_[i]);
@@ -98,6 +102,7 @@ class Driven {
   }
 
   component::Component component_;
+  std::vector<element::RadialStiffness> radial_;
   component::ComponentState state_;
   bool as_new_ = true;
   bool rests_ = true;

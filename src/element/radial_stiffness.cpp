@@ -1,0 +1,49 @@
+// Stiffening spring by a radius.
+#include "rubber_suspension/element/radial_stiffness.h"
+
+namespace rubber_suspension::element {
+
+bool isRadial(const ElementDescription& element) { return element.type == "radial_stiffness"; }
+
+std::vector<RadialStiffness> radialLaws(const std::vector<ElementDescription>& elements) {
+  std::vector<RadialStiffness> laws;
+  for (const ElementDescription& element : elements) {
+    if (isRadial(element)) {
+      laws.push_back(dynamic_cast<const RadialStiffness&>(*parallelLaw(makeElement(element))));
+    }
+  }
+  return laws;
+}
+
+void addAcross(const std::vector<RadialStiffness>& laws, const double* displacement, const double* across,
+               std::size_t count, double* force) {
+  for (const RadialStiffness& law : laws) {
+    for (std::size_t i = 0; i < count; ++i) {
+      force[i] += law.force(displacement[i], across[i]) - law.force(displacement[i], 0.0);
+    }
+  }
+}
+
+ElementType radialStiffnessType() {
+  return {"radial_stiffness",
+          "Stiffness that rises with the radius r of two directions across an axis: F = x (h(r) - (1 - a) h(|x|)), "
+          "h(r) = k2 r + k3 r^2 + k5 r^4, in both of them; one direction by itself has r = |x|.",
+          {{"quadratic", "N/m^2", Role::scale, Range::nonNegative(), 0.0,
+            "coefficient k2; one of the coefficients must be greater than 0"},
+           {"cubic", "N/m^3", Role::scale, Range::nonNegative(), 0.0, "coefficient k3"},
+           {"quintic", "N/m^5", Role::scale, Range::nonNegative(), 0.0, "coefficient k5"},
+           {"alone", "1", Role::choice, Range::closed(0.0, 1.0), 1.0,
+            "share a that acts on a motion along one of the directions alone"}},
+          [](const ElementDescription& description) -> ElementPointer {
+            const double quadratic = description.value("quadratic");
+            const double cubic = description.value("cubic");
+            const double quintic = description.value("quintic");
+            if (quadratic == 0.0 && cubic == 0.0 && quintic == 0.0) {
+              refuseValue(description.type, "cubic", cubic, "N/m^3",
+                          "greater than 0, or else quadratic or quintic greater than 0");
+            }
+            return std::make_shared<const RadialStiffness>(quadratic, cubic, quintic, description.value("alone"));
+          }};
+}
+
+}  // namespace rubber_suspension::element
