@@ -7,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "diagnosis/hypotheses/search_evidence.h"
+#include "diagnosis/hypotheses/search.h"
 #include "diagnosis/refused.h"
 #include "diagnosis/table/describe_table.h"
 #include "diagnosis/table/row_table.h"
