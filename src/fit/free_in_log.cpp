@@ -33,7 +33,9 @@ log::Record withFreeInLog(FreeInLog free, const log::Record& record, const Eigen
   if (record.counts.size() > 0) {
     own.array().colwise() *= record.counts.array();
   }
-  own.leftCols(free.trend ? kTrendsPerLog : 0) *= kWide;
+  if (free.trend) {
+    own.leftCols(kTrendsPerLog) *= costsOfTrends(record).cwiseMax(1.0 / kWide).cwiseInverse().asDiagonal();
+  }
   own.rightCols(free.gain ? 1 : 0) *= kWide;
   result.nuisances = numerics::whiteningColumns(columns);
   return result;

@@ -16,4 +16,11 @@ void fillTrends(const log::Record& record, Eigen::Index first, double weight, Ei
   }
 }
 
+Eigen::VectorXd costsOfTrends(const log::Record& record) {
+  constexpr double kWalk = 0.1;  // standard deviation, of the force
+  Eigen::VectorXd orders(kTrendsPerLog);
+  orders << 0.0, 1.0, Eigen::VectorXd::LinSpaced(kTrendsPerLog - 2, 1.0, static_cast<double>(kTrendsPerLog - 2));
+  return record.one_deviation / kWalk * orders;
+}
+
 }  // namespace rubber_suspension::fit
