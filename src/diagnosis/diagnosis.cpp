@@ -8,7 +8,6 @@
 
 #include "diagnosis/hypotheses/log_table.h"
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/hypotheses/search_evidence.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/judge/answer.h"
 #include "diagnosis/prepare/bench_evidence.h"

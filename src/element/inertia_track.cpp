@@ -43,6 +43,28 @@ struct Oscillation {
   }
 };
 
+// Factors that a step of one length has in common.
+struct OverStep {
+  double decay = 0.0;
+  double square = 0.0;
+  double dt = 0.0;
+  double sine = 0.0;
+  double kept = 0.0;
+  double slowed = 0.0;
+  double lost = 0.0;  // 1 - kept
+  double after_velocity = 0.0;
+
+  OverStep() = default;
+  OverStep(double of_decay, double of_square, double over) : decay(of_decay), square(of_square), dt(over) {
+    const Oscillation oscillation(decay, square, dt);
+    sine = oscillation.sine;
+    kept = oscillation.cosine + decay * sine;
+    slowed = oscillation.cosine - decay * sine;
+    lost = -std::expm1(-decay * dt) + oscillation.missing - decay * sine;
+    after_velocity = sine + 2.0 * decay * lost / square;
+  }
+};
+
 }  // namespace
 
 InertiaTrack::InertiaTrack(double mass, double damping, double stiffness, double free_travel)
@@ -54,14 +76,14 @@ InertiaTrack::InertiaTrack(double mass, double damping, double stiffness, double
       square_(stiffness / mass) {}
 
 // de/dt = v - p, dp/dt = square e - 2 a p for a constant velocity v: the matrix exponential, and its integral for v.
+// Most steps are as long as the one that the same thread took before.
 InertiaTrack::Flow InertiaTrack::coupled(Flow flow, double dt, double velocity) const {
-  const Oscillation oscillation(decay_, square_, dt);
-  const double sine = oscillation.sine;
-  const double kept = oscillation.cosine + decay_ * sine;
-  const double lost = -std::expm1(-decay_ * dt) + oscillation.missing - decay_ * sine;  // 1 - kept
-  const double after_velocity = sine + 2.0 * decay_ * lost / square_;
-  return {kept * flow.deflection - sine * flow.rate + after_velocity * velocity,
-          square_ * sine * flow.deflection + (oscillation.cosine - decay_ * sine) * flow.rate + lost * velocity};
+  thread_local OverStep over;
+  if (over.dt != dt || over.decay != decay_ || over.square != square_) {
+    over = OverStep(decay_, square_, dt);
+  }
+  return {over.kept * flow.deflection - over.sine * flow.rate + over.after_velocity * velocity,
+          square_ * over.sine * flow.deflection + over.slowed * flow.rate + over.lost * velocity};
 }
 
 InertiaTrack::Flow InertiaTrack::free(Flow flow, double dt, double velocity) const {

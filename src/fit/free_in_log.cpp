@@ -23,6 +23,13 @@ void fillTrends(const log::Record& record, Eigen::Index first, double weight, Ei
 
 }  // namespace
 
+Eigen::VectorXd costsOfTrends(const log::Record& record) {
+  constexpr double kWalk = 0.1;  // standard deviation, of the force
+  Eigen::VectorXd orders(kTrendsPerLog);
+  orders << 0.0, 1.0, Eigen::VectorXd::LinSpaced(kTrendsPerLog - 2, 1.0, static_cast<double>(kTrendsPerLog - 2));
+  return record.one_deviation / kWalk * orders;
+}
+
 void fillFreeInLog(FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated,
                    const Eigen::VectorXd& by_zero, Eigen::Index first, double weight,
                    Eigen::Ref<Eigen::MatrixXd> columns) {
@@ -49,7 +56,9 @@ log::Record withFreeInLog(FreeInLog free, const log::Record& record, const Eigen
   if (record.counts.size() > 0) {
     own.array().colwise() *= record.counts.array();
   }
-  own.leftCols(free.trend ? kTrendsPerLog : 0) *= kWide;
+  if (free.trend) {
+    own.leftCols(kTrendsPerLog) *= costsOfTrends(record).cwiseMax(1.0 / kWide).cwiseInverse().asDiagonal();
+  }
   own.rightCols(free.gain ? 1 : 0) *= kWide;
   result.nuisances = numerics::whiteningColumns(columns);
   return result;

@@ -231,14 +231,19 @@ void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::siz
   }
 }
 
-// Zeros of the displacement are in units that count as the standard deviation of their log's force.
-Eigen::MatrixXd priorOfZeros(const Columns& all) {
+// Trends and zeros of the displacement are in units that count as the standard deviation of their log's force.
+Eigen::MatrixXd priorOfFree(const Columns& all) {
   Eigen::MatrixXd prior = Eigen::MatrixXd::Zero(all.width(), all.width());
-  for (std::size_t r = 0; all.free.zero && r < all.records.size(); ++r) {
-    const auto place =
-        static_cast<Eigen::Index>(all.derivatives.size() + r * static_cast<std::size_t>(all.free.count())) +
-        (all.free.trend ? kTrendsPerLog : 0);
-    prior(place, place) = std::pow(all.weights[r] * all.records[r].force_deviation, 2) * all.records[r].counted();
+  auto of_log = prior.diagonal().tail(prior.rows() - static_cast<Eigen::Index>(all.derivatives.size()));
+  for (std::size_t r = 0; r < all.records.size(); ++r) {
+    const log::Record& record = all.records[r];
+    const Eigen::Index first = all.free.count() * static_cast<Eigen::Index>(r);
+    const Eigen::Index trends = all.free.trend ? kTrendsPerLog : 0;
+    const double force = std::pow(all.weights[r] * record.force_deviation, 2) * record.counted();
+    of_log.segment(first, trends) = force * costsOfTrends(record).head(trends).cwiseAbs2();
+    if (all.free.zero) {
+      of_log[first + trends] = force;
+    }
   }
   return prior;
 }
@@ -333,7 +338,7 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
   for (std::size_t j = 0; j < sorted.known.size(); ++j) {
     result.squares[sorted.known_places[j]] = known->squares(sorted.known_index[j]);
   }
-  result.prior = priorOfZeros(all);
+  result.prior = priorOfFree(all);
   int place = 0;  // among the blocks of its log
   for (const Rows& rows : blocks) {
     const log::Record& record = records[rows.record];

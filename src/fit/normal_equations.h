@@ -63,7 +63,7 @@ class KnownColumns {
 
 /// Normal equations about a model whose forces [N] on the logs are `base`, without prior. `weights`: what makes
 /// residuals of each log comparable [1/N]. `free`: unknown in each log, too; `by_zero` as in Hypothesis. `known`: of
-/// the same logs; may be null. The prior is that of zeros of the displacement.
+/// the same logs; may be null. The prior is that of trends and of zeros of the displacement.
 BlockGrams normalEquations(const std::vector<log::Record>& records, const std::vector<double>& weights,
                            const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
                            FreeInLog free, int threads, const KnownColumns* known = nullptr,

@@ -10,7 +10,7 @@
 #include "diagnosis/experiment/menu.h"
 #include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
-#include "diagnosis/hypotheses/search_evidence.h"
+#include "diagnosis/hypotheses/search.h"
 #include "rig.h"
 #include "rubber_suspension/diagnosis/experiment_limits.h"
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <random>
 
 #include "fit/gram.h"
 #include "numerics/least_squares.h"
@@ -65,6 +66,34 @@ TEST(NormalEquations, LeaveOutBlocksWithoutSamplesThatCount) {
     // The same force, so the same rest: 0.1 of 3 but for where the cycles of the two are cut.
     EXPECT_NEAR(heldOut(blocks), heldOut(whole), 0.02 * heldOut(whole));
   }
+}
+
+double heldOutBesideTrends(const log::Record& one) {
+  const double weight = 1.0 / (one.force_deviation * std::sqrt(one.counted()));
+  const auto column = std::make_shared<const std::vector<Eigen::VectorXd>>(1, one.displacement);
+  BlockGrams blocks =
+      normalEquations({one}, {weight}, {Eigen::VectorXd::Zero(one.size())}, {column}, {true, false, false}, 1);
+  blocks.sumUp();
+  std::vector<Eigen::Index> columns(static_cast<std::size_t>(blocks.sum.cols() - 1));
+  std::iota(columns.begin(), columns.end(), 0);
+  const Eigen::VectorXd bound = Eigen::VectorXd::Constant(blocks.sum.cols() - 1, 1e9);
+  const std::vector<double> errors = crossValidate(blocks, columns, -bound, bound);
+  return std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks.weight.begin(), 0.0));
+}
+
+// A force that walks: trends of a walk predict more of it for blocks that are held out than free ones.
+TEST(NormalEquations, HaveTrendsOfARandomWalk) {
+  log::Record one = record(0, 0);
+  std::mt19937 generator(1);
+  std::normal_distribution<double> step(0.0, 0.005);
+  double walk = 0.0;
+  for (Eigen::Index i = 0; i < one.size(); ++i) {
+    walk += step(generator);
+    one.force[i] += walk;
+  }
+  const double free = heldOutBesideTrends(one);
+  one.one_deviation = 0.005;
+  EXPECT_LT(heldOutBesideTrends(one), 0.9 * free);
 }
 
 // What the rig may have added: its zero within a prior, and a slow wave that is entirely free.

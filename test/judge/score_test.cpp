@@ -28,7 +28,7 @@ TEST(ScoreTable, RefusesEvidenceWithoutLogs) {
   EXPECT_THROW(scoreTable(evidence), std::invalid_argument);
 }
 
-// One log, so that nothing is shrunk: the weights are those of the equations in score.h, computed here by hand.
+// One log: the weights are those of the equations in score.h, computed here by hand.
 TEST(LogWeights, AreThoseOfTheEquations) {
   Evidence evidence = unexplained(1, 1, 0.1, 50);
   explain(evidence, 0, 0.02);

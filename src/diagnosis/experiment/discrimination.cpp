@@ -128,7 +128,7 @@ void Discriminator::findNormalEquations() {
   normal_.resize(explanations_.size());
   for (std::size_t e = 0; e < normal_.size(); ++e) {
     const FittedHypothesis& fitted = *explanations_[e].fitted;
-    const auto blocks = fitter_.linearise(fitted.hypothesis, fitted.fit.parameters, {}, threads_);
+    const auto blocks = fitter_.linearise(fitted.hypothesis, fitted.fit.parameters, movable(e), threads_);
     const Eigen::Index unknowns = blocks.sum.rows() - 1;
     Normal& normal = normal_[e];
     normal.gram = blocks.sum.topLeftCorner(unknowns, unknowns);
@@ -137,16 +137,33 @@ void Discriminator::findNormalEquations() {
   }
 }
 
+// Whether the force of a term is the same beside all others.
+bool Discriminator::isPlayedAlone(std::size_t explanation, Eigen::Index term) const {
+  const fit::Hypothesis& hypothesis = explanations_[explanation].fitted->hypothesis;
+  return hypothesis.terms[static_cast<std::size_t>(term)].on_rig ||
+         (hypothesis.isAdditive() && fitter_.forces().isAdditive());
+}
+
+// As in fits, terms at nothing whose force would have to be simulated beside the others stay there.
+std::vector<bool> Discriminator::movable(std::size_t explanation) const {
+  const Eigen::VectorXd& scales = explanations_[explanation].fitted->fit.parameters.scales;
+  std::vector<bool> movable;
+  for (Eigen::Index t = 0; t < scales.size(); ++t) {
+    movable.push_back(scales[t] != 0.0 || isPlayedAlone(explanation, t));
+  }
+  return movable;
+}
+
 // By difference quotients; terms that add up with all else are played alone.
 void Discriminator::sayDerivatives(std::size_t explanation) {
   const FittedHypothesis& fitted = *explanations_[explanation].fitted;
   const fit::ParameterVector& at = fitted.fit.parameters;
   const Eigen::Index of_model = at.model.size();
   const Eigen::Index count = of_model + at.scales.size();
-  const bool additive = fitted.hypothesis.isAdditive() && fitter_.forces().isAdditive();
+  const std::vector<bool> moves = movable(explanation);
   Says& says = says_[explanation];
   for (const Eigen::VectorXd& force : says.force) {
-    says.derivatives.emplace_back(force.size(), count);
+    says.derivatives.emplace_back(Eigen::MatrixXd::Zero(force.size(), count));
   }
   fit::parallelFor(static_cast<std::size_t>(count), threads_, [&](std::size_t column) {
     const auto j = static_cast<Eigen::Index>(column);
@@ -162,19 +179,15 @@ void Discriminator::sayDerivatives(std::size_t explanation) {
         moved.model[j] = at.model[j] + step;
         elements = elementsOf(explanation, moved);
       }
-    } else {
-      const fit::BasisTerm& term = fitted.hypothesis.terms[column - static_cast<std::size_t>(of_model)];
+    } else if (const std::size_t place = column - static_cast<std::size_t>(of_model); moves[place]) {
+      const fit::BasisTerm& term = fitted.hypothesis.terms[place];
       double& scale = moved.scales[j - of_model];
-      alone = additive || term.on_rig;
-      const double direction = scale + term.typical > term.upper ? -1.0 : 1.0;
-      step = alone ? term.typical : (scale == 0.0 ? 1.0 : kTermStep) * term.typical * direction;
+      alone = isPlayedAlone(explanation, j - of_model);
+      step = (alone ? 1.0 : scale + term.typical > term.upper ? -kTermStep : kTermStep) * term.typical;
       scale += step;
       elements = alone ? std::vector{term.at(step)} : elementsOf(explanation, moved);
     }
-    if (elements.empty()) {  // no model on either side: the parameter cannot move
-      for (Eigen::MatrixXd& derivatives : says.derivatives) {
-        derivatives.col(j).setZero();
-      }
+    if (elements.empty()) {  // no model on either side, or a term that stays: it cannot move
       return;
     }
     const auto forces = played_.forces(elements);
@@ -182,6 +195,10 @@ void Discriminator::sayDerivatives(std::size_t explanation) {
       says.derivatives[m].col(j) = (alone ? forces[m] : (forces[m] - says.force[m]).eval()) / step;
     }
   });
+  for (std::size_t m = 0; m < says.force.size(); ++m) {
+    says.derivatives[m] = withoutFree(says.derivatives[m], fitted.hypothesis.free_in_log, says.force[m]);
+    says.grams.emplace_back(says.derivatives[m].transpose() * says.derivatives[m]);
+  }
 }
 
 // RMS force by which the wrong explanation is off, wherever it puts that: on the motion, or on the logs before [N].
@@ -195,12 +212,11 @@ double Discriminator::leftAfterRefit(std::size_t right, std::size_t wrong, std::
   // Relative to the force of the new log, which weighs as much as each of the others.
   const double unit = 1.0 / (deviation * std::sqrt(samples));
   const Eigen::VectorXd difference = unit * withoutFree(force - said, normal.free, said);
-  const Eigen::MatrixXd columns = unit * withoutFree(says_[wrong].derivatives[motion], normal.free, said);
-  const Eigen::Index size = normal.gram.rows();
+  const Eigen::MatrixXd& columns = says_[wrong].derivatives[motion];
   Eigen::MatrixXd gram = logs * normal.gram;
-  gram.topLeftCorner(columns.cols(), columns.cols()) += columns.transpose() * columns;
-  Eigen::VectorXd moment = Eigen::VectorXd::Zero(size);
-  moment.head(columns.cols()) = columns.transpose() * difference;
+  gram.topLeftCorner(columns.cols(), columns.cols()) += unit * unit * says_[wrong].grams[motion];
+  Eigen::VectorXd moment = Eigen::VectorXd::Zero(gram.rows());
+  moment.head(columns.cols()) = unit * (columns.transpose() * difference);
   const Eigen::VectorXd step = fit::boundedLeastSquares(gram, moment, normal.lower, normal.upper);
   const double cost = difference.squaredNorm() - 2.0 * step.dot(moment) + step.dot(gram * step);
   return deviation * std::sqrt(std::clamp(cost, 0.0, difference.squaredNorm()));

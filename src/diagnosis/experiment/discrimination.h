@@ -49,13 +49,16 @@ class Discriminator {
   // The forces of an explanation on the motions.
   struct Says {
     std::vector<Eigen::VectorXd> force;
-    std::vector<Eigen::MatrixXd> derivatives;  // by model parameters and scales
+    std::vector<Eigen::MatrixXd> derivatives;  // by model parameters and scales, without what is free in a new log
+    std::vector<Eigen::MatrixXd> grams;        // of these
   };
 
   void sayForces();
   std::vector<std::size_t> playable() const;
   std::vector<std::size_t> promising(const std::vector<std::size_t>& motions) const;
   void findNormalEquations();
+  bool isPlayedAlone(std::size_t explanation, Eigen::Index term) const;
+  std::vector<bool> movable(std::size_t explanation) const;
   void sayDerivatives(std::size_t explanation);
   double floorOf(double force_deviation) const;
   double unrefitted(std::size_t motion) const;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/results/augmented.h"
 #include "fit/free_in_log.h"
 #include "fit/parallel.h"

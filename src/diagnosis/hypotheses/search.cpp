@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/screening.h"
 #include "diagnosis/hypotheses/starts.h"
-#include "diagnosis/judge/evidence.h"
 #include "diagnosis/prepare/measured.h"
 #include "fit/parallel.h"
 
@@ -30,11 +30,6 @@ constexpr double kScreeningKnown = 2.3;
 constexpr double kWorthAFit = 2.3;  // sets with one more effect that could be a tenth as likely as the best
 // Fits that promise no less than so many times the error of the best of their size end: that, too, is by screening.
 constexpr double kHopeless = 2.0;
-
-void sortByScore(std::vector<FittedHypothesis>& list) {
-  std::stable_sort(list.begin(), list.end(),
-                   [](const FittedHypothesis& x, const FittedHypothesis& y) { return x.fit.score() < y.fit.score(); });
-}
 
 // A set of effects that may be worth a fit, and where that starts.
 struct Planned {
@@ -58,11 +53,10 @@ class Searcher {
     say("fitting single effects", 0.3);
     fitSingles(screening);
     look(screening);
-    for (std::size_t effects = 2; effects <= kMostEffects && isWorthMore(effects); ++effects) {
-      say(effects == 2 ? "fitting pairs" : "fitting triples", effects == 2 ? 0.5 : 0.75);
-      if (!fitSets(plan(screening, effects), effects == 2 ? result_.pairs : result_.triples)) {
-        break;
-      }
+    say("fitting pairs", 0.5);
+    if (fitSets(plan(screening, 2), result_.pairs)) {
+      say("fitting triples", 0.75);
+      fitSets(plan(screening, kMostEffects), result_.triples);
     }
     fitPartsOfTriples();
     return std::move(result_);
@@ -128,7 +122,7 @@ class Searcher {
     result_.surrogate_gap = screening.screen(all).error;
   }
 
-  Odds odds() const { return {result_.candidates, result_.least, result_.re_estimated.fit.score()}; }
+  Odds odds() const { return {result_.candidates, floor_, result_.re_estimated.fit.score()}; }
 
   double oddsOf(const FittedHypothesis& fitted) const {
     return odds().of(fitted.hypothesis.members, fitted.fit.score());
@@ -175,12 +169,22 @@ class Searcher {
   }
 
   // Sets of so many effects, the likeliest first: of all pairs about the model, and of those with one less about what
-  // they arrived at.
-  std::vector<Planned> plan(const Screening& about_model, std::size_t effects) const {
-    std::vector<Planned> planned;
+  // they arrived at. None where it is not worth a fit. What the rig costs the best so far may be one more effect: the
+  // floor is no higher than what one of them leaves.
+  std::vector<Planned> plan(const Screening& about_model, std::size_t effects) {
+    floor_ = result_.noise;
+    if (!isWorthMore(effects)) {
+      return {};
+    }
+    floor_ = result_.least;
+    std::map<std::vector<int>, Planned> best;  // of each set, by members
     const auto add = [&](const Screening& screening, const std::vector<Screened>& sets) {
       for (const Screened& set : sets) {
-        planned.push_back({set.members, set.error, odds().of(set.members, set.error), screening.bestOf(set.members)});
+        Planned& planned = best.try_emplace(set.members).first->second;
+        if (planned.members.empty() || set.error < planned.error) {
+          planned = {set.members, set.error, 0.0, screening.bestOf(set.members)};
+        }
+        floor_ = std::max(std::min(floor_, set.error), result_.noise);
       }
     };
     if (effects == 2) {
@@ -190,19 +194,13 @@ class Searcher {
       const Screening screening(fitter_, result_.candidates, *fitted, threads_);
       add(screening, screening.additions(fitted->hypothesis.members));
     }
-    std::stable_sort(planned.begin(), planned.end(),
-                     [](const Planned& x, const Planned& y) { return x.odds > y.odds; });
-    return withoutRepeats(planned);
-  }
-
-  static std::vector<Planned> withoutRepeats(const std::vector<Planned>& planned) {
-    std::vector<Planned> sets;
-    for (const Planned& set : planned) {
-      if (std::none_of(sets.begin(), sets.end(), [&](const Planned& other) { return other.members == set.members; })) {
-        sets.push_back(set);
-      }
+    std::vector<Planned> sorted;
+    for (auto& [members, planned] : best) {
+      planned.odds = odds().of(members, planned.error);
+      sorted.push_back(std::move(planned));
     }
-    return sets;
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Planned& x, const Planned& y) { return x.odds > y.odds; });
+    return isWorthMore(effects) ? sorted : std::vector<Planned>{};
   }
 
   // Fits those that may be as likely as the best, some at once; false where none is.
@@ -237,7 +235,9 @@ class Searcher {
     fit::parallelFor(planned.size(), threads_, [&](std::size_t i) {
       fitFurther(fitter_, result_.candidates, *from[i], planned[i].start, kHopeless * least, list[first + i]);
     });
-    sortByScore(list);
+    std::stable_sort(list.begin(), list.end(), [](const FittedHypothesis& x, const FittedHypothesis& y) {
+      return x.fit.score() < y.fit.score();
+    });
   }
 
   // The best fit of a part of a set: of one of its members, or of the pairs of a triple.
@@ -276,8 +276,20 @@ class Searcher {
   const fit::HypothesisFitter& fitter_;
   int threads_;
   const ProgressCallback& progress_;
+  double floor_ = 0.0;  // what odds suppose that no set leaves less than
   Search result_;
 };
+
+HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
+  HypothesisEvidence evidence;
+  evidence.members = fitted.hypothesis.members;
+  evidence.terms = fitted.hypothesis.terms.size();
+  evidence.free_trends = fitted.hypothesis.free_in_log.trend;
+  evidence.free_gains = fitted.hypothesis.free_in_log.gain;
+  const bool applies = !fitted.hypothesis.terms.empty() || fitted.hypothesis.members.empty();
+  evidence.penalty = applies ? fitted.fit.penalty : std::numeric_limits<double>::infinity();  // nothing was fitted
+  return evidence;
+}
 
 }  // namespace
 
@@ -315,6 +327,19 @@ const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) con
     best = fitted != &one && fitted->hypothesis.competes() && likelier ? fitted : best;
   }
   return *best;
+}
+
+Evidence evidenceOf(const Search& search) {
+  Evidence evidence;
+  evidence.hypotheses = {{}, evidenceOf(search.re_estimated)};
+  for (const FittedHypothesis* fitted : search.withEffects()) {
+    evidence.hypotheses.push_back(evidenceOf(*fitted));
+  }
+  for (const fit::Candidate& candidate : search.candidates) {
+    evidence.effects.push_back(candidate.effect);
+    evidence.on_rig.push_back(candidate.on_rig);
+  }
+  return evidence;
 }
 
 Search search(const Measured& measured, int threads, const ProgressCallback& progress) {

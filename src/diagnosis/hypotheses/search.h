@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnosis/experiment/implant.h"
+#include "diagnosis/judge/evidence.h"
 #include "fit/excitation.h"
 #include "fit/hypothesis_fitter.h"
 
@@ -52,6 +53,10 @@ struct Search {
   /// The likeliest besides one, by what it leaves of all logs: with effects, or the model alone.
   const FittedHypothesis& likeliestBeside(const FittedHypothesis& one) const;
 };
+
+/// The hypotheses of a search, each without what it leaves of logs and what its members add to them: of logs
+/// addLogTable() tells, of a table addRows().
+Evidence evidenceOf(const Search& search);
 
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;

@@ -12,55 +12,65 @@ namespace {
 constexpr int kGrid = 5;         // values, even on a log axis
 constexpr int kRefinements = 2;  // each halves the distance of the values
 
-class Shape {
- public:
-  Shape(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
-        const std::vector<log::Record>& records, int threads, const fit::Candidate& candidate)
-      : fitter_(fitter), re_estimated_(re_estimated), records_(records), threads_(threads), candidate_(candidate) {}
-
-  std::vector<fit::BasisTerm> best() {
-    const double ratio = candidate_.largest_shape / candidate_.least_shape;
-    for (int i = 0; i < kGrid; ++i) {
-      look(candidate_.least_shape * std::pow(ratio, (i + 0.5) / kGrid));
-    }
-    double step = std::pow(ratio, 0.5 / kGrid);
-    for (int i = 0; i < kRefinements; ++i, step = std::sqrt(step)) {
-      const double middle = best_;
-      look(middle * step);
-      look(middle / step);
-    }
-    return candidate_.terms_at(best_);
-  }
-
- private:
-  void look(double value) {
-    std::vector<fit::Candidate> one = {candidate_};
-    one.front().terms = candidate_.terms_at(value);
-    fit::findUnitEffects(one, records_, threads_);
-    const double left = Screening(fitter_, one, re_estimated_, threads_).leftBy({0});
-    if (!(left >= least_)) {
-      least_ = left;
-      best_ = value;
-    }
-  }
-
-  const fit::HypothesisFitter& fitter_;
-  const FittedHypothesis& re_estimated_;
-  const std::vector<log::Record>& records_;
-  int threads_;
-  const fit::Candidate& candidate_;
-  double least_ = HUGE_VAL;
-  double best_ = 0.0;
+// The search of one candidate.
+struct Shape {
+  fit::Candidate* candidate;
+  double best = 0.0;
+  double least = HUGE_VAL;  // that is left there
+  double step = 0.0;        // to the values that are looked at next, a factor
 };
+
+// Values to look at, which share the columns of the model.
+void lookAt(const std::vector<std::pair<Shape*, double>>& looks, const fit::HypothesisFitter& fitter,
+            const FittedHypothesis& re_estimated, const std::vector<log::Record>& records, int threads) {
+  std::vector<fit::Candidate> tried;
+  for (const auto& [shape, value] : looks) {
+    tried.push_back(*shape->candidate);
+    tried.back().terms = shape->candidate->terms_at(value);
+  }
+  fit::findUnitEffects(tried, records, threads);
+  const Screening screening(fitter, tried, re_estimated, threads);
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    Shape& shape = *looks[i].first;
+    const double left = screening.leftBy({static_cast<int>(i)});
+    if (!(left >= shape.least)) {
+      shape.least = left;
+      shape.best = looks[i].second;
+    }
+  }
+}
 
 }  // namespace
 
 void settleShapes(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
                   const std::vector<log::Record>& records, int threads, std::vector<fit::Candidate>& candidates) {
+  std::vector<Shape> shapes;
   for (fit::Candidate& candidate : candidates) {
     if (candidate.applies() && candidate.terms_at) {
-      candidate.terms = Shape(fitter, re_estimated, records, threads, candidate).best();
+      shapes.push_back({&candidate});
     }
+  }
+  std::vector<std::pair<Shape*, double>> looks;
+  for (Shape& shape : shapes) {
+    const double ratio = shape.candidate->largest_shape / shape.candidate->least_shape;
+    shape.step = std::pow(ratio, 0.5 / kGrid);
+    for (int i = 0; i < kGrid; ++i) {
+      looks.emplace_back(&shape, shape.candidate->least_shape * std::pow(ratio, (i + 0.5) / kGrid));
+    }
+  }
+  for (int refinement = 0; !looks.empty(); ++refinement) {
+    lookAt(looks, fitter, re_estimated, records, threads);
+    looks.clear();
+    for (Shape& shape : shapes) {
+      if (refinement < kRefinements) {
+        looks.emplace_back(&shape, shape.best * shape.step);
+        looks.emplace_back(&shape, shape.best / shape.step);
+        shape.step = std::sqrt(shape.step);
+      }
+    }
+  }
+  for (Shape& shape : shapes) {
+    shape.candidate->terms = shape.candidate->terms_at(shape.best);
   }
 }
 

@@ -44,8 +44,7 @@ void fillLogs(const Evidence& evidence, ScoreTable& table) {
 }
 
 void fillErrors(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
-  const ArrayXd beyond = (arrayOf(hypothesis.log_errors) - table.floor).max(0.0);
-  table.left.row(row) = 0.5 * (beyond + (beyond * table.weight).sum());
+  table.left.row(row) = (arrayOf(hypothesis.log_errors) - table.floor).max(0.0);
   table.moved[row] = hypothesis.penalty * hypothesis.penalty;
   if (!hypothesis.members.empty() && hypothesis.terms == 0) {  // the logs lack what it needs
     table.left.row(row) = std::numeric_limits<double>::infinity();

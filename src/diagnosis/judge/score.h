@@ -15,7 +15,7 @@ namespace rubber_suspension::diagnosis {
 struct ScoreTable {
   std::vector<std::string> effects;
   std::vector<std::vector<int>> members;
-  Eigen::ArrayXXd left;       ///< squares beyond the noise floor, each log shrunk half way to all logs
+  Eigen::ArrayXXd left;       ///< squares beyond the noise floor
   Eigen::ArrayXXd added;      ///< squares of the forces of the members that belong to the rubber
   Eigen::ArrayXXd added_rig;  ///< of those that belong to the rig
   Eigen::ArrayXd moved;       ///< square of the penalty of moved model parameters

@@ -1,6 +1,8 @@
 // Evidence that grows block by block and may be looked at after each one: an e-detector of bets on unseen blocks.
 #pragma once
 
+#include <algorithm>
+
 namespace rubber_suspension::diagnosis {
 
 /// Bets on blocks that no fit has seen. Before a block comes it is settled which model is the claim; the claim wins the
@@ -22,7 +24,10 @@ class SequentialEvidence {
   /// Reached with R >= threshold.
   explicit SequentialEvidence(double threshold) : threshold_(threshold) {}
 
-  void add(bool won);
+  void add(bool won) {
+    constexpr double kMost = 1e30;  // says no more than the threshold does, and stays finite
+    value_ = std::min(kMost, std::max(value_, 1.0) * (won ? 1.0 + kBet : 1.0 - kBet));
+  }
   void forget() { value_ = 1.0; }
 
   double value() const { return value_; }

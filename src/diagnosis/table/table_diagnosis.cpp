@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "diagnosis/hypotheses/log_table.h"
-#include "diagnosis/hypotheses/search_evidence.h"
+#include "diagnosis/hypotheses/search.h"
 #include "diagnosis/judge/evidence.h"
 #include "diagnosis/refused.h"
 #include "diagnosis/table/describe_table.h"

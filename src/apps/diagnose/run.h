@@ -1,0 +1,71 @@
+// The options of `diagnose`, and what its kinds of runs share.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command_line/component_options.h"
+#include "command_line/log_options.h"
+#include "command_line/option_table.h"
+#include "diagnosis/report/compare.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension::apps {
+
+/// The command line.
+struct DiagnoseOptions {
+  std::vector<std::string> command_line;
+  command_line::ComponentOptions component;
+  std::vector<std::string> directions;
+  std::vector<std::string> logs;
+  std::vector<std::string> hold_out;
+  std::string output;
+  std::string plot;
+  std::string compare;
+  bool evidence = false;
+  std::string law = "simplest";
+  std::vector<std::string> rig;
+  std::vector<std::string> limits;
+  std::vector<std::string> plan;
+  std::string table_path;
+  std::vector<std::string> uncertainty;
+  double effect_size = 0.1;  // of the standard deviation of the force
+  double noise = 0.005;      // likewise
+  std::uint64_t most_samples = diagnosis::kMostSamples;
+  int threads = 2;
+  command_line::LogOptions log_options;
+
+  command_line::OptionTable table();
+};
+
+/// A share such as "10 %" or 0.1, within these bounds.
+command_line::Quantity share(double& value, double least, double most);
+
+/// To a terminal alone.
+void showStage(const std::string& stage, double fraction);
+void clearStage();
+
+/// Version, date, command line and every file that is read.
+diagnosis::RunRecord runRecord(const DiagnoseOptions& options);
+
+/// Those of --rig.
+void setTolerances(const std::vector<std::string>& assignments, io::ComponentDescription& component);
+
+/// What the terminal says of excerpts; empty where all samples were searched.
+std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis);
+
+std::optional<diagnosis::EarlierReport> earlierReport(const DiagnoseOptions& options);
+
+/// Writes the report of a diagnosis, and says on the terminal what it comes to.
+int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::EarlierReport>& earlier,
+            const DiagnoseOptions& options);
+
+/// The runs, each of which returns the exit status.
+int runLogs(const DiagnoseOptions& options);
+int runDirections(const DiagnoseOptions& options);
+int runPlan(const DiagnoseOptions& options);
+int runTable(const DiagnoseOptions& options);
+
+}  // namespace rubber_suspension::apps
