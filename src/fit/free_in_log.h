@@ -33,9 +33,9 @@ void fillFreeInLog(FreeInLog free, const log::Record& record, const Eigen::Vecto
                    const Eigen::VectorXd& by_zero, Eigen::Index first, double weight,
                    Eigen::Ref<Eigen::MatrixXd> columns);
 
-/// The error that each column of a trend counts as where it is as large as the force. The zero is free. Half cosines are
-/// those of a random walk, which is as wide as zeros are on a bench of which nothing is known: free ones predict nothing
-/// between the samples that they are fitted to.
+/// The error that each column of a trend counts as where it is as large as the force. The zero is free. Half cosines
+/// are those of a random walk, which is as wide as zeros are on a bench of which nothing is known: free ones predict
+/// nothing between the samples that they are fitted to.
 Eigen::VectorXd costsOfTrends(const log::Record& record);
 
 /// The record with these among the nuisances: what the rig may have added to it (Record::withoutRig).
