@@ -28,12 +28,12 @@ ElementType radialStiffnessType() {
   return {"radial_stiffness",
           "Stiffness that rises with the radius r of two directions across an axis: F = x (h(r) - (1 - a) h(|x|)), "
           "h(r) = k2 r + k3 r^2 + k5 r^4, in both of them; one direction by itself has r = |x|.",
-          {{"quadratic", "N/m^2", Role::scale, Range::nonNegative(), 0.0,
-            "coefficient k2; one of the coefficients must be greater than 0"},
-           {"cubic", "N/m^3", Role::scale, Range::nonNegative(), 0.0, "coefficient k3"},
-           {"quintic", "N/m^5", Role::scale, Range::nonNegative(), 0.0, "coefficient k5"},
-           {"alone", "1", Role::choice, Range::closed(0.0, 1.0), 1.0,
-            "share a that acts on a motion along one of the directions alone"}},
+          {{"quadratic", "N/m^2", Role::scale, Range::nonNegative(),
+            "coefficient k2; one of the coefficients must be greater than 0", 0.0},
+           {"cubic", "N/m^3", Role::scale, Range::nonNegative(), "coefficient k3", 0.0},
+           {"quintic", "N/m^5", Role::scale, Range::nonNegative(), "coefficient k5", 0.0},
+           {"alone", "1", Role::choice, Range::closed(0.0, 1.0),
+            "share a that acts on a motion along one of the directions alone", 1.0}},
           [](const ElementDescription& description) -> ElementPointer {
             const double quadratic = description.value("quadratic");
             const double cubic = description.value("cubic");
