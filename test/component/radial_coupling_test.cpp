@@ -82,7 +82,7 @@ TEST(RadialCoupling, RectangularDirectionsShareARadialStiffness) {
   laws.elements[component::kY] = laws.elements[component::kX];
   EXPECT_LT((forceAt(laws, kReference) - Vector3d(3600.0, -4800.0, 500.0)).norm(), 1e-9);
   laws.elements[component::kRx] = laws.elements[component::kRy] = laws.elements[component::kRz] = {spring(250.0)};
-  expectTangent(SixDirections(laws));
+  expectTangent(SixDirections(framed(laws)));
   laws.elements[component::kY].back().values["cubic"] = {1e12};  // other numbers, and still a potential
   const LoopWork work = closedLoop(SixDirections(laws), 20000);
   EXPECT_LT(std::abs(work.work), 1e-6 * work.turnover);

@@ -16,7 +16,7 @@ namespace rubber_suspension::element {
 /// missing where both have laws of their own and a bush of one radius stands behind them. A component of one direction
 /// has y = 0. Validity: within the radii that the coefficients were fitted to.
 /// Source: a radial law F = G(r) (x, y)/r, as the cylindrical coupling of multibody programs, its G by a power series
-/// as in progressive_stiffness.
+/// as in progressive_stiffness. The type's make() throws std::invalid_argument.
 class RadialStiffness final : public ParallelElement {
  public:
   RadialStiffness(double quadratic /* k2 [N/m^2] */, double cubic /* k3 [N/m^3] */, double quintic /* k5 [N/m^5] */,
@@ -47,7 +47,7 @@ class RadialStiffness final : public ParallelElement {
   double alone_;
 };
 
-/// Those among elements.
+/// Those among elements. Throws std::invalid_argument as their make() does.
 std::vector<RadialStiffness> radialLaws(const std::vector<ElementDescription>& elements);
 
 /// Adds to the forces [N] of components that have these laws what displacements across change of them.
