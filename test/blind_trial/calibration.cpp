@@ -56,6 +56,17 @@ class Unknowns {
     return deviations;
   }
 
+  std::vector<double> valuesOf(const JudgeNumbers& numbers) const {
+    std::vector<double> values;
+    for (const NumberInfo& info : diagnosis::numberTable()) {
+      values.push_back(info.positive ? std::log(numbers.*info.value) : numbers.*info.value);
+    }
+    for (const std::string& effect : rates_) {
+      values.push_back(numbers.rateOf(effect));
+    }
+    return values;
+  }
+
   JudgeNumbers numbers(const double* values) const {
     JudgeNumbers numbers;
     for (const NumberInfo& info : diagnosis::numberTable()) {
@@ -184,19 +195,26 @@ JudgeNumbers calibrate(const std::vector<FittedCase>& cases) {
     throw std::invalid_argument("no case with evidence; accepted: at least one");
   }
   const Unknowns unknowns(cases);
-  std::vector<double> values = unknowns.means();
   const ceres::GradientProblem problem(new Loss(cases, unknowns));
   ceres::GradientProblemSolver::Options options;
   options.line_search_direction_type = ceres::LBFGS;
   options.max_num_iterations = 80;
   options.function_tolerance = 1e-6;
   options.logging_type = ceres::SILENT;
-  ceres::GradientProblemSolver::Summary summary;
-  ceres::Solve(options, problem, values.data(), &summary);
-  if (!summary.IsSolutionUsable()) {
-    throw std::runtime_error("the numbers cannot be fitted: " + summary.message);
+  double least = HUGE_VAL;
+  std::vector<double> best;
+  for (std::vector<double> values : {unknowns.means(), unknowns.valuesOf(diagnosis::fittedNumbers())}) {
+    ceres::GradientProblemSolver::Summary summary;
+    ceres::Solve(options, problem, values.data(), &summary);
+    if (!summary.IsSolutionUsable()) {
+      throw std::runtime_error("the numbers cannot be fitted: " + summary.message);
+    }
+    if (summary.final_cost < least) {
+      least = summary.final_cost;
+      best = values;
+    }
   }
-  return unknowns.numbers(values.data());
+  return unknowns.numbers(best.data());
 }
 
 std::string fittedNumbersSource(const JudgeNumbers& numbers, const std::string& of) {

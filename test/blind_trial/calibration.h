@@ -28,7 +28,8 @@ std::vector<FittedCase> fittedCases(const std::vector<TrialCase>& cases);
 double probabilityOfTruth(const FittedCase& known, const diagnosis::JudgeNumbers& numbers);
 
 /// Logarithms of these probabilities and the prior of the numbers are made greatest together
-/// (L-BFGS of Ceres). Base rates are of the effects that occur in the evidence.
+/// (L-BFGS of Ceres), from what is believed beforehand and from the numbers as fitted last: there are several such
+/// places, and the best one counts. Base rates are of the effects that occur in the evidence.
 diagnosis::JudgeNumbers calibrate(const std::vector<FittedCase>& cases);
 
 /// The source file that holds the numbers; `of` tells in words how they were fitted.
