@@ -1,5 +1,5 @@
 // The numbers of the judgement as fitted last. Written by `judge_again --calibrate`:
-// 2026-11-26, on 150 cases (5 machine, 2 mixed, 11 none, 26 pair, 7 parameter_error, 83 single, 6 triple, 10 unknown).
+// 2026-11-26, on 101 cases (5 machine, 7 none, 19 pair, 5 parameter_error, 56 single, 3 triple, 6 unknown).
 #include "diagnosis/judge/numbers.h"
 
 namespace rubber_suspension::diagnosis {
@@ -7,44 +7,44 @@ namespace rubber_suspension::diagnosis {
 const JudgeNumbers& fittedNumbers() {
   static const JudgeNumbers numbers = [] {
     JudgeNumbers fitted;
-    fitted.sharpness = 4.998;
-    fitted.growth = 0.1962;
-    fitted.form_error = 0.04277;
-    fitted.form_error_on_rig = 0.06045;
-    fitted.accepted = 0.003296;
-    fitted.floor_known = 0.296;
-    fitted.tails = 3.475;
-    fitted.moved_values = 0.5412;
-    fitted.no_effect = 0.6518;
-    fitted.rest = -3.295;
-    fitted.effect = -2.144;
-    fitted.second = -1.932;
-    fitted.third = -0.9955;
-    fitted.per_number = 0.3059;
-    fitted.per_trend = 0.385;
-    fitted.per_gain = 0.5478;
-    fitted.least_size = 0.1381;
-    fitted.size_spread = 0.5683;
-    fitted.rates["asymmetric_stiffness"] = -0.534;
-    fitted.rates["backlash"] = 0.094;
-    fitted.rates["bump_stop"] = -0.287;
-    fitted.rates["creep"] = 0.0805;
-    fitted.rates["fluid_inertia"] = -0.576;
-    fitted.rates["force_drift"] = -0.161;
-    fitted.rates["force_offset"] = 0.732;
-    fitted.rates["free_play"] = 0.00982;
-    fitted.rates["friction"] = 0.794;
-    fitted.rates["inertia"] = -0.0204;
-    fitted.rates["progressive_stiffness"] = 1.06;
-    fitted.rates["rate_amplitude_coupling"] = -1.44;
-    fitted.rates["relaxation"] = -0.309;
-    fitted.rates["self_heating"] = -0.037;
-    fitted.rates["sensor_gain"] = -0.346;
-    fitted.rates["series_compliance"] = 0.0153;
-    fitted.rates["stress_softening"] = 0.611;
+    fitted.sharpness = 7.559;
+    fitted.growth = 0.1601;
+    fitted.form_error = 0.05337;
+    fitted.form_error_on_rig = 0.04744;
+    fitted.accepted = 0.007259;
+    fitted.floor_known = 0.4623;
+    fitted.tails = 3.476;
+    fitted.moved_values = 0.5061;
+    fitted.no_effect = 1.763;
+    fitted.rest = -2.156;
+    fitted.effect = -2.398;
+    fitted.second = -1.687;
+    fitted.third = -0.827;
+    fitted.per_number = 0.3039;
+    fitted.per_trend = 0.2563;
+    fitted.per_gain = 0.4907;
+    fitted.least_size = 0.1226;
+    fitted.size_spread = 0.5873;
+    fitted.rates["asymmetric_stiffness"] = -0.47;
+    fitted.rates["backlash"] = -0.00515;
+    fitted.rates["bump_stop"] = -0.207;
+    fitted.rates["creep"] = -0.00891;
+    fitted.rates["fluid_inertia"] = -0.421;
+    fitted.rates["force_drift"] = 0.129;
+    fitted.rates["force_offset"] = 0.411;
+    fitted.rates["free_play"] = -0.0946;
+    fitted.rates["friction"] = 0.736;
+    fitted.rates["inertia"] = -0.0129;
+    fitted.rates["progressive_stiffness"] = 0.739;
+    fitted.rates["rate_amplitude_coupling"] = -1.28;
+    fitted.rates["relaxation"] = -0.173;
+    fitted.rates["self_heating"] = -0.0223;
+    fitted.rates["sensor_gain"] = -0.203;
+    fitted.rates["series_compliance"] = -0.274;
+    fitted.rates["stress_softening"] = 0.468;
     fitted.rates["temperature"] = -5e-06;
-    fitted.rates["time_delay"] = -0.162;
-    fitted.rates["viscous_damping"] = 0.666;
+    fitted.rates["time_delay"] = 0.154;
+    fitted.rates["viscous_damping"] = 0.665;
     return fitted;
   }();
   return numbers;
