@@ -69,7 +69,8 @@ double quantityOf(const std::string& key, const std::string& text) {
   try {
     return log::parseQuantity(text, parameter->unit);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(key + ": " + error.what());
+    throw std::invalid_argument(fmt::format("{}: {}: {}; accepted: a number in {}, or text with such a unit", key,
+                                            log::quoted(text), error.what(), parameter->unit));
   }
 }
 

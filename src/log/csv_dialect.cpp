@@ -211,7 +211,8 @@ bool isComment(std::string_view line) {
 
 bool isNumberField(std::string_view text) {
   constexpr std::size_t kLongest = 64;
-  std::string number = withoutGroupMarks(text.substr(0, kLongest));
+  std::string joined;
+  std::string number(withoutGroupMarks(text.substr(0, kLongest), joined));
   std::replace(number.begin(), number.end(), ',', '.');
   for (std::size_t mark = number.find('.'); mark != number.rfind('.'); mark = number.find('.')) {
     number.erase(mark, 1);  // between thousands

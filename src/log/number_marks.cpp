@@ -45,14 +45,16 @@ double relativeStep(double from, double to) {
 
 }  // namespace
 
-std::string withoutGroupMarks(std::string_view text) {
+std::string_view withoutGroupMarks(std::string_view text, std::string& joined) {
   static const std::regex kGrouped("[+-]?[0-9]{1,3}('| |\u2019|\u00A0|\u202F)[0-9]{3}(?:\\1[0-9]{3})*(?:[.,][0-9]*)?");
-  std::string number(text);
-  std::smatch match;
-  if (number.find_first_of("' \xC2\xE2") != std::string::npos && std::regex_match(number, match, kGrouped)) {
-    boost::algorithm::erase_all(number, match.str(1));
+  std::cmatch match;
+  if (text.size() > kLongestNumber || text.find_first_of("' \xC2\xE2") == std::string_view::npos ||
+      !std::regex_match(text.data(), text.data() + text.size(), match, kGrouped)) {
+    return text;
   }
-  return number;
+  joined = text;
+  boost::algorithm::erase_all(joined, match.str(1));
+  return joined;
 }
 
 // The digits and marks of a number, without sign and exponent.
@@ -139,12 +141,14 @@ void NumberMarks::lookAt(std::string_view text, std::size_t channel, std::size_t
 
 const char* NumberMarks::normalised(std::string_view field, std::size_t channel, const std::string& name,
                                     std::size_t line) {
-  const std::string text = withoutGroupMarks(field);
+  std::string joined;
+  const std::string_view text = withoutGroupMarks(field, joined);
   thousands_ = thousands_ || text.size() < field.size();
-  if (text.size() >= sizeof buffer_) {
-    throw std::runtime_error(fmt::format("{}: {} is not a number; accepted: a finite number", name, quoted(text)));
+  if (text.size() > kLongestNumber) {
+    throw std::runtime_error(
+        fmt::format("{}: {} is not a number; accepted: a finite number", name, quoted(std::string(text))));
   }
-  const bool has_mark = text.find_first_of(".,") != std::string::npos;
+  const bool has_mark = text.find_first_of(".,") != std::string_view::npos;
   last_marked_ = last_may_be_either_ = false;
   const bool is_number = std::all_of(text.begin(), text.end(), [](char c) {
     return isMarkDigit(c) || c == '.' || c == ',' || c == '+' || c == '-' || c == 'e' || c == 'E';

@@ -9,8 +9,12 @@
 
 namespace rubber_suspension::log {
 
+/// Characters of the longest text that may be a number.
+constexpr std::size_t kLongestNumber = 127;
+
 /// "1 072.5" as "1072.5": an apostrophe or a blank before each group of three digits, which is never a decimal mark.
-std::string withoutGroupMarks(std::string_view text);
+/// Any other text as it is. The result is kept in `joined` where it is another one.
+std::string_view withoutGroupMarks(std::string_view text, std::string& joined);
 
 /// Thrown where numbers have been read with another decimal mark than a later one tells: to be read again.
 struct OtherDecimalMark {
@@ -85,7 +89,7 @@ class NumberMarks {
   bool last_may_be_either_ = false;
   bool last_marked_ = false;
   std::vector<ColumnMarks> columns_;
-  char buffer_[128] = {};
+  char buffer_[kLongestNumber + 1] = {};
   const char* end_ = buffer_;
 };
 

@@ -201,9 +201,6 @@ void refuseSeparators(const std::string& text, std::size_t length) {
   }
   end = text.find_last_not_of(separator, end - 1) + 1;
   const bool groups = endsInGroups(text.substr(0, end), length, separator);
-  if (separator != ',' && !groups) {
-    return;  // two numbers
-  }
   std::string digits = text.substr(0, end);
   std::string point = digits;
   point[length] = '.';
@@ -211,10 +208,11 @@ void refuseSeparators(const std::string& text, std::size_t length) {
   const std::string rest = text.substr(end);
   const bool several = std::count(text.begin() + static_cast<std::ptrdiff_t>(length),
                                   text.begin() + static_cast<std::ptrdiff_t>(end), separator) > 1;
-  if (several && !groups) {
-    return;
+  const bool thousands = separator != ',' || several;
+  if (thousands && !groups) {
+    return;  // several numbers
   }
-  if (separator != ',' || several) {
+  if (thousands) {
     throw std::invalid_argument(fmt::format("separators of thousands (did you mean '{}{}'?)", digits, rest));
   }
   const bool three = end - length == 4;  // "3,000" is either

@@ -348,6 +348,15 @@ TEST(Advice, NamesTheSegmentsOfAFormatThatDefinesItsTime) {
   EXPECT_THAT(log.notes, ::testing::Contains("column 'X_Value' is taken to be in s; another unit by --unit"));
 }
 
+TEST(Advice, ALongRowOfGroupsIsNoNumber) {
+  std::string groups = "1";
+  for (int i = 0; i < 15000; ++i) {
+    groups += " 000";
+  }
+  EXPECT_THAT(refusalOf("time_s;displacement_mm;force_N\n0;1,5;2,5\n1;1,5;" + groups + "\n2;1,5;2,5\n"),
+              HasSubstr("is not a number"));
+}
+
 TEST(Units, BehindNumbersMakeNoHeader) {
   EXPECT_THAT(refusalOf("time;displacement;force\n0.0 s;1.5 mm;8 N\n0.1 s;1.6 mm;9 N\n0.2 s;1.7 mm;9 N\n"),
               HasSubstr(":1: column 'displacement' tells no unit; accepted: --unit displacement=UNIT"));

@@ -73,8 +73,7 @@ class Proposer {
     NextExperiment next;
     next.text = fmt::format(
         "{}. It decides between {}. If {} is right, {} would still differ by {} there, fitted anew. Over all of them "
-        "the "
-        "difference is {:.1f} times the noise. The right one should then stand at {} %.",
+        "the difference is {:.1f} times the noise. The right one should then stand at {} %.",
         chosen.description, allNames(), nameOfExplanation(0), nameOfExplanation(best.nearest),
         quantity(best.difference, "N"), best.floors, chance(best.probability));
     next.proposed.description = chosen.description;
