@@ -14,6 +14,7 @@ namespace {
 constexpr double kRadiansBetweenEdges = 0.125;
 constexpr double kMostParts = 4096.0;
 constexpr double kEdgeTolerance = 1e-15;  // of the time of an edge, over the part
+constexpr int kMostSteps = 50;            // to an edge, as many as halves would take
 constexpr int kMostEdges = 64;  // of one part; a guard against edges that rounding places on top of each other
 
 // exp(-a t) times cos(w t), sin(w t)/w and 1 - cos(w t), w^2 = square - a^2; hyperbolic where that is negative.
@@ -113,6 +114,26 @@ bool InertiaTrack::isIn(int piece, double deflection) const {
   return piece == 0 ? std::abs(deflection) <= free_travel_ : piece * deflection >= free_travel_;
 }
 
+// When the motion leaves a piece that it is out of after dt: Newton's steps from there, halves where they leave the
+// interval.
+double InertiaTrack::timeOfEdge(int piece, Flow flow, double dt, double velocity) const {
+  const double edge = std::copysign(free_travel_, piece == 0 ? along(piece, flow, dt, velocity).deflection : piece);
+  double before = 0.0;
+  double after = dt;
+  double at = dt;
+  for (int step = 0; step < kMostSteps && after - before > kEdgeTolerance * dt; ++step) {
+    const Flow then = along(piece, flow, at, velocity);
+    (isIn(piece, then.deflection) ? before : after) = at;
+    const double moved = (then.deflection - edge) / (then.rate - velocity);
+    const double next = at + moved;
+    if (std::abs(moved) <= kEdgeTolerance * dt) {
+      return std::clamp(next, before, after);
+    }
+    at = next > before && next < after ? next : 0.5 * (before + after);
+  }
+  return after;
+}
+
 void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const {
   for (int edge = 0; dt > 0.0; ++edge) {
     const int piece = pieceOf(flow, velocity);
@@ -121,12 +142,7 @@ void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const
       flow = end;
       return;
     }
-    double before = 0.0;
-    double after = dt;
-    while (after - before > kEdgeTolerance * dt) {
-      const double middle = 0.5 * (before + after);
-      (isIn(piece, along(piece, flow, middle, velocity).deflection) ? before : after) = middle;
-    }
+    const double after = timeOfEdge(piece, flow, dt, velocity);
     flow = along(piece, flow, after, velocity);
     flow.deflection = std::copysign(free_travel_, piece == 0 ? flow.deflection : piece);
     dt -= after;

@@ -46,6 +46,7 @@ class InertiaTrack final : public ParallelElement {
   Flow along(int piece, Flow flow, double dt, double velocity) const;
   int pieceOf(Flow flow, double velocity) const;
   bool isIn(int piece, double deflection) const;
+  double timeOfEdge(int piece, Flow flow, double dt, double velocity) const;
   void followDecoupled(Flow& flow, double dt, double velocity) const;
 
   double mass_;
