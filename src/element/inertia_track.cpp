@@ -5,17 +5,20 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 namespace rubber_suspension::element {
 namespace {
 
-constexpr double kRadiansBetweenEdges = 0.125;
+constexpr double kRadiansBetweenTurns = 3.0;  // less than half a period
 constexpr double kMostParts = 4096.0;
+constexpr int kTurnBits = 26;             // a deflection is known twice as well as the time at which it turns
 constexpr double kEdgeTolerance = 1e-15;  // of the time of an edge, over the part
 constexpr int kMostSteps = 50;            // to an edge, as many as halves would take
-constexpr int kMostEdges = 64;  // of one part; a guard against edges that rounding places on top of each other
+constexpr int kMostStops = 64;  // of one part; a guard against edges that rounding places on top of each other
 
 // exp(-a t) times cos(w t), sin(w t)/w and 1 - cos(w t), w^2 = square - a^2; hyperbolic where that is negative.
 struct Oscillation {
@@ -114,8 +117,22 @@ bool InertiaTrack::isIn(int piece, double deflection) const {
   return piece == 0 ? std::abs(deflection) <= free_travel_ : piece * deflection >= free_travel_;
 }
 
-// When the motion leaves a piece that it is out of after dt: Newton's steps from there, halves where they leave the
-// interval.
+// The first time at which the motion turns or ends. While the velocity of the deflection obeys a linear oscillator,
+// half a period holds one turn at most.
+double InertiaTrack::timeOfTurn(int piece, Flow flow, double dt, double velocity) const {
+  const auto speed = [&](double t) { return velocity - along(piece, flow, t, velocity).rate; };
+  const double first = velocity - flow.rate;
+  const double last = speed(dt);
+  if (!(first * last < 0.0)) {
+    return dt;
+  }
+  std::uintmax_t steps = kMostSteps;
+  const boost::math::tools::eps_tolerance<double> near(kTurnBits);
+  return boost::math::tools::toms748_solve(speed, 0.0, dt, first, last, near, steps).second;
+}
+
+// When the motion leaves a piece that it is out of at dt, without a turn between: Newton's steps from there, halves
+// where they leave the interval.
 double InertiaTrack::timeOfEdge(int piece, Flow flow, double dt, double velocity) const {
   const double edge = std::copysign(free_travel_, piece == 0 ? along(piece, flow, dt, velocity).deflection : piece);
   double before = 0.0;
@@ -134,18 +151,19 @@ double InertiaTrack::timeOfEdge(int piece, Flow flow, double dt, double velocity
   return after;
 }
 
+// From one edge of the dead zone or turn of the motion to the next.
 void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const {
-  for (int edge = 0; dt > 0.0; ++edge) {
+  for (int stop = 0; dt > 0.0; ++stop) {
     const int piece = pieceOf(flow, velocity);
-    const Flow end = along(piece, flow, dt, velocity);
-    if (isIn(piece, end.deflection) || edge == kMostEdges) {
-      flow = end;
-      return;
+    double part = stop < kMostStops ? timeOfTurn(piece, flow, dt, velocity) : dt;
+    Flow end = along(piece, flow, part, velocity);
+    if (!isIn(piece, end.deflection) && stop < kMostStops) {
+      part = timeOfEdge(piece, flow, part, velocity);
+      end = along(piece, flow, part, velocity);
+      end.deflection = std::copysign(free_travel_, piece == 0 ? end.deflection : piece);
     }
-    const double after = timeOfEdge(piece, flow, dt, velocity);
-    flow = along(piece, flow, after, velocity);
-    flow.deflection = std::copysign(free_travel_, piece == 0 ? flow.deflection : piece);
-    dt -= after;
+    flow = end;
+    dt -= part;
   }
 }
 
@@ -155,7 +173,7 @@ double InertiaTrack::step(const Motion& motion, double* memory) const {
   if (free_travel_ == 0.0) {
     flow = coupled(flow, motion.dt, velocity);
   } else {
-    const double parts = std::clamp(std::ceil(motion.dt * std::sqrt(square_) / kRadiansBetweenEdges), 1.0, kMostParts);
+    const double parts = std::clamp(std::ceil(motion.dt * std::sqrt(square_) / kRadiansBetweenTurns), 1.0, kMostParts);
     for (double part = 0.0; part < parts; part += 1.0) {
       followDecoupled(flow, motion.dt / parts, velocity);
     }
