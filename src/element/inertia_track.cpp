@@ -8,6 +8,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <stdexcept>
 
 namespace rubber_suspension::element {
@@ -69,6 +70,27 @@ struct OverStep {
   }
 };
 
+std::uint64_t bitsOf(double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+// Most steps of a track are as long as its last: what a thread needed last is kept, in a place by its numbers.
+const OverStep& overStep(double decay, double square, double dt) {
+  constexpr std::uint64_t kPlaces = 64;
+  constexpr std::uint64_t kSpread =
+      0x9E3779B97F4A7C15;  // multiplicative hashing (Knuth): the highest bits depend on all
+  constexpr unsigned kBelowPlaces = 58;
+  thread_local std::array<OverStep, kPlaces> kept;
+  const std::uint64_t mixed = ((bitsOf(decay) * kSpread + bitsOf(square)) * kSpread + bitsOf(dt)) * kSpread;
+  OverStep& over = kept[mixed >> kBelowPlaces];
+  if (over.dt != dt || over.decay != decay || over.square != square) {
+    over = OverStep(decay, square, dt);
+  }
+  return over;
+}
+
 }  // namespace
 
 InertiaTrack::InertiaTrack(double mass, double damping, double stiffness, double free_travel)
@@ -80,12 +102,8 @@ InertiaTrack::InertiaTrack(double mass, double damping, double stiffness, double
       square_(stiffness / mass) {}
 
 // de/dt = v - p, dp/dt = square e - 2 a p for a constant velocity v: the matrix exponential, and its integral for v.
-// Most steps are as long as the one that the same thread took before.
 InertiaTrack::Flow InertiaTrack::coupled(Flow flow, double dt, double velocity) const {
-  thread_local OverStep over;
-  if (over.dt != dt || over.decay != decay_ || over.square != square_) {
-    over = OverStep(decay_, square_, dt);
-  }
+  const OverStep& over = overStep(decay_, square_, dt);
   return {over.kept * flow.deflection - over.sine * flow.rate + over.after_velocity * velocity,
           square_ * over.sine * flow.deflection + over.slowed * flow.rate + over.lost * velocity};
 }
