@@ -257,17 +257,18 @@ std::string comparisonSection(const Comparison& comparison) {
   if (comparison.with.empty()) {
     return "";
   }
-  Table differing({"", "before", "now"});
-  Table same({"", "before", "now"});
+  std::vector<Row> differing;
+  std::vector<Row> same;
   for (const ReportChange& change : comparison.changes) {
-    (change.differs ? differing : same).add({escape(change.what), escape(change.before), escape(change.after)});
+    (change.differs ? differing : same).push_back({escape(change.what), escape(change.before), escape(change.after)});
   }
+  const Row titles = {"", "before", "now"};
   return "<h2>What changed</h2>\n<p>Since <code>" + escape(comparison.with) + "</code>" +
          (comparison.date.empty() ? "" : ", " + escape(comparison.date)) +
          ". Values differ here where their 95 % intervals have nothing in common, gaps where they changed by more than "
          "both noise floors together.</p>\n" +
-         (differing.empty() ? "<p>Nothing differs beyond noise and intervals.</p>\n" : differing.html()) +
-         (same.empty() ? "" : folded("As before, within noise and intervals", same.html()));
+         (differing.empty() ? "<p>Nothing differs beyond noise and intervals.</p>\n" : table(titles, differing)) +
+         (same.empty() ? "" : folded("As before, within noise and intervals", table(titles, same)));
 }
 
 }  // namespace rubber_suspension::diagnosis

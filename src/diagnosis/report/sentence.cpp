@@ -84,13 +84,6 @@ std::string ownValuesText(const Diagnosis& diagnosis) {
   return value == nullptr ? "The model's parameters are off" : offText(*value);
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  }
-  return text;
-}
-
 // The largest fact first: the model's own values, where these alone close most of the squared gap that is closed and
 // more than the effects alone do; else the effects alone. Otherwise values only make room for the effects.
 std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects) {
