@@ -142,6 +142,9 @@ std::string agreement(const Gap& gap) {
                      percent(gap.noise_floor));
 }
 
+// Stiffness that falls in the course of logs, as it does where a room warms.
+bool mayBeTemperature(const std::string& effect) { return effect == "self_heating" || effect == "stress_softening"; }
+
 }  // namespace
 
 std::string sentence(const Diagnosis& diagnosis) {
@@ -176,6 +179,18 @@ std::string sentence(const Diagnosis& diagnosis) {
           "trust the model there.",
           percent(gap.re_estimated), ofUnseenLogs(diagnosis), percent(gap.noise_floor));
   }
+}
+
+std::string temperatureNote(const std::vector<std::string>& effects, const fit::Excitation& excitation) {
+  std::vector<std::string> doubtful;
+  std::copy_if(effects.begin(), effects.end(), std::back_inserter(doubtful), mayBeTemperature);
+  if (excitation.has_temperature || doubtful.empty()) {
+    return "";
+  }
+  return fmt::format(
+      "Without a recorded temperature {} is not certain: rubber that warmed by itself would look alike. Logs with the "
+      "column temperature_degC would settle it.",
+      fmt::join(doubtful, " and "));
 }
 
 }  // namespace rubber_suspension::diagnosis

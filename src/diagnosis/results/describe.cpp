@@ -14,7 +14,6 @@
 #include "diagnosis/prepare/rig.h"
 #include "diagnosis/report/admission.h"
 #include "diagnosis/report/sentence.h"
-#include "diagnosis/report/temperature_note.h"
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/augmented.h"
 #include "diagnosis/results/characteristics.h"
