@@ -6,7 +6,7 @@
 
 #include "campaign/collect.h"
 #include "diagnosis/report/page.h"
-#include "diagnosis/report/text.h"
+#include "diagnosis/words/text.h"
 #include "log/text.h"
 
 namespace rubber_suspension::campaign {

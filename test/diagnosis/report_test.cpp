@@ -14,13 +14,13 @@
 #include <regex>
 #include <sstream>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/report/run_record.h"
-#include "diagnosis/report/text.h"
-#include "diagnosis/results/augmented.h"
-#include "diagnosis/results/model_values.h"
-#include "diagnosis/results/workings.h"
+#include "diagnosis/words/headline.h"
+#include "diagnosis/words/model_values.h"
+#include "diagnosis/words/text.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/iwan.h"
 

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/page.h"
-#include "diagnosis/report/text.h"
-#include "diagnosis/results/augmented.h"
-#include "diagnosis/results/workings.h"
+#include "diagnosis/words/headline.h"
+#include "diagnosis/words/text.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr double kShown = 0.01;  // less probable ones are folded
+constexpr double kLikely = 0.01;  // less probable ones are folded
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -84,7 +84,7 @@ std::string candidateSection(const Diagnosis& d) {
   std::vector<Row> shown;
   std::vector<Row> rest;
   for (const CandidateResult& c : d.candidates) {
-    (c.probability >= kShown || isNamed(d, c) ? shown : rest).push_back(rowOf(d, c));
+    (c.probability >= kLikely || isNamed(d, c) ? shown : rest).push_back(rowOf(d, c));
   }
   std::string html = shown.empty() ? "<p>No candidate reaches a probability of 1 %.</p>\n" : table(titles, shown);
   html += fmt::format(

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnosis/report/text.h"
+#include "diagnosis/words/text.h"
 #include "log/text.h"
 
 namespace rubber_suspension::diagnosis {

@@ -9,7 +9,7 @@
 
 #include "diagnosis/report/json_parts.h"
 #include "diagnosis/report/page.h"
-#include "diagnosis/report/text.h"
+#include "diagnosis/words/text.h"
 #include "rubber_suspension/diagnosis/plan.h"
 
 namespace rubber_suspension::diagnosis {

@@ -5,7 +5,7 @@
 
 #include "diagnosis/report/json_parts.h"
 #include "diagnosis/report/page.h"
-#include "diagnosis/report/text.h"
+#include "diagnosis/words/text.h"
 #include "io/output_files.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/plan.h"

@@ -10,9 +10,9 @@
 #include <limits>
 #include <numeric>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/prepare/bench_evidence.h"
 #include "diagnosis/results/missing_force.h"
-#include "diagnosis/results/workings.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {

@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/compare.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
-#include "diagnosis/report/text.h"
-#include "diagnosis/results/model_values.h"
 #include "diagnosis/results/rounding.h"
-#include "diagnosis/results/workings.h"
+#include "diagnosis/words/model_values.h"
+#include "diagnosis/words/text.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/element/constants.h"
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <complex>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/json_parts.h"
-#include "diagnosis/results/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis {

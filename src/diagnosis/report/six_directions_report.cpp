@@ -11,8 +11,8 @@
 
 #include "diagnosis/report/json_parts.h"
 #include "diagnosis/report/page.h"
-#include "diagnosis/report/text.h"
 #include "diagnosis/results/rounding.h"
+#include "diagnosis/words/text.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/six_directions.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "diagnosis/report/page.h"
-#include "diagnosis/report/text.h"
+#include "diagnosis/words/text.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {

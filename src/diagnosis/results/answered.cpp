@@ -7,8 +7,9 @@
 #include <numeric>
 #include <utility>
 
-#include "diagnosis/results/augmented.h"
+#include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/results/predictive.h"
+#include "diagnosis/words/headline.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
 

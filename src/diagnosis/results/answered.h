@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/judge/answer.h"
-#include "diagnosis/results/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/gap/gap.h"
 

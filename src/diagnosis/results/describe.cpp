@@ -10,12 +10,11 @@
 
 #include "diagnosis/experiment/confusion.h"
 #include "diagnosis/experiment/next_experiment.h"
+#include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/prepare/rig.h"
-#include "diagnosis/report/admission.h"
-#include "diagnosis/report/sentence.h"
+#include "diagnosis/results/admission.h"
 #include "diagnosis/results/answered.h"
-#include "diagnosis/results/augmented.h"
 #include "diagnosis/results/characteristics.h"
 #include "diagnosis/results/model_parameters_by_log.h"
 #include "diagnosis/results/recorded_gap.h"
@@ -23,6 +22,7 @@
 #include "diagnosis/results/taken_out.h"
 #include "diagnosis/results/whole_stiffness.h"
 #include "diagnosis/results/written_law.h"
+#include "diagnosis/words/sentence.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diagnosis/results/augmented.h"
+#include "diagnosis/words/headline.h"
 #include "fit/bounded_least_squares.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"

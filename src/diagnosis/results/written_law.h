@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "diagnosis/results/workings.h"
+#include "diagnosis/hypotheses/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/gap/gap.h"
 

@@ -1,5 +1,5 @@
 // Numbers and text as the report's page has them.
-#include "diagnosis/report/text.h"
+#include "diagnosis/words/text.h"
 
 #include <fmt/format.h>
 

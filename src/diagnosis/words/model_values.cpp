@@ -1,5 +1,5 @@
 // The model's own values before and after.
-#include "diagnosis/results/model_values.h"
+#include "diagnosis/words/model_values.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 
-#include "diagnosis/report/text.h"
-#include "diagnosis/results/augmented.h"
+#include "diagnosis/words/headline.h"
+#include "diagnosis/words/text.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {

@@ -1,5 +1,5 @@
 // Sentences of the report.
-#include "diagnosis/report/sentence.h"
+#include "diagnosis/words/sentence.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,8 +9,8 @@
 #include <iterator>
 #include <vector>
 
-#include "diagnosis/report/text.h"
-#include "diagnosis/results/model_values.h"
+#include "diagnosis/words/model_values.h"
+#include "diagnosis/words/text.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
