@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diagnosis/report/text.h"
 #include "diagnosis/results/cross_map.h"
+#include "diagnosis/words/text.h"
 #include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/gap/pose_replay.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "diagnosis/experiment/implant.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/implant.h"
 #include "diagnosis/hypotheses/screening.h"
 #include "diagnosis/judge/numbers.h"
 #include "fit/fitter.h"

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <random>
 
-#include "diagnosis/results/workings.h"
+#include "diagnosis/hypotheses/workings.h"
 #include "rubber_suspension/gap/replay.h"
 #include "shared_runs.h"
 

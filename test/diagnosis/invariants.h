@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "diagnosis/report/page.h"
-#include "diagnosis/report/text.h"
-#include "diagnosis/results/model_values.h"
+#include "diagnosis/words/model_values.h"
+#include "diagnosis/words/text.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::test {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/report_figures.h"
-#include "diagnosis/results/workings.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {

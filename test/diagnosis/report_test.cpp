@@ -14,13 +14,13 @@
 #include <regex>
 #include <sstream>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/report/run_record.h"
-#include "diagnosis/report/text.h"
-#include "diagnosis/results/augmented.h"
-#include "diagnosis/results/model_values.h"
-#include "diagnosis/results/workings.h"
+#include "diagnosis/words/headline.h"
+#include "diagnosis/words/model_values.h"
+#include "diagnosis/words/text.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/iwan.h"
 
@@ -90,10 +90,9 @@ TEST(ReportPage, AsksForNoWidthBeyond400Pixels) {
 }
 
 TEST(ReportTable, TellsTheTitleOfEachField) {
-  diagnosis::Table table({"log", "#gap"});
-  table.add({"sine", "7.9 %"});
-  EXPECT_THAT(table.html(), HasSubstr("<td data-title=\"log\">sine</td><td class=n data-title=\"gap\">7.9 %</td>"));
-  EXPECT_THROW(table.add({"sine"}), std::logic_error);
+  EXPECT_THAT(diagnosis::table({"log", "#gap"}, {{"sine", "7.9 %"}}),
+              HasSubstr("<td data-title=\"log\">sine</td><td class=n data-title=\"gap\">7.9 %</td>"));
+  EXPECT_THROW(diagnosis::table({"log", "#gap"}, {{"sine"}}), std::logic_error);
 }
 
 TEST(ReportText, HasUnitsThatEngineersRead) {

@@ -7,9 +7,10 @@
 #include <cmath>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/judge/numbers.h"
-#include "diagnosis/results/augmented.h"
 #include "diagnosis/results/rounding.h"
+#include "diagnosis/words/headline.h"
 #include "fit/fitter.h"
 #include "gap/simulate.h"
 #include "rig.h"

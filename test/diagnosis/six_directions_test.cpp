@@ -8,8 +8,8 @@
 #include <random>
 #include <string>
 
-#include "diagnosis/report/text.h"
 #include "diagnosis/results/cross_map.h"
+#include "diagnosis/words/text.h"
 #include "gap/simulate.h"
 
 namespace rubber_suspension::diagnosis {

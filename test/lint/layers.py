@@ -44,6 +44,18 @@ BELOW = {
         "processor", "element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement",
         "fit", "diagnosis", "node", "roscpp_fixes", "ros_interface", "fmi"},
 }
+# What each folder of diagnosis/ may include of the others; what lies beside the folders may include all of them.
+WITHIN_DIAGNOSIS = {
+    "words": set(),
+    "prepare": set(),
+    "judge": set(),
+    "live": set(),
+    "hypotheses": {"prepare", "judge"},
+    "experiment": {"words", "prepare", "judge", "hypotheses"},
+    "results": {"words", "prepare", "judge", "hypotheses", "experiment"},
+    "table": {"words", "prepare", "judge", "hypotheses", "experiment", "results"},
+    "report": {"words", "prepare", "judge", "hypotheses", "results"},
+}
 KNOW_ROS = {"bag", "roscpp_fixes", "ros_interface", "benchmark", "apps"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(
@@ -52,12 +64,23 @@ ROS_HEADER = re.compile(
 )
 OWN_MESSAGE = re.compile(r"^rubber_suspension/[A-Z]\w*\.h$")
 OWN_HEADER = re.compile(r"^(?:rubber_suspension/)?([a-z_]+)/")
+OF_DIAGNOSIS = re.compile(r"(?:^|/src/)diagnosis/([a-z_]+)/")
 
 
 def layer_of(path, root):
     """The folder below include/rubber_suspension/ or src/ that a file is in."""
     parts = path.relative_to(root).parts
     return parts[2] if parts[0] == "include" else parts[1]
+
+
+def violation_within(path, header):
+    """The same of a file of diagnosis/ and a header of another folder of it."""
+    own, other = OF_DIAGNOSIS.search(path.as_posix()), OF_DIAGNOSIS.search(header)
+    if own is None or other is None or own.group(1) == other.group(1):
+        return None
+    if other.group(1) not in WITHIN_DIAGNOSIS.get(own.group(1), ()):
+        return f"diagnosis/{own.group(1)} must not depend on diagnosis/{other.group(1)}"
+    return None
 
 
 def violation(layer, header):
@@ -86,7 +109,7 @@ def check(root):
             continue
         for number, line in enumerate(path.read_text().splitlines(), 1):
             match = INCLUDE.match(line)
-            reason = match and violation(layer, match.group(1))
+            reason = match and (violation(layer, match.group(1)) or violation_within(path, match.group(1)))
             if reason:
                 print(f"{path}:{number}: includes {match.group(1)}: {reason}")
                 found += 1

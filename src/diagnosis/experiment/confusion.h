@@ -1,7 +1,7 @@
 // Which effect would be taken for which: implanted effects before the judge.
 #pragma once
 
-#include "diagnosis/experiment/implant.h"
+#include "diagnosis/hypotheses/implant.h"
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/judge/evidence.h"
 #include "rubber_suspension/diagnosis/could_show.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/results/workings.h"
+#include "diagnosis/hypotheses/workings.h"
 
 namespace rubber_suspension::diagnosis {
 

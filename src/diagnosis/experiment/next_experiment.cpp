@@ -8,7 +8,7 @@
 #include "diagnosis/experiment/discrimination.h"
 #include "diagnosis/experiment/explanation.h"
 #include "diagnosis/experiment/menu.h"
-#include "diagnosis/report/text.h"
+#include "diagnosis/words/text.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {

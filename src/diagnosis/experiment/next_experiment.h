@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "diagnosis/results/workings.h"
+#include "diagnosis/hypotheses/workings.h"
 #include "fit/fitter.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 

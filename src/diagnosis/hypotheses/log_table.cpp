@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnosis/results/augmented.h"
+#include "diagnosis/hypotheses/fitted_component.h"
 #include "fit/free_in_log.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"

@@ -5,9 +5,9 @@
 
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/judge/evidence.h"
 #include "diagnosis/prepare/rig_noise.h"
-#include "diagnosis/results/workings.h"
 
 namespace rubber_suspension::diagnosis {
 

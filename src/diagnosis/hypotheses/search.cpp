@@ -9,10 +9,10 @@
 #include <numeric>
 #include <utility>
 
+#include "diagnosis/hypotheses/measured.h"
 #include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/screening.h"
 #include "diagnosis/hypotheses/starts.h"
-#include "diagnosis/prepare/measured.h"
 #include "fit/parallel.h"
 
 namespace rubber_suspension::diagnosis {

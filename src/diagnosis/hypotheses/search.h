@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/experiment/implant.h"
+#include "diagnosis/hypotheses/implant.h"
 #include "diagnosis/judge/evidence.h"
 #include "fit/excitation.h"
 #include "fit/hypothesis_fitter.h"

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "diagnosis/prepare/friction_noise.h"
-#include "diagnosis/results/augmented.h"
 #include "fit/free_in_log.h"
 #include "fit/hypothesis_forces.h"
 #include "rubber_suspension/gap/gap.h"

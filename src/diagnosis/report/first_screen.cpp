@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <map>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/page.h"
-#include "diagnosis/report/text.h"
-#include "diagnosis/results/model_values.h"
 #include "diagnosis/results/taken_out.h"
-#include "diagnosis/results/workings.h"
+#include "diagnosis/words/model_values.h"
+#include "diagnosis/words/text.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis/report/page.h"
-#include "diagnosis/report/text.h"
+#include "diagnosis/words/text.h"
 
 namespace rubber_suspension::diagnosis {
 

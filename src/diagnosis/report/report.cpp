@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/judge/evidence_json.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/results/missing_force.h"
 #include "diagnosis/results/rounding.h"
-#include "diagnosis/results/workings.h"
 #include "io/output_files.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"

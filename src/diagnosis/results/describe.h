@@ -4,9 +4,9 @@
 
 #include <memory>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/prepare/log_survey.h"
 #include "diagnosis/results/taken_out.h"
-#include "diagnosis/results/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis {

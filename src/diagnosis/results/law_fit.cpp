@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diagnosis/results/augmented.h"
+#include "diagnosis/hypotheses/fitted_component.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/element/catalogue.h"
 

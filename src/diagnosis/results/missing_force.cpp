@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnosis/results/workings.h"
+#include "diagnosis/hypotheses/workings.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {

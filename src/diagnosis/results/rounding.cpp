@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/report/text.h"
+#include "diagnosis/words/text.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
 

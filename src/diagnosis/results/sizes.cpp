@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
+#include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
-#include "diagnosis/results/augmented.h"
+#include "diagnosis/words/headline.h"
 #include "fit/bounded_least_squares.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"
@@ -19,18 +20,13 @@ namespace {
 
 using Key = std::pair<std::string, std::string>;  // owner and name
 
-struct Value {
-  Key key;
-  std::string unit;
-  double value = 0.0;
-  bool is_scale = false;  // nothing of the effect is left at 0
-};
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // The sizes of one parameter vector.
-struct Point {
-  std::vector<Value> model;
-  std::vector<Value> effects;
-  std::vector<Value> written;
+struct Sizes {
+  std::vector<SizedValue> model;
+  std::vector<SizedValue> effects;
+  std::vector<SizedValue> written;
 };
 
 std::string unitOf(const std::vector<element::ParameterInfo>& table, const std::string& name) {
@@ -38,10 +34,10 @@ std::string unitOf(const std::vector<element::ParameterInfo>& table, const std::
   return info == nullptr ? "1" : info->unit;
 }
 
-std::vector<Value> modelValues(const io::ComponentDescription& description) {
-  std::vector<Value> values;
+std::vector<SizedValue> modelValues(const io::ComponentDescription& description) {
+  std::vector<SizedValue> values;
   for (const auto& [name, value] : description.specification().values()) {
-    values.push_back({{"specification", name}, unitOf(estimation::specificationParameters(), name), value, false});
+    values.push_back({"specification", name, unitOf(estimation::specificationParameters(), name), kNone, value});
   }
   if (!values.empty()) {
     return values;
@@ -53,34 +49,32 @@ std::vector<Value> modelValues(const io::ComponentDescription& description) {
     for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
       const auto found = element.values.find(parameter.name);
       if (found != element.values.end() && element::isFree(parameter, found->second) && found->second.size() == 1) {
-        values.push_back({{owner, parameter.name}, parameter.unit, found->second.front(), false});
+        values.push_back({owner, parameter.name, parameter.unit, kNone, found->second.front()});
       }
     }
   }
   return values;
 }
 
-void addNumbers(const std::string& list, const Entries& entries, std::vector<Value>& values) {
+void addNumbers(const std::string& list, const Entries& entries, std::vector<SizedValue>& values) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::string entry = list + "[" + std::to_string(i) + "]";
     for (const auto& [key, numbers] : entries[i].values) {
       const std::string unit = unitOf(element::findElementType(entries[i].type)->parameters, key);
       for (std::size_t j = 0; j < numbers.size(); ++j) {
-        values.push_back({{"", io::numberPlace(entry, key, numbers.size() == 1 ? -1 : static_cast<int>(j))},
-                          unit,
-                          numbers[j],
-                          false});
+        const int place = numbers.size() == 1 ? -1 : static_cast<int>(j);
+        values.push_back({"", io::numberPlace(entry, key, place), unit, kNone, numbers[j]});
       }
     }
   }
 }
 
 // Every number of a component file.
-std::vector<Value> writtenValues(const io::ComponentDescription& description) {
-  std::vector<Value> values;
+std::vector<SizedValue> writtenValues(const io::ComponentDescription& description) {
+  std::vector<SizedValue> values;
   for (const auto& [name, value] : description.specification().values()) {
-    values.push_back(
-        {{"", "specification." + name}, unitOf(estimation::specificationParameters(), name), value, false});
+    const std::string unit = unitOf(estimation::specificationParameters(), name);
+    values.push_back({"", "specification." + name, unit, kNone, value});
   }
   if (description.model() == estimation::Model::elements) {
     addNumbers("elements", description.elements(), values);
@@ -89,14 +83,22 @@ std::vector<Value> writtenValues(const io::ComponentDescription& description) {
   return values;
 }
 
+std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candidate>& candidates) {
+  std::vector<std::string> effects;
+  for (const MemberLaw& member : law.members) {
+    effects.push_back(candidates[static_cast<std::size_t>(member.member)].effect);
+  }
+  return effects;
+}
+
 class Resampling {
  public:
   Resampling(const fit::HypothesisFitter& fitter, const FittedLaw& fitted, const std::vector<double>& form_error,
-             const std::vector<std::string>& effects, const DiagnosisOptions& options)
+             const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options)
       : fitter_(fitter),
         fitted_(fitted),
         hypothesis_(fitted.law.hypothesis()),
-        effects_(effects),
+        effects_(effectsOf(fitted.law, candidates)),
         options_(options),
         generator_(options.seed),
         blocks_(fitter.linearise(hypothesis_, fitted.fit.parameters, {}, options.threads)) {
@@ -109,7 +111,7 @@ class Resampling {
   }
 
   Sizes run() {
-    const Point best = pointAt(fitted_.fit.parameters);
+    Sizes best = sizesAt(fitted_.fit.parameters);
     const Eigen::VectorXd rest = step(blocks_.sum);  // 0 but for what the fit's last step left
     std::uniform_int_distribution<std::size_t> pick(0, blocks_.gram.size() - 1);
     for (int i = 0; i < options_.resamplings; ++i) {
@@ -119,9 +121,11 @@ class Resampling {
       }
       collect(step(sum) - rest + mistake());
     }
-    const Point configured = pointOfModel(Eigen::VectorXd::Zero(fitter_.model().size()));
-    return {sized(best.model, configured.model, false), sized(best.effects, {}, true),
-            sized(best.written, configured.written, false)};
+    const auto configured = fitter_.model().apply(Eigen::VectorXd::Zero(fitter_.model().size()));
+    complete(modelValues(configured), best.model);
+    complete({}, best.effects);
+    complete(writtenValues(configured), best.written);
+    return best;
   }
 
  private:
@@ -165,11 +169,11 @@ class Resampling {
       moved.scales[t] = std::clamp(moved.scales[t], term.lower, term.upper);
     }
     try {
-      const Point point = pointAt(moved);
+      const Sizes drawn = sizesAt(moved);
       ++resamples_;
-      for (const auto* values : {&point.model, &point.effects, &point.written}) {
-        for (const Value& value : *values) {
-          draws_[value.key].push_back(value.value);
+      for (const auto* sizes : {&drawn.model, &drawn.effects, &drawn.written}) {
+        for (const SizedValue& size : *sizes) {
+          draws_[{size.owner, size.name}].push_back(size.value);
         }
       }
     } catch (const std::invalid_argument&) {
@@ -177,58 +181,50 @@ class Resampling {
     }
   }
 
-  Point pointOfModel(const Eigen::VectorXd& model) const {
-    const io::ComponentDescription description = fitter_.model().apply(model);
-    return {modelValues(description), {}, writtenValues(description)};
-  }
-
-  Point pointAt(const fit::ParameterVector& parameters) const {
+  Sizes sizesAt(const fit::ParameterVector& parameters) {
     io::ComponentDescription description = fitter_.model().apply(parameters.model);
-    Point point{modelValues(description), {}, {}};
+    Sizes sizes;
+    sizes.model = modelValues(description);
     const std::vector<Entries> entries = fitted_.law.at(parameters.scales);
     for (std::size_t m = 0; m < entries.size(); ++m) {
       for (const HeadlineValue& value : headlineValuesOf(entries[m])) {
-        point.effects.push_back({{effects_[m], value.name}, value.unit, value.value, value.is_scale});
+        sizes.effects.push_back({effects_[m], value.name, value.unit, kNone, value.value});
+        if (value.is_scale) {
+          may_vanish_.insert({effects_[m], value.name});
+        }
       }
       description.add.insert(description.add.end(), entries[m].begin(), entries[m].end());
     }
-    point.written = writtenValues(description);
-    return point;
+    sizes.written = writtenValues(description);
+    return sizes;
+  }
+
+  void complete(const std::vector<SizedValue>& configured, std::vector<SizedValue>& sizes) const {
+    for (SizedValue& size : sizes) {
+      const auto found = std::find_if(configured.begin(), configured.end(), [&](const SizedValue& other) {
+        return other.owner == size.owner && other.name == size.name;
+      });
+      size.configured = found == configured.end() ? kNone : found->value;
+      predict(size);
+    }
   }
 
   // An effect that a resample leaves out altogether has the size 0 in it.
-  std::vector<SizedValue> sized(const std::vector<Value>& best, const std::vector<Value>& configured,
-                                bool may_vanish) const {
-    std::vector<SizedValue> result;
-    for (const Value& value : best) {
-      SizedValue size;
-      std::tie(size.owner, size.name) = value.key;
-      size.unit = value.unit;
-      size.value = value.value;
-      const auto found = std::find_if(configured.begin(), configured.end(),
-                                      [&](const Value& other) { return other.key == value.key; });
-      size.configured = found == configured.end() ? size.configured : found->value;
-      predict(value, may_vanish, size);
-      result.push_back(std::move(size));
-    }
-    return result;
-  }
-
-  void predict(const Value& value, bool may_vanish, SizedValue& size) const {
-    const auto found = draws_.find(value.key);
+  void predict(SizedValue& size) const {
+    const auto found = draws_.find({size.owner, size.name});
     if (found == draws_.end()) {
-      size.interval_95 = {value.value, value.value};
+      size.interval_95 = {size.value, size.value};
       return;
     }
     std::vector<double> draws = found->second;
-    if (may_vanish && value.is_scale) {
+    if (may_vanish_.count(found->first) > 0) {
       draws.resize(std::max(draws.size(), resamples_), 0.0);
     }
     std::sort(draws.begin(), draws.end());
     const auto at = [&](double share) {
       return draws[static_cast<std::size_t>(std::lround(share * static_cast<double>(draws.size() - 1)))];
     };
-    size.interval_95 = {std::min(value.value, at(0.025)), std::max(value.value, at(0.975))};
+    size.interval_95 = {std::min(size.value, at(0.025)), std::max(size.value, at(0.975))};
     // A bound gathers all draws that would lie beyond it.
     const bool spread = draws.front() < draws.back();
     size.at_bound = {spread && size.interval_95[0] == draws.front(), spread && size.interval_95[1] == draws.back()};
@@ -237,20 +233,24 @@ class Resampling {
   const fit::HypothesisFitter& fitter_;
   const FittedLaw& fitted_;
   const fit::Hypothesis hypothesis_;
-  const std::vector<std::string>& effects_;
+  const std::vector<std::string> effects_;  // names of the members
   const DiagnosisOptions& options_;
   std::mt19937 generator_;
   const fit::BlockGrams blocks_;
   std::vector<Eigen::VectorXd> mistakes_;  // each of standard deviation 1
   std::map<Key, std::vector<double>> draws_;
+  std::set<Key> may_vanish_;  // of these nothing of the effect is left at 0
   std::size_t resamples_ = 0;
 };
 
 }  // namespace
 
-Sizes sizesOf(const fit::HypothesisFitter& fitter, const FittedLaw& fitted, const std::vector<double>& form_error,
-              const std::vector<std::string>& effects, const DiagnosisOptions& options) {
-  return Resampling(fitter, fitted, form_error, effects, options).run();
+void addSizes(const fit::HypothesisFitter& fitter, const FittedLaw& fitted, const std::vector<double>& form_error,
+              const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options, Diagnosis& diagnosis) {
+  Sizes sizes = Resampling(fitter, fitted, form_error, candidates, options).run();
+  diagnosis.model_sizes = std::move(sizes.model);
+  diagnosis.effect_sizes = std::move(sizes.effects);
+  diagnosis.written = std::move(sizes.written);
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -1,7 +1,6 @@
 // How large the named effects and the model's parameters are, with what the logs leave open.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "diagnosis/results/law_fit.h"
@@ -10,16 +9,11 @@
 
 namespace rubber_suspension::diagnosis {
 
-struct Sizes {
-  std::vector<SizedValue> model;    ///< numbers of the specification, or of the elements where there is none
-  std::vector<SizedValue> effects;  ///< headline numbers of each member of the law, in their order
-  std::vector<SizedValue> written;  ///< every number of its component, by its place there (io::numberPlace)
-};
-
-/// Sizes of a fitted law. Intervals are percentiles over resampled blocks of the logs: each resample moves the fit by
-/// one step of its own normal equations, within the bounds of the fit, and the numbers of each member by what its form
-/// error may be mistaken for. `effects`: names of the members.
-Sizes sizesOf(const fit::HypothesisFitter& fitter, const FittedLaw& fitted, const std::vector<double>& form_error,
-              const std::vector<std::string>& effects, const DiagnosisOptions& options);
+/// Sets the sizes of a fitted law in a diagnosis: those of the model, headline numbers of each member of the law in
+/// their order, and every number of its component by its place there (io::numberPlace). Intervals are percentiles over
+/// resampled blocks of the logs: each resample moves the fit by one step of its own normal equations, within the bounds
+/// of the fit, and the numbers of each member by what its form error may be mistaken for.
+void addSizes(const fit::HypothesisFitter& fitter, const FittedLaw& fitted, const std::vector<double>& form_error,
+              const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options, Diagnosis& diagnosis);
 
 }  // namespace rubber_suspension::diagnosis

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "diagnosis/results/workings.h"
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/table/measured_rows.h"
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/measured_logs.h"
 #include "diagnosis/hypotheses/shapes.h"
-#include "diagnosis/prepare/measured_logs.h"
 
 namespace rubber_suspension::diagnosis {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/prepare/measured.h"
+#include "diagnosis/hypotheses/measured.h"
 #include "diagnosis/table/scatter.h"
 #include "fit/table_fitter.h"
 

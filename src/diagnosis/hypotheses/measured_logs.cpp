@@ -1,5 +1,5 @@
 // Excitation, discretisation and noise of logs.
-#include "diagnosis/prepare/measured_logs.h"
+#include "diagnosis/hypotheses/measured_logs.h"
 
 #include <algorithm>
 #include <cmath>

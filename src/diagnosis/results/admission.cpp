@@ -1,5 +1,5 @@
 // Description of the logs.
-#include "diagnosis/report/admission.h"
+#include "diagnosis/results/admission.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Sentences of the report.
-#include "diagnosis/report/sentence.h"
+#include "diagnosis/words/sentence.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,8 +9,8 @@
 #include <iterator>
 #include <vector>
 
-#include "diagnosis/report/text.h"
-#include "diagnosis/results/model_values.h"
+#include "diagnosis/words/model_values.h"
+#include "diagnosis/words/text.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -84,13 +84,6 @@ std::string ownValuesText(const Diagnosis& diagnosis) {
   return value == nullptr ? "The model's parameters are off" : offText(*value);
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  }
-  return text;
-}
-
 // The largest fact first: the model's own values, where these alone close most of the squared gap that is closed and
 // more than the effects alone do; else the effects alone. Otherwise values only make room for the effects.
 std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects) {
@@ -149,6 +142,9 @@ std::string agreement(const Gap& gap) {
                      percent(gap.noise_floor));
 }
 
+// Stiffness that falls in the course of logs, as it does where a room warms.
+bool mayBeTemperature(const std::string& effect) { return effect == "self_heating" || effect == "stress_softening"; }
+
 }  // namespace
 
 std::string sentence(const Diagnosis& diagnosis) {
@@ -183,6 +179,18 @@ std::string sentence(const Diagnosis& diagnosis) {
           "trust the model there.",
           percent(gap.re_estimated), ofUnseenLogs(diagnosis), percent(gap.noise_floor));
   }
+}
+
+std::string temperatureNote(const std::vector<std::string>& effects, const fit::Excitation& excitation) {
+  std::vector<std::string> doubtful;
+  std::copy_if(effects.begin(), effects.end(), std::back_inserter(doubtful), mayBeTemperature);
+  if (excitation.has_temperature || doubtful.empty()) {
+    return "";
+  }
+  return fmt::format(
+      "Without a recorded temperature {} is not certain: rubber that warmed by itself would look alike. Logs with the "
+      "column temperature_degC would settle it.",
+      fmt::join(doubtful, " and "));
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "diagnosis/prepare/measured.h"
+#include "diagnosis/hypotheses/measured.h"
 #include "fit/fitter.h"
 #include "rubber_suspension/element/parameter.h"
 

@@ -1,5 +1,5 @@
 // Implanted effects by projection.
-#include "diagnosis/experiment/implant.h"
+#include "diagnosis/hypotheses/implant.h"
 
 #include <algorithm>
 #include <cmath>

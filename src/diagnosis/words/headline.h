@@ -1,18 +1,13 @@
-// The component that a fitted hypothesis amounts to.
+// Effects in few numbers, as engineers say them.
 #pragma once
 
 #include <map>
 #include <string>
 #include <vector>
 
-#include "diagnosis/hypotheses/search.h"
-#include "fit/model_parameters.h"
-#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/element/parameter.h"
 
 namespace rubber_suspension::diagnosis {
-
-/// The entries of a fitted hypothesis as a user would write them: sliders of one friction in one table.
-std::vector<element::ElementDescription> entriesOf(const FittedHypothesis& fitted);
 
 /// One headline number of an effect.
 struct HeadlineValue {
@@ -31,8 +26,5 @@ std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDe
 
 /// The same by name, as report.json has them.
 std::map<std::string, double> headlineOf(const std::vector<element::ElementDescription>& entries);
-
-/// The model with the parameters of a fit and its entries on top.
-io::ComponentDescription augmentedDescription(const fit::ModelParameters& model, const FittedHypothesis& fitted);
 
 }  // namespace rubber_suspension::diagnosis
