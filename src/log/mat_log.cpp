@@ -10,8 +10,7 @@
 
 #include "log/column_table.h"
 #include "log/file_readers.h"
-#include "log/hdf5_mutex.h"
-#include "log/hdf5_storage.h"
+#include "log/hdf5_file.h"
 #include "log/log_columns.h"
 #include "log/mat_check.h"
 #include "log/text.h"
