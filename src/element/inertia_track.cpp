@@ -5,16 +5,21 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <stdexcept>
 
 namespace rubber_suspension::element {
 namespace {
 
-constexpr double kRadiansBetweenEdges = 0.125;
+constexpr double kRadiansBetweenTurns = 3.0;  // less than half a period
 constexpr double kMostParts = 4096.0;
+constexpr int kTurnBits = 26;             // a deflection is known twice as well as the time at which it turns
 constexpr double kEdgeTolerance = 1e-15;  // of the time of an edge, over the part
-constexpr int kMostEdges = 64;  // of one part; a guard against edges that rounding places on top of each other
+constexpr int kMostSteps = 50;            // to an edge, as many as halves would take
+constexpr int kMostStops = 64;  // of one part; a guard against edges that rounding places on top of each other
 
 // exp(-a t) times cos(w t), sin(w t)/w and 1 - cos(w t), w^2 = square - a^2; hyperbolic where that is negative.
 struct Oscillation {
@@ -65,6 +70,27 @@ struct OverStep {
   }
 };
 
+std::uint64_t bitsOf(double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+// Most steps of a track are as long as its last: what a thread needed last is kept, in a place by its numbers.
+const OverStep& overStep(double decay, double square, double dt) {
+  constexpr std::uint64_t kPlaces = 64;
+  constexpr std::uint64_t kSpread =
+      0x9E3779B97F4A7C15;  // multiplicative hashing (Knuth): the highest bits depend on all
+  constexpr unsigned kBelowPlaces = 58;
+  thread_local std::array<OverStep, kPlaces> kept;
+  const std::uint64_t mixed = ((bitsOf(decay) * kSpread + bitsOf(square)) * kSpread + bitsOf(dt)) * kSpread;
+  OverStep& over = kept[mixed >> kBelowPlaces];
+  if (over.dt != dt || over.decay != decay || over.square != square) {
+    over = OverStep(decay, square, dt);
+  }
+  return over;
+}
+
 }  // namespace
 
 InertiaTrack::InertiaTrack(double mass, double damping, double stiffness, double free_travel)
@@ -76,12 +102,8 @@ InertiaTrack::InertiaTrack(double mass, double damping, double stiffness, double
       square_(stiffness / mass) {}
 
 // de/dt = v - p, dp/dt = square e - 2 a p for a constant velocity v: the matrix exponential, and its integral for v.
-// Most steps are as long as the one that the same thread took before.
 InertiaTrack::Flow InertiaTrack::coupled(Flow flow, double dt, double velocity) const {
-  thread_local OverStep over;
-  if (over.dt != dt || over.decay != decay_ || over.square != square_) {
-    over = OverStep(decay_, square_, dt);
-  }
+  const OverStep& over = overStep(decay_, square_, dt);
   return {over.kept * flow.deflection - over.sine * flow.rate + over.after_velocity * velocity,
           square_ * over.sine * flow.deflection + over.slowed * flow.rate + over.lost * velocity};
 }
@@ -113,23 +135,53 @@ bool InertiaTrack::isIn(int piece, double deflection) const {
   return piece == 0 ? std::abs(deflection) <= free_travel_ : piece * deflection >= free_travel_;
 }
 
+// The first time at which the motion turns or ends. While the velocity of the deflection obeys a linear oscillator,
+// half a period holds one turn at most.
+double InertiaTrack::timeOfTurn(int piece, Flow flow, double dt, double velocity) const {
+  const auto speed = [&](double t) { return velocity - along(piece, flow, t, velocity).rate; };
+  const double first = velocity - flow.rate;
+  const double last = speed(dt);
+  if (!(first * last < 0.0)) {
+    return dt;
+  }
+  std::uintmax_t steps = kMostSteps;
+  const boost::math::tools::eps_tolerance<double> near(kTurnBits);
+  return boost::math::tools::toms748_solve(speed, 0.0, dt, first, last, near, steps).second;
+}
+
+// When the motion leaves a piece that it is out of at dt, without a turn between: Newton's steps from there, halves
+// where they leave the interval.
+double InertiaTrack::timeOfEdge(int piece, Flow flow, double dt, double velocity) const {
+  const double edge = std::copysign(free_travel_, piece == 0 ? along(piece, flow, dt, velocity).deflection : piece);
+  double before = 0.0;
+  double after = dt;
+  double at = dt;
+  for (int step = 0; step < kMostSteps && after - before > kEdgeTolerance * dt; ++step) {
+    const Flow then = along(piece, flow, at, velocity);
+    (isIn(piece, then.deflection) ? before : after) = at;
+    const double moved = (then.deflection - edge) / (then.rate - velocity);
+    const double next = at + moved;
+    if (std::abs(moved) <= kEdgeTolerance * dt) {
+      return std::clamp(next, before, after);
+    }
+    at = next > before && next < after ? next : 0.5 * (before + after);
+  }
+  return after;
+}
+
+// From one edge of the dead zone or turn of the motion to the next.
 void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const {
-  for (int edge = 0; dt > 0.0; ++edge) {
+  for (int stop = 0; dt > 0.0; ++stop) {
     const int piece = pieceOf(flow, velocity);
-    const Flow end = along(piece, flow, dt, velocity);
-    if (isIn(piece, end.deflection) || edge == kMostEdges) {
-      flow = end;
-      return;
+    double part = stop < kMostStops ? timeOfTurn(piece, flow, dt, velocity) : dt;
+    Flow end = along(piece, flow, part, velocity);
+    if (!isIn(piece, end.deflection) && stop < kMostStops) {
+      part = timeOfEdge(piece, flow, part, velocity);
+      end = along(piece, flow, part, velocity);
+      end.deflection = std::copysign(free_travel_, piece == 0 ? end.deflection : piece);
     }
-    double before = 0.0;
-    double after = dt;
-    while (after - before > kEdgeTolerance * dt) {
-      const double middle = 0.5 * (before + after);
-      (isIn(piece, along(piece, flow, middle, velocity).deflection) ? before : after) = middle;
-    }
-    flow = along(piece, flow, after, velocity);
-    flow.deflection = std::copysign(free_travel_, piece == 0 ? flow.deflection : piece);
-    dt -= after;
+    flow = end;
+    dt -= part;
   }
 }
 
@@ -139,7 +191,7 @@ double InertiaTrack::step(const Motion& motion, double* memory) const {
   if (free_travel_ == 0.0) {
     flow = coupled(flow, motion.dt, velocity);
   } else {
-    const double parts = std::clamp(std::ceil(motion.dt * std::sqrt(square_) / kRadiansBetweenEdges), 1.0, kMostParts);
+    const double parts = std::clamp(std::ceil(motion.dt * std::sqrt(square_) / kRadiansBetweenTurns), 1.0, kMostParts);
     for (double part = 0.0; part < parts; part += 1.0) {
       followDecoupled(flow, motion.dt / parts, velocity);
     }

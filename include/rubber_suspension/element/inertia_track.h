@@ -14,10 +14,10 @@ namespace rubber_suspension::element {
 /// high frequency do not move the column.
 ///
 /// The step is exact for a displacement that is linear between samples, at any step length. With a decoupler it is
-/// exact from one edge of the dead zone to the next; edges are sought at least eight times a radian of sqrt(k_h/m), and
-/// at most 4096 times a step, beyond which a crossing there and back may be missed. Memory: deflection z - q and rate
-/// dq/dt. Validity: laminar flow (a linear resistance), no cavitation. Source: R. Singh, G. Kim and P. V. Ravindra, J.
-/// Sound and Vibration 158 (1992) 219-243; dead zone of the decoupler as there. Its type's make() throws
+/// exact from one edge of the dead zone to the next; edges are sought between turns of the deflection, at most 4096
+/// half periods of sqrt(k_h/m) a step, beyond which one may be missed. Memory: deflection z - q and rate dq/dt.
+/// Validity: laminar flow (a linear resistance), no cavitation. Source: R. Singh, G. Kim and P. V. Ravindra, J. Sound
+/// and Vibration 158 (1992) 219-243; dead zone of the decoupler as there. Its type's make() throws
 /// std::invalid_argument where neither the mechanical nor the fluid parameters are complete, or both are given.
 class InertiaTrack final : public ParallelElement {
  public:
@@ -46,6 +46,8 @@ class InertiaTrack final : public ParallelElement {
   Flow along(int piece, Flow flow, double dt, double velocity) const;
   int pieceOf(Flow flow, double velocity) const;
   bool isIn(int piece, double deflection) const;
+  double timeOfTurn(int piece, Flow flow, double dt, double velocity) const;
+  double timeOfEdge(int piece, Flow flow, double dt, double velocity) const;
   void followDecoupled(Flow& flow, double dt, double velocity) const;
 
   double mass_;
