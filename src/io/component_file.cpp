@@ -1150,6 +1150,49 @@ std::string sixDirectionsYaml(const SixDirectionsDescription& six, const YamlSty
   return text;
 }
 
+// A preload as a force or as a displacement, whichever a table asks for; by the static curve, where the other is given.
+double preloadAs(bool force, const SixDirectionsDescription& six, component::Direction direction) {
+  const std::optional<Preload>& preload = six.preload[direction];
+  if (!preload || !six.directions[direction]) {
+    throw std::invalid_argument(
+        fmt::format("needs the preload of {}; accepted: preload.{}", toString(direction), toString(direction)));
+  }
+  if (preload->is_force == force) {
+    return preload->value;
+  }
+  const estimation::StaticCurve* curve = six.directions[direction]->written().curve();
+  if (curve == nullptr) {
+    throw std::invalid_argument(
+        fmt::format("is over a {}, preload.{} is a {} and {} has no static_curve; accepted: a {}",
+                    force ? "force" : "displacement", toString(direction), force ? "displacement" : "force",
+                    toString(direction), force ? "table over displacements" : "table over forces"));
+  }
+  return force ? curve->forceAt(preload->value) : curve->displacementAt(preload->value);
+}
+
+double factorOfTable(const PreloadTable& table, double preload) {
+  const auto after = std::find_if(table.preload.begin(), table.preload.end(),
+                                  [&](const Preload& point) { return point.value > preload; });
+  const auto i = static_cast<std::size_t>(after - table.preload.begin());
+  if (i == 0 || i == table.preload.size()) {
+    return i == 0 ? table.factor.front() : table.factor.back();
+  }
+  const double share = (preload - table.preload[i - 1].value) / (table.preload[i].value - table.preload[i - 1].value);
+  return table.factor[i - 1] + share * (table.factor[i] - table.factor[i - 1]);
+}
+
+// The same elements with all forces times a factor, by the parameters in which they are linear.
+void scaleForces(std::vector<element::ElementDescription>& elements, double factor) {
+  for (element::ElementDescription& element : elements) {
+    for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
+      const auto values = element.values.find(parameter.name);
+      if (parameter.role == element::Role::scale && values != element.values.end()) {
+        std::for_each(values->second.begin(), values->second.end(), [&](double& value) { value *= factor; });
+      }
+    }
+  }
+}
+
 }  // namespace
 
 ComponentFileError::ComponentFileError(const std::string& message) : std::runtime_error(log::oneLine(message)) {}
@@ -1202,53 +1245,6 @@ std::optional<element::Range> ComponentDescription::validDisplacement() const {
   }
   return common;
 }
-
-namespace {
-
-// A preload as a force or as a displacement, whichever a table asks for; by the static curve, where the other is given.
-double preloadAs(bool force, const SixDirectionsDescription& six, component::Direction direction) {
-  const std::optional<Preload>& preload = six.preload[direction];
-  if (!preload || !six.directions[direction]) {
-    throw std::invalid_argument(
-        fmt::format("needs the preload of {}; accepted: preload.{}", toString(direction), toString(direction)));
-  }
-  if (preload->is_force == force) {
-    return preload->value;
-  }
-  const estimation::StaticCurve* curve = six.directions[direction]->written().curve();
-  if (curve == nullptr) {
-    throw std::invalid_argument(
-        fmt::format("is over a {}, preload.{} is a {} and {} has no static_curve; accepted: a {}",
-                    force ? "force" : "displacement", toString(direction), force ? "displacement" : "force",
-                    toString(direction), force ? "table over displacements" : "table over forces"));
-  }
-  return force ? curve->forceAt(preload->value) : curve->displacementAt(preload->value);
-}
-
-double factorOfTable(const PreloadTable& table, double preload) {
-  const auto after = std::find_if(table.preload.begin(), table.preload.end(),
-                                  [&](const Preload& point) { return point.value > preload; });
-  const auto i = static_cast<std::size_t>(after - table.preload.begin());
-  if (i == 0 || i == table.preload.size()) {
-    return i == 0 ? table.factor.front() : table.factor.back();
-  }
-  const double share = (preload - table.preload[i - 1].value) / (table.preload[i].value - table.preload[i - 1].value);
-  return table.factor[i - 1] + share * (table.factor[i] - table.factor[i - 1]);
-}
-
-// The same elements with all forces times a factor, by the parameters in which they are linear.
-void scaleForces(std::vector<element::ElementDescription>& elements, double factor) {
-  for (element::ElementDescription& element : elements) {
-    for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
-      const auto values = element.values.find(parameter.name);
-      if (parameter.role == element::Role::scale && values != element.values.end()) {
-        std::for_each(values->second.begin(), values->second.end(), [&](double& value) { value *= factor; });
-      }
-    }
-  }
-}
-
-}  // namespace
 
 double SixDirectionsDescription::factorOf(component::Direction direction) const {
   double factor = 1.0;

@@ -35,13 +35,14 @@ Field makeField(std::string_view text) {
 // The end of the field that begins there. A quote within a field that does not begin with one is a character.
 std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separator) {
   const std::size_t first = line.find_first_not_of(kBlanks, begin);
-  const std::string_view marks = infoOf(separator).marks;
+  const char mark = infoOf(separator).marks.front();
+  const char other_mark = infoOf(separator).marks.back();
   bool in_quotes = first != std::string_view::npos && line[first] == '"';
   for (std::size_t i = in_quotes ? first + 1 : begin; i < line.size(); ++i) {
     if (line[i] == '"' && in_quotes) {
       in_quotes = i + 1 < line.size() && line[i + 1] == '"';  // two of them are one within the text
       i += in_quotes ? 1 : 0;
-    } else if (!in_quotes && (line[i] == marks.front() || line[i] == marks.back())) {
+    } else if (!in_quotes && (line[i] == mark || line[i] == other_mark)) {
       return i;
     }
   }

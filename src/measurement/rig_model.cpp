@@ -322,12 +322,6 @@ RigFinding initialStateFinding(const std::string& name, const RigFit& fit, const
   return told(name, Nuisance::initial_state, value, std::sqrt(variance), prior);
 }
 
-}  // namespace
-
-Index RigFit::column(Nuisance nuisance) const { return columnOf(rig, nuisance); }
-
-namespace {
-
 // Samples until the displacement has first moved that far.
 double timeToMove(const VectorXd& displacement, double distance) {
   for (Index i = 1; i < displacement.size(); ++i) {
@@ -353,6 +347,8 @@ double mostLeft(const log::Record& record, const VectorXd& base) {
 }
 
 }  // namespace
+
+Index RigFit::column(Nuisance nuisance) const { return columnOf(rig, nuisance); }
 
 bool startsInMotion(const log::Record& record) {
   if (startsAtRest(record)) {
