@@ -21,6 +21,7 @@
 #include "bag/message_field.h"
 #include "log/column_name.h"
 #include "log/file_format.h"
+#include "log/log_columns.h"
 #include "log/text.h"
 #include "rubber_suspension/component/pose_stream.h"
 #include "rubber_suspension/log/units.h"
@@ -33,11 +34,6 @@ constexpr const char* kMeasuredForce = "/measured_force";
 constexpr const char* kTemperature = "/temperature";
 constexpr const char* kPose = "/pose";
 constexpr const char* kMeasuredWrench = "/measured_wrench";
-
-std::string stem(const std::string& path) {
-  const std::string file = path.substr(path.find_last_of('/') + 1);
-  return log::oneLine(file.substr(0, file.find_last_of('.')));
-}
 
 std::set<std::string> topicsEndingIn(const rosbag::Bag& bag, const std::string& end) {
   std::set<std::string> topics;
@@ -250,24 +246,38 @@ void addTemperature(const Series& measured, const std::string& topic, log::Log& 
   }
 }
 
+// A series and its topic, for notes; an empty one is not there.
+struct Channel {
+  Series series;
+  std::string topic;
+};
+
+log::Log logOf(const std::string& path, const Series& displacement, const Channel& force, const Channel& temperature) {
+  log::Log log;
+  log.name = log::logName(path);
+  log.stamp = displacement.stamp;
+  log.displacement = displacement.value;
+  if (!force.series.stamp.empty()) {
+    addMeasuredForce(displacement, force.series, force.topic, log);
+  }
+  addTemperature(temperature.series, temperature.topic, log);
+  log::checkLog(log);
+  return log;
+}
+
+Channel temperatureOf(const rosbag::Bag& bag, const std::string& path, const std::string& base) {
+  return {readTopic<sensor_msgs::Temperature>(bag, path, base + kTemperature), base + kTemperature};
+}
+
 log::Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std::string& component) {
   const std::string topic = topicOf(kDisplacement, bag, path, component);
   const Series displacement = readTopic<Displacement>(bag, path, topic);
   checkIncreasing(displacement, path, topic);
-  log::Log log;
-  log.name = stem(path);
-  log.stamp = displacement.stamp;
-  log.displacement = displacement.value;
   const std::string base = topic.substr(0, topic.size() - std::string(kDisplacement).size());
   const std::string force_topic = base + kMeasuredForce;
-  const Series measured = readTopic<MeasuredForce>(bag, path, force_topic);
-  if (!measured.stamp.empty()) {
-    checkIncreasing(measured, path, force_topic);
-    addMeasuredForce(displacement, measured, force_topic, log);
-  }
-  addTemperature(readTopic<sensor_msgs::Temperature>(bag, path, base + kTemperature), base + kTemperature, log);
-  log::checkLog(log);
-  return log;
+  const Series force = readTopic<MeasuredForce>(bag, path, force_topic);
+  checkIncreasing(force, path, force_topic);
+  return logOf(path, displacement, {force, force_topic}, temperatureOf(bag, path, base));
 }
 
 using SixSeries = std::array<Series, component::kDirections>;
@@ -326,17 +336,8 @@ log::PoseLog readOpenPoses(const rosbag::Bag& bag, const std::string& path, cons
   log::PoseLog poses;
   for (std::size_t k = 0; k < component::kDirections; ++k) {
     const Series& coordinate = series.coordinate[k];
-    log::Log log;
-    log.name = stem(path);
-    log.stamp = coordinate.stamp;
-    log.displacement = coordinate.value;
-    if (!wrench[k].stamp.empty()) {
-      addMeasuredForce(coordinate, wrench[k], base + kMeasuredWrench, log);
-    }
-    if (k == 0) {
-      addTemperature(readTopic<sensor_msgs::Temperature>(bag, path, base + kTemperature), base + kTemperature, log);
-    }
-    log::checkLog(log);
+    log::Log log = logOf(path, coordinate, {wrench[k], base + kMeasuredWrench},
+                         k == 0 ? temperatureOf(bag, path, base) : Channel());
     poses.coordinate[k] = std::move(log.displacement);
     poses.wrench[k] = std::move(log.force);
     if (k == 0) {
@@ -378,18 +379,11 @@ log::Log readNamedFields(const rosbag::Bag& bag, const std::string& path, const 
                         "force and temperature; time is that of the messages");
   }
   const Series displacement = namedSeries(bag, path, format, log::Quantity::displacement);
-  log::Log log;
-  log.name = stem(path);
-  log.stamp = displacement.stamp;
-  log.displacement = displacement.value;
-  log.notes.push_back("displacement from " + field(log::Quantity::displacement) +
-                      (force_field.empty() ? "" : ", force from " + force_field));
-  const Series force = namedSeries(bag, path, format, log::Quantity::force);
-  if (!force.stamp.empty()) {
-    addMeasuredForce(displacement, force, force_field, log);
-  }
-  addTemperature(namedSeries(bag, path, format, log::Quantity::temperature), "temperature", log);
-  log::checkLog(log);
+  const Channel force{namedSeries(bag, path, format, log::Quantity::force), force_field};
+  const Channel temperature{namedSeries(bag, path, format, log::Quantity::temperature), "temperature"};
+  log::Log log = logOf(path, displacement, force, temperature);
+  log.notes.insert(log.notes.begin(), "displacement from " + field(log::Quantity::displacement) +
+                                          (force_field.empty() ? "" : ", force from " + force_field));
   return log;
 }
 

@@ -327,10 +327,8 @@ JobGroup readGroup(const Entry& entry, const JobOptions& settings) {
 
 std::optional<YAML::Node> parse(const std::string& text, const Tell& tell) {
   try {
-    if (const auto line = io::lineNestedTooDeep(text)) {
-      tell(*line, "", io::acceptedNesting());
-    } else if (const auto expanded = io::lineExpandedTooFar(text)) {
-      tell(*expanded, "", io::acceptedExpansion());
+    if (const auto problem = io::beyondYamlBounds(text)) {
+      tell(problem->line, "", problem->text);
     } else {
       return YAML::Load(text);
     }

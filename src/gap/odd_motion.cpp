@@ -59,14 +59,14 @@ std::optional<std::string> oddStiffness(double stroke, double measured, double s
 MotionScale motionScaleOf(const io::ComponentDescription& description) {
   const std::optional<double> nominal = description.specification().find("nominal_amplitude");
   const double longest = longestLength(description.allElements());
-  return {nominal || longest == 0.0 ? nominal : longest};
+  return nominal || longest == 0.0 ? nominal : longest;
 }
 
 std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& scale) {
-  if (scale.amplitude) {
-    const double ratio = amplitude / *scale.amplitude;
+  if (scale) {
+    const double ratio = amplitude / *scale;
     return ratio > kOddFactor ? std::optional(fmt::format("{:.3g} m is {:.2g} times the component's own {:.3g} m",
-                                                          amplitude, ratio, *scale.amplitude))
+                                                          amplitude, ratio, *scale))
                               : std::nullopt;
   }
   return amplitude > kLongestAmplitude

@@ -9,10 +9,8 @@
 
 namespace rubber_suspension::gap {
 
-/// The motion that a component is made for.
-struct MotionScale {
-  std::optional<double> amplitude;  ///< its nominal amplitude, else the longest displacement among its parameters [m]
-};
+/// The amplitude that a component is made for [m]: its nominal one, else the longest displacement among its parameters.
+using MotionScale = std::optional<double>;
 
 MotionScale motionScaleOf(const io::ComponentDescription& description);
 

@@ -94,25 +94,6 @@ io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, c
   return axes;
 }
 
-}  // namespace
-
-void checkTemperature(const component::Component& component, const log::Log& log, std::size_t first) {
-  if (!component.shiftsWithTemperature()) {
-    return;
-  }
-  const element::Range range = component.temperatures();
-  const auto bad = std::find_if(log.temperature.begin(), log.temperature.end(),
-                                [&](double temperature) { return !range.contains(temperature); });
-  if (bad != log.temperature.end()) {
-    throw log::LogError(fmt::format(
-        "{}: sample {}: temperature {:g} degC is out of range; accepted: {} degC, where "
-        "the component's shift holds",
-        log.name, first + static_cast<std::size_t>(bad - log.temperature.begin()) + 1, *bad, element::describe(range)));
-  }
-}
-
-namespace {
-
 // As many of the samples [first, first + size) as are accepted, with their temperatures where these do something.
 std::size_t push(component::SampleStream& stream, const log::Log& log, bool shifted, std::size_t first,
                  std::size_t size, double* force) {
@@ -129,6 +110,21 @@ std::size_t push(component::SampleStream& stream, const log::Log& log, bool shif
 }
 
 }  // namespace
+
+void checkTemperature(const component::Component& component, const log::Log& log, std::size_t first) {
+  if (!component.shiftsWithTemperature()) {
+    return;
+  }
+  const element::Range range = component.temperatures();
+  const auto bad = std::find_if(log.temperature.begin(), log.temperature.end(),
+                                [&](double temperature) { return !range.contains(temperature); });
+  if (bad != log.temperature.end()) {
+    throw log::LogError(fmt::format(
+        "{}: sample {}: temperature {:g} degC is out of range; accepted: {} degC, where "
+        "the component's shift holds",
+        log.name, first + static_cast<std::size_t>(bad - log.temperature.begin()) + 1, *bad, element::describe(range)));
+  }
+}
 
 std::vector<double> simulateLog(const component::Component& component, const log::Log& log,
                                 component::StreamCounters* counters) {

@@ -35,17 +35,7 @@ constexpr int kWholeBand = 1 << 20;
 constexpr double kFewestPeriods = 2.0;  // of the slowest motion in a window
 constexpr double kFewestCycles = 8.0;   // of the mean frequency
 
-// Lines 0 to half of the length, which is filled with zeros to a power of two: this leaves energies as they are and is
-// fast at any length.
-Spectrum transform(const Eigen::VectorXd& values) {
-  std::vector<double> piece(values.data(), values.data() + values.size());
-  std::size_t length = 2;
-  while (length < piece.size()) {
-    length *= 2;
-  }
-  piece.resize(length, 0.0);
-  return numerics::Fourier().halfSpectrum(piece);
-}
+Spectrum transform(const Eigen::VectorXd& values) { return numerics::paddedSpectrum({values.begin(), values.end()}); }
 
 // The frequency below which 2 % of the displacement's power lies.
 double slowestMotion(const log::Record& record) {

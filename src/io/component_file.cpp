@@ -2,7 +2,6 @@
 #include "rubber_suspension/io/component_file.h"
 
 #include <fmt/format.h>
-#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -10,7 +9,6 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include <tuple>
 
 #include "element/suggestion.h"
 #include "io/cancellation.h"
@@ -98,21 +96,6 @@ std::string hintOf(const YAML::Node& node, const std::vector<std::string>& names
   return node.IsScalar() ? element::didYouMean(node.Scalar(), names) : "";
 }
 
-// Where the document that was parsed last starts.
-struct DocumentStart : YAML::EventHandler {
-  int line = 0;
-
-  void OnDocumentStart(const YAML::Mark& mark) override { line = mark.line; }
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
-  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
-  void OnMapEnd() override {}
-};
-
 // How the key `temperature` calls a law.
 struct ShiftLaw {
   std::string name;
@@ -147,26 +130,44 @@ bool startsAsNumber(const std::string& text) {
   return !text.empty() && std::string("+-.0123456789").find(text[0]) != std::string::npos;
 }
 
-// One file while it is read. `path` is where in the component a node stands: "specification.loss_angle", "add[0].type".
+// A node of the file and where in its component it stands: "specification.loss_angle", "add[0].type".
+struct Entry {
+  YAML::Node node;
+  std::string path;
+
+  explicit operator bool() const { return node.IsDefined(); }
+  bool isText() const { return node.IsScalar(); }
+  const std::string& text() const { return node.Scalar(); }
+
+  // Of a map, which may not have it.
+  Entry operator[](const std::string& key) const {
+    const std::string shown = isBaseName(key) ? key : log::quoted(key);
+    return {node[key], path.empty() ? shown : path + "." + shown};
+  }
+
+  // Of a list.
+  Entry operator[](std::size_t i) const { return {node[i], fmt::format("{}[{}]", path, i)}; }
+};
+
+// One file while it is read.
 class Loader {
  public:
   explicit Loader(std::string source) : source_(std::move(source)) {}
 
   std::vector<ComponentDescription> load(const std::string& text) {
-    const YAML::Node root = parse(text);
-    requireMap(root, "", "a map with the key 'components'");
-    checkKeys(root, "", {"components"});
-    const YAML::Node components = require(root, "", "components", "a map of components by name");
-    if (!components.IsMap() || components.size() == 0) {
-      refuseContent(components, "components", "a map of components by name");
+    const Entry root{parse(text), ""};
+    checkMap(root, {"components"}, "a map with the key 'components'");
+    const Entry components = require(root, "components", "a map of components by name");
+    if (!components.node.IsMap() || components.node.size() == 0) {
+      refuseContent(components, "a map of components by name");
     }
-    if (components.size() > kMaximumComponents) {
-      refuse(components, "components",
-             fmt::format("{} components; accepted: at most {}", components.size(), kMaximumComponents));
+    if (components.node.size() > kMaximumComponents) {
+      refuse(components,
+             fmt::format("{} components; accepted: at most {}", components.node.size(), kMaximumComponents));
     }
-    checkUnique(components, "components");
+    checkUnique(components);
     std::vector<ComponentDescription> result;
-    for (const auto& entry : components) {
+    for (const auto& entry : components.node) {
       result.push_back(loadComponent(entry.first, entry.second));
       component_.clear();
     }
@@ -181,27 +182,30 @@ class Loader {
                                          place.empty() ? "" : ": ", problem));
   }
 
-  [[noreturn]] void refuse(const YAML::Node& node, const std::string& path, const std::string& problem) const {
-    const auto key_line = node.IsNull() ? lines_of_nothing_.find(node.Mark().pos) : lines_of_nothing_.end();
-    const int line = key_line == lines_of_nothing_.end() ? node.Mark().line : key_line->second;
-    refuseLine(std::max(line + 1, 1), path, problem);
+  [[noreturn]] void refuse(const Entry& entry, const std::string& problem) const {
+    const auto key_line = entry.node.IsNull() ? lines_of_nothing_.find(entry.node.Mark().pos) : lines_of_nothing_.end();
+    const int line = key_line == lines_of_nothing_.end() ? entry.node.Mark().line : key_line->second;
+    refuseLine(std::max(line + 1, 1), entry.path, problem);
   }
 
+  // A problem that says itself where it is.
+  [[noreturn]] void refuseAt(const YAML::Node& node, const std::string& problem) const { refuse({node, ""}, problem); }
+
   // By what stands there.
-  [[noreturn]] void refuseContent(const YAML::Node& node, const std::string& path, const std::string& accepted) const {
-    refuse(node, path, kindOf(node) + "; accepted: " + accepted);
+  [[noreturn]] void refuseContent(const Entry& entry, const std::string& accepted) const {
+    refuse(entry, kindOf(entry.node) + "; accepted: " + accepted);
   }
 
   // A word that is none of these names.
-  [[noreturn]] void refuseWord(const YAML::Node& node, const std::string& path, const std::string& wanted,
+  [[noreturn]] void refuseWord(const Entry& entry, const std::string& wanted,
                                const std::vector<std::string>& names) const {
-    refuse(node, path,
-           fmt::format("{} is not {}{}; accepted: {}", kindOf(node), wanted, hintOf(node, names), log::join(names)));
+    refuse(entry, fmt::format("{} is not {}{}; accepted: {}", kindOf(entry.node), wanted, hintOf(entry.node, names),
+                              log::join(names)));
   }
 
-  void requireMap(const YAML::Node& node, const std::string& path, const std::string& accepted = "a map") const {
-    if (!node.IsMap()) {
-      refuseContent(node, path, accepted);
+  void requireMap(const Entry& entry, const std::string& accepted = "a map") const {
+    if (!entry.node.IsMap()) {
+      refuseContent(entry, accepted);
     }
   }
 
@@ -214,18 +218,17 @@ class Loader {
       refuseLine(1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n')),
                  "", "holds a 0 byte; accepted: text in UTF-8");
     }
-    if (const auto line = lineNestedTooDeep(text)) {
-      refuseLine(*line, "", acceptedNesting());
-    }
     try {
-      if (const auto line = lineExpandedTooFar(text)) {
-        refuseLine(*line, "", acceptedExpansion());
+      if (const auto problem = beyondYamlBounds(text)) {
+        refuseLine(problem->line, "", problem->text);
       }
       const YAML::Node document = YAML::Load(text);
       if (document.IsNull()) {
         refuseLine(1, "", "the file is empty; accepted: a map with the key 'components'");
       }
-      refuseSecondDocument(text);
+      if (const auto line = lineOfSecondDocument(text)) {
+        refuseLine(*line, "", "a second YAML document; accepted: one");
+      }
       return document;
     } catch (const YAML::Exception& error) {
       if (const int line = lineWithTab(text, error.mark.line); line >= 0) {
@@ -236,152 +239,149 @@ class Loader {
     }
   }
 
-  // YAML::LoadAll would tell, too, but never ends on a comma that belongs to nothing.
-  void refuseSecondDocument(const std::string& text) const {
-    std::istringstream stream(text);
-    YAML::Parser parser(stream);
-    DocumentStart start;
-    if (parser.HandleNextDocument(start) && parser.HandleNextDocument(start)) {
-      refuseLine(start.line + 1, "", "a second YAML document; accepted: one");
-    }
-  }
-
-  void checkUnique(const YAML::Node& map, const std::string& path) {
+  void checkUnique(const Entry& map) {
     std::set<std::string> seen;
-    for (const auto& entry : map) {
+    for (const auto& entry : map.node) {
       if (entry.second.IsNull()) {
         lines_of_nothing_[entry.second.Mark().pos] = entry.first.Mark().line;
       }
       if (!entry.first.IsScalar()) {
-        refuse(entry.first, path, fmt::format("{} as a key; accepted: a name", kindOf(entry.first)));
+        refuse({entry.first, map.path}, fmt::format("{} as a key; accepted: a name", kindOf(entry.first)));
       }
       if (!seen.insert(entry.first.Scalar()).second) {
-        refuse(entry.first, child(path, entry.first.Scalar()), "stands twice; accepted: once");
+        refuse(keyOf(map, entry.first), "stands twice; accepted: once");
       }
     }
-    merge(map, path, 0);
+    merge(map, 0);
   }
 
   // A merge key of YAML, `<<: *anchor` or a list of such: the keys of those maps that the map itself does not have.
-  void merge(YAML::Node map, const std::string& path, int depth) const {
+  void merge(const Entry& map, int depth) const {
     constexpr int kDeepest = 10;
-    const YAML::Node sources = std::as_const(map)[kMerge];
-    if (!sources.IsDefined()) {
+    const Entry sources = map[kMerge];
+    if (!sources) {
       return;
     }
-    const bool list = sources.IsSequence();
-    for (std::size_t i = 0; i < (list ? sources.size() : 1); ++i) {
-      const YAML::Node source = list ? sources[i] : sources;
-      if (!source.IsMap() || source.is(map) || depth == kDeepest) {
-        refuseContent(source, child(path, kMerge), "an anchor of another map, or a list of such");
+    YAML::Node merged = map.node;
+    const bool list = sources.node.IsSequence();
+    for (std::size_t i = 0; i < (list ? sources.node.size() : 1); ++i) {
+      const Entry source{list ? sources.node[i] : sources.node, sources.path};
+      if (!source.node.IsMap() || source.node.is(merged) || depth == kDeepest) {
+        refuseContent(source, "an anchor of another map, or a list of such");
       }
-      merge(source, path, depth + 1);
-      for (const auto& entry : source) {
-        if (entry.first.IsScalar() && !std::as_const(map)[entry.first.Scalar()].IsDefined()) {
-          map[entry.first.Scalar()] = entry.second;
+      merge({source.node, map.path}, depth + 1);
+      for (const auto& entry : source.node) {
+        if (entry.first.IsScalar() && !map[entry.first.Scalar()]) {
+          merged[entry.first.Scalar()] = entry.second;
         }
       }
     }
-    map.remove(kMerge);
+    merged.remove(kMerge);
   }
 
-  void checkKeys(const YAML::Node& map, const std::string& path, const std::vector<std::string>& names) {
-    checkUnique(map, path);
-    for (const auto& entry : map) {
+  void checkKeys(const Entry& map, const std::vector<std::string>& names) {
+    checkUnique(map);
+    for (const auto& entry : map.node) {
       const std::string& key = entry.first.Scalar();
       if (std::find(names.begin(), names.end(), key) == names.end()) {
         const std::string hint = element::didYouMean(key, names);
-        refuse(
-            entry.first, child(path, key),
-            fmt::format("unknown key{}; accepted: {}", hint.empty() ? decimalCommaHint(key) : hint, log::join(names)));
+        refuse(keyOf(map, entry.first), fmt::format("unknown key{}; accepted: {}",
+                                                    hint.empty() ? decimalCommaHint(key) : hint, log::join(names)));
       }
     }
   }
 
-  static std::string child(const std::string& path, const std::string& key) {
-    const std::string shown = isBaseName(key) ? key : log::quoted(key);
-    return path.empty() ? shown : path + "." + shown;
+  void checkMap(const Entry& map, const std::vector<std::string>& names, const std::string& accepted = "a map") {
+    requireMap(map, accepted);
+    checkKeys(map, names);
   }
 
-  YAML::Node require(const YAML::Node& map, const std::string& path, const std::string& key,
-                     const std::string& what) const {
-    const YAML::Node node = map[key];
-    if (!node.IsDefined()) {
-      refuse(map, "", fmt::format("{} is missing; accepted: {}", child(path, key), what));
+  // A key with the path of what it names.
+  static Entry keyOf(const Entry& map, const YAML::Node& key) { return {key, map[key.Scalar()].path}; }
+
+  Entry require(const Entry& map, const std::string& key, const std::string& what) const {
+    Entry entry = map[key];
+    if (!entry) {
+      refuseAt(map.node, fmt::format("{} is missing; accepted: {}", entry.path, what));
     }
-    return node;
+    return entry;
+  }
+
+  // What `read` makes of an entry that may be left out.
+  template <class Value>
+  std::optional<Value> ifGiven(const Entry& entry, Value (Loader::*read)(const Entry&)) {
+    return entry ? std::optional<Value>((this->*read)(entry)) : std::nullopt;
+  }
+
+  // The direction that a key of a map names, which was checked.
+  static component::Direction directionOf(const YAML::Node& key) {
+    return *component::directionFromString(key.Scalar());
   }
 
   ComponentDescription loadComponent(const YAML::Node& key, const YAML::Node& node) {
     checkCancelled();
     if (!isBaseName(key.Scalar())) {
       refuse(
-          key, "components",
+          {key, "components"},
           fmt::format("{} is not a name of a component; accepted: a letter, then letters, digits and underscores, at "
                       "most {} in all",
                       log::quoted(key.Scalar()), kMaximumNameLength));
     }
     component_ = key.Scalar();
     units_.clear();
-    requireMap(node, "", "a map with the key 'model', or 'directions' for six of them");
-    checkUnique(node, "");
-    return node["directions"].IsDefined() ? loadSixDirections(key, node) : loadOneDirection(key, node);
+    const Entry content{node, ""};
+    requireMap(content, "a map with the key 'model', or 'directions' for six of them");
+    checkUnique(content);
+    return content["directions"] ? loadSixDirections(key, content) : loadOneDirection(key, content);
   }
 
-  ComponentDescription loadOneDirection(const YAML::Node& key, const YAML::Node& node) {
-    ComponentDescription description = loadContent(node, loadModel(node));
-    if (const YAML::Node rig = node["rig"]) {
-      description.rig = loadRig(rig);
-    }
-    if (const YAML::Node temperature = node["temperature"]) {
-      description.temperature = loadTemperature(temperature);
-    }
-    if (const YAML::Node valid = node["valid_displacement"]) {
-      description.valid_displacement = loadValidDisplacement(valid);
-    }
+  ComponentDescription loadOneDirection(const YAML::Node& key, const Entry& entry) {
+    ComponentDescription description = loadContent(entry, loadModel(entry));
+    description.rig = ifGiven(entry["rig"], &Loader::loadRig);
+    description.temperature = ifGiven(entry["temperature"], &Loader::loadTemperature);
+    description.valid_displacement = ifGiven(entry["valid_displacement"], &Loader::loadValidDisplacement);
     description.units = units_;
     try {
       description.makeComponent();
     } catch (const std::invalid_argument& error) {
-      refuse(key, "", error.what());
+      refuseAt(key, error.what());
     }
     return description;
   }
 
-  ComponentDescription loadSixDirections(const YAML::Node& key, const YAML::Node& node) {
-    checkKeys(node, "", kSixDirectionKeys);
+  ComponentDescription loadSixDirections(const YAML::Node& key, const Entry& entry) {
+    checkKeys(entry, kSixDirectionKeys);
     auto six = std::make_shared<SixDirectionsDescription>();
-    loadArrangement(node, *six);
-    if (const YAML::Node preload = node["preload"]) {
+    loadArrangement(entry, *six);
+    const Entry preload = entry["preload"];
+    if (preload) {
       loadPreloads(preload, *six);
     }
-    const YAML::Node directions = node["directions"];
-    if (!directions.IsMap() || directions.size() == 0) {
-      refuseContent(directions, "directions", "a map of x, y, z, rx, ry, rz");
+    const Entry directions = entry["directions"];
+    if (!directions.node.IsMap() || directions.node.size() == 0) {
+      refuseContent(directions, "a map of x, y, z, rx, ry, rz");
     }
-    checkKeys(directions, "directions", directionNames());
-    for (const auto& entry : directions) {
-      const auto direction = *component::directionFromString(entry.first.Scalar());
-      six->directions[direction] = loadDirection(entry.first, entry.second, direction, six->preload[direction]);
-      if (const YAML::Node temperature = node["temperature"]; temperature && !six->directions[direction]->temperature) {
+    checkKeys(directions, directionNames());
+    for (const auto& of_direction : directions.node) {
+      const component::Direction direction = directionOf(of_direction.first);
+      six->directions[direction] =
+          loadDirection(of_direction.first, directions[of_direction.first.Scalar()], six->preload[direction]);
+      if (const Entry temperature = entry["temperature"]; temperature && !six->directions[direction]->temperature) {
         six->directions[direction]->temperature = loadTemperature(temperature);
       }
     }
-    for (const auto& entry : node["preload"]) {
-      if (!six->directions[*component::directionFromString(entry.first.Scalar())]) {
-        refuse(entry.first, child("preload", entry.first.Scalar()),
-               "the direction is free; accepted: one of directions");
+    for (const auto& load : preload.node) {
+      if (!six->directions[directionOf(load.first)]) {
+        refuse(keyOf(preload, load.first), "the direction is free; accepted: one of directions");
       }
     }
-    if (const YAML::Node tables = node["stiffness_by_preload"]) {
-      six->tables = loadMaps<PreloadTable>(tables, "stiffness_by_preload", [&](const auto& table, const auto& path) {
-        return loadPreloadTable(table, path, *six);
-      });
+    if (const Entry tables = entry["stiffness_by_preload"]) {
+      six->tables = loadMaps<PreloadTable>(tables, [&](const Entry& table) { return loadPreloadTable(table, *six); });
     }
     try {
       six->makeComponent();
     } catch (const std::invalid_argument& error) {
-      refuse(key, "", std::string("directions.") + error.what());
+      refuseAt(key, std::string("directions.") + error.what());
     }
     ComponentDescription description(component_, {});
     description.six = std::move(six);
@@ -396,19 +396,17 @@ class Loader {
     return names;
   }
 
-  ComponentDescription loadDirection(const YAML::Node& key, const YAML::Node& node, component::Direction direction,
-                                     const std::optional<Preload>& preload) {
-    if (!node.IsMap()) {
-      refuse(
-          node, child("directions", key.Scalar()),
-          fmt::format("{}; accepted: a map with the key 'model'; a direction that is left out is free", kindOf(node)));
+  ComponentDescription loadDirection(const YAML::Node& key, const Entry& entry, const std::optional<Preload>& preload) {
+    if (!entry.node.IsMap()) {
+      refuseContent(entry, "a map with the key 'model'; a direction that is left out is free");
     }
-    place_ = "directions." + key.Scalar();
+    place_ = entry.path;
     units_.clear();
-    rotational_ = component::isRotation(direction);
+    rotational_ = component::isRotation(directionOf(key));
     preload_ = preload;
-    checkUnique(node, "");
-    ComponentDescription description = loadOneDirection(key, node);
+    const Entry content{entry.node, ""};
+    checkUnique(content);
+    ComponentDescription description = loadOneDirection(key, content);
     description.name = component_ + "_" + key.Scalar();
     if (rotational_) {
       description.units.clear();  // whoever takes it for a component of one direction shows SI units
@@ -419,47 +417,45 @@ class Loader {
     return description;
   }
 
-  void loadArrangement(const YAML::Node& node, SixDirectionsDescription& six) {
+  void loadArrangement(const Entry& entry, SixDirectionsDescription& six) {
     component::SixDirectionsLaws& arrangement = six.arrangement;
-    if (const YAML::Node coupling = node["coupling"]) {
+    if (const Entry coupling = entry["coupling"]) {
       loadCoupling(coupling, arrangement);
     }
-    if (const YAML::Node rotation = node["rotation"]) {
-      arrangement.measure = static_cast<component::RotationMeasure>(loadWord(rotation, "rotation", kMeasures));
+    if (const Entry rotation = entry["rotation"]) {
+      arrangement.measure = static_cast<component::RotationMeasure>(loadWord(rotation, kMeasures));
     }
     const bool cardan = arrangement.measure == component::RotationMeasure::cardan;
     arrangement.valid_rotation = cardan ? component::kCardanEnd : component::kVectorEnd;
-    if (const YAML::Node valid = node["valid_rotation"]) {
+    if (const Entry valid = entry["valid_rotation"]) {
       const element::Range range{0.0, arrangement.valid_rotation, true, false};
-      arrangement.valid_rotation =
-          loadNumber(valid, "valid_rotation", {"valid_rotation", "rad", element::Role::choice, range, ""});
+      arrangement.valid_rotation = loadNumber(valid, {"valid_rotation", "rad", element::Role::choice, range, ""});
     }
-    if (const YAML::Node frame = node["frame"]) {
-      requireMap(frame, "frame", "a map with the keys a and b, the bodies");
-      checkKeys(frame, "frame", {"a", "b"});
-      six.frame_on_a = loadFrame(frame["a"], "frame.a");
-      six.frame_on_b = loadFrame(frame["b"], "frame.b");
+    if (const Entry frame = entry["frame"]) {
+      checkMap(frame, {"a", "b"}, "a map with the keys a and b, the bodies");
+      six.frame_on_a = loadFrame(frame["a"]);
+      six.frame_on_b = loadFrame(frame["b"]);
       arrangement.on_a = frameOf(six.frame_on_a, arrangement.measure);
       arrangement.on_b = frameOf(six.frame_on_b, arrangement.measure);
     }
   }
 
   // One word for translations and rotations alike, or a map.
-  void loadCoupling(const YAML::Node& node, component::SixDirectionsLaws& arrangement) {
-    if (!node.IsMap()) {
-      arrangement.translation = arrangement.rotation =
-          static_cast<component::Coupling>(loadWord(node, "coupling", kCouplings));
+  void loadCoupling(const Entry& entry, component::SixDirectionsLaws& arrangement) {
+    const auto word = [&](const Entry& value) { return static_cast<component::Coupling>(loadWord(value, kCouplings)); };
+    if (!entry.node.IsMap()) {
+      arrangement.translation = arrangement.rotation = word(entry);
       return;
     }
-    checkKeys(node, "coupling", {"translation", "rotation", "axis"});
-    for (const auto& [name, coupling] :
-         {std::pair("translation", &arrangement.translation), std::pair("rotation", &arrangement.rotation)}) {
-      if (const YAML::Node value = node[name]) {
-        *coupling = static_cast<component::Coupling>(loadWord(value, child("coupling", name), kCouplings));
-      }
+    checkKeys(entry, {"translation", "rotation", "axis"});
+    if (const Entry translation = entry["translation"]) {
+      arrangement.translation = word(translation);
     }
-    if (const YAML::Node axis = node["axis"]) {
-      arrangement.axis = loadWord(axis, "coupling.axis", kAxes);
+    if (const Entry rotation = entry["rotation"]) {
+      arrangement.rotation = word(rotation);
+    }
+    if (const Entry axis = entry["axis"]) {
+      arrangement.axis = loadWord(axis, kAxes);
     }
   }
 
@@ -470,44 +466,46 @@ class Loader {
     return frame;
   }
 
-  component::SixNumbers loadFrame(const YAML::Node& node, const std::string& path) {
+  component::SixNumbers loadFrame(const Entry& entry) {
     component::SixNumbers frame = component::SixNumbers::Zero();
-    if (!node.IsDefined()) {
+    if (!entry) {
       return frame;
     }
-    requireMap(node, path, "a map with the keys position and rotation");
-    checkKeys(node, path, {"position", "rotation"});
-    if (const YAML::Node position = node["position"]) {
-      frame.head<3>() = loadThree(position, child(path, "position"), "m");
+    checkMap(entry, {"position", "rotation"}, "a map with the keys position and rotation");
+    if (const Entry position = entry["position"]) {
+      frame.head<3>() = loadThree(position, "m");
     }
-    if (const YAML::Node rotation = node["rotation"]) {
-      frame.tail<3>() = loadThree(rotation, child(path, "rotation"), "rad");
+    if (const Entry rotation = entry["rotation"]) {
+      frame.tail<3>() = loadThree(rotation, "rad");
     }
     return frame;
   }
 
-  Eigen::Vector3d loadThree(const YAML::Node& node, const std::string& path, const std::string& unit) {
-    const element::ParameterInfo row{"", unit, element::Role::choice, element::Range::any(), "", {}, true};
-    if (!node.IsSequence() || node.size() != 3) {
-      refuseContent(node, path, "a list of three, along or about x, y, z");
+  Eigen::Vector3d loadThree(const Entry& entry, const std::string& unit) {
+    if (!entry.node.IsSequence() || entry.node.size() != 3) {
+      refuseContent(entry, "a list of three, along or about x, y, z");
     }
-    const std::vector<double> values = loadNumbers(node, path, row);
+    const std::vector<double> values = loadNumbers(entry, anyNumber(unit));
     return {values[0], values[1], values[2]};
   }
 
-  void loadPreloads(const YAML::Node& node, SixDirectionsDescription& six) {
-    requireMap(node, "preload", "a map of a load by direction");
-    checkKeys(node, "preload", directionNames());
-    for (const auto& entry : node) {
-      const auto direction = *component::directionFromString(entry.first.Scalar());
-      six.preload[direction] = loadPreload(entry.second, child("preload", entry.first.Scalar()), direction);
+  // A number of this unit, or a list of such, without a row in a table.
+  static element::ParameterInfo anyNumber(const std::string& unit, element::Range range = element::Range::any()) {
+    return {"", unit, element::Role::choice, range, "", {}, true};
+  }
+
+  void loadPreloads(const Entry& entry, SixDirectionsDescription& six) {
+    checkMap(entry, directionNames(), "a map of a load by direction");
+    for (const auto& load : entry.node) {
+      const component::Direction direction = directionOf(load.first);
+      six.preload[direction] = loadPreload(entry[load.first.Scalar()], direction);
     }
   }
 
   // A force or a displacement, as its unit tells.
-  Preload loadPreload(const YAML::Node& node, const std::string& path, component::Direction direction) {
+  Preload loadPreload(const Entry& entry, component::Direction direction) {
     const bool turns = component::isRotation(direction);
-    const std::string unit = node.IsScalar() ? log::unitOfQuantity(node.Scalar()) : "";
+    const std::string unit = entry.isText() ? log::unitOfQuantity(entry.text()) : "";
     Preload preload;
     try {
       log::UnitConversion(unit, turns ? "rad" : "m");
@@ -516,44 +514,39 @@ class Loader {
       preload.is_force = true;
     }
     if (unit.empty()) {
-      refuseContent(node, path,
+      refuseContent(entry,
                     fmt::format("text with a unit, a static {}", turns ? "moment ('20 N m') or rotation ('2 deg')"
                                                                        : "force ('2 kN') or displacement ('1 mm')"));
     }
-    const std::string si = preload.is_force ? (turns ? "N m" : "N") : (turns ? "rad" : "m");
-    preload.value = loadNumber(node, path, {"", si, element::Role::choice, element::Range::any(), ""});
+    preload.value = loadNumber(entry, anyNumber(preload.is_force ? (turns ? "N m" : "N") : (turns ? "rad" : "m")));
     return preload;
   }
 
-  PreloadTable loadPreloadTable(const YAML::Node& node, const std::string& path, const SixDirectionsDescription& six) {
-    checkKeys(node, path, {"direction", "by", "preload", "factor", "instantaneous"});
+  PreloadTable loadPreloadTable(const Entry& entry, const SixDirectionsDescription& six) {
+    checkKeys(entry, {"direction", "by", "preload", "factor", "instantaneous"});
     const auto direction = [&](const char* key) {
-      const YAML::Node value = require(node, path, key, log::join(directionNames()));
-      return static_cast<component::Direction>(loadWord(value, child(path, key), directionNames()));
+      const Entry value = require(entry, key, log::join(directionNames()));
+      return static_cast<component::Direction>(loadWord(value, directionNames()));
     };
     PreloadTable table;
     table.direction = direction("direction");
     table.by = direction("by");
-    if (const YAML::Node follows = node["instantaneous"];
-        follows && loadWord(follows, child(path, "instantaneous"), {"false", "true"}) == 1) {
-      refuse(follows, child(path, "instantaneous"),
+    if (const Entry follows = entry["instantaneous"]; follows && loadFlag(follows)) {
+      refuse(follows,
              "true: a stiffness that follows another direction's motion does work over closed loops; accepted: false, "
              "the factor at the configured preload");
     }
-    const YAML::Node preload = require(node, path, "preload", "a list of loads with units");
-    const YAML::Node factor = require(node, path, "factor", "a list of as many factors");
-    table.factor = loadNumbers(factor, child(path, "factor"),
-                               {"", "1", element::Role::choice, element::Range::positive(), "", {}, true});
-    if (!preload.IsSequence() || preload.size() != table.factor.size()) {
-      refuseContent(preload, child(path, "preload"),
-                    fmt::format("a list of {}, as many as factors", table.factor.size()));
+    const Entry preload = require(entry, "preload", "a list of loads with units");
+    table.factor =
+        loadNumbers(require(entry, "factor", "a list of as many factors"), anyNumber("1", element::Range::positive()));
+    if (!preload.node.IsSequence() || preload.node.size() != table.factor.size()) {
+      refuseContent(preload, fmt::format("a list of {}, as many as factors", table.factor.size()));
     }
-    for (std::size_t i = 0; i < preload.size(); ++i) {
-      const std::string place = fmt::format("{}[{}]", child(path, "preload"), i);
-      table.preload.push_back(loadPreload(preload[i], place, table.by));
+    for (std::size_t i = 0; i < preload.node.size(); ++i) {
+      table.preload.push_back(loadPreload(preload[i], table.by));
       if (i > 0 && !(table.preload[i].is_force == table.preload[0].is_force &&
                      table.preload[i].value > table.preload[i - 1].value)) {
-        refuseContent(preload[i], place, "loads of one kind that increase");
+        refuseContent(preload[i], "loads of one kind that increase");
       }
     }
     try {
@@ -561,171 +554,159 @@ class Loader {
       alone.tables = {table};
       alone.factorOf(table.direction);
     } catch (const std::invalid_argument& error) {
-      refuse(node, path, error.what());
+      refuse(entry, error.what());
     }
     return table;
   }
 
-  estimation::Model loadModel(const YAML::Node& node) const {
-    const YAML::Node model = require(node, "", "model", log::join(modelNames()));
+  estimation::Model loadModel(const Entry& entry) const {
+    const Entry model = require(entry, "model", log::join(modelNames()));
     const std::optional<estimation::Model> found =
-        model.IsScalar() ? estimation::modelFromString(model.Scalar()) : std::nullopt;
+        model.isText() ? estimation::modelFromString(model.text()) : std::nullopt;
     if (!found) {
-      refuseWord(model, "model", "a model", modelNames());
+      refuseWord(model, "a model", modelNames());
     }
     return *found;
   }
 
-  ComponentDescription loadContent(const YAML::Node& node, estimation::Model model) {
+  ComponentDescription loadContent(const Entry& entry, estimation::Model model) {
     if (model != estimation::Model::elements) {
-      checkKeys(node, "", {"model", "specification", "add", "rig", "temperature", "valid_displacement"});
-      return loadSpecification(require(node, "", "specification", "a map"), model, node["add"]);
+      checkKeys(entry, {"model", "specification", "add", "rig", "temperature", "valid_displacement"});
+      return loadSpecification(require(entry, "specification", "a map"), model, entry["add"]);
     }
-    checkKeys(node, "", {"model", "elements", "add", "rig", "temperature", "valid_displacement"});
-    std::vector<element::ElementDescription> elements =
-        loadEntries(require(node, "", "elements", "a list of elements"), "elements");
+    checkKeys(entry, {"model", "elements", "add", "rig", "temperature", "valid_displacement"});
+    const Entry list = require(entry, "elements", "a list of elements");
+    std::vector<element::ElementDescription> elements = loadElements(list);
     if (elements.empty()) {
-      refuse(node["elements"], "elements", "an empty list; accepted: at least one element");
+      refuse(list, "an empty list; accepted: at least one element");
     }
     ComponentDescription description(component_, std::move(elements));
-    description.add = loadAdded(node["add"], {});
+    description.add = loadAdded(entry["add"], {});
     return description;
   }
 
-  std::vector<element::ElementDescription> loadAdded(const YAML::Node& add,
-                                                     const estimation::Specification& specification) {
-    return add.IsDefined() ? loadEntries(add, "add", &specification) : std::vector<element::ElementDescription>{};
+  std::vector<element::ElementDescription> loadAdded(const Entry& add, const estimation::Specification& specification) {
+    return add ? loadElements(add, &specification) : std::vector<element::ElementDescription>{};
   }
 
-  RigTolerances loadRig(const YAML::Node& node) {
-    requireMap(node, "rig");
-    checkKeys(node, "rig", namesOf(rigToleranceTable()));
+  RigTolerances loadRig(const Entry& entry) {
+    checkMap(entry, namesOf(rigToleranceTable()));
     RigTolerances tolerances;
     for (const RigToleranceInfo& row : rigToleranceTable()) {
-      if (const YAML::Node value = node[row.name]) {
+      if (const Entry value = entry[row.name]) {
         tolerances.*row.member = loadTolerance(value, row.name);
       }
     }
     return tolerances;
   }
 
-  const ShiftLaw& loadShift(const YAML::Node& node) const {
+  const ShiftLaw& loadShift(const Entry& entry) const {
     const auto& laws = shiftLaws();
-    const YAML::Node shift = require(node, "temperature", "shift", log::join(namesOf(laws)));
-    const auto found = std::find_if(
-        laws.begin(), laws.end(), [&](const ShiftLaw& law) { return shift.IsScalar() && shift.Scalar() == law.name; });
+    const Entry shift = require(entry, "shift", log::join(namesOf(laws)));
+    const auto found = std::find_if(laws.begin(), laws.end(),
+                                    [&](const ShiftLaw& law) { return shift.isText() && shift.text() == law.name; });
     if (found == laws.end()) {
-      refuseWord(shift, "temperature.shift", "a law of temperature", namesOf(laws));
+      refuseWord(shift, "a law of temperature", namesOf(laws));
     }
     return *found;
   }
 
-  element::ElementDescription loadTemperature(const YAML::Node& node) {
-    requireMap(node, "temperature", "a map with the key 'shift'");
-    checkUnique(node, "temperature");
-    const ShiftLaw& law = loadShift(node);
+  element::ElementDescription loadTemperature(const Entry& entry) {
+    requireMap(entry, "a map with the key 'shift'");
+    checkUnique(entry);
+    const ShiftLaw& law = loadShift(entry);
     const std::vector<element::ParameterInfo>& table = element::findElementType(law.type)->parameters;
     std::vector<std::string> keys = namesOf(table);
     keys.insert(keys.begin(), "shift");
-    checkKeys(node, "temperature", keys);
+    checkKeys(entry, keys);
     element::ElementDescription description{law.type, {}};
     for (element::ParameterInfo parameter : table) {
       if (parameter.name == "activation_energy") {
         parameter.range = element::Range::openBelow(0.0, parameter.range.upper);
       }
-      const std::string path = child("temperature", parameter.name);
       if (parameter.name != kVertical) {
-        const YAML::Node value = require(node, "temperature", parameter.name, accepted(parameter));
-        description.values[parameter.name] = {loadNumber(value, path, parameter)};
-      } else if (const YAML::Node value = node[kVertical]) {
-        description.values[kVertical] = {loadVertical(value, path, parameter, description.value("reference"))};
+        description.values[parameter.name] = {
+            loadNumber(require(entry, parameter.name, accepted(parameter)), parameter)};
+      } else if (const Entry value = entry[kVertical]) {
+        description.values[kVertical] = {loadVertical(value, parameter, description.value("reference"))};
       }
     }
     return description;
   }
 
   // One number for both sides, or the two ends.
-  element::Range loadValidDisplacement(const YAML::Node& node) {
-    const std::string path = "valid_displacement";
-    element::ParameterInfo length;
-    length.unit = "m";
-    if (!node.IsSequence()) {
-      length.range = element::Range::positive();
-      const double reach = loadNumber(node, path, length);
+  element::Range loadValidDisplacement(const Entry& entry) {
+    if (!entry.node.IsSequence()) {
+      const double reach = loadNumber(entry, anyNumber("m", element::Range::positive()));
       return element::Range::closed(-reach, reach);
     }
-    if (node.size() != 2) {
-      refuse(node, path,
-             fmt::format("{} entries; accepted: a length, or a list of two, the lower one first", node.size()));
+    if (entry.node.size() != 2) {
+      refuse(entry,
+             fmt::format("{} entries; accepted: a length, or a list of two, the lower one first", entry.node.size()));
     }
-    const double low = loadNumber(node[0], path + "[0]", length);
-    const double high = loadNumber(node[1], path + "[1]", length);
-    if (low >= high) {
-      refuse(node, path, fmt::format("from {:g} m to {:g} m; accepted: the lower one first", low, high));
+    const std::vector<double> ends = loadNumbers(entry, anyNumber("m"));
+    if (ends[0] >= ends[1]) {
+      refuse(entry, fmt::format("from {:g} m to {:g} m; accepted: the lower one first", ends[0], ends[1]));
     }
-    return element::Range::closed(low, high);
+    return element::Range::closed(ends[0], ends[1]);
   }
 
   // The reference stands before in the tables.
-  double loadVertical(const YAML::Node& node, const std::string& path, const element::ParameterInfo& parameter,
-                      double reference) {
-    if (node.IsScalar() && node.Scalar() == "proportional") {
+  double loadVertical(const Entry& entry, const element::ParameterInfo& parameter, double reference) {
+    if (entry.isText() && entry.text() == "proportional") {
       return 1.0 / (reference + element::kZeroCelsius);
     }
-    if (node.IsScalar() && node.Scalar() == "none") {
+    if (entry.isText() && entry.text() == "none") {
       return 0.0;
     }
-    if (!node.IsScalar() || !startsAsNumber(node.Scalar())) {
-      refuse(node, path,
-             fmt::format("{} is not a vertical shift{}; accepted: proportional (b_T = T/T_0), none, or {}",
-                         kindOf(node), hintOf(node, {"proportional", "none"}), accepted(parameter)));
+    if (!entry.isText() || !startsAsNumber(entry.text())) {
+      refuse(entry, fmt::format("{} is not a vertical shift{}; accepted: proportional (b_T = T/T_0), none, or {}",
+                                kindOf(entry.node), hintOf(entry.node, {"proportional", "none"}), accepted(parameter)));
     }
-    return loadNumber(node, path, parameter);
+    return loadNumber(entry, parameter);
   }
 
-  RigTolerance loadTolerance(const YAML::Node& node, const std::string& key) const {
-    if (!node.IsScalar()) {
-      refuse(node, child("rig", key), fmt::format("{} is not a number; accepted: a number or text", kindOf(node)));
+  RigTolerance loadTolerance(const Entry& entry, const std::string& key) const {
+    if (!entry.isText()) {
+      refuse(entry, fmt::format("{} is not a number; accepted: a number or text", kindOf(entry.node)));
     }
     try {
-      return parseRigTolerance(key, node.Scalar());
+      return parseRigTolerance(key, entry.text());
     } catch (const std::invalid_argument& error) {
-      refuse(node, "", fmt::format("rig.{}", error.what()));
+      refuseAt(entry.node, fmt::format("rig.{}", error.what()));
     }
   }
 
-  ComponentDescription loadSpecification(const YAML::Node& node, estimation::Model model, const YAML::Node& add) {
-    requireMap(node, "specification");
+  ComponentDescription loadSpecification(const Entry& entry, estimation::Model model, const Entry& add) {
+    requireMap(entry);
     estimation::Specification specification =
-        loadNumbers(node, "specification", {"describes", "static_curve", "scale_with", "points", "preloads"});
-    loadDescribed(node, specification);
-    preloadSpecification(node, specification);
+        loadValues(entry, {"describes", "static_curve", "scale_with", "points", "preloads"});
+    loadDescribed(entry, specification);
+    preloadSpecification(entry, specification);
     const bool fitted = !specification.points().empty() || !specification.preloads().empty();
     for (const std::string& key : estimation::modelInfo(model).required) {
       const char* of_curve = model == estimation::Model::kelvin_voigt ? "dynamic_stiffness" : "static_stiffness";
       if (!fitted && !(specification.curve() != nullptr && key == of_curve)) {
-        require(node, "specification", key,
-                accepted(here(*element::findParameter(estimation::specificationParameters(), key))));
+        require(entry, key, accepted(here(*element::findParameter(estimation::specificationParameters(), key))));
       }
     }
     std::vector<element::ElementDescription> added = loadAdded(add, specification);
     try {
       return {component_, model, std::move(specification), std::move(added)};
     } catch (const std::invalid_argument& error) {
-      refuseSpecification(node, error.what());
+      refuseSpecification(entry, error.what());
     }
   }
 
   // The preload of a direction is where its numbers hold on its static curve; without one they hold everywhere.
-  void preloadSpecification(const YAML::Node& node, estimation::Specification& specification) const {
+  void preloadSpecification(const Entry& entry, estimation::Specification& specification) const {
     if (!preload_) {
       return;
     }
     const std::string own = preload_->is_force ? "nominal_force" : "nominal_displacement";
     for (const char* key : {"nominal_force", "nominal_displacement"}) {
       if (const auto given = specification.find(key); given && !(key == own && *given == preload_->value)) {
-        refuse(node[key], child("specification", key),
-               "given beside another preload of the direction; accepted: one of both");
+        refuse(entry[key], "given beside another preload of the direction; accepted: one of both");
       }
     }
     if (specification.curve() != nullptr) {
@@ -733,12 +714,12 @@ class Loader {
     }
   }
 
-  estimation::Specification loadNumbers(const YAML::Node& node, const std::string& path,
-                                        const std::vector<std::string>& others) {
+  // The numbers of a specification, beside which there may be others.
+  estimation::Specification loadValues(const Entry& entry, const std::vector<std::string>& others) {
     const std::vector<element::ParameterInfo>& table = estimation::specificationParameters();
     std::vector<std::string> keys = namesOf(table);
     keys.insert(keys.end(), others.begin(), others.end());
-    checkKeys(node, path, keys);
+    checkKeys(entry, keys);
     estimation::Specification specification;
     estimation::Specification::Units units;
     for (const element::ParameterInfo& row : table) {
@@ -746,12 +727,12 @@ class Loader {
       if (rotational_) {
         units[parameter.name] = {parameter.unit, 1.0};
       }
-      const YAML::Node value = node[parameter.name];
-      if (!value.IsDefined()) {
+      const Entry value = entry[parameter.name];
+      if (!value) {
         continue;
       }
-      specification.set(parameter.name, loadNumber(value, child(path, parameter.name), parameter));
-      if (const std::string unit = log::unitOfQuantity(value.Scalar()); !unit.empty()) {
+      specification.set(parameter.name, loadNumber(value, parameter));
+      if (const std::string unit = log::unitOfQuantity(value.text()); !unit.empty()) {
         units[parameter.name] = {unit, log::UnitConversion(unit, parameter.unit)(1.0)};
       }
     }
@@ -760,100 +741,96 @@ class Loader {
   }
 
   // The words that a specification has beside numbers.
-  void loadDescribed(const YAML::Node& node, estimation::Specification& specification) {
-    if (const YAML::Node describes = node["describes"]) {
-      specification.describe(loadWord(describes, "specification.describes", {"component", "base"}) == 0
-                                 ? estimation::Describes::component
-                                 : estimation::Describes::base);
+  void loadDescribed(const Entry& entry, estimation::Specification& specification) {
+    if (const Entry describes = entry["describes"]) {
+      specification.describe(loadWord(describes, {"component", "base"}) == 0 ? estimation::Describes::component
+                                                                             : estimation::Describes::base);
     }
-    if (const YAML::Node curve = node["static_curve"]) {
-      specification.setCurve(loadCurve(curve, node["scale_with"]));
-    } else if (const YAML::Node scale = node["scale_with"]) {
-      refuse(scale, "specification.scale_with", "given without static_curve; accepted: both");
+    if (const Entry curve = entry["static_curve"]) {
+      specification.setCurve(loadCurve(curve, entry["scale_with"]));
+    } else if (const Entry scale = entry["scale_with"]) {
+      refuse(scale, "given without static_curve; accepted: both");
     }
-    if (const YAML::Node points = node["points"]) {
-      specification.setPoints(loadMaps<estimation::SpecifiedPoint>(
-          points, "specification.points", [&](const auto& point, const auto& path) { return loadPoint(point, path); }));
+    if (const Entry points = entry["points"]) {
+      specification.setPoints(
+          loadMaps<estimation::SpecifiedPoint>(points, [&](const Entry& point) { return loadPoint(point); }));
     }
-    if (const YAML::Node preloads = node["preloads"]) {
+    if (const Entry preloads = entry["preloads"]) {
       specification.setPreloads(loadMaps<estimation::Specification::Values>(
-          preloads, "specification.preloads", [&](const auto& block, const auto& path) {
-            return loadNumbers(block, path, std::vector<std::string>()).values();
-          }));
+          preloads, [&](const Entry& block) { return loadValues(block, {}).values(); }));
     }
   }
 
   // The index of a word among those accepted.
-  std::size_t loadWord(const YAML::Node& node, const std::string& path, const std::vector<std::string>& words) const {
-    const auto found = node.IsScalar() ? std::find(words.begin(), words.end(), node.Scalar()) : words.end();
+  std::size_t loadWord(const Entry& entry, const std::vector<std::string>& words) const {
+    const auto found = entry.isText() ? std::find(words.begin(), words.end(), entry.text()) : words.end();
     if (found == words.end()) {
-      refuse(node, path,
-             fmt::format("{}{}; accepted: {}", kindOf(node), hintOf(node, words), fmt::join(words, " or ")));
+      refuse(entry, fmt::format("{}{}; accepted: {}", kindOf(entry.node), hintOf(entry.node, words),
+                                fmt::join(words, " or ")));
     }
     return static_cast<std::size_t>(found - words.begin());
   }
 
-  estimation::StaticCurve loadCurve(const YAML::Node& node, const YAML::Node& scale) {
-    const std::string path = "specification.static_curve";
-    requireMap(node, path, "a map with the lists displacement and force");
-    checkKeys(node, path, {"displacement", "force", "monotone"});
+  bool loadFlag(const Entry& entry) const { return loadWord(entry, {"false", "true"}) == 1; }
+
+  // Whether something is to scale with the static curve.
+  bool loadScale(const Entry& entry) const { return loadWord(entry, {"static_curve", "none"}) == 0; }
+
+  estimation::StaticCurve loadCurve(const Entry& entry, const Entry& scale) {
+    checkMap(entry, {"displacement", "force", "monotone"}, "a map with the lists displacement and force");
     estimation::StaticCurve curve;
-    for (const auto& [key, unit, list] :
-         {std::tuple("displacement", "m", &curve.displacement), std::tuple("force", "N", &curve.force)}) {
-      const element::ParameterInfo row{key, unit, element::Role::choice, element::Range::any(), "", {}, true};
-      *list = loadNumbers(require(node, path, key, "a list"), child(path, key), row);
+    curve.displacement = loadNumbers(require(entry, "displacement", "a list"), anyNumber("m"));
+    curve.force = loadNumbers(require(entry, "force", "a list"), anyNumber("N"));
+    if (const Entry monotone = entry["monotone"]) {
+      curve.monotone = loadFlag(monotone);
     }
-    if (const YAML::Node monotone = node["monotone"]) {
-      curve.monotone = loadWord(monotone, child(path, "monotone"), {"false", "true"}) == 1;
-    }
-    curve.scales = !scale.IsDefined() || loadWord(scale, "specification.scale_with", {"static_curve", "none"}) == 0;
+    curve.scales = !scale || loadScale(scale);
     try {
       curve.check();
     } catch (const std::invalid_argument& error) {
-      refuse(node, "", std::string("specification.") + error.what());
+      refuseAt(entry.node, std::string("specification.") + error.what());
     }
     return curve;
   }
 
-  // A list of maps, each read by `load` from its node and path.
-  template <class Entry, class Load>
-  std::vector<Entry> loadMaps(const YAML::Node& node, const std::string& path, Load load) {
-    if (!node.IsSequence() || node.size() == 0 || node.size() > kMaximumElements) {
-      refuseContent(node, path, fmt::format("a list of 1 to {} maps", kMaximumElements));
+  // A list of maps, each read by `load`.
+  template <class Value, class Load>
+  std::vector<Value> loadMaps(const Entry& list, Load load) {
+    if (!list.node.IsSequence() || list.node.size() == 0 || list.node.size() > kMaximumElements) {
+      refuseContent(list, fmt::format("a list of 1 to {} maps", kMaximumElements));
     }
-    std::vector<Entry> entries;
-    for (std::size_t i = 0; i < node.size(); ++i) {
-      const std::string place = fmt::format("{}[{}]", path, i);
-      requireMap(node[i], place);
-      entries.push_back(load(node[i], place));
+    std::vector<Value> values;
+    for (std::size_t i = 0; i < list.node.size(); ++i) {
+      requireMap(list[i]);
+      values.push_back(load(list[i]));
     }
-    return entries;
+    return values;
   }
 
-  estimation::SpecifiedPoint loadPoint(const YAML::Node& node, const std::string& path) {
-    checkKeys(node, path, {"frequency", "amplitude", "stiffness", "loss_angle", "weight"});
-    const auto number = [&](const char* key, const char* row) -> std::optional<double> {
-      const YAML::Node value = node[key];
-      element::ParameterInfo parameter{"", "1", element::Role::choice, element::Range::positive(), ""};
-      if (row != nullptr) {
-        parameter = *element::findParameter(estimation::specificationParameters(), row);
-      }
-      return value.IsDefined() ? std::optional<double>(loadNumber(value, child(path, key), parameter)) : std::nullopt;
+  estimation::SpecifiedPoint loadPoint(const Entry& entry) {
+    checkKeys(entry, {"frequency", "amplitude", "stiffness", "loss_angle", "weight"});
+    const auto number = [&](const char* key, const char* row) {
+      const Entry value = entry[key];
+      return value ? std::optional<double>(
+                         loadNumber(value, *element::findParameter(estimation::specificationParameters(), row)))
+                   : std::nullopt;
     };
-    require(node, path, "frequency", "a frequency");
+    require(entry, "frequency", "a frequency");
     estimation::SpecifiedPoint point;
     point.frequency = number("frequency", "nominal_frequency").value_or(0.0);
     point.amplitude = number("amplitude", "nominal_amplitude").value_or(0.0);
     point.stiffness = number("stiffness", "dynamic_stiffness");
     point.loss_angle = number("loss_angle", "loss_angle");
-    point.weight = number("weight", nullptr).value_or(1.0);
+    if (const Entry weight = entry["weight"]) {
+      point.weight = loadNumber(weight, anyNumber("1", element::Range::positive()));
+    }
     return point;
   }
 
   // The message begins with the key that is to blame, whose line it gets; without one, that of the whole map.
-  [[noreturn]] void refuseSpecification(const YAML::Node& map, const std::string& message) const {
-    const YAML::Node value = map[message.substr(0, message.find_first_of(":.[ "))];
-    refuse(value.IsDefined() ? value : map, "", "specification." + message);
+  [[noreturn]] void refuseSpecification(const Entry& map, const std::string& message) const {
+    const Entry value = map[message.substr(0, message.find_first_of(":.[ "))];
+    refuseAt(value ? value.node : map.node, "specification." + message);
   }
 
   // A row of a table as the direction that is being read has it.
@@ -862,130 +839,119 @@ class Loader {
     return parameter;
   }
 
-  double loadNumber(const YAML::Node& node, const std::string& path, const element::ParameterInfo& row) {
+  double loadNumber(const Entry& entry, const element::ParameterInfo& row) {
     const element::ParameterInfo parameter = here(row);
-    if (!node.IsScalar()) {
-      refuse(node, path, fmt::format("{} is not a number; accepted: {}", kindOf(node), accepted(parameter)));
+    if (!entry.isText()) {
+      refuse(entry, fmt::format("{} is not a number; accepted: {}", kindOf(entry.node), accepted(parameter)));
     }
+    const std::string text = log::quoted(entry.text());
     double value = 0.0;
+    std::string unit;
     try {
-      value = log::parseQuantity(node.Scalar(), parameter.unit);
-      const std::string unit = log::unitOfQuantity(node.Scalar());
-      if (!unit.empty() && parameter.unit != "1" && parameter.unit != "K" && parameter.unit != "degC") {
-        units_.emplace(parameter.unit, unit);
-      }
+      value = log::parseQuantity(entry.text(), parameter.unit);
+      unit = log::unitOfQuantity(entry.text());
     } catch (const std::invalid_argument& error) {
-      refuse(node, path,
-             fmt::format("{}: {}; accepted: {}", log::quoted(node.Scalar()), error.what(), accepted(parameter)));
+      refuse(entry, fmt::format("{}: {}; accepted: {}", text, error.what(), accepted(parameter)));
     }
-    refuseScaleOfTemperature(node, path, parameter);
+    if (!unit.empty() && parameter.unit != "1" && parameter.unit != "K" && parameter.unit != "degC") {
+      units_.emplace(parameter.unit, unit);
+    }
+    // "50 degC" is a temperature, and 323 K; what is wanted in K is a difference of two.
+    if (!unit.empty() && parameter.unit == "K" && log::UnitConversion(unit, parameter.unit)(0.0) != 0.0) {
+      refuse(entry,
+             fmt::format("{} is a temperature, not a difference of two; accepted: {}", text, accepted(parameter)));
+    }
     // Beyond any component, and where powers of it leave the range of a double or steps through it never end.
     constexpr double kLargestNumber = 1e30;
     constexpr double kLongestTime = 1e12;  // [s], 30,000 years
-    if (std::isfinite(value) && std::abs(value) > (parameter.unit == "s" ? kLongestTime : kLargestNumber)) {
-      refuse(
-          node, path,
-          fmt::format("{} is beyond what a component can have; accepted: at most {:g} {}", log::quoted(node.Scalar()),
-                      parameter.unit == "s" ? kLongestTime : kLargestNumber, parameter.unit));
+    const double most = parameter.unit == "s" ? kLongestTime : kLargestNumber;
+    if (std::isfinite(value) && std::abs(value) > most) {
+      refuse(entry, fmt::format("{} is beyond what a component can have; accepted: at most {:g} {}", text, most,
+                                parameter.unit));
     }
     if (!parameter.range.contains(value)) {
-      refuse(node, path,
-             fmt::format("{} is {}; accepted: {}{}", log::quoted(node.Scalar()),
-                         std::isfinite(value) ? "out of range" : "not finite",
-                         acceptedIn(log::unitOfQuantity(node.Scalar()), parameter),
+      refuse(entry,
+             fmt::format("{} is {}; accepted: {}{}", text, std::isfinite(value) ? "out of range" : "not finite",
+                         acceptedIn(unit, parameter),
                          parameter.name == "maxwell_elements" && value == 1.0 ? ", or model: maxwell for one" : ""));
     }
     return value;
   }
 
-  // "50 degC" is a temperature, and 323 K; what is wanted in K is a difference of two.
-  void refuseScaleOfTemperature(const YAML::Node& node, const std::string& path,
-                                const element::ParameterInfo& parameter) const {
-    const std::string unit = parameter.unit == "K" ? log::unitOfQuantity(node.Scalar()) : "";
-    if (!unit.empty() && log::UnitConversion(unit, parameter.unit)(0.0) != 0.0) {
-      refuse(node, path,
-             fmt::format("{} is a temperature, not a difference of two; accepted: {}", log::quoted(node.Scalar()),
-                         accepted(parameter)));
+  std::vector<double> loadNumbers(const Entry& entry, const element::ParameterInfo& parameter) {
+    if (!parameter.is_list || entry.isText()) {
+      return {loadNumber(entry, parameter)};
     }
-  }
-
-  std::vector<double> loadNumbers(const YAML::Node& node, const std::string& path,
-                                  const element::ParameterInfo& parameter) {
-    if (!parameter.is_list || node.IsScalar()) {
-      return {loadNumber(node, path, parameter)};
-    }
-    if (!node.IsSequence() || node.size() == 0 || node.size() > kMaximumListLength) {
-      refuseContent(node, path,
+    if (!entry.node.IsSequence() || entry.node.size() == 0 || entry.node.size() > kMaximumListLength) {
+      refuseContent(entry,
                     fmt::format("a list of 1 to {} numbers, each {}", kMaximumListLength, accepted(here(parameter))));
     }
     std::vector<double> values;
-    for (std::size_t i = 0; i < node.size(); ++i) {
-      values.push_back(loadNumber(node[i], fmt::format("{}[{}]", path, i), parameter));
+    for (std::size_t i = 0; i < entry.node.size(); ++i) {
+      values.push_back(loadNumber(entry[i], parameter));
     }
     return values;
   }
 
-  // Entries may scale along the curve of a specification, where there is one.
-  std::vector<element::ElementDescription> loadEntries(const YAML::Node& node, const std::string& path,
-                                                       const estimation::Specification* specification = nullptr) {
-    if (!node.IsSequence()) {
-      refuseContent(node, path, "a list of elements");
+  // They may scale along the curve of a specification, where there is one.
+  std::vector<element::ElementDescription> loadElements(const Entry& list,
+                                                        const estimation::Specification* specification = nullptr) {
+    if (!list.node.IsSequence()) {
+      refuseContent(list, "a list of elements");
     }
-    if (node.size() > kMaximumElements) {
-      refuse(node, path, fmt::format("{} elements; accepted: at most {}", node.size(), kMaximumElements));
+    if (list.node.size() > kMaximumElements) {
+      refuse(list, fmt::format("{} elements; accepted: at most {}", list.node.size(), kMaximumElements));
     }
-    std::vector<element::ElementDescription> entries;
-    for (std::size_t i = 0; i < node.size(); ++i) {
-      entries.push_back(loadEntry(node[i], fmt::format("{}[{}]", path, i), specification));
+    std::vector<element::ElementDescription> elements;
+    for (std::size_t i = 0; i < list.node.size(); ++i) {
+      elements.push_back(loadElement(list[i], specification));
     }
-    return entries;
+    return elements;
   }
 
-  const element::ElementType& loadType(const YAML::Node& node, const std::string& path) {
-    requireMap(node, path, "a map with the key 'type'");
-    checkUnique(node, path);
+  const element::ElementType& loadType(const Entry& entry) {
+    requireMap(entry, "a map with the key 'type'");
+    checkUnique(entry);
     const std::vector<std::string> names = namesOf(element::elementTypes());
-    const YAML::Node type = require(node, path, "type", log::join(names));
-    const element::ElementType* found = type.IsScalar() ? element::findElementType(type.Scalar()) : nullptr;
+    const Entry type = require(entry, "type", log::join(names));
+    const element::ElementType* found = type.isText() ? element::findElementType(type.text()) : nullptr;
     if (found == nullptr) {
-      refuseWord(type, child(path, "type"), "an element", names);
+      refuseWord(type, "an element", names);
     }
     return *found;
   }
 
-  element::ElementDescription loadEntry(const YAML::Node& node, const std::string& path,
-                                        const estimation::Specification* specification) {
+  element::ElementDescription loadElement(const Entry& entry, const estimation::Specification* specification) {
     checkCancelled();
-    const element::ElementType& type = loadType(node, path);
+    const element::ElementType& type = loadType(entry);
     std::vector<std::string> keys = namesOf(type.parameters);
     keys.insert(keys.begin(), "type");
     keys.emplace_back("scale_with");
-    checkKeys(node, path, keys);
+    checkKeys(entry, keys);
     element::ElementDescription description;
     description.type = type.name;
     for (const element::ParameterInfo& parameter : type.parameters) {
-      if (parameter.default_value && !node[parameter.name].IsDefined()) {
-        continue;
+      if (!parameter.default_value || entry[parameter.name]) {
+        const Entry value = require(entry, parameter.name, accepted(here(parameter)));
+        description.values[parameter.name] = loadNumbers(value, parameter);
       }
-      const YAML::Node value = require(node, path, parameter.name, accepted(here(parameter)));
-      description.values[parameter.name] = loadNumbers(value, child(path, parameter.name), parameter);
     }
     try {
       element::makeElement(description);
-      return scaled(description, node["scale_with"], child(path, "scale_with"), specification);
+      return scaled(description, entry["scale_with"], specification);
     } catch (const std::invalid_argument& error) {
-      refuse(node, path, error.what());
+      refuse(entry, error.what());
     }
   }
 
-  element::ElementDescription scaled(const element::ElementDescription& description, const YAML::Node& scale,
-                                     const std::string& path, const estimation::Specification* specification) const {
-    if (!scale.IsDefined() || loadWord(scale, path, {"static_curve", "none"}) == 1) {
+  element::ElementDescription scaled(const element::ElementDescription& description, const Entry& scale,
+                                     const estimation::Specification* specification) const {
+    if (!scale || !loadScale(scale)) {
       return description;
     }
     const estimation::StaticCurve* curve = specification == nullptr ? nullptr : specification->curve();
     if (curve == nullptr) {
-      refuse(scale, path, "the component has no static_curve; accepted: none, or a static_curve in its specification");
+      refuse(scale, "the component has no static_curve; accepted: none, or a static_curve in its specification");
     }
     return estimation::scaledAlong(*curve, estimation::nominalDisplacement(*specification), description);
   }
@@ -1184,6 +1150,49 @@ std::string sixDirectionsYaml(const SixDirectionsDescription& six, const YamlSty
   return text;
 }
 
+// A preload as a force or as a displacement, whichever a table asks for; by the static curve, where the other is given.
+double preloadAs(bool force, const SixDirectionsDescription& six, component::Direction direction) {
+  const std::optional<Preload>& preload = six.preload[direction];
+  if (!preload || !six.directions[direction]) {
+    throw std::invalid_argument(
+        fmt::format("needs the preload of {}; accepted: preload.{}", toString(direction), toString(direction)));
+  }
+  if (preload->is_force == force) {
+    return preload->value;
+  }
+  const estimation::StaticCurve* curve = six.directions[direction]->written().curve();
+  if (curve == nullptr) {
+    throw std::invalid_argument(
+        fmt::format("is over a {}, preload.{} is a {} and {} has no static_curve; accepted: a {}",
+                    force ? "force" : "displacement", toString(direction), force ? "displacement" : "force",
+                    toString(direction), force ? "table over displacements" : "table over forces"));
+  }
+  return force ? curve->forceAt(preload->value) : curve->displacementAt(preload->value);
+}
+
+double factorOfTable(const PreloadTable& table, double preload) {
+  const auto after = std::find_if(table.preload.begin(), table.preload.end(),
+                                  [&](const Preload& point) { return point.value > preload; });
+  const auto i = static_cast<std::size_t>(after - table.preload.begin());
+  if (i == 0 || i == table.preload.size()) {
+    return i == 0 ? table.factor.front() : table.factor.back();
+  }
+  const double share = (preload - table.preload[i - 1].value) / (table.preload[i].value - table.preload[i - 1].value);
+  return table.factor[i - 1] + share * (table.factor[i] - table.factor[i - 1]);
+}
+
+// The same elements with all forces times a factor, by the parameters in which they are linear.
+void scaleForces(std::vector<element::ElementDescription>& elements, double factor) {
+  for (element::ElementDescription& element : elements) {
+    for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
+      const auto values = element.values.find(parameter.name);
+      if (parameter.role == element::Role::scale && values != element.values.end()) {
+        std::for_each(values->second.begin(), values->second.end(), [&](double& value) { value *= factor; });
+      }
+    }
+  }
+}
+
 }  // namespace
 
 ComponentFileError::ComponentFileError(const std::string& message) : std::runtime_error(log::oneLine(message)) {}
@@ -1236,53 +1245,6 @@ std::optional<element::Range> ComponentDescription::validDisplacement() const {
   }
   return common;
 }
-
-namespace {
-
-// A preload as a force or as a displacement, whichever a table asks for; by the static curve, where the other is given.
-double preloadAs(bool force, const SixDirectionsDescription& six, component::Direction direction) {
-  const std::optional<Preload>& preload = six.preload[direction];
-  if (!preload || !six.directions[direction]) {
-    throw std::invalid_argument(
-        fmt::format("needs the preload of {}; accepted: preload.{}", toString(direction), toString(direction)));
-  }
-  if (preload->is_force == force) {
-    return preload->value;
-  }
-  const estimation::StaticCurve* curve = six.directions[direction]->written().curve();
-  if (curve == nullptr) {
-    throw std::invalid_argument(
-        fmt::format("is over a {}, preload.{} is a {} and {} has no static_curve; accepted: a {}",
-                    force ? "force" : "displacement", toString(direction), force ? "displacement" : "force",
-                    toString(direction), force ? "table over displacements" : "table over forces"));
-  }
-  return force ? curve->forceAt(preload->value) : curve->displacementAt(preload->value);
-}
-
-double factorOfTable(const PreloadTable& table, double preload) {
-  const auto after = std::find_if(table.preload.begin(), table.preload.end(),
-                                  [&](const Preload& point) { return point.value > preload; });
-  const auto i = static_cast<std::size_t>(after - table.preload.begin());
-  if (i == 0 || i == table.preload.size()) {
-    return i == 0 ? table.factor.front() : table.factor.back();
-  }
-  const double share = (preload - table.preload[i - 1].value) / (table.preload[i].value - table.preload[i - 1].value);
-  return table.factor[i - 1] + share * (table.factor[i] - table.factor[i - 1]);
-}
-
-// The same elements with all forces times a factor, by the parameters in which they are linear.
-void scaleForces(std::vector<element::ElementDescription>& elements, double factor) {
-  for (element::ElementDescription& element : elements) {
-    for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
-      const auto values = element.values.find(parameter.name);
-      if (parameter.role == element::Role::scale && values != element.values.end()) {
-        std::for_each(values->second.begin(), values->second.end(), [&](double& value) { value *= factor; });
-      }
-    }
-  }
-}
-
-}  // namespace
 
 double SixDirectionsDescription::factorOf(component::Direction direction) const {
   double factor = 1.0;

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "log/new_file.h"
+#include "log/text.h"
 
 extern char** environ;
 
@@ -173,10 +174,7 @@ void addSpreads(Axes& axes, const std::string& label, const std::vector<Spread>&
   axes.curves.push_back(std::move(markers));
 }
 
-bool isFigurePath(const std::string& path) {
-  const std::string extension = path.size() < 4 ? "" : path.substr(path.size() - 4);
-  return extension == ".svg" || extension == ".png";
-}
+bool isFigurePath(const std::string& path) { return log::endsWith(path, ".svg") || log::endsWith(path, ".png"); }
 
 void drawFigure(const Figure& figure, const std::string& path) {
   if (!isFigurePath(path)) {

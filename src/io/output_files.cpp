@@ -73,10 +73,8 @@ std::string headOf(const std::string& path) {
   return head;
 }
 
-bool beginsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
-
 bool holdsLine(const std::string& text, const std::string& start) {
-  return beginsWith(text, start) || text.find("\n" + start) != std::string::npos;
+  return log::startsWith(text, start) || text.find("\n" + start) != std::string::npos;
 }
 
 std::optional<struct stat> statusOf(const std::string& path) {
@@ -139,7 +137,7 @@ bool holdsRecord(const fs::path& folder, const std::vector<std::string>& records
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
     for (const std::string& record : records) {
-      if (name == record || beginsWith(name, "." + fs::path(record).stem().string() + ".")) {
+      if (name == record || log::startsWith(name, "." + fs::path(record).stem().string() + ".")) {
         return true;
       }
     }
@@ -180,21 +178,12 @@ bool isCopy(const std::string& one, const std::string& other) {
 bool isOfKind(const std::string& path, FileKind kind) {
   const KindInfo& info = infoOf(kind);
   const std::string head = headOf(path);
-  bool begins = false;
-  for (const std::string& beginning : info.beginnings) {
-    begins = begins || beginsWith(head, beginning);
-  }
-  if (!begins || info.contents.empty()) {
-    return begins;
-  }
-  for (const std::string& content : info.contents) {
-    const bool there =
-        kind == FileKind::component_file ? holdsLine(head, content) : head.find(content) != std::string::npos;
-    if (there) {
-      return true;
-    }
-  }
-  return false;
+  const auto begins = [&](const std::string& beginning) { return log::startsWith(head, beginning); };
+  const auto holds = [&](const std::string& content) {
+    return kind == FileKind::component_file ? holdsLine(head, content) : head.find(content) != std::string::npos;
+  };
+  return std::any_of(info.beginnings.begin(), info.beginnings.end(), begins) &&
+         (info.contents.empty() || std::any_of(info.contents.begin(), info.contents.end(), holds));
 }
 
 void checkOutputs(const std::vector<InputFile>& inputs, const std::vector<OutputFile>& outputs, bool force) {

@@ -18,8 +18,9 @@ std::size_t terminalWidth() {
   return known ? size.ws_col : 80;
 }
 
-void removeLine() {
-  std::fputs("\r\x1b[K", stderr);
+// In place of the line that stands there.
+void showLine(const std::string& text) {
+  std::fprintf(stderr, "\r%s\x1b[K", text.c_str());
   std::fflush(stderr);
 }
 
@@ -32,7 +33,7 @@ Progress::Progress(std::string label, std::size_t total)
 
 Progress::~Progress() {
   if (shown_) {
-    removeLine();
+    showLine("");
   }
 }
 
@@ -54,8 +55,7 @@ void Progress::advance(std::size_t n) {
 void Progress::draw(int percent) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (percent == percent_.load()) {  // else another thread is further on
-    std::fprintf(stderr, "\r%s\x1b[K", bar(label_, percent, terminalWidth() - 1).c_str());
-    std::fflush(stderr);
+    showLine(bar(label_, percent, terminalWidth() - 1));
   }
 }
 
@@ -90,12 +90,11 @@ void Activity::run() {
   while (!ended_.wait_for(lock, kStep, [this] { return is_ended_; })) {
     const auto since = std::chrono::steady_clock::now() - start_;
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(since).count();
-    std::fprintf(stderr, "\r%s\x1b[K", fmt::format("{}, {} s", label_, seconds).substr(0, terminalWidth() - 1).c_str());
-    std::fflush(stderr);
+    showLine(fmt::format("{}, {} s", label_, seconds).substr(0, terminalWidth() - 1));
     shown = true;
   }
   if (shown) {
-    removeLine();
+    showLine("");
   }
 }
 

@@ -24,7 +24,9 @@ struct ExpandedTooFar {
 // Counts values as they are parsed, an alias as what its anchor has counted.
 class ValueCounter : public YAML::EventHandler {
  public:
-  void OnDocumentStart(const YAML::Mark&) override {}
+  int startOfDocument() const { return start_; }  // line, from 1
+
+  void OnDocumentStart(const YAML::Mark& mark) override { start_ = mark.line + 1; }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { leaf(mark, anchor); }
   void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, const std::string&) override {
@@ -70,13 +72,14 @@ class ValueCounter : public YAML::EventHandler {
     open_.pop_back();
   }
 
+  int start_ = 1;
   std::size_t values_ = 0;
   std::vector<Open> open_;
   std::map<YAML::anchor_t, std::size_t> sizes_;  // that of no anchor is never asked for
 };
 
-}  // namespace
-
+// The line at which a text is nested deeper than any file of this package. The parser is recursive, and not every
+// version of it bounds its depth. Brackets in quotes or comments count, too, which no real file notices.
 std::optional<int> lineNestedTooDeep(const std::string& text) {
   int line = 1;
   int brackets = 0;
@@ -94,27 +97,40 @@ std::optional<int> lineNestedTooDeep(const std::string& text) {
   return std::nullopt;
 }
 
-std::string acceptedNesting() {
-  return fmt::format("nested too deep; accepted: at most {} brackets and {} columns of indentation", kMaximumNesting,
-                     kMaximumIndentation);
-}
+}  // namespace
 
-std::optional<int> lineExpandedTooFar(const std::string& text) {
+std::optional<YamlProblem> beyondYamlBounds(const std::string& text) {
+  if (const auto line = lineNestedTooDeep(text)) {
+    return YamlProblem{*line,
+                       fmt::format("nested too deep; accepted: at most {} brackets and {} columns of indentation",
+                                   kMaximumNesting, kMaximumIndentation)};
+  }
   std::istringstream stream(text);
   YAML::Parser parser(stream);
   ValueCounter counter;
   try {
     parser.HandleNextDocument(counter);
   } catch (const ExpandedTooFar& found) {
-    return found.line;
+    return YamlProblem{
+        found.line,
+        fmt::format(
+            "holds too much; accepted: at most {} values, where each alias (*name) counts as all that it stands for",
+            kMaximumValues)};
   }
   return std::nullopt;
 }
 
-std::string acceptedExpansion() {
-  return fmt::format(
-      "holds too much; accepted: at most {} values, where each alias (*name) counts as all that it stands for",
-      kMaximumValues);
+// YAML::LoadAll would tell, too, but never ends on a comma that belongs to nothing.
+std::optional<int> lineOfSecondDocument(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  ValueCounter counter;
+  bool second = true;
+  try {
+    second = parser.HandleNextDocument(counter) && parser.HandleNextDocument(counter);
+  } catch (const ExpandedTooFar&) {  // it has begun
+  }
+  return second ? std::optional(counter.startOfDocument()) : std::nullopt;
 }
 
 }  // namespace rubber_suspension::io

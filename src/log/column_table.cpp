@@ -33,7 +33,7 @@ class ColumnReader {
     requireTimeUnit(columns_, format);
     notes_ = notesOnIgnored(names, columns_, format);
     samples_ = lengthOf(columns_.displacement);
-    for (const Column* column : {&columns_.time, &columns_.force, &columns_.temperature}) {
+    for (const Column* column : columns_.all()) {
       requireLength(*column);
     }
     if (samples_ < 2) {

@@ -15,17 +15,15 @@
 namespace rubber_suspension::log {
 namespace {
 
-bool separates(char c, Separator separator) {
-  switch (separator) {
-    case Separator::comma:
-      return c == ',';
-    case Separator::semicolon:
-      return c == ';';
-    case Separator::tab:
-      return c == '\t';
-    default:
-      return c == ' ' || c == '\t';
-  }
+// What a separator is called, and its characters, one or two.
+struct SeparatorInfo {
+  const char* name;
+  std::string_view marks;
+};
+
+const SeparatorInfo& infoOf(Separator separator) {
+  static constexpr SeparatorInfo kTable[] = {{"comma", ","}, {"semicolon", ";"}, {"tab", "\t"}, {"blank", kBlanks}};
+  return kTable[static_cast<std::size_t>(separator)];
 }
 
 Field makeField(std::string_view text) {
@@ -37,12 +35,14 @@ Field makeField(std::string_view text) {
 // The end of the field that begins there. A quote within a field that does not begin with one is a character.
 std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separator) {
   const std::size_t first = line.find_first_not_of(kBlanks, begin);
+  const char mark = infoOf(separator).marks.front();
+  const char other_mark = infoOf(separator).marks.back();
   bool in_quotes = first != std::string_view::npos && line[first] == '"';
   for (std::size_t i = in_quotes ? first + 1 : begin; i < line.size(); ++i) {
     if (line[i] == '"' && in_quotes) {
       in_quotes = i + 1 < line.size() && line[i + 1] == '"';  // two of them are one within the text
       i += in_quotes ? 1 : 0;
-    } else if (!in_quotes && separates(line[i], separator)) {
+    } else if (!in_quotes && (line[i] == mark || line[i] == other_mark)) {
       return i;
     }
   }
@@ -151,18 +151,7 @@ std::vector<std::size_t> numbersToldIn(const LogFormat& format) {
 
 }  // namespace
 
-std::string toString(Separator separator) {
-  switch (separator) {
-    case Separator::comma:
-      return "comma";
-    case Separator::semicolon:
-      return "semicolon";
-    case Separator::tab:
-      return "tab";
-    default:
-      return "blank";
-  }
-}
+std::string toString(Separator separator) { return infoOf(separator).name; }
 
 Separator separatorOf(std::string_view line) {
   const auto holds = [&](Separator separator) { return fieldEnd(line, 0, separator) < line.size(); };

@@ -12,15 +12,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "log/byte_source.h"
 #include "log/csv_dialect.h"
 #include "log/file_readers.h"
-#include "log/line_reader.h"
 #include "log/log_columns.h"
 #include "log/new_file.h"
 #include "log/number_marks.h"
 #include "log/sample_rules.h"
 #include "log/text.h"
+#include "log/text_source.h"
 #include "log/time_text.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/log_source.h"

@@ -74,9 +74,13 @@ FileFormat formatOf(const std::string& head) {
   return mark == nullptr ? FileFormat::text : mark->format;
 }
 
-FileFormat formatOfFile(const std::string& path) {
+bool isRegularFile(const std::string& path) {
   struct stat status {};
-  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
+  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+FileFormat formatOfFile(const std::string& path) {
+  if (!isRegularFile(path)) {
     return endsWith(path, ".mat") ? FileFormat::matlab : FileFormat::text;
   }
   std::ifstream file(path, std::ios::binary);

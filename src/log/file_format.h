@@ -13,6 +13,9 @@ constexpr std::size_t kFormatHead = 256;
 
 FileFormat formatOf(const std::string& head);
 
+/// True for what is neither a folder nor a pipe nor a device.
+bool isRegularFile(const std::string& path);
+
 /// The format of a regular file; text where it is none or cannot be read. MATLAB's level 4 has no mark: it goes by
 /// .mat.
 FileFormat formatOfFile(const std::string& path);

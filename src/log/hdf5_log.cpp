@@ -9,8 +9,7 @@
 
 #include "log/column_table.h"
 #include "log/file_readers.h"
-#include "log/hdf5_mutex.h"
-#include "log/hdf5_storage.h"
+#include "log/hdf5_file.h"
 #include "log/log_columns.h"
 
 namespace rubber_suspension::log {
@@ -122,31 +121,6 @@ void addDataset(std::vector<Hdf5Column>& columns, hid_t dataset, const std::stri
   }
 }
 
-struct Visit {
-  std::vector<Hdf5Column>* columns;
-  std::string pandas;  // group that pandas has written
-  std::string error;
-};
-
-herr_t visitObject(hid_t root, const char* name, const H5O_info_t* info, void* data) {
-  auto& visit = *static_cast<Visit*>(data);
-  try {
-    requireShallow(name);
-  } catch (const std::runtime_error& error) {
-    visit.error = error.what();
-    return -1;
-  }
-  if (info->type == H5O_TYPE_DATASET) {
-    const Hdf5Handle dataset(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
-    if (dataset) {
-      addDataset(*visit.columns, dataset.get(), name);
-    }
-  } else if (visit.pandas.empty() && H5Aexists_by_name(root, name, "pandas_type", H5P_DEFAULT) > 0) {
-    visit.pandas = name;
-  }
-  return visit.columns->size() >= kMostColumns ? 1 : 0;
-}
-
 std::string leafOf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 // That a column belongs to; the dataset itself is one for its members.
@@ -209,15 +183,21 @@ std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t fi
 class Hdf5File {
  public:
   explicit Hdf5File(const std::string& path) : path_(path), file_(openHdf5(path), H5Fclose) {
-    Visit visit{&columns_, "", ""};
-    if (H5Ovisit2(file_.get(), H5_INDEX_NAME, H5_ITER_INC, visitObject, &visit, H5O_INFO_BASIC) < 0) {
-      throw std::runtime_error(visit.error.empty() ? "damaged; accepted: a complete HDF5 file" : visit.error);
-    }
-    if (!visit.pandas.empty()) {
+    std::string pandas;  // group that pandas has written
+    visitObjects(file_.get(), [&](const std::string& object, const Hdf5Handle* dataset) {
+      if (dataset == nullptr) {
+        const bool is_table = H5Aexists_by_name(file_.get(), object.c_str(), "pandas_type", H5P_DEFAULT) > 0;
+        pandas = pandas.empty() && is_table ? object : pandas;
+      } else if (*dataset) {
+        addDataset(columns_, dataset->get(), object);
+      }
+      return columns_.size() < kMostColumns;
+    });
+    if (!pandas.empty()) {
       throw std::runtime_error(
           fmt::format("a table of pandas, which is not read; accepted: CSV, by python3 -c \"import "
                       "pandas; pandas.read_hdf('{}', '{}').to_csv('LOG.csv')\"",
-                      path, visit.pandas));
+                      path, pandas));
     }
     nameColumns(columns_);
   }

@@ -17,12 +17,8 @@ namespace {
 // 285 years: stamps stay well within 64 bits of nanoseconds.
 constexpr double kMaximumTime = 9.0e9;  // [s]
 
-const std::string& columnOption(const LogFormat& format, Quantity quantity) {
-  return format.of[static_cast<std::size_t>(quantity)].column;
-}
-
-const std::string& unitOption(const LogFormat& format, Quantity quantity) {
-  return format.of[static_cast<std::size_t>(quantity)].unit;
+const LogFormat::Channel& channelOf(const LogFormat& format, Quantity quantity) {
+  return format.of[static_cast<std::size_t>(quantity)];
 }
 
 std::string unitOf(const LogFormat& format, Quantity quantity) {
@@ -79,7 +75,7 @@ class ColumnFinder {
  public:
   ColumnFinder(const std::vector<ColumnName>& header, const LogFormat& format) : header_(header) {
     for (const Quantity quantity : allQuantities()) {
-      const std::string& option = columnOption(format, quantity);
+      const std::string& option = channelOf(format, quantity).column;
       if (!option.empty()) {
         for (const std::size_t place : placesOfOption(header, option)) {
           taken_.push_back(place);
@@ -147,15 +143,6 @@ void refuseAmbiguity(const std::vector<ColumnName>& header, const Places& places
   }
 }
 
-Column columnAt(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format, Quantity quantity) {
-  Column column;
-  column.index = place;
-  column.name = header[place].text;
-  column.label = header[place].withUnit();
-  column.factor = format.of[static_cast<std::size_t>(quantity)].factor;
-  return column;
-}
-
 // Beyond these a unit is another one misspelt: "Mm" is a thousand kilometres.
 double largestUnit(Quantity quantity) {
   return quantity == Quantity::displacement ? 1e3 : quantity == Quantity::time ? 7.0 * 86400.0 : HUGE_VAL;
@@ -178,6 +165,22 @@ void setUnit(Column& column, const std::string& unit, const LogFormat& format, Q
   }
 }
 
+// The column at a place. Its unit is that of the option, else its own, else the SI unit, which is told as `assumed`.
+Column columnAt(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format, Quantity quantity,
+                const std::string& own, const std::string& assumed) {
+  const LogFormat::Channel& channel = channelOf(format, quantity);
+  const std::string& unit = channel.unit.empty() ? own : channel.unit;
+  Column column;
+  column.index = place;
+  column.name = header[place].text;
+  column.label = header[place].withUnit();
+  column.factor = channel.factor;
+  column.tells_unit = !unit.empty();
+  column.assumed_unit = unit.empty() ? assumed : "";
+  setUnit(column, unit.empty() ? unitOf(format, quantity) : unit, format, quantity);
+  return column;
+}
+
 std::string nameHint(const std::vector<ColumnName>& header, const std::string& name) {
   std::vector<std::string> names;
   for (const ColumnName& column : header) {
@@ -195,9 +198,9 @@ std::string ownUnit(const ColumnName& column, Quantity quantity) {
   return quantityOfUnit(column.text) == quantity ? column.text : "";
 }
 
-// A column that the user named: its unit is that of the option, else its own, else the SI unit, which is told.
+// A column that the user named.
 Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& format, Quantity quantity) {
-  const std::string& name = columnOption(format, quantity);
+  const std::string& name = channelOf(format, quantity).column;
   const Places places = placesOfOption(header, name);
   if (places.empty()) {
     throw std::runtime_error(
@@ -210,14 +213,7 @@ Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& form
         fmt::format("column {} stands {} times in the header; accepted: --columns {}=NUMBER, from 1", quoted(name),
                     places.size(), toString(quantity)));
   }
-  Column column = columnAt(header, places[0], format, quantity);
-  const std::string& option = unitOption(format, quantity);
-  const std::string own = ownUnit(header[places[0]], quantity);
-  const std::string& unit = option.empty() ? own : option;
-  column.tells_unit = !unit.empty();
-  column.assumed_unit = unit.empty() ? unitOf(format, quantity) : "";
-  setUnit(column, unit.empty() ? unitOf(format, quantity) : unit, format, quantity);
-  return column;
+  return columnAt(header, places[0], format, quantity, ownUnit(header[places[0]], quantity), unitOf(format, quantity));
 }
 
 [[noreturn]] void refuseNoUnit(const Column& column, Quantity quantity) {
@@ -228,15 +224,10 @@ Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& form
 // A column found by its name or unit, which has to tell its unit or be told it.
 Column foundColumn(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format,
                    Quantity quantity) {
-  Column column = columnAt(header, place, format, quantity);
-  const std::string& option = unitOption(format, quantity);
-  const std::string& unit = option.empty() ? header[place].unit : option;
-  column.tells_unit = !unit.empty();
-  column.assumed_unit = unit.empty() ? definedUnit(header[place].bare) : "";
+  Column column = columnAt(header, place, format, quantity, header[place].unit, definedUnit(header[place].bare));
   if (!column.tells_unit && quantity != Quantity::time) {
     refuseNoUnit(column, quantity);
   }
-  setUnit(column, unit.empty() ? unitOf(format, quantity) : unit, format, quantity);
   return column;
 }
 
@@ -255,7 +246,7 @@ Places besideDisplacement(const ColumnFinder& finder, const std::vector<ColumnNa
 
 Column findColumn(const ColumnFinder& finder, const std::vector<ColumnName>& header, const LogFormat& format,
                   Quantity quantity) {
-  if (!columnOption(format, quantity).empty()) {
+  if (!channelOf(format, quantity).column.empty()) {
     return mappedColumn(header, format, quantity);
   }
   Places places = finder.find(quantity);
@@ -277,22 +268,13 @@ void requireColumn(const Column& column, const std::vector<ColumnName>& header, 
 }
 
 void refuseTwoOfOne(const Columns& columns, const std::vector<ColumnName>& header) {
-  const Column* const all[] = {&columns.time, &columns.displacement, &columns.force, &columns.temperature};
-  for (const Column* one : all) {
-    for (const Column* other : all) {
-      if (one != other && one->found() && one->index == other->index) {
+  for (const Column* one : columns.all()) {
+    for (const Column* other : columns.all()) {
+      if (one != other && other->isAt(one->index)) {
         throw std::runtime_error(fmt::format("column {} is to be two quantities; accepted: a column for each",
                                              quoted(header[one->index].withUnit())));
       }
     }
-  }
-}
-
-void noteReplacedUnit(std::vector<std::string>& notes, const std::vector<ColumnName>& header, const Column& column,
-                      const LogFormat& format, Quantity quantity) {
-  const std::string& unit = unitOption(format, quantity);
-  if (!unit.empty() && column.found() && !header[column.index].unit.empty() && header[column.index].unit != unit) {
-    notes.push_back(fmt::format("column {} is taken to be in {}, by --unit", quoted(column.label), quoted(unit)));
   }
 }
 
@@ -315,7 +297,7 @@ FoundColumns countColumns(const std::vector<ColumnName>& header, const LogFormat
   const ColumnFinder finder(header, format);
   FoundColumns columns;
   for (const Quantity quantity : allQuantities()) {
-    const std::string& option = columnOption(format, quantity);
+    const std::string& option = channelOf(format, quantity).column;
     columns.options_fit = columns.options_fit && (option.empty() || !placesOfOption(header, option).empty());
     const bool there = !option.empty() || (isWanted(quantity, format) && !finder.find(quantity).empty());
     const bool needed = quantity == Quantity::displacement || (quantity == Quantity::time && !format.rate);
@@ -324,8 +306,6 @@ FoundColumns countColumns(const std::vector<ColumnName>& header, const LogFormat
   }
   return columns;
 }
-
-void appendPart(std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; }
 
 }  // namespace
 
@@ -375,10 +355,10 @@ std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, c
                                         const LogFormat& format) {
   constexpr std::size_t kMostNamed = 12;
   std::vector<std::string> notes;
+  const auto all = columns.all();
   std::size_t ignored = 0;
   for (std::size_t i = 0; i < header.size(); ++i) {
-    const bool read = i == columns.time.index || i == columns.displacement.index || i == columns.force.index ||
-                      i == columns.temperature.index;
+    const bool read = std::any_of(all.begin(), all.end(), [i](const Column* column) { return column->isAt(i); });
     if (!read && !header[i].text.empty() && ++ignored <= kMostNamed) {
       notes.push_back(fmt::format("column {} is ignored", quoted(header[i].withUnit())));
     }
@@ -386,44 +366,43 @@ std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, c
   if (ignored > kMostNamed) {
     notes.push_back(fmt::format("{} more columns are ignored", ignored - kMostNamed));
   }
-  for (const Column* column : {&columns.time, &columns.displacement, &columns.force, &columns.temperature}) {
+  for (const Column* column : all) {
     if (!column->assumed_unit.empty()) {
       notes.push_back(fmt::format("column {} is taken to be in {}; another unit by --unit", quoted(column->name),
                                   column->assumed_unit));
     }
   }
-  noteReplacedUnit(notes, header, columns.time, format, Quantity::time);
-  noteReplacedUnit(notes, header, columns.displacement, format, Quantity::displacement);
-  noteReplacedUnit(notes, header, columns.force, format, Quantity::force);
-  noteReplacedUnit(notes, header, columns.temperature, format, Quantity::temperature);
+  for (const Quantity quantity : allQuantities()) {
+    const Column& column = columns.of(quantity);
+    const std::string& unit = channelOf(format, quantity).unit;
+    const std::string own = column.found() ? header[column.index].unit : "";
+    if (!unit.empty() && !own.empty() && own != unit) {
+      notes.push_back(fmt::format("column {} is taken to be in {}, by --unit", quoted(column.label), quoted(unit)));
+    }
+  }
   return notes;
 }
 
 bool areCanonical(const Columns& columns) {
-  const auto fits = [](const Column& column, Quantity quantity) {
+  return std::all_of(allQuantities().begin(), allQuantities().end(), [&](Quantity quantity) {
+    const Column& column = columns.of(quantity);
     return !column.found() || (isCanonical(column.name, quantity) && column.factor == 1.0);
-  };
-  return fits(columns.time, Quantity::time) && fits(columns.displacement, Quantity::displacement) &&
-         fits(columns.force, Quantity::force) && fits(columns.temperature, Quantity::temperature);
+  });
 }
 
 std::string describeColumns(const Columns& columns, const LogExtent& extent) {
-  std::string text;
-  const auto tell = [&](const Column& column, Quantity quantity) {
-    if (column.found()) {
+  std::vector<std::string> parts;
+  for (const Quantity quantity : allQuantities()) {
+    if (const Column& column = columns.of(quantity); column.found()) {
       const std::string factor = column.factor == 1.0 ? "" : fmt::format("{:g} times ", column.factor);
-      appendPart(text, fmt::format("{} from {}{}", toString(quantity), factor, quoted(column.label)));
+      parts.push_back(fmt::format("{} from {}{}", toString(quantity), factor, quoted(column.label)));
     }
-  };
-  tell(columns.time, Quantity::time);
-  tell(columns.displacement, Quantity::displacement);
-  tell(columns.force, Quantity::force);
-  tell(columns.temperature, Quantity::temperature);
+  }
   if (extent.samples > 1) {
     const double duration = 1e-9 * static_cast<double>(extent.last_stamp - extent.first_stamp);
-    appendPart(text, fmt::format("{:.6g} Hz", static_cast<double>(extent.samples - 1) / duration));
+    parts.push_back(fmt::format("{:.6g} Hz", static_cast<double>(extent.samples - 1) / duration));
   }
-  return text;
+  return join(parts);
 }
 
 std::int64_t toStamp(long double time, const Column& column) {

@@ -1,6 +1,7 @@
 // Which columns of a file are time, displacement, force and temperature, and how their numbers become SI.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -25,6 +26,7 @@ struct Column {
   bool tells_unit = true;    ///< false for a time whose unit neither the file nor the user tells: its text may
 
   bool found() const { return index != kNone; }
+  bool isAt(std::size_t place) const { return found() && index == place; }
 
   /// A number of the file in SI units.
   double toSi(double number) const { return factor * conversion(number); }
@@ -36,6 +38,10 @@ struct Columns {
   Column displacement;
   Column force;        ///< may be missing
   Column temperature;  ///< may be missing
+
+  /// In the order of allQuantities().
+  std::array<const Column*, 4> all() const { return {&time, &displacement, &force, &temperature}; }
+  const Column& of(Quantity quantity) const { return *all()[static_cast<std::size_t>(quantity)]; }
 };
 
 /// Find the columns: those that the format names or numbers, then by name, then by unit where exactly one column has a

@@ -1,8 +1,6 @@
 // Logs that are read block by block.
 #include "rubber_suspension/log/log_source.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -18,33 +16,24 @@ constexpr std::size_t kMostKept = 4 * kLogBlock;  // samples: reading them twice
 
 class MemorySource : public LogSource {
  public:
-  explicit MemorySource(const Log& log) : log_(log) {}
+  explicit MemorySource(std::shared_ptr<const Log> log) : log_(std::move(log)) {}
 
-  std::string name() const override { return log_.name; }
+  std::string name() const override { return log_->name; }
 
   std::vector<std::string> read(const Take& take) const override {
-    checkLengths(log_);
+    const Log& log = *log_;
+    checkLengths(log);
     bool more = true;
-    for (std::size_t first = 0; more && first < log_.size(); first += kLogBlock) {
-      const std::size_t count = std::min(kLogBlock, log_.size() - first);
-      checkSamples(log_, first, count);
-      more = count == log_.size() ? take(log_, 0) : take(samplesOf(log_, first, count), first);
+    for (std::size_t first = 0; more && first < log.size(); first += kLogBlock) {
+      const std::size_t count = std::min(kLogBlock, log.size() - first);
+      checkSamples(log, first, count);
+      more = count == log.size() ? take(log, 0) : take(samplesOf(log, first, count), first);
     }
-    return log_.notes;
+    return log.notes;
   }
 
  private:
-  const Log& log_;
-};
-
-// The log first: the source refers to it.
-struct OwnedLog {
-  Log owned;
-};
-
-class OwningSource : private OwnedLog, public MemorySource {
- public:
-  explicit OwningSource(Log&& log) : OwnedLog{std::move(log)}, MemorySource(owned) {}
+  std::shared_ptr<const Log> log_;
 };
 
 using ReadBlocks = std::vector<std::string> (*)(const std::string& path, const LogFormat& format,
@@ -67,16 +56,15 @@ class LogFileSource : public LogSource {
   ReadBlocks read_;
 };
 
-bool isRegularFile(const std::string& path) {
-  struct stat status {};
-  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
-}
-
 }  // namespace
 
-std::shared_ptr<const LogSource> sourceOf(const Log& log) { return std::make_shared<MemorySource>(log); }
+std::shared_ptr<const LogSource> sourceOf(const Log& log) {
+  return std::make_shared<MemorySource>(std::shared_ptr<const Log>(std::shared_ptr<void>(), &log));  // owned elsewhere
+}
 
-std::shared_ptr<const LogSource> sourceOf(Log&& log) { return std::make_shared<OwningSource>(std::move(log)); }
+std::shared_ptr<const LogSource> sourceOf(Log&& log) {
+  return std::make_shared<MemorySource>(std::make_shared<Log>(std::move(log)));
+}
 
 std::shared_ptr<const LogSource> openLog(const std::string& path, const LogFormat& format) {
   const FileFormat kind = formatOfFile(path);

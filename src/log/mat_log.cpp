@@ -10,8 +10,7 @@
 
 #include "log/column_table.h"
 #include "log/file_readers.h"
-#include "log/hdf5_mutex.h"
-#include "log/hdf5_storage.h"
+#include "log/hdf5_file.h"
 #include "log/log_columns.h"
 #include "log/mat_check.h"
 #include "log/text.h"
@@ -269,27 +268,19 @@ class MatLogReader {
     const std::size_t length = part == 0 ? elementCount(*vector) : std::max(vector->dims[0], vector->dims[1]);
     const std::size_t first = part == 0 ? 0 : wide ? part - 1 : (part - 1) * length;
     const std::size_t stride = wide ? vector->dims[0] : 1;
-    std::vector<double> values(length);
-    switch (vector->data_type) {
-      case MAT_T_DOUBLE:
-        copyNumbers<double>(*vector, first, stride, values);
-        break;
-      case MAT_T_SINGLE:
-        copyNumbers<float>(*vector, first, stride, values);
-        break;
-      case MAT_T_INT32:
-        copyNumbers<std::int32_t>(*vector, first, stride, values);
-        break;
-      case MAT_T_INT16:
-        copyNumbers<std::int16_t>(*vector, first, stride, values);
-        break;
-      case MAT_T_INT64:
-        copyNumbers<std::int64_t>(*vector, first, stride, values);
-        break;
-      default:
-        throw std::runtime_error(
-            fmt::format("{}: numbers of a type that is not read; accepted: double, single, int16 to int64", name));
+    using Copy = void (*)(const matvar_t&, std::size_t, std::size_t, std::vector<double>&);
+    static const std::map<matio_types, Copy> copies = {{MAT_T_DOUBLE, copyNumbers<double>},
+                                                       {MAT_T_SINGLE, copyNumbers<float>},
+                                                       {MAT_T_INT16, copyNumbers<std::int16_t>},
+                                                       {MAT_T_INT32, copyNumbers<std::int32_t>},
+                                                       {MAT_T_INT64, copyNumbers<std::int64_t>}};
+    const auto copy = copies.find(vector->data_type);
+    if (copy == copies.end()) {
+      throw std::runtime_error(
+          fmt::format("{}: numbers of a type that is not read; accepted: double, single, int16 to int64", name));
     }
+    std::vector<double> values(length);
+    copy->second(*vector, first, stride, values);
     return values;
   }
 

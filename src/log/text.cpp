@@ -5,49 +5,39 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cctype>
+#include <boost/locale/utf.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace rubber_suspension::log {
 
 namespace {
 
-// The length of the character of UTF-8 that begins there; 0 where none does.
-std::size_t characterLength(const std::string& text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const unsigned first = byte(at);
-  const std::size_t length = first < 0x80   ? 1
-                             : first < 0xC2 ? 0
-                             : first < 0xE0 ? 2
-                             : first < 0xF0 ? 3
-                             : first < 0xF5 ? 4
-                                            : 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(at + i) & 0xC0U) != 0x80U) {
-      return 0;
-    }
-  }
-  // Longer than needed, halves of UTF-16 pairs, beyond the last character.
-  const unsigned second = byte(at + 1);
-  const bool wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
-                     (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);
-  return wrong ? 0 : length;
+using Utf8 = boost::locale::utf::utf_traits<char>;
+using boost::locale::utf::code_point;
+
+// The character of UTF-8 that begins there, which moves behind it; nothing, one byte on, where none does.
+std::optional<code_point> takeCharacter(const char*& at, const char* end) {
+  const char* next = at;
+  const code_point character = Utf8::decode(next, end);
+  const bool valid = character != boost::locale::utf::illegal && character != boost::locale::utf::incomplete;
+  at = valid ? next : at + 1;
+  return valid ? std::optional(character) : std::nullopt;
 }
 
-// Control characters beyond ASCII, and those that turn the direction of writing or cannot be seen (Unicode Cf, Zl, Zp).
-bool isHarmful(const std::string& character) {
-  static const char* const kLists[] = {"\u200B\u200C\u200D\u200E\u200F\u2028\u2029\u202A\u202B\u202C\u202D\u202E",
-                                       "\u2060\u2066\u2067\u2068\u2069\uFEFF"};
-  const bool control =
-      character.size() == 2 && character[0] == '\xC2' && static_cast<unsigned char>(character[1]) < 0xA0;
-  return control || (character.size() == 3 && std::any_of(std::begin(kLists), std::end(kLists), [&](const char* list) {
-                       return std::strstr(list, character.c_str()) != nullptr;
-                     }));
+// Control characters, and those that turn the direction of writing or cannot be seen (Unicode Cf, Zl, Zp).
+bool isHarmful(code_point character) {
+  constexpr std::pair<code_point, code_point> kRanges[] = {{0x00, 0x1F},     {0x7F, 0x9F},     {0x200B, 0x200F},
+                                                           {0x2028, 0x202E}, {0x2060, 0x2060}, {0x2066, 0x2069},
+                                                           {0xFEFF, 0xFEFF}};
+  return std::any_of(std::begin(kRanges), std::end(kRanges),
+                     [&](const auto& range) { return character >= range.first && character <= range.second; });
 }
 
 std::string escaped(const std::string& bytes) {
@@ -67,13 +57,11 @@ std::string lowerCase(std::string text) {
 }
 
 bool isUtf8(const std::string& text) {
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const std::size_t length = characterLength(text, at);
-    if (length == 0) {
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at != end;) {
+    if (!takeCharacter(at, end)) {
       return false;
     }
-    at += length;
   }
   return true;
 }
@@ -84,29 +72,20 @@ std::string toUtf8(const std::string& text) {
   }
   std::string result;
   for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      result += c;
-    } else {
-      result += static_cast<char>(0xC0U | (byte >> 6U));
-      result += static_cast<char>(0x80U | (byte & 0x3FU));
-    }
+    Utf8::encode(static_cast<unsigned char>(c), std::back_inserter(result));
   }
   return result;
 }
 
 std::string oneLine(const std::string& text) {
   std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = characterLength(text, at);
-    const std::string character = text.substr(at, std::max<std::size_t>(length, 1));
-    at += character.size();
-    if (character.size() == 1 && std::strchr("\n\r\t", character[0]) != nullptr && character[0] != '\0') {
-      result += ' ';
-    } else {
-      const bool control = character.size() == 1 && std::iscntrl(static_cast<unsigned char>(character[0])) != 0;
-      result += length == 0 || control || isHarmful(character) ? escaped(character) : character;
-    }
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at != end;) {
+    const char* const begin = at;
+    const auto character = takeCharacter(at, end);
+    const std::string bytes(begin, at);
+    const bool blank = character == U'\n' || character == U'\r' || character == U'\t';
+    result += blank ? " " : !character || isHarmful(*character) ? escaped(bytes) : bytes;
   }
   return result;
 }

@@ -85,42 +85,37 @@ bool isUnitByte(char c) {
          static_cast<unsigned char>(c) >= 0x80;
 }
 
+// Behind the integer exponent that begins there, or the place itself where none does; nothing for a sign or ^ alone.
+std::optional<std::size_t> behindExponent(const std::string& text, std::size_t at) {
+  const std::size_t power = at + (text.compare(at, 1, "^") == 0 ? 1 : 0);
+  const std::size_t digits = power + (text.compare(power, 1, "-") == 0 ? 1 : 0);
+  const std::size_t end = std::min(text.find_first_not_of("0123456789", digits), text.size());
+  return end == digits && digits > at ? std::nullopt : std::optional(end);
+}
+
 // One unit expression: words between blanks, `*` and `/`, with integer exponents; the grammar of UDUNITS allows
 // numbers, origins ("since") and logarithms in it as well.
 bool isUnitExpression(const std::string& text) {
+  static const std::array<const char*, 5> kOrigins = {"since", "from", "after", "ref", "per"};
   if (text.find('%') != std::string::npos) {
     return text == "%";
   }
-  static const std::array<const char*, 5> kOrigins = {"since", "from", "after", "ref", "per"};
-  std::size_t at = text.compare(0, 2, "1/") == 0 ? 2 : 0;
   bool word_needed = true;
-  while (at < text.size()) {
-    const char c = text[at];
-    if (c == ' ') {
-      ++at;
-    } else if (c == '*' || c == '/') {
-      if (word_needed) {
+  for (std::size_t at = startsWith(text, "1/") ? 2 : 0; at < text.size();) {
+    const auto begin = text.begin() + static_cast<std::ptrdiff_t>(at);
+    const std::string word(begin, std::find_if_not(begin, text.end(), isUnitByte));
+    if (!word.empty()) {
+      const auto end = behindExponent(text, at + word.size());
+      if (!end || std::find(kOrigins.begin(), kOrigins.end(), lowerCase(word)) != kOrigins.end()) {
         return false;
       }
-      word_needed = true;
-      ++at;
-    } else if (isUnitByte(c)) {
-      const std::size_t begin = at;
-      while (at < text.size() && isUnitByte(text[at])) {
-        ++at;
-      }
-      const std::string word = lowerCase(text.substr(begin, at - begin));
-      if (std::find(kOrigins.begin(), kOrigins.end(), word) != kOrigins.end()) {
-        return false;
-      }
-      const std::size_t power = at + (at < text.size() && text[at] == '^' ? 1 : 0);
-      const std::size_t digits = power + (power < text.size() && text[power] == '-' ? 1 : 0);
-      const std::size_t end = std::min(text.find_first_not_of("0123456789", digits), text.size());
-      if (end == digits && digits > at) {
-        return false;  // a sign or ^ without an exponent
-      }
-      at = end;
+      at = *end;
       word_needed = false;
+    } else if (text[at] == ' ') {
+      ++at;
+    } else if ((text[at] == '*' || text[at] == '/') && !word_needed) {
+      ++at;
+      word_needed = true;
     } else {
       return false;
     }
@@ -220,49 +215,30 @@ void refuseSeparators(const std::string& text, std::size_t length) {
                                     : fmt::format("a decimal comma (did you mean '{}{}'?)", point, rest));
 }
 
+std::size_t signLength(const std::string& text) { return !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0; }
+
 // The length of the decimal number that the text begins with: strtod would take "0x1p3", "infinity" and the like too.
 std::size_t numberLength(const std::string& text) {
-  std::size_t i = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
-  const auto digits = [&] {
-    const std::size_t start = i;
-    while (i < text.size() && text[i] >= '0' && text[i] <= '9') {
-      ++i;
-    }
-    return i - start;
-  };
-  std::size_t mantissa = digits();
-  if (i < text.size() && text[i] == '.') {
-    ++i;
-    mantissa += digits();
-  }
-  if (mantissa == 0) {
+  const std::size_t begin = signLength(text);
+  if (begin == text.size() || !(isDigit(text[begin]) || text[begin] == '.')) {
     return 0;
   }
-  const std::size_t before_exponent = i;
-  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
-    ++i;
-    i += i < text.size() && (text[i] == '+' || text[i] == '-') ? 1 : 0;
-    if (digits() == 0) {
-      return before_exponent;
-    }
+  if (text[begin] == '0' && (text[begin + 1] == 'x' || text[begin + 1] == 'X')) {
+    return begin + 1;
   }
-  return i;
+  char* end = nullptr;
+  strtod_l(text.c_str(), &end, cLocale());
+  return static_cast<std::size_t>(end - text.c_str());
 }
 
-std::optional<double> parseNonFinite(std::string text) {
-  const double sign = !text.empty() && text[0] == '-' ? -1.0 : 1.0;
-  if (!text.empty() && (text[0] == '-' || text[0] == '+')) {
-    text.erase(0, 1);
-  }
-  if (!text.empty() && text[0] == '.') {
-    text.erase(0, 1);
-  }
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (text == "nan") {
+std::optional<double> parseNonFinite(const std::string& text) {
+  const std::size_t sign = signLength(text);
+  const std::string word = lowerCase(text.substr(sign + (text.compare(sign, 1, ".") == 0 ? 1 : 0)));
+  if (word == "nan") {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  if (text == "inf" || text == "infinity") {
-    return sign * std::numeric_limits<double>::infinity();
+  if (word == "inf" || word == "infinity") {
+    return std::copysign(std::numeric_limits<double>::infinity(), text[0] == '-' ? -1.0 : 1.0);
   }
   return std::nullopt;
 }

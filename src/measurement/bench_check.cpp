@@ -145,10 +145,6 @@ RigFinding fatal(const std::string& log, const char* finding, double value, std:
   return {log, finding, value, {value, value}, "1", true, true, std::move(text)};
 }
 
-RigFinding fatal(const log::Record& record, const char* finding, double value, std::string text) {
-  return fatal(record.name, finding, value, std::move(text));
-}
-
 constexpr const char* kCorrectTable = "correct the unit in the header of the table";
 
 std::string columnsOf(double factor) {
@@ -186,7 +182,7 @@ RigFinding peakToPeakFinding(const std::string& log, double ratio, const std::st
 
 RigFinding signFinding(const log::Record& record, const Evidence& e) {
   return fatal(
-      record, finding::kSign, -1.0,
+      record.name, finding::kSign, -1.0,
       fmt::format("the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m), "
                   "and its loops take no energy ({:.2g} of the most that there could be), which a mass in fast "
                   "motion would: the sign of one channel is reversed; multiply it by -1, --columns force=-NAME",
@@ -195,7 +191,7 @@ RigFinding signFinding(const log::Record& record, const Evidence& e) {
 
 RigFinding swapFinding(const log::Record& record, const Evidence& e) {
   return fatal(
-      record, finding::kSwappedColumns, e.ratio,
+      record.name, finding::kSwappedColumns, e.ratio,
       fmt::format("force and displacement look exchanged (stiffness {:.3g} N/m, configured {:.3g} N/m; loss {:.2g} "
                   "of a loop's most, negative: energy out of nothing): swap the columns, "
                   "--columns displacement=NAME force=NAME",
@@ -261,7 +257,7 @@ std::optional<RigFinding> energyFinding(const component::Component& component, c
   // A delay has a free number; it has to be better than both by half a right angle's worth (1 - cos 45 deg).
   if (only_delay || late + 0.3 < std::min(sign, swap)) {
     return fatal(
-        record, finding::kDelay, delay * record.dt,
+        record.name, finding::kDelay, delay * record.dt,
         fmt::format("the loops give energy: the force is {:.3g} s {} the displacement, {:.2g} of a cycle: bring "
                     "both channels to one time",
                     std::abs(delay * record.dt), delay > 0.0 ? "behind" : "ahead of", std::abs(delay) / e.period));
@@ -316,7 +312,7 @@ std::optional<RigFinding> constantFinding(const log::Record& record) {
     const VectorXd& other = is_force ? record.raw_displacement : record.force;
     const char* const name = is_force ? "force" : "displacement";
     if (rangeOf(channel) <= 1e-12 * channel.cwiseAbs().maxCoeff()) {
-      return fatal(record, finding::kConstant, channel[0],
+      return fatal(record.name, finding::kConstant, channel[0],
                    fmt::format("the {} is {:.4g} {} from the first sample to the last: check the channel's cable, and "
                                "which column it is, --columns {}=NAME",
                                name, channel[0], is_force ? "N" : "m", name));
@@ -325,7 +321,7 @@ std::optional<RigFinding> constantFinding(const log::Record& record) {
     if (dead.end > dead.begin && (is_force || isOfAMotion(record, dead))) {
       const auto time = [&](Index sample) { return static_cast<double>(sample) * record.dt; };
       return fatal(
-          record, finding::kConstant, time(dead.end - dead.begin),
+          record.name, finding::kConstant, time(dead.end - dead.begin),
           fmt::format("the {} stands still from {:.4g} to {:.4g} s of {:.4g} s, while the {} continues: check "
                       "the channel's cable, and leave this part out",
                       name, time(dead.begin), time(dead.end), record.duration(), is_force ? "displacement" : "force"));
@@ -354,7 +350,7 @@ std::optional<RigFinding> silenceFinding(const log::Record& record, const Eviden
   if (related || e.force_ratio > kNothing) {
     return std::nullopt;
   }
-  return fatal(record, finding::kConstant, e.force_ratio,
+  return fatal(record.name, finding::kConstant, e.force_ratio,
                fmt::format("the force does not answer to the displacement: it scatters by {:.3g} N, {:.2g} % of what "
                            "the component gives: check the clamps and the channel's cable",
                            record.force_deviation, 100.0 * e.force_ratio));
@@ -370,7 +366,7 @@ std::optional<RigFinding> rectifiedFinding(const log::Record& record, const Vect
   const double as_recorded = std::max(std::pow(e.force_correlation, 2), std::pow(e.measured.correlation, 2));
   for (const auto& [name, correlation] : {std::pair("force", of_force), {"displacement", of_displacement}}) {
     if (correlation > kFollows && correlation * correlation > as_recorded + kClearly) {
-      return fatal(record, finding::kRectified, correlation,
+      return fatal(record.name, finding::kRectified, correlation,
                    fmt::format("the {} has lost its sign: it follows the magnitude of what belongs to it (correlation "
                                "{:.2f}, with the sign {:.2f}): record it unrectified",
                                name, correlation, e.force_correlation));
@@ -384,13 +380,13 @@ std::optional<RigFinding> lengthFinding(const log::Record& record) {
   const VectorXd step = (record.displacement.tail(count - 1) - record.displacement.head(count - 1)).cwiseAbs();
   const Index moving = (step.array() > 0.01 * rmsOf(step)).count();
   if (moving < kFewestMoving) {
-    return fatal(record, finding::kTooShort, static_cast<double>(moving),
+    return fatal(record.name, finding::kTooShort, static_cast<double>(moving),
                  fmt::format("{} samples in motion are too few; needed are {}: record longer, or at a higher rate",
                              moving, kFewestMoving));
   }
   const double per_cycle = 2.0 * element::kPi / typicalPhase(record.displacement);
   if (per_cycle < kFewestPerCycle) {
-    return fatal(record, finding::kTooShort, per_cycle,
+    return fatal(record.name, finding::kTooShort, per_cycle,
                  fmt::format("{:.2g} samples per cycle are too few; needed are {}: record at a higher rate", per_cycle,
                              kFewestPerCycle));
   }

@@ -43,7 +43,7 @@ double repeats(const VectorXd& samples) {
 
 // One channel with what its samples scatter by about a prediction from their neighbours.
 struct Channel {
-  explicit Channel(const VectorXd& samples);
+  Channel(const VectorXd& samples, bool of_force);
 
   // Sample i against the cubic through two neighbours at either side.
   double curvature(Index i) const {
@@ -52,8 +52,11 @@ struct Channel {
   bool corner(Index i) const {
     return i >= 2 && i + 2 < values.size() && std::abs(curvature(i)) > kSpikeLimit * scale[i];
   }
+  const char* name() const { return is_force ? "force" : "displacement"; }
+  double coarseStep() const { return step > 1e-4 * range ? step : 0.0; }  // 0: of a fine sensor
 
   const VectorXd& values;
+  bool is_force;
   double highest;
   double lowest;
   double range;
@@ -62,8 +65,9 @@ struct Channel {
   VectorXd scale;  // standard deviation of curvature() about each sample
 };
 
-Channel::Channel(const VectorXd& samples)
+Channel::Channel(const VectorXd& samples, bool of_force)
     : values(samples),
+      is_force(of_force),
       highest(samples.maxCoeff()),
       lowest(samples.minCoeff()),
       range(highest - lowest),
@@ -194,7 +198,7 @@ bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole&
   return visits < 3 ? std::abs(hole.size) < 0.5 * channel.range : 5 * alike > visits;
 }
 
-std::vector<Hole> findSpikes(const Channel& channel, const Channel& other, bool is_force) {
+std::vector<Hole> findSpikes(const Channel& channel, const Channel& other) {
   std::vector<Hole> holes;
   const Index count = channel.values.size();
   const auto most = static_cast<std::size_t>(std::max(3.0, kMostSpikes * static_cast<double>(count)));
@@ -211,7 +215,7 @@ std::vector<Hole> findSpikes(const Channel& channel, const Channel& other, bool 
       return {};
     }
   }
-  if (is_force) {
+  if (channel.is_force) {
     holes.erase(std::remove_if(holes.begin(), holes.end(),
                                [&](const Hole& hole) { return belongsToThePlace(channel, other, hole); }),
                 holes.end());
@@ -276,8 +280,8 @@ bool repeatsAgainstNoise(const Channel& force, const Channel& displacement, cons
 bool isHeld(const Channel& channel, const Channel& other, const Run& run) {
   const double jump = std::abs(channel.values[run.end] - channel.values[run.end - 1]);
   const double other_jump = std::abs(other.values[run.end] - other.values[run.end - 1]) / other.range;
-  const double coarse = channel.step > 1e-4 * channel.range ? channel.step : 0.0;
-  if (jump <= 4.0 * typicalStep(channel.values, run) || jump <= 3.0 * coarse || jump < 1e-3 * channel.range) {
+  if (jump <= 4.0 * typicalStep(channel.values, run) || jump <= 3.0 * channel.coarseStep() ||
+      jump < 1e-3 * channel.range) {
     return false;
   }
   return other_jump < 0.5 * jump / channel.range &&
@@ -290,13 +294,13 @@ bool atExtreme(const Channel& channel, const Run& run) {
 }
 
 // `mask`: false for spikes, which a run may end at.
-std::vector<Run> findHolds(const Channel& channel, const Channel& other, bool is_force, const Mask& mask) {
+std::vector<Run> findHolds(const Channel& channel, const Channel& other, const Mask& mask) {
   std::vector<Run> held;
   for (const Run& run : equalRuns(channel.values, kShortestHold)) {
     if (atExtreme(channel, run) || run.end >= channel.values.size() || !mask[run.end]) {
       continue;  // at the sensor's stop, perhaps
     }
-    if (isHeld(channel, other, run) || (is_force && repeatsAgainstNoise(channel, other, run))) {
+    if (isHeld(channel, other, run) || (channel.is_force && repeatsAgainstNoise(channel, other, run))) {
       held.push_back(run);
     }
   }
@@ -314,14 +318,13 @@ double bulge(const VectorXd& other, const Run& run) {
 }
 
 struct Saturation {
-  std::vector<Run> runs;
   Index samples = 0;
   double limit = 0.0;
 };
 
 // A channel at its stop: many samples are equal to its extreme, few lie just short of it, and meanwhile the other
 // channel goes further out and comes back.
-std::optional<Saturation> findSaturation(const Channel& channel, const Channel& other, bool is_force, double outward) {
+std::optional<Saturation> findSaturation(const Channel& channel, const Channel& other, double outward) {
   Saturation found;
   found.limit = outward > 0.0 ? channel.highest : channel.lowest;
   double bulging = 0.0;
@@ -330,7 +333,6 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
   for (const Run& run : equalRuns(channel.values, 3)) {
     if (channel.values[run.begin] == found.limit) {
       const auto length = static_cast<double>(run.end - run.begin);
-      found.runs.push_back(run);
       found.samples += run.end - run.begin;
       // Where the other only passes by, as under friction at its limit, nothing bulges.
       const double passed = std::abs(other.values[run.end - 1] - other.values[run.begin]);
@@ -340,8 +342,7 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
       variance += 4.5 * std::pow(other.scale[run.begin], 2) * length;  // (3/n + 3/(2 n)) n^2
     }
   }
-  const double coarse = channel.step > 1e-4 * channel.range ? channel.step : 0.0;
-  const double width = std::max(3.5 * coarse, 0.005 * channel.range);
+  const double width = std::max(3.5 * channel.coarseStep(), 0.005 * channel.range);
   const auto distance = (outward * (found.limit - channel.values.array())).eval();
   const Index near = (distance > 0.0 && distance < width).count();
   // An extremum that is merely rounded leaves as many samples on the three levels below it as on its own.
@@ -355,21 +356,20 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
   const bool bulges =
       bulging > 4.0 * std::sqrt(variance) && bulging > 3e-3 * other.range * static_cast<double>(found.samples);
   // Or its noise is gone there, and not because it is at friction's limit all along a stroke.
-  const bool silent = is_force && channel.noisy && travelled < 0.2 * other.range * static_cast<double>(found.samples);
+  const bool silent =
+      channel.is_force && channel.noisy && travelled < 0.2 * other.range * static_cast<double>(found.samples);
   return bulges || silent ? std::optional<Saturation>(found) : std::nullopt;
 }
 
 void exclude(Mask& mask, Index begin, Index end) { mask.segment(begin, end - begin).setConstant(false); }
 
-const char* nameOf(bool is_force) { return is_force ? "force" : "displacement"; }
-
 RigFinding counted(const std::string& log, const char* finding, double count, std::string text) {
   return {log, finding, count, {count, count}, "1", false, false, std::move(text)};
 }
 
-void addSpikes(const std::string& name, const Channel& channel, const Channel& other, bool is_force, Mask& mask,
+void addSpikes(const std::string& name, const Channel& channel, const Channel& other, Mask& mask,
                std::vector<RigFinding>& findings) {
-  const std::vector<Hole> holes = findSpikes(channel, other, is_force);
+  const std::vector<Hole> holes = findSpikes(channel, other);
   if (holes.empty()) {
     return;
   }
@@ -382,13 +382,13 @@ void addSpikes(const std::string& name, const Channel& channel, const Channel& o
       name, finding::kSpikes, static_cast<double>(holes.size()),
       fmt::format("{} spike{} of the {} alone, the first at sample {}, the largest {:.2g} % of its range: left out; "
                   "check cable and connector",
-                  holes.size(), holes.size() == 1 ? "" : "s", nameOf(is_force), holes.front().begin + 1,
+                  holes.size(), holes.size() == 1 ? "" : "s", channel.name(), holes.front().begin + 1,
                   100.0 * largest / channel.range)));
 }
 
-void addHolds(const std::string& name, const Channel& channel, const Channel& other, bool is_force, Mask& mask,
+void addHolds(const std::string& name, const Channel& channel, const Channel& other, Mask& mask,
               std::vector<RigFinding>& findings) {
-  const std::vector<Run> holds = findHolds(channel, other, is_force, mask);
+  const std::vector<Run> holds = findHolds(channel, other, mask);
   if (holds.empty()) {
     return;
   }
@@ -401,14 +401,14 @@ void addHolds(const std::string& name, const Channel& channel, const Channel& ot
       name, finding::kHeldValues, static_cast<double>(samples),
       fmt::format("the {} repeats its value for {} samples in {} place{}, the first from sample {}, while the {} moves "
                   "on: left out; check the connection for dropouts",
-                  nameOf(is_force), samples, holds.size(), holds.size() == 1 ? "" : "s", holds.front().begin + 1,
-                  nameOf(!is_force))));
+                  channel.name(), samples, holds.size(), holds.size() == 1 ? "" : "s", holds.front().begin + 1,
+                  other.name())));
 }
 
-void addSaturation(const std::string& name, const Channel& channel, const Channel& other, bool is_force, Mask& mask,
+void addSaturation(const std::string& name, const Channel& channel, const Channel& other, Mask& mask,
                    std::vector<RigFinding>& findings) {
   for (const double outward : {1.0, -1.0}) {
-    const std::optional<Saturation> found = findSaturation(channel, other, is_force, outward);
+    const std::optional<Saturation> found = findSaturation(channel, other, outward);
     if (!found) {
       continue;
     }
@@ -419,27 +419,9 @@ void addSaturation(const std::string& name, const Channel& channel, const Channe
         name, finding::kSaturation, static_cast<double>(found->samples),
         fmt::format("the {} stays at its {} {:.4g} {} for {} samples while the {} goes further (clipped): left out; "
                     "choose a larger measuring range",
-                    nameOf(is_force), outward > 0.0 ? "maximum" : "minimum", found->limit, is_force ? "N" : "m",
-                    found->samples, nameOf(!is_force))));
+                    channel.name(), outward > 0.0 ? "maximum" : "minimum", found->limit, channel.is_force ? "N" : "m",
+                    found->samples, other.name())));
     findings.back().fatal = share > kLargestClippedShare;
-  }
-}
-
-// Straight lines over what was not measured, between the samples that were.
-void bridge(std::vector<double>& values, const Mask& mask) {
-  const Index count = mask.size();
-  Index last = -1;  // that counts
-  for (Index i = 0; i <= count; ++i) {
-    if (i < count && !mask[i]) {
-      continue;
-    }
-    for (Index j = last + 1; j < i; ++j) {
-      const double before = last >= 0 ? values[static_cast<std::size_t>(last)] : values[static_cast<std::size_t>(i)];
-      const double after = i < count ? values[static_cast<std::size_t>(i)] : before;
-      values[static_cast<std::size_t>(j)] =
-          before + (after - before) * static_cast<double>(j - last) / static_cast<double>(i - last);
-    }
-    last = i;
   }
 }
 
@@ -452,35 +434,32 @@ Faults findFaults(const std::string& name, const VectorXd& displacement, const V
   if (displacement.size() < 2 * kAround || rangeOf(displacement) <= 0.0 || rangeOf(force) <= 0.0) {
     return faults;
   }
-  const Channel z(displacement);
-  const Channel f(force);
-  addSpikes(name, f, z, true, faults.force, faults.findings);
-  addSpikes(name, z, f, false, faults.displacement, faults.findings);
-  addHolds(name, f, z, true, faults.force, faults.findings);
-  addHolds(name, z, f, false, faults.displacement, faults.findings);
-  addSaturation(name, f, z, true, faults.force, faults.findings);
-  addSaturation(name, z, f, false, faults.displacement, faults.findings);
+  const Channel z(displacement, false);
+  const Channel f(force, true);
+  for (const auto add : {addSpikes, addHolds, addSaturation}) {
+    add(name, f, z, faults.force, faults.findings);
+    add(name, z, f, faults.displacement, faults.findings);
+  }
   return faults;
 }
 
 Faults findFaults(const log::Log& log) {
   if (log.force.empty()) {
-    Faults faults;
-    faults.displacement = Mask::Constant(static_cast<Index>(log.size()), true);
-    faults.force = faults.displacement;
-    return faults;
+    const Mask all = Mask::Constant(static_cast<Index>(log.size()), true);
+    return {all, all, {}};
   }
   return findFaults(log.name, asVector(log.displacement), asVector(log.force));
 }
 
 log::Log repaired(const log::Log& log, const Faults& faults) {
   log::Log result = log;
-  if (faults.displacement.any()) {
-    bridge(result.displacement, faults.displacement);
-  }
-  if (!result.force.empty() && faults.force.any()) {
-    bridge(result.force, faults.force);
-  }
+  const auto repair = [](std::vector<double>& values, const Mask& mask) {
+    if (!values.empty() && mask.any()) {
+      bridge(Eigen::Map<VectorXd>(values.data(), mask.size()), mask);
+    }
+  };
+  repair(result.displacement, faults.displacement);
+  repair(result.force, faults.force);
   return result;
 }
 

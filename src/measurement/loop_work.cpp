@@ -13,17 +13,14 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 std::vector<std::complex<double>> spectrumOf(const VectorXd& values) {
-  std::size_t padded = 16;
-  while (padded < static_cast<std::size_t>(values.size())) {
-    padded *= 2;
-  }
-  std::vector<double> windowed(padded, 0.0);
+  constexpr std::size_t kShortest = 16;
+  std::vector<double> windowed(static_cast<std::size_t>(values.size()));
   const double mean = values.mean();
   for (Index i = 0; i < values.size(); ++i) {
     const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(values.size());
     windowed[static_cast<std::size_t>(i)] = (0.5 - 0.5 * std::cos(2.0 * element::kPi * place)) * (values[i] - mean);
   }
-  return numerics::Fourier().halfSpectrum(windowed);
+  return numerics::paddedSpectrum(std::move(windowed), kShortest);
 }
 
 std::pair<double, double> jackknife(const std::vector<double>& energies, const std::vector<double>& scales) {

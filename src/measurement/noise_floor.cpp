@@ -1,4 +1,4 @@
-// Noise floor from hasRepeat, standstill, spectrum and model.
+// Noise floor from repeats, standstill, spectrum and model.
 #include "rubber_suspension/measurement/noise_floor.h"
 
 #include <algorithm>
@@ -139,7 +139,7 @@ double powerOfLines(const log::Record& record, const VectorXd& residual, const M
   return power;
 }
 
-// Lines are in the hasRepeat as well, unless they are harmonics of the motion.
+// Lines are in the repeats as well, unless they are harmonics of the motion.
 double withoutLines(double deviation, const log::Record& record, const VectorXd& residual, const Mask& mask) {
   return std::sqrt(std::max(0.0, deviation * deviation - powerOfLines(record, residual, mask)));
 }
@@ -149,8 +149,9 @@ double unbiased(double square, Index count, Index freedom) {
   return std::sqrt(square / static_cast<double>(std::max<Index>(1, count - freedom)));
 }
 
-}  // namespace
-
+// From repeats of the same cycle: second differences over three cycles, freed of what displacement and speed differ by.
+// Slow noise, which the differences take out, is put back by the colour of the residual's spectrum. 0 where fewer than
+// 100 samples repeat.
 double noiseFromRepeats(const log::Record& record, const VectorXd& residual, const Mask& mask) {
   const Differences differences = secondDifferences(record, mask);
   const auto count = static_cast<Index>(differences.force.size());
@@ -169,6 +170,7 @@ double noiseFromRepeats(const log::Record& record, const VectorXd& residual, con
   return std::sqrt(withSlowPart(fast, fast / kept - fast, record));
 }
 
+// Where the displacement stands still, each stop freed of a quadratic trend. 0 where it hardly does.
 double noiseFromStandstill(const log::Record& record, const Mask& mask) {
   constexpr double kStill = 1e-6;  // of the stroke: a force from such a motion is far below any noise
   const VectorXd& z = record.displacement;
@@ -198,6 +200,8 @@ double noiseFromStandstill(const log::Record& record, const Mask& mask) {
   return count >= kFewestRepeats ? unbiased(square, count, freedom) : 0.0;
 }
 
+// From the spectrum of a residual outside of the motion's band, carried on into it. 0 where too little of the spectrum
+// lies outside.
 double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, const Mask& mask) {
   constexpr double kFewestOutside = 0.1;  // cycles per sample of the spectrum's half
   const ExcludedBand motion = motionBand(record);
@@ -211,39 +215,24 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
   return std::sqrt(withSlowPart(fast, slow, record));
 }
 
-NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, const Mask& mask, double replay_excess) {
-  NoiseFloor floor;
-  const double left = std::sqrt(meanSquare(residual, mask));
-  const auto take = [&](double deviation, const char* source) {
-    if (deviation > 0.0 && floor.smoothed == 0.0) {
-      floor.smoothed = deviation;
-      floor.source = source;
-    }
-  };
+}  // namespace
+
+double noiseFloor(const log::Record& record, const VectorXd& residual, const Mask& mask) {
   const VectorXd rest = withoutFunctionsOfMotion(record, residual, mask);
-  const double by_repeats = noiseFromRepeats(record, rest, mask);
+  const double left = std::sqrt(std::min(meanSquare(residual, mask), meanSquare(rest, mask)));
   const double by_spectrum = noiseFromSpectrum(record, rest, mask);
-  take(by_repeats > by_spectrum ? std::max(by_spectrum, withoutLines(by_repeats, record, rest, mask)) : by_repeats,
-       "hasRepeat");
-  take(by_spectrum, "spectrum");
-  take(noiseFromStandstill(record, mask), "standstill");
-  const double least_left = std::min(left, std::sqrt(meanSquare(rest, mask)));
-  if (floor.smoothed == 0.0 || least_left < floor.smoothed) {
-    floor.smoothed = least_left;
-    floor.source = "model";
+  double floor = noiseFromRepeats(record, rest, mask);
+  if (floor > by_spectrum) {
+    floor = std::max(by_spectrum, withoutLines(floor, record, rest, mask));
   }
+  floor = floor > 0.0 ? floor : by_spectrum > 0.0 ? by_spectrum : noiseFromStandstill(record, mask);
+  floor = floor > 0.0 ? std::min(floor, left) : left;
   // A step of the sensor, evenly rounded; and what rounding in arithmetic leaves.
-  const double least = std::max(smallestStep(record.force) / std::sqrt(12.0), 1e-12 * rangeOf(record.force));
-  if (floor.smoothed < least) {
-    floor.smoothed = least;
-    floor.source = "quantisation";
-  }
-  floor.replay = std::hypot(floor.smoothed, replay_excess);
-  return floor;
+  return std::max({floor, smallestStep(record.force) / std::sqrt(12.0), 1e-12 * rangeOf(record.force)});
 }
 
 double relativeFloor(const log::Record& record, const Eigen::VectorXd& residual) {
-  return noiseFloor(record, record.withoutRig(residual), maskOf(record), 0.0).smoothed / record.force_deviation;
+  return noiseFloor(record, record.withoutRig(residual), maskOf(record)) / record.force_deviation;
 }
 
 }  // namespace rubber_suspension::measurement

@@ -81,6 +81,11 @@ VectorXd delayed(const VectorXd& values, double delay, double clock) {
   return result;
 }
 
+// That of a record about the point where it is linearised, if there is one.
+VectorXd displacementOf(const std::vector<log::Record>& records, const std::vector<RigPoint>& points, std::size_t log) {
+  return records[log].displacement.array() - (points.empty() ? 0.0 : points[log].displacement_zero);
+}
+
 // Motions of a machine before the log; each leaves another force.
 enum class Before {
   same_motion,  // the log's first quarter, turned about its start: place and speed go on steadily
@@ -205,35 +210,31 @@ Solution withoutColumn(const NormalEquations& equations, const VectorXd& priors,
   return solveWithPriors(equations.gram, equations.moment, tight);
 }
 
-const char* findingOf(Nuisance nuisance) {
-  switch (nuisance) {
-    case Nuisance::force_zero:
-      return finding::kForceZero;
-    case Nuisance::displacement_zero:
-      return finding::kDisplacementZero;
-    case Nuisance::delay:
-      return finding::kDelay;
-    case Nuisance::clock:
-      return finding::kClock;
-    case Nuisance::gain:
-      return finding::kSensorGain;
-    default:
-      return finding::kRunningStart;
-  }
-}
+// What a nuisance is called, in which unit it is told, and how large it may be: a tolerance that may be a share of
+// something in the record.
+struct NuisanceInfo {
+  const char* finding;
+  const char* unit;
+  io::RigTolerance io::RigTolerances::*tolerance;
+  double (*whole)(const log::Record&);
+};
 
-const char* unitOf(Nuisance nuisance) {
-  switch (nuisance) {
-    case Nuisance::displacement_zero:
-      return "m";
-    case Nuisance::delay:
-      return "s";
-    case Nuisance::clock:
-    case Nuisance::gain:
-      return "1";
-    default:
-      return "N";
-  }
+double rangeOfForce(const log::Record& record) { return rangeOf(record.force); }
+double rangeOfDisplacement(const log::Record& record) { return rangeOf(record.displacement); }
+double samplingInterval(const log::Record& record) { return record.dt; }
+double itself(const log::Record&) { return 1.0; }
+
+const NuisanceInfo& infoOf(Nuisance nuisance) {
+  using Tolerances = io::RigTolerances;
+  static constexpr NuisanceInfo kTable[] = {
+      {finding::kForceZero, "N", &Tolerances::force_zero, rangeOfForce},
+      {finding::kDisplacementZero, "m", &Tolerances::displacement_zero, rangeOfDisplacement},
+      {finding::kDelay, "s", &Tolerances::delay, samplingInterval},
+      {finding::kClock, "1", &Tolerances::clock, itself},
+      {finding::kSensorGain, "1", &Tolerances::gain, itself},
+      {finding::kRunningStart, "N", &Tolerances::initial_state, rangeOfForce},
+  };
+  return kTable[static_cast<std::size_t>(nuisance)];
 }
 
 std::string sentence(Nuisance nuisance, double value) {
@@ -264,10 +265,10 @@ std::string sentence(Nuisance nuisance, double value) {
 RigFinding told(const std::string& log, Nuisance nuisance, double value, double deviation, double prior) {
   RigFinding result;
   result.log = log;
-  result.finding = findingOf(nuisance);
+  result.finding = infoOf(nuisance).finding;
   result.value = value;
   result.interval_95 = {value - kNormal95 * deviation, value + kNormal95 * deviation};
-  result.unit = unitOf(nuisance);
+  result.unit = infoOf(nuisance).unit;
   result.beyond_tolerance = std::abs(value) > io::kTolerated * prior;
   result.text = sentence(nuisance, value);
   return result;
@@ -321,12 +322,6 @@ RigFinding initialStateFinding(const std::string& name, const RigFit& fit, const
   return told(name, Nuisance::initial_state, value, std::sqrt(variance), prior);
 }
 
-}  // namespace
-
-Index RigFit::column(Nuisance nuisance) const { return columnOf(rig, nuisance); }
-
-namespace {
-
 // Samples until the displacement has first moved that far.
 double timeToMove(const VectorXd& displacement, double distance) {
   for (Index i = 1; i < displacement.size(); ++i) {
@@ -352,6 +347,8 @@ double mostLeft(const log::Record& record, const VectorXd& base) {
 }
 
 }  // namespace
+
+Index RigFit::column(Nuisance nuisance) const { return columnOf(rig, nuisance); }
 
 bool startsInMotion(const log::Record& record) {
   if (startsAtRest(record)) {
@@ -385,28 +382,15 @@ RigModel::RigModel(std::vector<log::Record> records, std::vector<Mask> masks, co
 }
 
 double RigModel::prior(Nuisance nuisance, const log::Record& record) const {
-  switch (nuisance) {
-    case Nuisance::force_zero:
-      return tolerances_.force_zero.of(rangeOf(record.force));
-    case Nuisance::displacement_zero:
-      return tolerances_.displacement_zero.of(rangeOf(record.displacement));
-    case Nuisance::delay:
-      return tolerances_.delay.of(record.dt);
-    case Nuisance::clock:
-      return tolerances_.clock.value;
-    case Nuisance::gain:
-      return tolerances_.gain.value;
-    default:
-      return tolerances_.initial_state.of(rangeOf(record.force));
-  }
+  const NuisanceInfo& info = infoOf(nuisance);
+  return (tolerances_.*info.tolerance).of(info.whole(record));
 }
 
 std::vector<VectorXd> RigModel::simulateShifted(const Simulate& simulate, const std::vector<RigPoint>& points,
                                                 double shift) const {
   std::vector<VectorXd> displacements;
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    const double zero = points.empty() ? 0.0 : points[i].displacement_zero;
-    displacements.emplace_back(records_[i].displacement.array() - zero + shift * rangeOf(records_[i].displacement));
+    displacements.emplace_back(displacementOf(records_, points, i).array() + shift * rangeOf(records_[i].displacement));
   }
   return simulate(displacements);
 }
@@ -415,18 +399,15 @@ std::vector<std::vector<VectorXd>> RigModel::simulateRunning(const Simulate& sim
                                                              const std::vector<RigPoint>& points) const {
   std::vector<std::vector<VectorXd>> forces;
   for (const Before kind : kMotionsBefore) {
-    const auto precedes = [&](const log::Record& record) { return mayPrecede(kind, record); };
-    if (std::none_of(records_.begin(), records_.end(), precedes)) {
-      forces.emplace_back();
-      continue;
-    }
     std::vector<VectorXd> displacements;
+    bool any = false;
     for (std::size_t i = 0; i < records_.size(); ++i) {
-      const double zero = points.empty() ? 0.0 : points[i].displacement_zero;
-      const VectorXd displacement = records_[i].displacement.array() - zero;
-      displacements.push_back(precedes(records_[i]) ? withMotionBefore(displacement, kind) : displacement);
+      const bool precedes = mayPrecede(kind, records_[i]);
+      any = any || precedes;
+      const VectorXd displacement = displacementOf(records_, points, i);
+      displacements.push_back(precedes ? withMotionBefore(displacement, kind) : displacement);
     }
-    forces.push_back(simulate(displacements));
+    forces.push_back(any ? simulate(displacements) : std::vector<VectorXd>());
   }
   return forces;
 }

@@ -14,31 +14,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-VectorXd bridged(const VectorXd& signal, const Mask& mask) {
-  VectorXd result = signal;
-  Index last = -1;
-  for (Index i = 0; i <= signal.size(); ++i) {
-    if (i < signal.size() && !mask[i]) {
-      continue;
-    }
-    for (Index j = last + 1; j < i; ++j) {
-      const double before = last >= 0 ? signal[last] : (i < signal.size() ? signal[i] : 0.0);
-      const double after = i < signal.size() ? signal[i] : before;
-      result[j] = before + (after - before) * static_cast<double>(j - last) / static_cast<double>(i - last);
-    }
-    last = i;
-  }
-  return result;
-}
-
 // |FFT|^2 of the windowed signal, padded to a power of two; one-sided density.
 VectorXd periodogram(const VectorXd& signal) {
+  constexpr std::size_t kShortest = 64;
   const Index count = signal.size();
-  Index padded = 64;
-  while (padded < count) {
-    padded *= 2;
-  }
-  std::vector<double> windowed(static_cast<std::size_t>(padded), 0.0);
+  std::vector<double> windowed(static_cast<std::size_t>(count));
   const double mean = signal.mean();
   double power = 0.0;
   for (Index i = 0; i < count; ++i) {
@@ -47,8 +27,8 @@ VectorXd periodogram(const VectorXd& signal) {
     windowed[static_cast<std::size_t>(i)] = window * (signal[i] - mean);
     power += window * window;
   }
-  const std::vector<std::complex<double>> spectrum = numerics::Fourier().halfSpectrum(windowed);
-  VectorXd density(padded / 2 + 1);
+  const std::vector<std::complex<double>> spectrum = numerics::paddedSpectrum(std::move(windowed), kShortest);
+  VectorXd density(static_cast<Index>(spectrum.size()));
   for (Index i = 0; i < density.size(); ++i) {
     density[i] = 2.0 * std::norm(spectrum[static_cast<std::size_t>(i)]) / power;
   }
@@ -70,7 +50,9 @@ std::vector<SpectrumBand> spectrumBands(const VectorXd& signal, const Mask& mask
   constexpr double kBandRatio = 1.122462048309373;  // 2^(1/6)
   constexpr double kHannLines = 1.5;                // lines that a Hann window joins to one
   const auto count = static_cast<double>(signal.size());
-  const VectorXd density = periodogram(bridged(signal, mask));
+  VectorXd measured = signal;
+  bridge(measured, mask);
+  const VectorXd density = periodogram(measured);
   const auto padded = static_cast<double>(2 * (density.size() - 1));
   const double line = std::max(1.0, padded / count);  // of the padded spectrum, per line of the signal
   std::vector<SpectrumBand> bands;

@@ -31,6 +31,23 @@ inline double meanSquare(const Eigen::VectorXd& signal, const Mask& mask) {
          std::max<double>(1.0, static_cast<double>(mask.count()));
 }
 
+/// Straight lines over the samples that do not count, between those that do; 0 where none does.
+inline void bridge(Eigen::Ref<Eigen::VectorXd> values, const Mask& mask) {
+  const Eigen::Index count = mask.size();
+  Eigen::Index last = -1;  // that counts
+  for (Eigen::Index i = 0; i <= count; ++i) {
+    if (i < count && !mask[i]) {
+      continue;
+    }
+    for (Eigen::Index j = last + 1; j < i; ++j) {
+      const double before = last >= 0 ? values[last] : (i < count ? values[i] : 0.0);
+      const double after = i < count ? values[i] : before;
+      values[j] = before + (after - before) * static_cast<double>(j - last) / static_cast<double>(i - last);
+    }
+    last = i;
+  }
+}
+
 /// The smallest difference between neighbours that is not 0: the step of a coarse sensor, tiny for a fine one.
 inline double smallestStep(const Eigen::VectorXd& values) {
   double smallest = HUGE_VAL;

@@ -21,4 +21,13 @@ std::vector<std::complex<double>> Fourier::halfSpectrum(const std::vector<double
   return spectrum;
 }
 
+std::vector<std::complex<double>> paddedSpectrum(std::vector<double> samples, std::size_t shortest) {
+  std::size_t length = shortest;
+  while (length < samples.size()) {
+    length *= 2;
+  }
+  samples.resize(length, 0.0);
+  return Fourier().halfSpectrum(samples);
+}
+
 }  // namespace rubber_suspension::numerics

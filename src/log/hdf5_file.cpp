@@ -1,10 +1,11 @@
-// Where the data of an HDF5 file lie.
-#include "log/hdf5_storage.h"
+// Files of HDF5.
+#include "log/hdf5_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <stdexcept>
 
 #include "log/text.h"
@@ -33,18 +34,10 @@ bool isWritten(hid_t dataset, hid_t properties) {
   return H5Dget_num_chunks(dataset, space.get(), &there) >= 0 && there >= needed;
 }
 
-// Exceptions go past the library, which is of C.
-herr_t checkObject(hid_t root, const char* name, const H5O_info_t* info, void* error) {
-  try {
-    requireShallow(name);
-    if (info->type == H5O_TYPE_DATASET) {
-      const Hdf5Handle dataset(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
-      requireOwnData(dataset.get(), name);
-    }
-    return 0;
-  } catch (const std::runtime_error& found) {
-    *static_cast<std::string*>(error) = found.what();
-    return -1;
+void requireShallow(const std::string& path) {
+  constexpr int kDeepestGroup = 32;
+  if (std::count(path.begin(), path.end(), '/') > kDeepestGroup) {
+    throw std::runtime_error(fmt::format("groups nested deeper than {}; accepted: at most that", kDeepestGroup));
   }
 }
 
@@ -57,12 +50,6 @@ hid_t openHdf5(const std::string& path) {
     throw std::runtime_error("cannot be read as HDF5; accepted: a complete file that can be opened");
   }
   return file;
-}
-
-void requireShallow(const std::string& name) {
-  if (std::count(name.begin(), name.end(), '/') > kDeepestGroup) {
-    throw std::runtime_error(fmt::format("groups nested deeper than {}; accepted: at most that", kDeepestGroup));
-  }
 }
 
 void requireOwnData(hid_t dataset, const std::string& name) {
@@ -83,9 +70,37 @@ void requireOwnData(const std::string& path) {
     return;
   }
   const Hdf5Handle file(openHdf5(path), H5Fclose);
-  std::string error;
-  if (H5Ovisit2(file.get(), H5_INDEX_NAME, H5_ITER_INC, checkObject, &error, H5O_INFO_BASIC) < 0) {
-    throw std::runtime_error(error.empty() ? "damaged; accepted: a complete HDF5 file" : error);
+  visitObjects(file.get(), [](const std::string& object, const Hdf5Handle* dataset) {
+    if (dataset != nullptr) {
+      requireOwnData(dataset->get(), object);
+    }
+    return true;
+  });
+}
+
+void visitObjects(hid_t file, const std::function<bool(const std::string& path, const Hdf5Handle* dataset)>& visit) {
+  struct Visit {
+    decltype(visit) object;
+    std::exception_ptr error;  // goes past the library, which is of C
+  };
+  const auto call = [](hid_t root, const char* path, const H5O_info_t* info, void* data) -> herr_t {
+    auto& called = *static_cast<Visit*>(data);
+    try {
+      requireShallow(path);
+      const bool is_dataset = info->type == H5O_TYPE_DATASET;
+      const Hdf5Handle dataset(is_dataset ? H5Dopen2(root, path, H5P_DEFAULT) : -1, H5Dclose);
+      return called.object(path, is_dataset ? &dataset : nullptr) ? 0 : 1;
+    } catch (...) {
+      called.error = std::current_exception();
+      return -1;
+    }
+  };
+  Visit visited{visit, nullptr};
+  if (H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, call, &visited, H5O_INFO_BASIC) < 0) {
+    if (visited.error) {
+      std::rethrow_exception(visited.error);
+    }
+    throw std::runtime_error("damaged; accepted: a complete HDF5 file");
   }
 }
 

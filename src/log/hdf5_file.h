@@ -1,11 +1,20 @@
-// Where the data of an HDF5 file lie: in the file itself, or it is refused.
+// Files of HDF5: opened, gone through, and refused where their data lie elsewhere.
 #pragma once
 
 #include <hdf5.h>
 
+#include <functional>
+#include <mutex>
 #include <string>
 
 namespace rubber_suspension::log {
+
+/// One reader of HDF5 at a time: the library, on which files of MATLAB's level 7.3 rest too, is not safe for threads in
+/// every build.
+inline std::mutex& hdf5Mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 /// A handle of libhdf5, given back by the function that belongs to it.
 class Hdf5Handle {
@@ -34,12 +43,11 @@ hid_t openHdf5(const std::string& path);
 /// may be any file of the machine, or were never written, which libhdf5 takes for zeros.
 void requireOwnData(hid_t dataset, const std::string& name);
 
-/// The same for all datasets of a file; nothing for one that is no HDF5. Groups are nested kDeepestGroup deep at most.
+/// The same for all datasets of a file; nothing for one that is no HDF5.
 void requireOwnData(const std::string& path);
 
-constexpr int kDeepestGroup = 32;
-
-/// Throws std::runtime_error for a path within a file that is deeper.
-void requireShallow(const std::string& name);
+/// Calls `visit` with the path of each object of a file, and the object where it is a dataset, until it returns false.
+/// Throws what `visit` throws, and std::runtime_error for groups that are nested too deep and a file that is damaged.
+void visitObjects(hid_t file, const std::function<bool(const std::string& path, const Hdf5Handle* dataset)>& visit);
 
 }  // namespace rubber_suspension::log
