@@ -242,7 +242,7 @@ Discrimination Discriminator::weigh(std::size_t motion) const {
     const double probability = explanations_[right].probability;
     result.difference = right == 0 ? least : result.difference;
     result.floors += probability * std::min(kMostFloors, least / floorOf(deviation));
-    result.probability += probability * updated(explanations_, left, logs)[right];
+    result.probability += probability * standsAlone(right, explanations_, left, logs);
     result.nearest = right == 0 ? nearest : result.nearest;
   }
   return result;

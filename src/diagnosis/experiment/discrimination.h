@@ -14,7 +14,7 @@ struct Discrimination {
   const Experiment* experiment = nullptr;
   double difference = 0.0;   ///< were the first right: RMS force by which the nearest other would still be off [N]
   double floors = 0.0;       ///< expected over what may be right, in noise floors of which ten count at most
-  double probability = 0.0;  ///< expected, of the right explanation once the motion is among the logs
+  double probability = 0.0;  ///< that the right explanation stands alone once the motion is among the logs
   std::size_t nearest = 0;   ///< the explanation nearest to the first
 };
 

@@ -248,8 +248,9 @@ void addAmplitudes(const Frequencies& f, double room, Menu& menu) {
   const auto add = [&](const std::string& kind, const std::array<double, 3>& part) {
     menu.add({kind, 3.0 * phase, 1.0 / f.full, f.full, 1.0,
               [=](double t) {
-                const auto now = static_cast<std::size_t>(std::clamp(t / phase, 0.0, 2.0));
-                return part[now] * std::sin(omega * t);
+                const double second = (part[1] - part[0]) * eased(t - phase, 1.0 / f.full);
+                const double third = (part[2] - part[1]) * eased(t - 2.0 * phase, 1.0 / f.full);
+                return (part[0] + second + third) * std::sin(omega * t);
               },
               [=](double peak) {
                 return fmt::format(

@@ -57,20 +57,20 @@ std::string howFar(const Diagnosis& d) {
                 "the fit in its turn: for a sine, the RMS of the force difference over the standard deviation of "
                 "the measured force."
               : "A gap is the RMS of measured minus simulated force over the standard deviation of the measured "
-                "force, on data that took no part in the fit, after what the rig did to that very log is taken "
-                "out: no number was fitted to these data, but they took part in choosing between the effects.") +
+                "force. It is that of data to which no number was fitted, but which helped to choose between the "
+                "effects. What the rig did to a log is taken out before.") +
          "</p>\n";
 }
 
 std::string whereTable(const Diagnosis& d) {
   constexpr std::size_t kMost = 6;
   Table table({d.table ? "table" : "log", "#frequency [Hz]", "#amplitude [mm]", "what is wrong",
-               "#share of squared gap", "#over noise"});
+               "#share of squared gap", "#times the noise"});
   for (std::size_t i = 0; i < std::min(kMost, d.where.size()); ++i) {
     const gap::GapCell& cell = d.where[i];
     table.add({escape(cell.log), rangeText(cell.frequency, 1.0), rangeText(cell.amplitude, 1e3),
                gap::toString(cell.quantity), percent(cell.share),
-               cell.noise_ratio > 0.0 ? fmt::format("{:.1f}", cell.noise_ratio) : ""});  // the mean has no noise
+               cell.noise_ratio > 0.0 ? fmt::format("{:.2g}", cell.noise_ratio) : ""});  // the mean has no noise
   }
   return table.html();
 }
@@ -269,8 +269,8 @@ std::string takenOut(const Diagnosis& d) {
     }
     table.add({escape(log.log), percent(log.recorded), parts.empty() ? "nothing" : parts, percent(log.left)});
   }
-  return "<p>What was taken out of each log before the model with its effects was held against it. In squares it adds "
-         "up: gap as recorded less what was taken out is the gap; less than 0 where the gap grew.</p>\n" +
+  return "<p>What the rig did is taken out of each log before it is compared with the model. Squares add up: the gap as "
+         "recorded less what is taken out is the gap. A negative number made the gap larger.</p>\n" +
          table.html();
 }
 
