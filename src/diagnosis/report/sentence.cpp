@@ -61,7 +61,7 @@ std::string effectsText(const Diagnosis& diagnosis) {
   for (const std::string& effect : diagnosis.effects) {
     std::vector<std::string> sizes;
     for (const SizedValue& size : diagnosis.effect_sizes) {
-      if (size.owner == effect && sizes.size() < kMost) {
+      if (size.owner == effect && !isAtBound(size) && sizes.size() < kMost) {
         sizes.push_back(sizeName(size) + " " + quantity(size.value, size.unit));
       }
     }
@@ -76,7 +76,8 @@ std::string priceText(const Diagnosis& diagnosis) {
   const std::string full = percent(diagnosis.gap_of_full_law);
   return simple == full
              ? ""
-             : fmt::format(" augmented.yaml has a simpler law, which leaves {}; the law as judged leaves {}.", simple, full);
+             : fmt::format(" augmented.yaml has a simpler law, which leaves {}; the law as judged leaves {}.", simple,
+                           full);
 }
 
 std::string ownValuesText(const Diagnosis& diagnosis) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
@@ -29,6 +30,8 @@ std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, cons
 
 struct SimplestLaw {
   FittedLaw fitted;
+  std::vector<std::pair<double, FittedLaw>> others;  ///< gaps and laws: of as many numbers, and the full one
+  double gap = 0.0;
   std::vector<double> form_error;  ///< of each member, by which its law may differ from the rubber's: of the force
 };
 

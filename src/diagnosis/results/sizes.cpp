@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <tuple>
@@ -91,40 +92,59 @@ std::vector<Value> writtenValues(const io::ComponentDescription& description) {
 
 class Resampling {
  public:
-  Resampling(const fit::HypothesisFitter& fitter, const FittedLaw& fitted, const std::vector<double>& form_error,
-             const std::vector<std::string>& effects, const DiagnosisOptions& options)
-      : fitter_(fitter),
-        fitted_(fitted),
-        hypothesis_(fitted.law.hypothesis()),
+  Resampling(const SizedLaw& law, const std::vector<double>& form_error, const std::vector<std::string>& effects,
+             const DiagnosisOptions& options)
+      : fitter_(law.fitter),
+        fitted_(law.fitted),
+        hypothesis_(fitted_.law.hypothesis()),
         effects_(effects),
-        options_(options),
+        weight_(law.weight),
         generator_(options.seed),
-        blocks_(fitter.linearise(hypothesis_, fitted.fit.parameters, {}, options.threads)) {
-    Eigen::Index first = fitter.model().size();
+        blocks_(fitter_.linearise(hypothesis_, fitted_.fit.parameters, {}, options.threads)),
+        best_(pointAt(fitted_.fit.parameters)) {
+    Eigen::Index first = fitter_.model().size();
     for (std::size_t m = 0; m < form_error.size(); ++m) {
-      const auto size = static_cast<Eigen::Index>(fitted.law.members[m].size());
+      const auto size = static_cast<Eigen::Index>(fitted_.law.members[m].size());
       addMistakes(first, size, form_error[m]);
       first += size;
     }
+    draw(options.resamplings);
   }
 
-  Sizes run() {
-    const Point best = pointAt(fitted_.fit.parameters);
+  // The draws of another law, where its effects have the same sizes.
+  void add(const Resampling& other) {
+    const auto same = [](const Value& a, const Value& b) { return a.key == b.key; };
+    const std::vector<Value>& others = other.best_.effects;
+    if (!std::equal(best_.effects.begin(), best_.effects.end(), others.begin(), others.end(), same)) {
+      return;
+    }
+    drawn_ += other.drawn_;
+    for (const auto& [key, draws] : other.draws_) {
+      if (!key.first.empty()) {  // a place in a component file is that of another number there
+        draws_[key].insert(draws_[key].end(), draws.begin(), draws.end());
+      }
+    }
+  }
+
+  Sizes sizes() const {
+    const Point configured = pointOfModel(Eigen::VectorXd::Zero(fitter_.model().size()));
+    return {sized(best_.model, configured.model, false), sized(best_.effects, {}, true),
+            sized(best_.written, configured.written, false)};
+  }
+
+ private:
+  void draw(int count) {
     const Eigen::VectorXd rest = step(blocks_.sum);  // 0 but for what the fit's last step left
     std::uniform_int_distribution<std::size_t> pick(0, blocks_.gram.size() - 1);
-    for (int i = 0; i < options_.resamplings; ++i) {
+    for (int i = 0; i < count; ++i) {
       Eigen::MatrixXd sum = blocks_.prior;
       for (std::size_t b = 0; b < blocks_.gram.size(); ++b) {
         sum += blocks_.gram[pick(generator_)];
       }
       collect(step(sum) - rest + mistake());
     }
-    const Point configured = pointOfModel(Eigen::VectorXd::Zero(fitter_.model().size()));
-    return {sized(best.model, configured.model, false), sized(best.effects, {}, true),
-            sized(best.written, configured.written, false)};
   }
 
- private:
   // The part of a form error of this size that a fit takes for numbers of the law: all directions that they span alike.
   void addMistakes(Eigen::Index first, Eigen::Index size, double form_error) {
     const auto system = numerics::eigensystem(blocks_.sum.block(first, first, size, size));
@@ -166,10 +186,10 @@ class Resampling {
     }
     try {
       const Point point = pointAt(moved);
-      ++resamples_;
+      drawn_ += weight_;
       for (const auto* values : {&point.model, &point.effects, &point.written}) {
         for (const Value& value : *values) {
-          draws_[value.key].push_back(value.value);
+          draws_[value.key].emplace_back(value.value, weight_);
         }
       }
     } catch (const std::invalid_argument&) {
@@ -220,37 +240,50 @@ class Resampling {
       size.interval_95 = {value.value, value.value};
       return;
     }
-    std::vector<double> draws = found->second;
-    if (may_vanish && value.is_scale) {
-      draws.resize(std::max(draws.size(), resamples_), 0.0);
+    std::vector<std::pair<double, double>> draws = found->second;
+    const auto add = [](double sum, const auto& draw) { return sum + draw.second; };
+    double weight = std::accumulate(draws.begin(), draws.end(), 0.0, add);
+    if (may_vanish && value.is_scale && drawn_ > weight) {
+      draws.emplace_back(0.0, drawn_ - weight);
+      weight = drawn_;
     }
     std::sort(draws.begin(), draws.end());
     const auto at = [&](double share) {
-      return draws[static_cast<std::size_t>(std::lround(share * static_cast<double>(draws.size() - 1)))];
+      auto draw = draws.begin();
+      for (double below = draw->second; below < share * weight && draw + 1 != draws.end(); below += draw->second) {
+        ++draw;
+      }
+      return draw->first;
     };
     size.interval_95 = {std::min(value.value, at(0.025)), std::max(value.value, at(0.975))};
     // A bound gathers all draws that would lie beyond it.
-    const bool spread = draws.front() < draws.back();
-    size.at_bound = {spread && size.interval_95[0] == draws.front(), spread && size.interval_95[1] == draws.back()};
+    const double low = draws.front().first;
+    const double high = draws.back().first;
+    size.at_bound = {low < high && size.interval_95[0] == low, low < high && size.interval_95[1] == high};
   }
 
   const fit::HypothesisFitter& fitter_;
   const FittedLaw& fitted_;
   const fit::Hypothesis hypothesis_;
   const std::vector<std::string>& effects_;
-  const DiagnosisOptions& options_;
+  const double weight_;
   std::mt19937 generator_;
   const fit::BlockGrams blocks_;
-  std::vector<Eigen::VectorXd> mistakes_;  // each of standard deviation 1
-  std::map<Key, std::vector<double>> draws_;
-  std::size_t resamples_ = 0;
+  const Point best_;
+  std::vector<Eigen::VectorXd> mistakes_;                        // each of standard deviation 1
+  std::map<Key, std::vector<std::pair<double, double>>> draws_;  // each with its weight
+  double drawn_ = 0.0;                                           // weight of all resamples
 };
 
 }  // namespace
 
-Sizes sizesOf(const fit::HypothesisFitter& fitter, const FittedLaw& fitted, const std::vector<double>& form_error,
+Sizes sizesOf(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
               const std::vector<std::string>& effects, const DiagnosisOptions& options) {
-  return Resampling(fitter, fitted, form_error, effects, options).run();
+  Resampling first(laws.front(), form_error, effects, options);
+  for (std::size_t l = 1; l < laws.size(); ++l) {
+    first.add(Resampling(laws[l], form_error, effects, options));
+  }
+  return first.sizes();
 }
 
 }  // namespace rubber_suspension::diagnosis

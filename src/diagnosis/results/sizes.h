@@ -16,10 +16,18 @@ struct Sizes {
   std::vector<SizedValue> written;  ///< every number of its component, by its place there (io::numberPlace)
 };
 
-/// Sizes of a fitted law. Intervals are percentiles over resampled blocks of the logs: each resample moves the fit by
-/// one step of its own normal equations, within the bounds of the fit, and the numbers of each member by what its form
-/// error may be mistaken for. `effects`: names of the members.
-Sizes sizesOf(const fit::HypothesisFitter& fitter, const FittedLaw& fitted, const std::vector<double>& form_error,
+/// A law, what fitted it, and how probable it is beside the others, up to a factor.
+struct SizedLaw {
+  const fit::HypothesisFitter& fitter;
+  const FittedLaw& fitted;
+  double weight = 1.0;
+};
+
+/// Sizes of the first of several laws of the same effects. Intervals are percentiles over resampled blocks of
+/// the logs: each resample moves the fit by one step of its own normal equations, within the bounds of the fit, and the
+/// numbers of each member by what its form error may be mistaken for. Those of the model and of the effects are over
+/// all laws that have the same sizes, by their weights. `effects`: names of the members.
+Sizes sizesOf(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
               const std::vector<std::string>& effects, const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis

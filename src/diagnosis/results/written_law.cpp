@@ -1,10 +1,14 @@
 // Fit, sizes, rounding and gap of the law that is written.
 #include "diagnosis/results/written_law.h"
 
+#include <algorithm>
 #include <cmath>
+#include <deque>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "diagnosis/judge/score.h"
 #include "diagnosis/results/rounding.h"
 #include "diagnosis/results/simplest_law.h"
 
@@ -52,6 +56,18 @@ gap::Forces byRounding(const io::ComponentDescription& exact, const io::Componen
   return change;
 }
 
+// How probable a law is by what it leaves more than the best of all, as the judgement sees it.
+double weightOf(double gap, const SimplestLaw& simple) {
+  const JudgeNumbers& numbers = fittedNumbers();
+  double least = simple.gap;
+  for (const auto& other : simple.others) {
+    least = std::min(least, other.first);
+  }
+  const double expected = std::inner_product(simple.form_error.begin(), simple.form_error.end(),
+                                             simple.form_error.begin(), numbers.accepted * numbers.accepted);
+  return std::exp(-0.5 * numbers.sharpness * lossOf(gap * gap - least * least, expected, numbers));
+}
+
 io::ComponentDescription componentOf(const PreparedCase& prepared, const fit::ParameterVector& parameters,
                                      const std::vector<Entries>& added) {
   io::ComponentDescription result = prepared.model.apply(parameters.model);
@@ -70,9 +86,17 @@ WrittenLaw writtenLaw(const PreparedCase& prepared, const std::vector<fit::Candi
   const HeldOut held_out{prepared.held_out, prepared.zeros.held_out};
   const SimplestLaw simple = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
   const FittedLaw full = fullLaw(judged, candidates);
-  const LawFitter fitter(prepared.fitter, simple.fitted.law, options.threads);
+  std::deque<LawFitter> fitters;
+  std::vector<SizedLaw> laws;
+  const auto addLaw = [&](double gap, const FittedLaw& one) {
+    laws.push_back({fitters.emplace_back(prepared.fitter, one.law, options.threads), one, weightOf(gap, simple)});
+  };
+  addLaw(simple.gap, simple.fitted);
+  for (const auto& [gap, other] : simple.others) {
+    addLaw(gap, other);
+  }
   WrittenLaw law;
-  law.sizes = sizesOf(fitter, simple.fitted, simple.form_error, effectsOf(simple.fitted.law, candidates), options);
+  law.sizes = sizesOf(laws, simple.form_error, effectsOf(simple.fitted.law, candidates), options);
   law.full = componentOf(prepared, full.fit.parameters, full.law.at(full.fit.parameters.scales));
   const auto exact =
       componentOf(prepared, simple.fitted.fit.parameters, simple.fitted.law.at(simple.fitted.fit.parameters.scales));

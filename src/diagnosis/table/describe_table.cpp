@@ -265,7 +265,7 @@ class TableDescriber {
   void describeParameters() {
     result_.parameter_ratios = measured_.model().ratios(search_.re_estimated.fit.parameters.model);
     const FittedLaw law = fullLaw(judged_, search_.candidates);
-    Sizes sizes = sizesOf(measured_.fitter(), law, {}, effectsOf(law.law, search_.candidates), options_);
+    Sizes sizes = sizesOf({{measured_.fitter(), law}}, {}, effectsOf(law.law, search_.candidates), options_);
     result_.model_sizes = std::move(sizes.model);
     result_.effect_sizes = std::move(sizes.effects);
     result_.written = std::move(sizes.written);
