@@ -62,12 +62,11 @@ std::string section(const std::string& title, const std::vector<std::string>& ti
   if (rows.empty()) {
     return "";
   }
-  diagnosis::Table table(titles);
-  std::for_each(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(std::min(kMostRows, rows.size())),
-                [&](const auto& row) { table.add(row); });
-  const std::string rest =
-      rows.size() > kMostRows ? fmt::format("and {} more, in table.csv. ", rows.size() - kMostRows) : "";
-  return "<h3>" + title + "</h3>\n" + table.html() + "<p class=note>" + rest + note + "</p>\n";
+  const std::size_t shown = std::min(kMostRows, rows.size());
+  const std::string rest = shown < rows.size() ? fmt::format("and {} more, in table.csv. ", rows.size() - shown) : "";
+  return "<h3>" + title + "</h3>\n" +
+         diagnosis::table(titles, Rows(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(shown))) +
+         "<p class=note>" + rest + note + "</p>\n";
 }
 
 std::string linkTo(const FleetComponent& component) {

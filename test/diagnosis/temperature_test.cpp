@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
-#include "diagnosis/report/temperature_note.h"
+#include "diagnosis/report/sentence.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/record.h"
 #include "warm_rig.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <utility>
 
@@ -33,13 +32,6 @@ std::vector<Ranked> rankedHypotheses(const Workings& workings, const ScoreTable&
   return ranked;
 }
 
-void normalise(std::vector<double>& weights) {
-  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-  for (double& weight : weights) {
-    weight /= sum;
-  }
-}
-
 }  // namespace
 
 std::vector<Explanation> explanationsOf(const Workings& workings) {
@@ -51,17 +43,16 @@ std::vector<Explanation> explanationsOf(const Workings& workings) {
   const Eigen::ArrayXXd losses =
       table.left.binaryExpr(squares, [](double left, double s2) { return lossOf(left, s2, fittedNumbers()); });
   std::vector<Explanation> explanations;
-  std::vector<double> weights;
+  double sum = 0.0;
   for (const auto& [probability, hypothesis] : rankedHypotheses(workings, table)) {
     const FittedHypothesis& fitted = workings.search.at(hypothesis);
     if (explanations.size() < kMost && std::isfinite(fitted.fit.held_out) && probability > 0.0) {
       explanations.push_back({&fitted, probability, onAverage(squares, hypothesis), onAverage(losses, hypothesis)});
-      weights.push_back(probability);
+      sum += probability;
     }
   }
-  normalise(weights);
-  for (std::size_t e = 0; e < explanations.size(); ++e) {
-    explanations[e].probability = weights[e];
+  for (Explanation& explanation : explanations) {
+    explanation.probability /= sum;
   }
   return explanations;
 }

@@ -20,9 +20,9 @@ struct Explanation {
 std::vector<Explanation> explanationsOf(const Workings& workings);
 
 /// How probable it is that the judgement leaves one explanation alone, were it right, once there is one log more beside
-/// `logs`, of which the others leave these squares [of the force's variance] more than it does. All logs count alike, so
-/// that those so far tell less than before. What the right one leaves itself, the form error of its law, scatters as the
-/// judgement expects.
+/// `logs`, of which the others leave these squares [of the force's variance] more than it does. All logs count alike,
+/// so that those so far tell less than before. What the right one leaves itself, the form error of its law, scatters as
+/// the judgement expects.
 double standsAlone(std::size_t right, const std::vector<Explanation>& explanations, const std::vector<double>& more,
                    double logs);
 

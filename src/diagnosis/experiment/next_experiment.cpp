@@ -72,7 +72,8 @@ class Proposer {
     const Experiment& chosen = *best.experiment;
     NextExperiment next;
     next.text = fmt::format(
-        "{}. It is to decide between {}. If {} is right, {}, fitted anew, would be off by {} there. Whichever is right, "
+        "{}. It is to decide between {}. If {} is right, {}, fitted anew, would be off by {} there. Whichever is "
+        "right, "
         "the nearest other one is off by {:.1f} times the noise on average. The right one alone remains in {} % of "
         "cases.",
         chosen.description, allNames(), nameOfExplanation(0), nameOfExplanation(best.nearest),
@@ -113,11 +114,11 @@ class Proposer {
                 {}};
       }
     }
-    return {
-        text + fmt::format("Twice the stroke, twice the speed or five times the time would not do. The noise would have "
-                           "to fall to {:.2g} % of today's.",
-                           100.0 * best.floors / kLeastFloors),
-        {}};
+    return {text + fmt::format(
+                       "Twice the stroke, twice the speed or five times the time would not do. The noise would have "
+                       "to fall to {:.2g} % of today's.",
+                       100.0 * best.floors / kLeastFloors),
+            {}};
   }
 
   const Search& search_;

@@ -22,7 +22,7 @@ bool isNamed(const Diagnosis& d, const CandidateResult& candidate) { return cont
 std::string parametersText(const CandidateResult& candidate) {
   std::string text;
   for (const HeadlineValue& value : headlineValuesOf(candidate.add)) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", spoken(value.name), quantity(value.value, value.unit));
+    text += (text.empty() ? "" : ", ") + spoken(value.name) + " " + quantity(value.value, value.unit);
   }
   return text;
 }
@@ -32,15 +32,11 @@ std::string closedText(const CandidateResult& c) {
                      wholePercent(std::min(1.0, c.interval[1])));
 }
 
-Table emptyTable() {
-  return Table({"effect", "#probability", "#gap with it alone", "#removes (95 %)", "parameters, or why out"});
-}
-
-void addRow(Table& table, const Diagnosis& d, const CandidateResult& c) {
-  table.add({fmt::format("<b>{}</b><br><span class=note>{}{}</span>", escape(c.effect), escape(c.documentation),
-                         c.on_rig ? " (on the rig, not in the rubber)" : ""),
-             chance(c.probability) + " %", percent(c.gap), closedText(c),
-             escape(isNamed(d, c) ? parametersText(c) : whyOut(d, c))});
+Row rowOf(const Diagnosis& d, const CandidateResult& c) {
+  return {fmt::format("<b>{}</b><br><span class=note>{}{}</span>", escape(c.effect), escape(c.documentation),
+                      c.on_rig ? " (on the rig, not in the rubber)" : ""),
+          chance(c.probability) + " %", percent(c.gap), closedText(c),
+          escape(isNamed(d, c) ? parametersText(c) : whyOut(d, c))};
 }
 
 std::string notTestable(const Diagnosis& d) {
@@ -84,15 +80,13 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
 }
 
 std::string candidateSection(const Diagnosis& d) {
-  Table shown = emptyTable();
-  Table rest = emptyTable();
-  int count = 0;
+  const Row titles = {"effect", "#probability", "#gap with it alone", "#removes (95 %)", "parameters, or why out"};
+  std::vector<Row> shown;
+  std::vector<Row> rest;
   for (const CandidateResult& c : d.candidates) {
-    const bool likely = c.probability >= kShown || isNamed(d, c);
-    addRow(likely ? shown : rest, d, c);
-    count += likely ? 0 : 1;
+    (c.probability >= kShown || isNamed(d, c) ? shown : rest).push_back(rowOf(d, c));
   }
-  std::string html = shown.empty() ? "<p>No candidate reaches a probability of 1 %.</p>\n" : shown.html();
+  std::string html = shown.empty() ? "<p>No candidate reaches a probability of 1 %.</p>\n" : table(titles, shown);
   html += fmt::format(
       "<p>No gap: {} %. Wrong values of the model alone: {} %. None of these: {} %. All candidates at once, as a "
       "flexible fit without claim to a cause, "
@@ -100,8 +94,8 @@ std::string candidateSection(const Diagnosis& d) {
       chance(d.posterior.none), chance(d.posterior.parameter_error), chance(d.posterior.none_of_these),
       percent(d.workings->search.surrogate_gap), sourceOf(d));
   html += fmt::format("<p class=note>{}</p>\n<p>{}</p>\n", kProbability, escape(notTestable(d)));
-  return rest.empty() ? html
-                      : html + folded(fmt::format("{} candidates below 1 %, and why they are out", count), rest.html());
+  const std::string title = fmt::format("{} candidates below 1 %, and why they are out", rest.size());
+  return rest.empty() ? html : html + folded(title, table(titles, rest));
 }
 
 }  // namespace rubber_suspension::diagnosis

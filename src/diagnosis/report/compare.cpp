@@ -51,15 +51,16 @@ bool differ(const Measured& before, const Measured& after) {
 
 using Values = std::map<std::string, Measured>;
 
+// A list of a report; empty where it has none.
+json listIn(const json& report, const char* name) { return report.value(name, json::array()); }
+
 Values sizesIn(const json& report) {
   Values values;
   for (const char* list : {"model_sizes", "effect_sizes"}) {
-    if (report.contains(list)) {
-      for (const json& entry : report.at(list)) {
-        const std::string owner = entry.at("owner").get<std::string>();
-        const std::string name = entry.at("name").get<std::string>();
-        values[owner == "specification" ? symbolOf(name) : spoken(owner + " " + name)] = measuredOf(entry);
-      }
+    for (const json& entry : listIn(report, list)) {
+      const std::string owner = entry.at("owner").get<std::string>();
+      const std::string name = entry.at("name").get<std::string>();
+      values[owner == "specification" ? symbolOf(name) : spoken(owner + " " + name)] = measuredOf(entry);
     }
   }
   return values;
@@ -67,11 +68,9 @@ Values sizesIn(const json& report) {
 
 Values findingsIn(const json& report) {
   Values values;
-  if (report.contains("rig_findings")) {
-    for (const json& entry : report.at("rig_findings")) {
-      values[spoken(entry.at("finding").get<std::string>()) + " of " + entry.at("log").get<std::string>()] =
-          measuredOf(entry);
-    }
+  for (const json& entry : listIn(report, "rig_findings")) {
+    values[spoken(entry.at("finding").get<std::string>()) + " of " + entry.at("log").get<std::string>()] =
+        measuredOf(entry);
   }
   return values;
 }
@@ -195,24 +194,17 @@ class Comparer {
 
 }  // namespace
 
-struct EarlierReport::Content {
-  std::string path;
-  json report;
-};
-
-EarlierReport::EarlierReport(const std::string& path) : content_(std::make_unique<Content>()) {
-  content_->path = path;
+EarlierReport::EarlierReport(const std::string& path) : path_(path) {
   std::string content;
   try {
     content = log::readFile(path, kLargestReport);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(log::oneLine(path + ": " + error.what()));
   }
-  content_->report = json::parse(content, nullptr, false);
-  if (!content_->report.is_object()) {
+  const json report = json::parse(content, nullptr, false);
+  if (!report.is_object()) {
     refuse(path, "is no JSON object");
   }
-  const json& report = content_->report;
   if (!report.contains("schema") || report["schema"] != kReportSchema) {
     refuse(path, "schema is " + (report.contains("schema") ? report["schema"].dump() : "missing"));
   }
@@ -221,18 +213,16 @@ EarlierReport::EarlierReport(const std::string& path) : content_(std::make_uniqu
   } catch (const json::exception& error) {
     refuse(path, error.what());
   }
+  report_ = std::make_shared<const json>(report);
 }
 
-EarlierReport::~EarlierReport() = default;
-
 Comparison EarlierReport::compare(const Diagnosis& diagnosis) const {
-  const json& report = content_->report;
   Comparison comparison;
-  comparison.with = content_->path;
-  if (report.contains("meta") && report["meta"].is_object()) {
-    comparison.date = report["meta"].value("date", "");
+  comparison.with = path_;
+  if (report_->contains("meta") && report_->at("meta").is_object()) {
+    comparison.date = report_->at("meta").value("date", "");
   }
-  comparison.changes = Comparer(report, json::parse(toJson(diagnosis))).run();
+  comparison.changes = Comparer(*report_, json::parse(toJson(diagnosis))).run();
   return comparison;
 }
 
@@ -257,17 +247,18 @@ std::string comparisonSection(const Comparison& comparison) {
   if (comparison.with.empty()) {
     return "";
   }
-  Table differing({"", "before", "now"});
-  Table same({"", "before", "now"});
+  std::vector<Row> differing;
+  std::vector<Row> same;
   for (const ReportChange& change : comparison.changes) {
-    (change.differs ? differing : same).add({escape(change.what), escape(change.before), escape(change.after)});
+    (change.differs ? differing : same).push_back({escape(change.what), escape(change.before), escape(change.after)});
   }
+  const Row titles = {"", "before", "now"};
   return "<h2>What changed</h2>\n<p>Since <code>" + escape(comparison.with) + "</code>" +
          (comparison.date.empty() ? "" : ", " + escape(comparison.date)) +
          ". Values differ here where their 95 % intervals have nothing in common, gaps where they changed by more than "
          "both noise floors together.</p>\n" +
-         (differing.empty() ? "<p>Nothing differs beyond noise and intervals.</p>\n" : differing.html()) +
-         (same.empty() ? "" : folded("As before, within noise and intervals", same.html()));
+         (differing.empty() ? "<p>Nothing differs beyond noise and intervals.</p>\n" : table(titles, differing)) +
+         (same.empty() ? "" : folded("As before, within noise and intervals", table(titles, same)));
 }
 
 }  // namespace rubber_suspension::diagnosis

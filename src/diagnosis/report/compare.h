@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -14,18 +15,14 @@ class EarlierReport {
   /// Throws std::runtime_error, one line that begins with the path, where it cannot be read or is no report of
   /// `diagnose`.
   explicit EarlierReport(const std::string& path);
-  ~EarlierReport();
-  EarlierReport(const EarlierReport&) = delete;
-  EarlierReport& operator=(const EarlierReport&) = delete;
-
   /// Verdict, gaps, sizes, rig findings and the places of the gap, each as it was and as it is. A size or finding
   /// differs where the two 95 % intervals have nothing in common; a place where its part of the gap changed by more
   /// than both noise floors together.
   Comparison compare(const Diagnosis& diagnosis) const;
 
  private:
-  struct Content;
-  std::unique_ptr<Content> content_;
+  std::string path_;
+  std::shared_ptr<const nlohmann::json> report_;
 };
 
 /// The differences as lines for a terminal, after one that says with what was compared.

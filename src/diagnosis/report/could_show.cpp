@@ -1,7 +1,8 @@
 // Implanted effects: on the page, for a terminal, as JSON.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <cctype>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -16,6 +17,27 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr std::array kOutcomes = {"found", "confounded", "taken_for", "unexplained", "out_of_reach"};
+
+std::string outcomeText(const std::string& outcome) {
+  static const std::map<std::string, std::string> texts = {{"found", "found"},
+                                                           {"confounded", "found in a set"},
+                                                           {"taken_for", "taken for another"},
+                                                           {"unexplained", "left unexplained"},
+                                                           {"out_of_reach", "out of reach"}};
+  return texts.at(outcome);
+}
+
+std::vector<std::string> effectsWith(const std::string& outcome, const CouldShow& could_show) {
+  std::vector<std::string> effects;
+  for (const ImplantedEffect& row : could_show.implanted) {
+    if (row.outcome == outcome) {
+      effects.push_back(spoken(row.effect));
+    }
+  }
+  return effects;
+}
+
 std::string leastSizeText(double size) { return std::isfinite(size) ? fmt::format("{:.2g} %", 100.0 * size) : "none"; }
 
 std::string namesText(const std::vector<std::string>& names, std::size_t most) {
@@ -27,53 +49,45 @@ std::string namesText(const std::vector<std::string>& names, std::size_t most) {
 }
 
 std::string outcomeTable(const CouldShow& could_show) {
-  Table table({"implanted", "would be", "with, or as", "#left by other parameter values", "#least size seen"});
-  for (const ImplantedEffect& row : could_show.implanted) {
-    table.add({escape(spoken(row.effect)), outcomeText(row.outcome), escape(spoken(namesText(row.taken_for, 4))),
-               wholePercent(row.visible_share) + " %", leastSizeText(row.least_size)});
-  }
-  return table.html();
+  return table({"implanted", "would be", "with, or as", "#left by other parameter values", "#least size seen"},
+               could_show.implanted, [](const ImplantedEffect& row) -> Row {
+                 return {escape(spoken(row.effect)), outcomeText(row.outcome),
+                         escape(spoken(namesText(row.taken_for, 4))), wholePercent(row.visible_share) + " %",
+                         leastSizeText(row.least_size)};
+               });
 }
 
-// The matrix as a list: of each effect what its shapes would be named, largest share first.
-std::string confusionTable(const CouldShow& could_show) {
-  Table table({"implanted", "would be named first"});
-  for (const ImplantedEffect& row : could_show.implanted) {
-    std::multimap<double, std::string, std::greater<>> shares;
-    for (std::size_t e = 0; e < row.named_as.size(); ++e) {
-      if (row.named_as[e] > 0.0) {
-        shares.emplace(row.named_as[e], spoken(could_show.effects[e]));
-      }
-    }
-    if (row.nothing_named > 0.0) {
-      shares.emplace(row.nothing_named, "nothing");
-    }
-    std::vector<std::string> texts;
-    for (const auto& [share, name] : shares) {
+// What the shapes of an effect would be named, largest share first.
+std::string namedFirst(const CouldShow& could_show, const ImplantedEffect& row) {
+  std::multimap<double, std::string, std::greater<>> shares;
+  for (std::size_t e = 0; e < row.named_as.size(); ++e) {
+    shares.emplace(row.named_as[e], spoken(could_show.effects[e]));
+  }
+  shares.emplace(row.nothing_named, "nothing");
+  std::vector<std::string> texts;
+  for (const auto& [share, name] : shares) {
+    if (share > 0.0) {
       texts.push_back(fmt::format("{} {} %", name, wholePercent(share)));
     }
-    table.add({escape(spoken(row.effect)), escape(enumerated(texts))});
   }
-  return table.html();
+  return enumerated(texts);
+}
+
+std::string confusionTable(const CouldShow& could_show) {
+  return table({"implanted", "would be named first"}, could_show.implanted, [&](const ImplantedEffect& row) -> Row {
+    return {escape(spoken(row.effect)), escape(namedFirst(could_show, row))};
+  });
 }
 
 // "Found: friction, creep. Out of reach: inertia.", which is all that fits on paper.
 std::string outcomesInWords(const CouldShow& could_show) {
-  std::string text;
-  for (const char* outcome : {"found", "confounded", "taken_for", "unexplained", "out_of_reach"}) {
-    std::vector<std::string> effects;
-    for (const ImplantedEffect& row : could_show.implanted) {
-      if (row.outcome == outcome) {
-        effects.push_back(spoken(row.effect));
-      }
-    }
-    if (!effects.empty()) {
-      std::string sentence = outcomeText(outcome) + ": " + enumerated(effects) + ".";
-      sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
-      text += (text.empty() ? "" : " ") + sentence;
+  std::vector<std::string> sentences;
+  for (const char* outcome : kOutcomes) {
+    if (const auto effects = effectsWith(outcome, could_show); !effects.empty()) {
+      sentences.push_back(capitalised(outcomeText(outcome)) + ": " + enumerated(effects) + ".");
     }
   }
-  return text;
+  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 ordered_json rowJson(const CouldShow& could_show, const ImplantedEffect& row) {
@@ -94,13 +108,14 @@ ordered_json rowJson(const CouldShow& could_show, const ImplantedEffect& row) {
 
 }  // namespace
 
-std::string outcomeText(const std::string& outcome) {
-  static const std::map<std::string, std::string> texts = {{"found", "found"},
-                                                           {"confounded", "found in a set"},
-                                                           {"taken_for", "taken for another"},
-                                                           {"unexplained", "left unexplained"},
-                                                           {"out_of_reach", "out of reach"}};
-  return texts.at(outcome);
+std::string outcomesInNumbers(const CouldShow& could_show) {
+  std::vector<std::string> counts;
+  for (const char* outcome : kOutcomes) {
+    if (const auto effects = effectsWith(outcome, could_show); !effects.empty()) {
+      counts.push_back(fmt::format("{} {}", effects.size(), outcomeText(outcome)));
+    }
+  }
+  return fmt::format("{}", fmt::join(counts, ", "));
 }
 
 std::string couldShowHtml(const CouldShow& could_show) {

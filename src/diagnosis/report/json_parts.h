@@ -11,7 +11,7 @@ namespace rubber_suspension::diagnosis {
 /// all of the force reaches is null.
 nlohmann::ordered_json toJson(const CouldShow& could_show);
 
-/// A table that was diagnosed, and its rows.
-nlohmann::ordered_json tableJson(const DiagnosedTable& table);
+/// The program that made a report, without the files that it read.
+nlohmann::ordered_json metaJson(const RunRecord& run);
 
 }  // namespace rubber_suspension::diagnosis

@@ -35,8 +35,8 @@ std::string tableSection(const Diagnosis& diagnosis);
 /// what.
 std::string couldShowHtml(const CouldShow& could_show);
 
-/// "found", "taken for another", ...: an outcome for people.
-std::string outcomeText(const std::string& outcome);
+/// "12 found, 3 out of reach": how many effects have each outcome.
+std::string outcomesInNumbers(const CouldShow& could_show);
 
 /// The meaning of a finding about the rig, and how to mend it at the bench.
 struct FindingAdvice {

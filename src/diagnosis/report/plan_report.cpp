@@ -16,28 +16,15 @@ namespace {
 using nlohmann::ordered_json;
 
 std::string logTable(const Plan& plan) {
-  Table table({"log", "#length [s]", "#rate [Hz]", "#largest |z|", "#largest speed", "#largest force"});
-  for (const PlannedLog& log : plan.logs) {
-    table.add({escape(log.log), fmt::format("{:.1f}", log.duration), fmt::format("{:.4g}", 1.0 / log.dt),
-               quantity(log.largest_displacement, "m"), quantity(log.highest_rate, "m/s"),
-               quantity(log.largest_force, "N")});
-  }
-  return table.html();
-}
-
-// How many effects have an outcome.
-std::string summaryOf(const CouldShow& could_show) {
-  std::string text;
-  for (const char* outcome : {"found", "confounded", "taken_for", "unexplained", "out_of_reach"}) {
-    std::size_t count = 0;
-    for (const ImplantedEffect& row : could_show.implanted) {
-      count += row.outcome == outcome ? 1 : 0;
-    }
-    if (count > 0) {
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, outcomeText(outcome));
-    }
-  }
-  return text;
+  return table({"log", "#length [s]", "#rate [Hz]", "#largest |z|", "#largest speed", "#largest force"}, plan.logs,
+               [](const PlannedLog& log) -> Row {
+                 return {escape(log.log),
+                         fmt::format("{:.1f}", log.duration),
+                         fmt::format("{:.4g}", 1.0 / log.dt),
+                         quantity(log.largest_displacement, "m"),
+                         quantity(log.highest_rate, "m/s"),
+                         quantity(log.largest_force, "N")};
+               });
 }
 
 }  // namespace
@@ -52,19 +39,18 @@ std::string toJson(const Plan& plan) {
                     {"highest_rate_m_per_s", log.highest_rate},
                     {"largest_force_N", log.largest_force}});
   }
-  const ordered_json report = {
-      {"schema", "rubber_suspension/experiment_plan/1"},
-      {"component", plan.component},
-      {"logs", logs},
-      {"could_show", toJson(plan.could_show)},
-      {"meta", {{"version", plan.run.version}, {"date", plan.run.date}, {"command_line", plan.run.command_line}}}};
+  const ordered_json report = {{"schema", "rubber_suspension/experiment_plan/1"},
+                               {"component", plan.component},
+                               {"logs", logs},
+                               {"could_show", toJson(plan.could_show)},
+                               {"meta", metaJson(plan.run)}};
   return report.dump(2) + "\n";
 }
 
 std::string toHtml(const Plan& plan) {
   const std::string title = "Experiment plan: " + plan.component;
   return page(title, fmt::format("<p class=kicker>{}</p>\n<h1>Of {} effects: {}.</h1>\n", escape(title),
-                                 plan.could_show.implanted.size(), summaryOf(plan.could_show)) +
+                                 plan.could_show.implanted.size(), outcomesInNumbers(plan.could_show)) +
                          couldShowHtml(plan.could_show) + "<h2>The programmes</h2>\n" + logTable(plan) +
                          fmt::format("<p class=note>Forces are those of the component as configured. Made by:</p>\n"
                                      "<pre>{}</pre>\n",

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <map>
 #include <numeric>
 
 #include "diagnosis/prepare/bench_evidence.h"
@@ -20,12 +20,6 @@ namespace {
 
 constexpr double kCyclesOfLoop = 3.0;       // of a loop: more run into one area
 constexpr Eigen::Index kMostPoints = 1500;  // of a curve
-constexpr const char* kLoopsFigure = "loops";
-constexpr const char* kWhere = "where";
-constexpr const char* kResidual = "residual_over_displacement";
-constexpr const char* kTime = "gap_over_time";
-constexpr const char* kMissing = "missing_force";
-constexpr const char* kBench = "bench";
 constexpr std::size_t kMostLoops = 4;
 
 std::vector<double> take(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Index count, double factor) {
@@ -145,55 +139,18 @@ bool isExcited(const gap::GapCell& cell, const std::array<double, 2>& band) {
 }
 
 io::Figure gapMapFigure(const Diagnosis& diagnosis) {
-  std::map<double, std::map<double, double>> share;  // by lower edge of amplitude, then of frequency
-  std::vector<double> x_edges;
-  std::vector<double> y_edges;
   const std::array<double, 2> band = excitedBand(*diagnosis.workings);
+  std::vector<gap::GapCell> cells;
+  std::vector<double> frequencies;
+  std::vector<double> amplitudes;
   for (const gap::GapCell& cell : diagnosis.where) {
-    if (!isExcited(cell, band)) {
-      continue;
-    }
-    share[cell.amplitude[0]][cell.frequency[0]] += 100.0 * cell.share;
-    x_edges.insert(x_edges.end(), cell.frequency.begin(), cell.frequency.end());
-    y_edges.insert(y_edges.end(), cell.amplitude.begin(), cell.amplitude.end());
-  }
-  const auto unique = [](std::vector<double>& edges) {
-    std::sort(edges.begin(), edges.end());
-    edges.erase(
-        std::unique(edges.begin(), edges.end(), [](double a, double b) { return std::abs(a / b - 1.0) < 1e-9; }),
-        edges.end());
-  };
-  unique(x_edges);
-  unique(y_edges);
-  io::Figure figure{"Where the squared gap lies", {}, 1};
-  if (x_edges.size() < 2 || y_edges.size() < 2) {
-    return figure;
-  }
-  io::HeatMap map;
-  map.label = "share of the squared gap [%]";
-  const auto at = [&](double amplitude, double frequency) {
-    for (const auto& [a, row] : share) {
-      for (const auto& [f, value] : row) {
-        if (std::abs(a / amplitude - 1.0) < 1e-9 && std::abs(f / frequency - 1.0) < 1e-9) {
-          return value;
-        }
-      }
-    }
-    return std::numeric_limits<double>::quiet_NaN();
-  };
-  for (std::size_t y = 0; y + 1 < y_edges.size(); ++y) {
-    for (std::size_t x = 0; x + 1 < x_edges.size(); ++x) {
-      map.values.push_back(at(y_edges[y], x_edges[x]));
+    if (isExcited(cell, band)) {
+      cells.push_back(cell);
+      frequencies.insert(frequencies.end(), cell.frequency.begin(), cell.frequency.end());
+      amplitudes.insert(amplitudes.end(), cell.amplitude.begin(), cell.amplitude.end());
     }
   }
-  map.x_edges = x_edges;
-  for (const double edge : y_edges) {
-    map.y_edges.push_back(1e3 * edge);
-  }
-  io::Axes axes{"", "frequency [Hz]", "amplitude [mm]", true, true};
-  axes.maps.push_back(std::move(map));
-  figure.axes.push_back(std::move(axes));
-  return figure;
+  return shareMap(cells, sortedApart(frequencies), sortedApart(amplitudes));
 }
 
 // Mean residual in bins of displacement, apart for loading and unloading.
@@ -275,6 +232,38 @@ io::Figure residualOverTime(const Diagnosis& diagnosis) {
 
 }  // namespace
 
+std::vector<double> sortedApart(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto same = [](double a, double b) { return std::abs(a / b - 1.0) < 1e-6; };
+  values.erase(std::unique(values.begin(), values.end(), same), values.end());
+  return values;
+}
+
+io::Figure shareMap(const std::vector<gap::GapCell>& cells, const std::vector<double>& frequencies,
+                    const std::vector<double>& amplitudes) {
+  io::Figure figure{"Where the squared gap lies", {}, 1};
+  if (frequencies.size() < 2 || amplitudes.size() < 2) {
+    return figure;
+  }
+  const auto placeIn = [](const std::vector<double>& edges, const std::array<double, 2>& band) {
+    const double middle = std::sqrt(band[0] * band[1]);
+    return static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), middle) - edges.begin()) - 1;
+  };
+  const std::size_t width = frequencies.size() - 1;
+  std::vector<double> shares(width * (amplitudes.size() - 1), std::numeric_limits<double>::quiet_NaN());
+  for (const gap::GapCell& cell : cells) {
+    double& share = shares[placeIn(amplitudes, cell.amplitude) * width + placeIn(frequencies, cell.frequency)];
+    share = (std::isnan(share) ? 0.0 : share) + 100.0 * cell.share;
+  }
+  std::vector<double> millimetres;
+  std::transform(amplitudes.begin(), amplitudes.end(), std::back_inserter(millimetres),
+                 [](double amplitude) { return 1e3 * amplitude; });
+  io::Axes axes{"", "frequency [Hz]", "amplitude [mm]", true, true};
+  axes.maps.push_back({frequencies, millimetres, shares, "share of the squared gap [%]"});
+  figure.axes.push_back(std::move(axes));
+  return figure;
+}
+
 std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
   if (diagnosis.bench_evidence) {
     return {{kBench, "Force over displacement: measured, and simulated as configured.", benchFigure(diagnosis)}};
@@ -318,10 +307,7 @@ std::string figureDataFile(const std::string& name) { return "figure_" + name + 
 
 std::vector<std::string> figureDataFiles() {
   std::vector<std::string> files;
-  for (const char* name : {kLoopsFigure, kWhere, kResidual, kTime, kMissing, kBench}) {
-    files.push_back(figureDataFile(name));
-  }
-  for (const std::string& name : tableFigureNames()) {
+  for (const char* name : {kLoopsFigure, kWhere, kResidual, kTime, kMissing, kBench, kStiffness, kLossAngle}) {
     files.push_back(figureDataFile(name));
   }
   return files;

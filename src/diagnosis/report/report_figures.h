@@ -9,6 +9,15 @@
 
 namespace rubber_suspension::diagnosis {
 
+inline constexpr const char* kLoopsFigure = "loops";
+inline constexpr const char* kWhere = "where";
+inline constexpr const char* kResidual = "residual_over_displacement";
+inline constexpr const char* kTime = "gap_over_time";
+inline constexpr const char* kMissing = "missing_force";
+inline constexpr const char* kBench = "bench";
+inline constexpr const char* kStiffness = "stiffness";
+inline constexpr const char* kLossAngle = "loss_angle";
+
 /// A figure of the report; its numbers stand in figure_NAME.csv.
 struct ReportFigure {
   std::string name;
@@ -24,8 +33,13 @@ std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis);
 /// Those of a report on a table: stiffness, where the gap lies, and loss angle, in this order.
 std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis);
 
-/// Their names, but for that of the map, which reports on logs have as well.
-std::vector<std::string> tableFigureNames();
+/// Share of the squared gap over cells between these edges [Hz, m]: each is where the middle of its band lies. Without
+/// axes where the edges have nothing between them.
+io::Figure shareMap(const std::vector<gap::GapCell>& cells, const std::vector<double>& frequencies,
+                    const std::vector<double>& amplitudes);
+
+/// Values in their order, those once that are the same.
+std::vector<double> sortedApart(std::vector<double> values);
 
 /// The diagnosis on one page, as `diagnose --plot` draws it: the report's figures, each for one log, which is the first
 /// hold-out or, without hold-outs, that of the largest gap.

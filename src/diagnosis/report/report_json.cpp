@@ -1,6 +1,6 @@
 // The report for programs: report.json.
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <complex>
 
 #include "diagnosis/report/json_parts.h"
 #include "diagnosis/results/workings.h"
@@ -11,16 +11,21 @@ namespace {
 
 using nlohmann::ordered_json;  // which writes null for what is not finite
 
-ordered_json entries(const std::vector<element::ElementDescription>& elements) {
+template <class T, class Function>
+ordered_json list(const std::vector<T>& values, Function convert) {
   ordered_json result = ordered_json::array();
-  for (const element::ElementDescription& element : elements) {
-    ordered_json entry = {{"type", element.type}};
-    for (const auto& [name, values] : element.values) {
-      entry[name] = values.size() == 1 ? ordered_json(values[0]) : ordered_json(values);
-    }
-    result.push_back(entry);
+  for (const T& value : values) {
+    result.push_back(convert(value));
   }
   return result;
+}
+
+ordered_json entryJson(const element::ElementDescription& element) {
+  ordered_json entry = {{"type", element.type}};
+  for (const auto& [name, values] : element.values) {
+    entry[name] = values.size() == 1 ? ordered_json(values[0]) : ordered_json(values);
+  }
+  return entry;
 }
 
 ordered_json candidateJson(const CandidateResult& candidate) {
@@ -33,7 +38,7 @@ ordered_json candidateJson(const CandidateResult& candidate) {
           {"visible_share", candidate.visible_share},
           {"on_rig", candidate.on_rig},
           {"parameters", candidate.parameters},
-          {"add", entries(candidate.add)}};
+          {"add", list(candidate.add, entryJson)}};
 }
 
 ordered_json cellJson(const gap::GapCell& cell) {
@@ -84,6 +89,24 @@ ordered_json surrogateJson(const Surrogate& surrogate) {
           {"missing_force", "missing_force.csv"}};
 }
 
+ordered_json stiffnessJson(std::complex<double> stiffness) {
+  return {{"stiffness_N_per_m", std::abs(stiffness)}, {"loss_angle_rad", std::arg(stiffness)}};
+}
+
+ordered_json rowJson(const DiagnosedRow& row) {
+  ordered_json json = {{"frequency_hz", row.measured.frequency},
+                       {"amplitude_m", row.measured.amplitude},
+                       {"mean_displacement_m", row.measured.mean}};
+  if (row.measured.temperature) {
+    json["temperature_degC"] = *row.measured.temperature;
+  }
+  json["measured"] = stiffnessJson(row.measured.complexStiffness());
+  json["as_configured"] = stiffnessJson(row.as_configured);
+  json["re_estimated"] = stiffnessJson(row.re_estimated);
+  json["augmented"] = stiffnessJson(row.augmented);
+  return json;
+}
+
 // Every hypothesis that was fitted, with its held-out error.
 ordered_json hypothesesJson(const Search& search) {
   ordered_json result = ordered_json::array();
@@ -113,17 +136,6 @@ ordered_json ratiosJson(const ParameterRatios& ratios) {
   return result;
 }
 
-ordered_json parametersJson(const Diagnosis& diagnosis) {
-  ordered_json by_log = ordered_json::array();
-  for (const ParameterByLog& row : diagnosis.by_log) {
-    by_log.push_back({{"log", row.log},
-                      {"amplitude_m", row.amplitude},
-                      {"frequency_hz", row.frequency},
-                      {"ratios", ratiosJson(row.ratios)}});
-  }
-  return {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}, {"by_log", by_log}};
-}
-
 ordered_json alternativeJson(const Alternative& other) {
   return {{"verdict", toString(other.verdict)}, {"effects", other.effects}, {"probability", other.probability}};
 }
@@ -145,22 +157,12 @@ ordered_json wholeJson(const WholeStiffness& whole) {
           {"after", at(1)}};
 }
 
-// The program that made the report; nothing where it says nothing of itself.
-ordered_json metaJson(const RunRecord& run) {
-  ordered_json files = ordered_json::array();
-  for (const InputFile& file : run.files) {
-    files.push_back({{"option", file.option}, {"name", file.name}, {"sha256", file.sha256}});
-  }
-  return {{"version", run.version}, {"date", run.date}, {"command_line", run.command_line}, {"files", files}};
+ordered_json fileJson(const InputFile& file) {
+  return {{"option", file.option}, {"name", file.name}, {"sha256", file.sha256}};
 }
 
-ordered_json comparisonJson(const Comparison& comparison) {
-  ordered_json changes = ordered_json::array();
-  for (const ReportChange& change : comparison.changes) {
-    changes.push_back(
-        {{"what", change.what}, {"before", change.before}, {"after", change.after}, {"differs", change.differs}});
-  }
-  return {{"with", comparison.with}, {"date", comparison.date}, {"changes", changes}};
+ordered_json changeJson(const ReportChange& change) {
+  return {{"what", change.what}, {"before", change.before}, {"after", change.after}, {"differs", change.differs}};
 }
 
 ordered_json experimentJson(const ProposedExperiment& experiment) {
@@ -174,16 +176,11 @@ ordered_json experimentJson(const ProposedExperiment& experiment) {
           {"confidence", experiment.probability}};
 }
 
-template <class T, class Function>
-ordered_json list(const std::vector<T>& values, Function convert) {
-  ordered_json result = ordered_json::array();
-  for (const T& value : values) {
-    result.push_back(convert(value));
-  }
-  return result;
-}
-
 }  // namespace
+
+ordered_json metaJson(const RunRecord& run) {
+  return {{"version", run.version}, {"date", run.date}, {"command_line", run.command_line}};
+}
 
 std::string toJson(const Diagnosis& diagnosis) {
   ordered_json report = {{"schema", "rubber_suspension/gap_report/1"},
@@ -221,11 +218,11 @@ std::string toJson(const Diagnosis& diagnosis) {
                          {"effect_sizes", list(diagnosis.effect_sizes, sizeJson)},
                          {"written", list(diagnosis.written, sizeJson)},
                          {"whole_component", diagnosis.whole ? wholeJson(*diagnosis.whole) : ordered_json(nullptr)},
-                         {"augmented_full_add", entries(diagnosis.augmented_full.add)},
+                         {"augmented_full_add", list(diagnosis.augmented_full.add, entryJson)},
                          {"errors",
                           {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
                            {"augmented", errorsJson(diagnosis.errors_augmented)}}},
-                         {"own_parameters", parametersJson(diagnosis)},
+                         {"own_parameters", {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}}},
                          {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
                          {"admission", list(diagnosis.admission, admissionJson)}};
   if (diagnosis.turns) {
@@ -240,16 +237,23 @@ std::string toJson(const Diagnosis& diagnosis) {
   }
   if (!diagnosis.run.version.empty()) {
     report["meta"] = metaJson(diagnosis.run);
+    report["meta"]["files"] = list(diagnosis.run.files, fileJson);
   }
   if (!diagnosis.comparison.with.empty()) {
-    report["comparison"] = comparisonJson(diagnosis.comparison);
+    report["comparison"] = {{"with", diagnosis.comparison.with},
+                            {"date", diagnosis.comparison.date},
+                            {"changes", list(diagnosis.comparison.changes, changeJson)}};
   }
   if (diagnosis.workings) {
     report["trials"] = hypothesesJson(diagnosis.workings->search);
     report["surrogate_gap"] = diagnosis.workings->search.surrogate_gap;
   }
   if (diagnosis.table) {
-    report["table"] = tableJson(*diagnosis.table);
+    const DiagnosedTable& table = *diagnosis.table;
+    report["table"] = {{"name", table.name},
+                       {"never_shown", table.never_shown},
+                       {"notes", table.notes},
+                       {"rows", list(table.rows, rowJson)}};
   }
   if (diagnosis.surrogate) {
     report["surrogate"] = surrogateJson(*diagnosis.surrogate);

@@ -85,13 +85,6 @@ std::string ownValuesText(const Diagnosis& diagnosis) {
   return value == nullptr ? "The model's parameters are off" : offText(*value);
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  }
-  return text;
-}
-
 // The largest fact first: the model's own values, where these alone close most of the squared gap that is closed and
 // more than the effects alone do; else the effects alone. Otherwise values only make room for the effects.
 std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects) {
@@ -150,6 +143,9 @@ std::string agreement(const Gap& gap) {
                      percent(gap.noise_floor));
 }
 
+// Stiffness that falls in the course of logs, as it does where a room warms.
+bool mayBeTemperature(const std::string& effect) { return effect == "self_heating" || effect == "stress_softening"; }
+
 }  // namespace
 
 std::string sentence(const Diagnosis& diagnosis) {
@@ -182,6 +178,18 @@ std::string sentence(const Diagnosis& diagnosis) {
           "No effect of the list explains the gap of {}{} (noise {}). Do not trust the model where that gap lies.",
           percent(gap.re_estimated), ofUnseenLogs(diagnosis), percent(gap.noise_floor));
   }
+}
+
+std::string temperatureNote(const std::vector<std::string>& effects, const fit::Excitation& excitation) {
+  std::vector<std::string> doubtful;
+  std::copy_if(effects.begin(), effects.end(), std::back_inserter(doubtful), mayBeTemperature);
+  if (excitation.has_temperature || doubtful.empty()) {
+    return "";
+  }
+  return fmt::format(
+      "Without a recorded temperature {} is not certain: rubber that warmed by itself would look alike. Logs with the "
+      "column temperature_degC would settle it.",
+      fmt::join(doubtful, " and "));
 }
 
 }  // namespace rubber_suspension::diagnosis

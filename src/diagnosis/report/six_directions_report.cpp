@@ -1,12 +1,15 @@
 // The files of a diagnosis of six directions.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <iterator>
 #include <optional>
 #include <utility>
 
+#include "diagnosis/report/json_parts.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/rounding.h"
@@ -28,14 +31,23 @@ std::string forceText(const CrossShare& pair) {
   return component::isRotation(pair.of) ? inRotationUnits(text) : text;
 }
 
-// The share of a pair, or why there is none; nothing for a direction and itself.
-std::string shareText(const std::vector<CrossShare>& map, component::Direction of, component::Direction by) {
+std::vector<std::string> directionNames() {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < component::kDirections; ++i) {
+    names.emplace_back(toString(static_cast<component::Direction>(i)));
+  }
+  return names;
+}
+
+// By each direction, its share in what is left of this one, or why there is none; nothing for a direction and itself.
+std::vector<std::string> shareTexts(const std::vector<CrossShare>& map, component::Direction of) {
+  std::vector<std::string> texts(component::kDirections);
   for (const CrossShare& pair : map) {
-    if (pair.of == of && pair.by == by) {
-      return std::isnan(pair.share) ? "-" : wholePercent(pair.share) + " %";
+    if (pair.of == of) {
+      texts[pair.by] = std::isnan(pair.share) ? "-" : wholePercent(pair.share) + " %";
     }
   }
-  return "";
+  return texts;
 }
 
 ordered_json directionJson(const DirectionDiagnosis& found) {
@@ -62,28 +74,28 @@ ordered_json shareJson(const CrossShare& pair) {
 }
 
 std::string directionTable(const SixDirectionsDiagnosis& diagnosis) {
-  Table table({"direction", "verdict", "#gap as configured", "#augmented", "#noise floor", "finding"});
-  for (const auto& [direction, d] : diagnosis.directions) {
-    table.add({fmt::format("<a href=\"{0}/report.html\">{0}</a>", toString(direction)), toString(d.verdict),
-               percent(d.gap.as_configured), percent(d.gap.augmented), percent(d.gap.noise_floor), escape(d.sentence)});
-  }
-  return table.html();
+  return table({"direction", "verdict", "#gap as configured", "#augmented", "#noise floor", "finding"},
+               diagnosis.directions, [](const DirectionDiagnosis& found) -> Row {
+                 const Diagnosis& d = found.diagnosis;
+                 return {fmt::format("<a href=\"{0}/report.html\">{0}</a>", toString(found.direction)),
+                         toString(d.verdict),
+                         percent(d.gap.as_configured),
+                         percent(d.gap.augmented),
+                         percent(d.gap.noise_floor),
+                         escape(d.sentence)};
+               });
 }
 
 std::string crossTable(const SixDirectionsDiagnosis& diagnosis) {
-  std::vector<std::string> titles = {"left of"};
-  for (std::size_t by = 0; by < component::kDirections; ++by) {
-    titles.push_back(std::string("#by ") + toString(static_cast<component::Direction>(by)));
+  Row titles = {"left of"};
+  for (const std::string& by : directionNames()) {
+    titles.push_back("#by " + by);
   }
-  Table table(titles);
-  for (const DirectionDiagnosis& found : diagnosis.directions) {
-    std::vector<std::string> row = {toString(found.direction)};
-    for (std::size_t by = 0; by < component::kDirections; ++by) {
-      row.push_back(shareText(diagnosis.cross_map, found.direction, static_cast<component::Direction>(by)));
-    }
-    table.add(row);
-  }
-  return table.html();
+  return table(titles, diagnosis.directions, [&](const DirectionDiagnosis& found) {
+    Row row = shareTexts(diagnosis.cross_map, found.direction);
+    row.insert(row.begin(), toString(found.direction));
+    return row;
+  });
 }
 
 // The style of the direction that a place is in, and the place in that; nothing where it was not diagnosed.
@@ -137,37 +149,27 @@ std::string crossMapSentence(const SixDirectionsDiagnosis& diagnosis) {
 }
 
 std::string crossMapText(const SixDirectionsDiagnosis& diagnosis) {
-  std::string text = "left of by";
-  for (std::size_t by = 0; by < component::kDirections; ++by) {
-    text += fmt::format("{:>7}", toString(static_cast<component::Direction>(by)));
-  }
+  std::string text = fmt::format("left of by{:>7}", fmt::join(directionNames(), ""));
   for (const DirectionDiagnosis& found : diagnosis.directions) {
-    text += fmt::format("\n{:<10}", toString(found.direction));
-    for (std::size_t by = 0; by < component::kDirections; ++by) {
-      text +=
-          fmt::format("{:>7}", shareText(diagnosis.cross_map, found.direction, static_cast<component::Direction>(by)));
-    }
+    text += fmt::format("\n{:<10}{:>7}", toString(found.direction),
+                        fmt::join(shareTexts(diagnosis.cross_map, found.direction), ""));
   }
   return text + "\n";
 }
 
 std::string toJson(const SixDirectionsDiagnosis& diagnosis) {
   ordered_json directions = ordered_json::array();
-  for (const DirectionDiagnosis& found : diagnosis.directions) {
-    directions.push_back(directionJson(found));
-  }
+  std::transform(diagnosis.directions.begin(), diagnosis.directions.end(), std::back_inserter(directions),
+                 directionJson);
   ordered_json shares = ordered_json::array();
-  for (const CrossShare& pair : diagnosis.cross_map) {
-    shares.push_back(shareJson(pair));
-  }
-  const RunRecord& run = diagnosis.run;
+  std::transform(diagnosis.cross_map.begin(), diagnosis.cross_map.end(), std::back_inserter(shares), shareJson);
   const ordered_json report = {
       {"schema", "rubber_suspension/gap_report/six_directions/1"},
       {"component", diagnosis.component},
       {"directions", directions},
       {"cross_map",
        {{"meaning", kSixDirectionsMeaning}, {"sentence", crossMapSentence(diagnosis)}, {"shares", shares}}},
-      {"meta", {{"version", run.version}, {"date", run.date}, {"command_line", run.command_line}}}};
+      {"meta", metaJson(diagnosis.run)}};
   return report.dump(2) + "\n";
 }
 

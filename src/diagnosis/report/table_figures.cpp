@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "diagnosis/report/report_figures.h"
@@ -12,9 +11,6 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr const char* kStiffness = "stiffness";
-constexpr const char* kLossAngle = "loss_angle";
-constexpr const char* kWhereInTable = "where";
 constexpr std::size_t kMostPanels = 6;
 
 using Rows = std::vector<DiagnosedRow>;
@@ -99,9 +95,7 @@ io::Figure panelFigure(const Diagnosis& diagnosis, const char* title, const char
 
 // Edges of cells about these values, half-way on a log axis.
 std::vector<double> edgesAbout(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const auto same = [](double a, double b) { return std::abs(a / b - 1.0) < 1e-6; };
-  values.erase(std::unique(values.begin(), values.end(), same), values.end());
+  values = sortedApart(std::move(values));
   if (values.size() < 2) {
     return {};
   }
@@ -113,37 +107,15 @@ std::vector<double> edgesAbout(std::vector<double> values) {
   return edges;
 }
 
-std::size_t cellOf(const std::vector<double>& edges, double value) {
-  return static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), value) - edges.begin()) - 1;
-}
-
 // All preloads and temperatures together.
 io::Figure mapFigure(const Diagnosis& diagnosis) {
-  io::Figure figure{"Where the squared gap lies", {}, 1};
   std::vector<double> frequencies;
   std::vector<double> amplitudes;
   for (const gap::GapCell& cell : diagnosis.where) {
     frequencies.push_back(cell.frequency[0]);
-    amplitudes.push_back(1e3 * cell.amplitude[0]);
+    amplitudes.push_back(cell.amplitude[0]);
   }
-  io::HeatMap map;
-  map.label = "share of the squared gap [%]";
-  map.x_edges = edgesAbout(frequencies);
-  map.y_edges = edgesAbout(amplitudes);
-  if (map.x_edges.empty() || map.y_edges.empty()) {
-    return figure;
-  }
-  const std::size_t width = map.x_edges.size() - 1;
-  map.values.assign(width * (map.y_edges.size() - 1), std::numeric_limits<double>::quiet_NaN());
-  for (const gap::GapCell& cell : diagnosis.where) {
-    double& value =
-        map.values[cellOf(map.y_edges, 1e3 * cell.amplitude[0]) * width + cellOf(map.x_edges, cell.frequency[0])];
-    value = (std::isnan(value) ? 0.0 : value) + 100.0 * cell.share;
-  }
-  io::Axes axes{"", "frequency [Hz]", "amplitude [mm]", true, true};
-  axes.maps.push_back(std::move(map));
-  figure.axes.push_back(std::move(axes));
-  return figure;
+  return shareMap(diagnosis.where, edgesAbout(frequencies), edgesAbout(amplitudes));
 }
 
 }  // namespace
@@ -152,12 +124,10 @@ std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis) {
   return {{kStiffness, "Stiffness of the settled loops, measured and simulated.",
            panelFigure(diagnosis, "Stiffness", "stiffness [kN/mm]",
                        [](std::complex<double> stiffness) { return 1e-6 * std::abs(stiffness); })},
-          {kWhereInTable, "Where the squared gap lies, over the rows of the table.", mapFigure(diagnosis)},
+          {kWhere, "Where the squared gap lies, over the rows of the table.", mapFigure(diagnosis)},
           {kLossAngle, "Loss angle of the settled loops, measured and simulated.",
            panelFigure(diagnosis, "Loss angle", "loss angle [deg]",
                        [](std::complex<double> stiffness) { return std::arg(stiffness) * 180.0 / element::kPi; })}};
 }
-
-std::vector<std::string> tableFigureNames() { return {kStiffness, kLossAngle}; }
 
 }  // namespace rubber_suspension::diagnosis

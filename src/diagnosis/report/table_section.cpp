@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/report/json_parts.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/text.h"
 #include "rubber_suspension/element/constants.h"
@@ -12,90 +11,53 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr double kDegrees = 180.0 / element::kPi;
 
 std::string stiffnessText(std::complex<double> stiffness) {
   return fmt::format("{:.4g} kN/mm, {:.3g}&deg;", 1e-6 * std::abs(stiffness), kDegrees * std::arg(stiffness));
 }
 
-bool any(const DiagnosedTable& table, bool (*has)(const fit::TablePoint&)) {
-  return std::any_of(table.rows.begin(), table.rows.end(), [&](const DiagnosedRow& row) { return has(row.measured); });
-}
-
-std::string rowsHtml(const DiagnosedTable& diagnosed) {
-  const bool means = any(diagnosed, [](const fit::TablePoint& point) { return point.mean != 0.0; });
-  const bool temperatures = any(diagnosed, [](const fit::TablePoint& point) { return point.temperature.has_value(); });
-  std::vector<std::string> titles = {"#frequency [Hz]", "#amplitude [mm]"};
-  if (means) {
-    titles.emplace_back("#about [mm]");
-  }
-  if (temperatures) {
-    titles.emplace_back("#temperature [&deg;C]");
-  }
-  titles.insert(titles.end(), {"#measured", "#as configured", "#augmented", "#still off by"});
-  Table table(titles);
-  for (const DiagnosedRow& row : diagnosed.rows) {
+// Columns that no row of the table has are left out.
+std::string rowsHtml(const std::vector<DiagnosedRow>& rows) {
+  const auto any = [&](const auto& has) {
+    return std::any_of(rows.begin(), rows.end(), [&](const DiagnosedRow& row) { return has(row.measured); });
+  };
+  const bool means = any([](const fit::TablePoint& point) { return point.mean != 0.0; });
+  const bool temperatures = any([](const fit::TablePoint& point) { return point.temperature.has_value(); });
+  const auto with = [&](Row fields, const std::string& mean, const std::string& temperature, const Row& rest) {
+    fields.insert(fields.end(), means ? 1 : 0, mean);
+    fields.insert(fields.end(), temperatures ? 1 : 0, temperature);
+    fields.insert(fields.end(), rest.begin(), rest.end());
+    return fields;
+  };
+  const Row titles = with({"#frequency [Hz]", "#amplitude [mm]"}, "#about [mm]", "#temperature [&deg;C]",
+                          {"#measured", "#as configured", "#augmented", "#still off by"});
+  return table(titles, rows, [&](const DiagnosedRow& row) {
     const fit::TablePoint& point = row.measured;
-    std::vector<std::string> fields = {fmt::format("{:.4g}", point.frequency),
-                                       fmt::format("{:.4g}", 1e3 * point.amplitude)};
-    if (means) {
-      fields.push_back(fmt::format("{:.4g}", 1e3 * point.mean));
-    }
-    if (temperatures) {
-      fields.push_back(point.temperature ? fmt::format("{:.4g}", *point.temperature) : "");
-    }
     const std::complex<double> measured = point.complexStiffness();
-    fields.insert(fields.end(),
-                  {stiffnessText(measured), stiffnessText(row.as_configured), stiffnessText(row.augmented),
-                   percent(std::abs(row.augmented - measured) / std::abs(measured))});
-    table.add(fields);
-  }
-  return table.html();
-}
-
-ordered_json stiffnessJson(std::complex<double> stiffness) {
-  return {{"stiffness_N_per_m", std::abs(stiffness)}, {"loss_angle_rad", std::arg(stiffness)}};
-}
-
-ordered_json rowJson(const DiagnosedRow& row) {
-  ordered_json json = {{"frequency_hz", row.measured.frequency},
-                       {"amplitude_m", row.measured.amplitude},
-                       {"mean_displacement_m", row.measured.mean}};
-  if (row.measured.temperature) {
-    json["temperature_degC"] = *row.measured.temperature;
-  }
-  json["measured"] = stiffnessJson(row.measured.complexStiffness());
-  json["as_configured"] = stiffnessJson(row.as_configured);
-  json["re_estimated"] = stiffnessJson(row.re_estimated);
-  json["augmented"] = stiffnessJson(row.augmented);
-  return json;
+    return with({fmt::format("{:.4g}", point.frequency), fmt::format("{:.4g}", 1e3 * point.amplitude)},
+                fmt::format("{:.4g}", 1e3 * point.mean),
+                point.temperature ? fmt::format("{:.4g}", *point.temperature) : "",
+                {stiffnessText(measured), stiffnessText(row.as_configured), stiffnessText(row.augmented),
+                 percent(std::abs(row.augmented - measured) / std::abs(measured))});
+  });
 }
 
 }  // namespace
 
 std::string tableSection(const Diagnosis& diagnosis) {
-  const DiagnosedTable& table = *diagnosis.table;
+  const DiagnosedTable& diagnosed = *diagnosis.table;
   std::vector<std::string> names;
-  std::transform(table.never_shown.begin(), table.never_shown.end(), std::back_inserter(names), spoken);
+  std::transform(diagnosed.never_shown.begin(), diagnosed.never_shown.end(), std::back_inserter(names), spoken);
   std::string notes;
-  for (const std::string& note : table.notes) {
+  for (const std::string& note : diagnosed.notes) {
     notes += "<p class=note>" + escape(note) + "</p>\n";
   }
-  return "<h2>The table</h2>\n<p>Rows of " + escape(table.name) +
+  return "<h2>The table</h2>\n<p>Rows of " + escape(diagnosed.name) +
          ": stiffness and loss angle of settled loops under single sines. Such a table can never show " +
          escape(enumerated(names)) +
          ", nor a delay that both channels share: these are neither found nor excluded here.</p>\n" + notes +
-         folded(fmt::format("All {} rows, measured and simulated", table.rows.size()), rowsHtml(table));
-}
-
-ordered_json tableJson(const DiagnosedTable& table) {
-  ordered_json rows = ordered_json::array();
-  for (const DiagnosedRow& row : table.rows) {
-    rows.push_back(rowJson(row));
-  }
-  return {{"name", table.name}, {"never_shown", table.never_shown}, {"notes", table.notes}, {"rows", rows}};
+         folded(fmt::format("All {} rows, measured and simulated", diagnosed.rows.size()), rowsHtml(diagnosed.rows));
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -46,10 +46,6 @@ std::string unitText(const Display& display, const std::string& unit) {
   return unit == "1" ? "" : " " + unit;
 }
 
-bool isOfNumbers(const std::string& title) { return !title.empty() && title.front() == '#'; }
-
-std::string titleOf(const std::string& title) { return isOfNumbers(title) ? title.substr(1) : title; }
-
 }  // namespace
 
 std::string sourceOf(const Diagnosis& diagnosis) { return diagnosis.table ? "this table" : "these logs"; }
@@ -103,6 +99,13 @@ std::string enumerated(const std::vector<std::string>& parts) {
   return result;
 }
 
+std::string capitalised(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  }
+  return text;
+}
+
 std::string quantity(double value, const std::string& unit) {
   const Display& display = displayOf(unit, std::abs(value));
   return fmt::format("{:.3g}{}", value / display.factor, unitText(display, unit));
@@ -150,26 +153,25 @@ std::string symbolOf(const std::string& name) {
   return found == symbols.end() ? spoken(name) : found->second;
 }
 
-Table::Table(std::vector<std::string> titles) : titles_(std::move(titles)) {}
-
-void Table::add(const std::vector<std::string>& fields) {
-  if (fields.size() != titles_.size()) {
-    throw std::logic_error(fmt::format("a table of {} columns got a row of {}", titles_.size(), fields.size()));
-  }
-  rows_ += "<tr>";
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    rows_ += fmt::format("<td{} data-title=\"{}\">{}</td>", isOfNumbers(titles_[i]) ? " class=n" : "",
-                         titleOf(titles_[i]), fields[i]);
-  }
-  rows_ += "</tr>\n";
-}
-
-std::string Table::html() const {
+std::string table(const Row& titles, const std::vector<Row>& rows) {
+  const auto isOfNumbers = [&](std::size_t column) { return titles[column].rfind('#', 0) == 0; };
   std::string head;
-  for (const std::string& title : titles_) {
-    head += fmt::format("<th{}>{}</th>", isOfNumbers(title) ? " class=n" : "", titleOf(title));
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    head += fmt::format("<th{}>{}</th>", isOfNumbers(i) ? " class=n" : "", titles[i].substr(isOfNumbers(i) ? 1 : 0));
   }
-  return "<table><thead><tr>" + head + "</tr></thead><tbody>\n" + rows_ + "</tbody></table>\n";
+  std::string body;
+  for (const Row& row : rows) {
+    if (row.size() != titles.size()) {
+      throw std::logic_error(fmt::format("a table of {} columns got a row of {}", titles.size(), row.size()));
+    }
+    body += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      body += fmt::format("<td{} data-title=\"{}\">{}</td>", isOfNumbers(i) ? " class=n" : "",
+                          titles[i].substr(isOfNumbers(i) ? 1 : 0), row[i]);
+    }
+    body += "</tr>\n";
+  }
+  return "<table><thead><tr>" + head + "</tr></thead><tbody>\n" + body + "</tbody></table>\n";
 }
 
 std::string folded(const std::string& title, const std::string& html) {

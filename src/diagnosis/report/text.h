@@ -1,7 +1,9 @@
 // Numbers and text as the report's page has them.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,9 @@ std::string chance(double probability);
 
 /// "a", "a and b", "a, b and c".
 std::string enumerated(const std::vector<std::string>& parts);
+
+/// "The model" of "the model".
+std::string capitalised(std::string text);
 
 /// A value in SI with the prefix that an engineer reads: "6 kN", "0.35 mm", "4.2 kN/mm".
 std::string quantity(double value, const std::string& unit);
@@ -52,23 +57,20 @@ std::string sizeName(const SizedValue& size);
 /// The symbol of a value in a specification, where it has one: "K_n" of dynamic_stiffness, else spoken().
 std::string symbolOf(const std::string& name);
 
-/// A table whose rows become blocks with the titles before each field where the page is narrow.
-class Table {
- public:
-  /// Titles (HTML); those that begin with '#' are of columns of numbers.
-  explicit Table(std::vector<std::string> titles);
+using Row = std::vector<std::string>;
 
-  /// A row of HTML, one text per title. Throws std::logic_error for another number of them.
-  void add(const std::vector<std::string>& fields);
+/// A table of HTML, one text per title in each row. Rows become blocks with the titles before each field where the page
+/// is narrow. Titles that begin with '#' are of columns of numbers. Throws std::logic_error for a row of another
+/// length.
+std::string table(const Row& titles, const std::vector<Row>& rows);
 
-  bool empty() const { return rows_.empty(); }
-
-  std::string html() const;
-
- private:
-  std::vector<std::string> titles_;
-  std::string rows_;
-};
+/// The same of a list, of which `row` makes a row of each entry.
+template <class List, class Function>
+std::string table(const Row& titles, const List& list, Function row) {
+  std::vector<Row> rows;
+  std::transform(list.begin(), list.end(), std::back_inserter(rows), row);
+  return table(titles, rows);
+}
 
 /// A part that is closed until it is clicked at, and not printed.
 std::string folded(const std::string& title, const std::string& html);

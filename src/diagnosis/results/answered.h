@@ -1,26 +1,26 @@
 // An answer as a diagnosis tells it, be it of logs or of a table: with the names of effects, and with what they close.
 #pragma once
 
-#include <cstddef>
+#include <array>
 #include <vector>
 
 #include "diagnosis/judge/answer.h"
 #include "diagnosis/results/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
 
 /// Sets verdict and effects, the sets that cannot be told apart, the alternatives and the posterior of a diagnosis.
 void addAnswer(const Answer& answer, const Evidence& evidence, Diagnosis& diagnosis);
 
-/// Sets the fraction of the gap that the answer closes, with its interval on further logs. The gap is known.
-void addClosed(const Workings& workings, const DiagnosisOptions& options, Diagnosis& diagnosis);
+/// Sets the gap, of which noise is no more than what any of the models leaves, and the fraction of it that the answer
+/// closes, with its interval on further logs; and each effect alone, which leaves these errors, the likeliest first.
+/// The gap of the full law is known.
+void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alone, const Workings& workings,
+            const DiagnosisOptions& options, Diagnosis& diagnosis);
 
-/// An effect alone, which leaves this gap. What the answer closes is known.
-CandidateResult candidateResult(const Workings& workings, const DiagnosisOptions& options, const Diagnosis& diagnosis,
-                                std::size_t candidate, double gap);
-
-/// The likeliest first.
-void sortByProbability(std::vector<CandidateResult>& candidates);
+/// The component with the values of the augmented one, without its effects; and as configured, with these.
+std::array<io::ComponentDescription, 2> valuesAndEffects(const Diagnosis& diagnosis);
 
 }  // namespace rubber_suspension::diagnosis

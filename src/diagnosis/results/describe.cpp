@@ -14,11 +14,9 @@
 #include "diagnosis/prepare/rig.h"
 #include "diagnosis/report/admission.h"
 #include "diagnosis/report/sentence.h"
-#include "diagnosis/report/temperature_note.h"
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/augmented.h"
 #include "diagnosis/results/characteristics.h"
-#include "diagnosis/results/model_parameters_by_log.h"
 #include "diagnosis/results/recorded_gap.h"
 #include "diagnosis/results/surrogate.h"
 #include "diagnosis/results/taken_out.h"
@@ -53,20 +51,14 @@ class Describer {
     result_.configured = prepared_.component;
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
     before_ = hasUnseenLogs() ? unseenParts(Evidence::kReEstimated) : search_.re_estimated.fit.blocks;
-    law_ = writtenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_), options_);
-    result_.augmented = law_.component;
-    result_.augmented_full = law_.full;
-    result_.gap_of_full_law = law_.full_gap;
-    result_.finer = law_.finer;
+    after_ = addWrittenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_), options_, result_);
     simulateAll();
-    measureCandidates();
     measureGap();
     measureParts();
     mapGap();
     describeRig();
     describeLogs();
     accountForTheRig();
-    describeCandidates();
     describeParameters();
     describeAnswer();
     describeSurrogate();
@@ -111,64 +103,49 @@ class Describer {
   }
 
   // Errors with each effect alone, on the data that the gap is of.
-  void measureCandidates() {
-    of_candidates_.resize(search_.singles.size());
-    fit::parallelFor(of_candidates_.size(), options_.threads, [&](std::size_t c) {
+  std::vector<std::vector<gap::PartError>> errorsAlone() const {
+    std::vector<std::vector<gap::PartError>> errors(search_.singles.size());
+    fit::parallelFor(errors.size(), options_.threads, [&](std::size_t c) {
       const FittedHypothesis& single = search_.singles[c];
-      of_candidates_[c] = single.fit.blocks;
+      errors[c] = single.fit.blocks;
       if (hasUnseenLogs()) {
         // Where it is not named, a drift or a gain is what a simulation predicts of it: what is free in a log would
         // take slow noise, or a law's error, with it.
         const bool as_predicted = single.hypothesis.free_in_log.any() && &single != &judged_;
-        of_candidates_[c] =
-            as_predicted ? gap::partErrors(prepared_.held_out, predict(prepared_.model, single, prepared_.held_out))
-                         : unseenParts(Evidence::kFirstSingle + static_cast<int>(c));
+        errors[c] = as_predicted
+                        ? gap::partErrors(prepared_.held_out, predict(prepared_.model, single, prepared_.held_out))
+                        : unseenParts(Evidence::kFirstSingle + static_cast<int>(c));
       }
     });
-  }
-
-  // Noise is no more than what any of the models leaves.
-  void boundFloor() {
-    Gap& gap = result_.gap;
-    gap.noise_floor = std::min({gap.noise_floor, gap.as_configured, gap.re_estimated, gap.augmented, law_.full_gap});
-    for (const auto& errors : of_candidates_) {
-      gap.noise_floor = std::min(gap.noise_floor, gap::gapOfParts(errors));
-    }
+    return errors;
   }
 
   void measureGap() {
     noise_ = search_.record_noise;
-    after_ = law_.errors;
     result_.noise_source = search_.noise_source;
+    Gap gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
     if (hasUnseenLogs()) {
       const std::vector<double> floors =
-          noiseFloors(law_.full.allElements(), freeOfNoise(judged_.hypothesis),
+          noiseFloors(result_.augmented_full.allElements(), freeOfNoise(judged_.hypothesis),
                       predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
                       noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
-      result_.gap = {gap::gapOfParts(unseenParts(Evidence::kAsConfigured)), gap::gapOfParts(before_),
-                     gap::gapOfParts(after_), commonFloor(floors, prepared_.held_out)};
-    } else {
-      result_.gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
+      gap.as_configured = gap::gapOfParts(unseenParts(Evidence::kAsConfigured));
+      gap.noise_floor = commonFloor(floors, prepared_.held_out);
     }
-    boundFloor();
-    addClosed(*workings_, options_, result_);
+    addGap(gap, errorsAlone(), *workings_, options_, result_);
   }
 
   // The gap with the model's own values alone, and with the effects alone. In sample where there are no unseen logs, as
   // both are.
   void measureParts() {
-    io::ComponentDescription values = result_.augmented;
-    values.add = prepared_.component.add;
-    io::ComponentDescription effects = prepared_.component;
-    effects.add = result_.augmented.add;
-    const std::array<std::pair<const io::ComponentDescription*, double*>, 2> parts = {
-        {{&values, &result_.gap_of_values}, {&effects, &result_.gap_of_effects}}};
+    const auto parts = valuesAndEffects(result_);
+    const std::array<double*, 2> gaps = {&result_.gap_of_values, &result_.gap_of_effects};
     fit::parallelFor(parts.size(), options_.threads, [&](std::size_t i) {
-      const auto elements = parts[i].first->allElements();
+      const auto elements = parts[i].allElements();
       const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
       const auto smoothed = [](const log::Record& record) { return record.displacement; };
-      *parts[i].second =
+      *gaps[i] =
           gap::gapOfParts(gap::partErrors(records, hasUnseenLogs() ? gap::simulateEach(elements, records, smoothed)
                                                                    : gap::simulate(elements, records)));
     });
@@ -217,7 +194,7 @@ class Describer {
       return;
     }
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
-    const auto elements = law_.full.allElements();
+    const auto elements = result_.augmented_full.allElements();
     const auto rival = augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
     for (const bool held_out : {false, true}) {
       const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
@@ -253,21 +230,9 @@ class Describer {
     }
   }
 
-  void describeCandidates() {
-    result_.candidates.resize(search_.candidates.size());
-    fit::parallelFor(result_.candidates.size(), options_.threads, [&](std::size_t c) {
-      result_.candidates[c] = candidateResult(*workings_, options_, result_, c, gap::gapOfParts(of_candidates_[c]));
-    });
-    sortByProbability(result_.candidates);
-  }
-
   void describeParameters() {
     const fit::Fit& joint = search_.re_estimated.fit;
     result_.parameter_ratios = prepared_.model.ratios(joint.parameters.model);
-    result_.by_log = parametersByLog(prepared_.fitter, joint);
-    result_.model_sizes = law_.sizes.model;
-    result_.effect_sizes = law_.sizes.effects;
-    result_.written = law_.sizes.written;
     result_.whole = wholeStiffness(prepared_.component, result_.augmented, prepared_.training);
   }
 
@@ -307,11 +272,9 @@ class Describer {
   const Search& search_;
   const Answer& answer_;
   const FittedHypothesis& judged_;
-  WrittenLaw law_;
   std::vector<double> noise_;  // floor of each record
   std::vector<gap::PartError> before_;
   std::vector<gap::PartError> after_;
-  std::vector<std::vector<gap::PartError>> of_candidates_;
   Diagnosis result_;
 };
 

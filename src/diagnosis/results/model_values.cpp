@@ -106,16 +106,16 @@ std::string besideText(const SizedValue& size) {
 }
 
 std::string componentChanges(const Diagnosis& d) {
-  Table table({"value", "#before", "#after", "#95 % interval", "#change"});
+  std::vector<Row> rows;
   for (const SizedValue& size : d.model_sizes) {
-    if (size.value == size.configured) {
-      continue;
+    if (size.value != size.configured) {
+      rows.push_back({escape(nameOf(size)), "<del>" + quantity(size.configured, size.unit) + "</del>",
+                      "<ins>" + quantity(size.value, size.unit) + "</ins>", intervalText(size),
+                      fmt::format("{:+.1f} %", 100.0 * (size.value / size.configured - 1.0))});
     }
-    table.add({escape(nameOf(size)), "<del>" + quantity(size.configured, size.unit) + "</del>",
-               "<ins>" + quantity(size.value, size.unit) + "</ins>", intervalText(size),
-               fmt::format("{:+.1f} %", 100.0 * (size.value / size.configured - 1.0))});
   }
-  std::string html = table.empty() ? "<p>The model's own values stay.</p>\n" : table.html();
+  std::string html = rows.empty() ? "<p>The model's own values stay.</p>\n"
+                                  : table({"value", "#before", "#after", "#95 % interval", "#change"}, rows);
   std::map<std::string, std::vector<element::ElementDescription>> added;
   for (std::size_t i = d.configured.add.size(); i < d.augmented.add.size(); ++i) {
     added[d.augmented.add[i].type].push_back(d.augmented.add[i]);

@@ -333,14 +333,6 @@ FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candida
   return result;
 }
 
-std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candidate>& candidates) {
-  std::vector<std::string> effects;
-  for (const MemberLaw& member : law.members) {
-    effects.push_back(candidates[static_cast<std::size_t>(member.member)].effect);
-  }
-  return effects;
-}
-
 std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,
                                          const HeldOut& held_out, const gap::Forces& besides) {
   gap::Forces forces = predict(model, fitted, held_out.records);

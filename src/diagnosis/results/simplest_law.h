@@ -1,7 +1,6 @@
 // After the verdict: the law with the fewest numbers that says as much of each effect as the one that was judged.
 #pragma once
 
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,9 +19,6 @@ struct HeldOut {
 
 /// The hypothesis as it was judged, each member by all its terms.
 FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates);
-
-/// Names of its members.
-std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candidate>& candidates);
 
 /// Errors of parts of the logs held out under a fitted law, with forces besides [N] where there are any.
 std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,

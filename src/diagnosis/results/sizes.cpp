@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "diagnosis/results/augmented.h"
@@ -20,18 +21,13 @@ namespace {
 
 using Key = std::pair<std::string, std::string>;  // owner and name
 
-struct Value {
-  Key key;
-  std::string unit;
-  double value = 0.0;
-  bool is_scale = false;  // nothing of the effect is left at 0
-};
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // The sizes of one parameter vector.
-struct Point {
-  std::vector<Value> model;
-  std::vector<Value> effects;
-  std::vector<Value> written;
+struct Sizes {
+  std::vector<SizedValue> model;
+  std::vector<SizedValue> effects;
+  std::vector<SizedValue> written;
 };
 
 std::string unitOf(const std::vector<element::ParameterInfo>& table, const std::string& name) {
@@ -39,10 +35,10 @@ std::string unitOf(const std::vector<element::ParameterInfo>& table, const std::
   return info == nullptr ? "1" : info->unit;
 }
 
-std::vector<Value> modelValues(const io::ComponentDescription& description) {
-  std::vector<Value> values;
+std::vector<SizedValue> modelValues(const io::ComponentDescription& description) {
+  std::vector<SizedValue> values;
   for (const auto& [name, value] : description.specification().values()) {
-    values.push_back({{"specification", name}, unitOf(estimation::specificationParameters(), name), value, false});
+    values.push_back({"specification", name, unitOf(estimation::specificationParameters(), name), kNone, value});
   }
   if (!values.empty()) {
     return values;
@@ -54,34 +50,32 @@ std::vector<Value> modelValues(const io::ComponentDescription& description) {
     for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
       const auto found = element.values.find(parameter.name);
       if (found != element.values.end() && element::isFree(parameter, found->second) && found->second.size() == 1) {
-        values.push_back({{owner, parameter.name}, parameter.unit, found->second.front(), false});
+        values.push_back({owner, parameter.name, parameter.unit, kNone, found->second.front()});
       }
     }
   }
   return values;
 }
 
-void addNumbers(const std::string& list, const Entries& entries, std::vector<Value>& values) {
+void addNumbers(const std::string& list, const Entries& entries, std::vector<SizedValue>& values) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::string entry = list + "[" + std::to_string(i) + "]";
     for (const auto& [key, numbers] : entries[i].values) {
       const std::string unit = unitOf(element::findElementType(entries[i].type)->parameters, key);
       for (std::size_t j = 0; j < numbers.size(); ++j) {
-        values.push_back({{"", io::numberPlace(entry, key, numbers.size() == 1 ? -1 : static_cast<int>(j))},
-                          unit,
-                          numbers[j],
-                          false});
+        const int place = numbers.size() == 1 ? -1 : static_cast<int>(j);
+        values.push_back({"", io::numberPlace(entry, key, place), unit, kNone, numbers[j]});
       }
     }
   }
 }
 
 // Every number of a component file.
-std::vector<Value> writtenValues(const io::ComponentDescription& description) {
-  std::vector<Value> values;
+std::vector<SizedValue> writtenValues(const io::ComponentDescription& description) {
+  std::vector<SizedValue> values;
   for (const auto& [name, value] : description.specification().values()) {
-    values.push_back(
-        {{"", "specification." + name}, unitOf(estimation::specificationParameters(), name), value, false});
+    const std::string unit = unitOf(estimation::specificationParameters(), name);
+    values.push_back({"", "specification." + name, unit, kNone, value});
   }
   if (description.model() == estimation::Model::elements) {
     addNumbers("elements", description.elements(), values);
@@ -90,18 +84,26 @@ std::vector<Value> writtenValues(const io::ComponentDescription& description) {
   return values;
 }
 
+std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candidate>& candidates) {
+  std::vector<std::string> effects;
+  for (const MemberLaw& member : law.members) {
+    effects.push_back(candidates[static_cast<std::size_t>(member.member)].effect);
+  }
+  return effects;
+}
+
 class Resampling {
  public:
-  Resampling(const SizedLaw& law, const std::vector<double>& form_error, const std::vector<std::string>& effects,
+  Resampling(const SizedLaw& law, const std::vector<double>& form_error, const std::vector<fit::Candidate>& candidates,
              const DiagnosisOptions& options)
       : fitter_(law.fitter),
         fitted_(law.fitted),
         hypothesis_(fitted_.law.hypothesis()),
-        effects_(effects),
+        effects_(effectsOf(fitted_.law, candidates)),
         weight_(law.weight),
         generator_(options.seed),
         blocks_(fitter_.linearise(hypothesis_, fitted_.fit.parameters, {}, options.threads)),
-        best_(pointAt(fitted_.fit.parameters)) {
+        best_(sizesAt(fitted_.fit.parameters)) {
     Eigen::Index first = fitter_.model().size();
     for (std::size_t m = 0; m < form_error.size(); ++m) {
       const auto size = static_cast<Eigen::Index>(fitted_.law.members[m].size());
@@ -113,8 +115,8 @@ class Resampling {
 
   // The draws of another law, where its effects have the same sizes.
   void add(const Resampling& other) {
-    const auto same = [](const Value& a, const Value& b) { return a.key == b.key; };
-    const std::vector<Value>& others = other.best_.effects;
+    const auto same = [](const SizedValue& a, const SizedValue& b) { return a.owner == b.owner && a.name == b.name; };
+    const std::vector<SizedValue>& others = other.best_.effects;
     if (!std::equal(best_.effects.begin(), best_.effects.end(), others.begin(), others.end(), same)) {
       return;
     }
@@ -127,9 +129,12 @@ class Resampling {
   }
 
   Sizes sizes() const {
-    const Point configured = pointOfModel(Eigen::VectorXd::Zero(fitter_.model().size()));
-    return {sized(best_.model, configured.model, false), sized(best_.effects, {}, true),
-            sized(best_.written, configured.written, false)};
+    Sizes best = best_;
+    const auto configured = fitter_.model().apply(Eigen::VectorXd::Zero(fitter_.model().size()));
+    complete(modelValues(configured), best.model);
+    complete({}, best.effects);
+    complete(writtenValues(configured), best.written);
+    return best;
   }
 
  private:
@@ -185,11 +190,11 @@ class Resampling {
       moved.scales[t] = std::clamp(moved.scales[t], term.lower, term.upper);
     }
     try {
-      const Point point = pointAt(moved);
+      const Sizes drawn = sizesAt(moved);
       drawn_ += weight_;
-      for (const auto* values : {&point.model, &point.effects, &point.written}) {
-        for (const Value& value : *values) {
-          draws_[value.key].emplace_back(value.value, weight_);
+      for (const auto* sizes : {&drawn.model, &drawn.effects, &drawn.written}) {
+        for (const SizedValue& size : *sizes) {
+          draws_[{size.owner, size.name}].emplace_back(size.value, weight_);
         }
       }
     } catch (const std::invalid_argument&) {
@@ -197,53 +202,45 @@ class Resampling {
     }
   }
 
-  Point pointOfModel(const Eigen::VectorXd& model) const {
-    const io::ComponentDescription description = fitter_.model().apply(model);
-    return {modelValues(description), {}, writtenValues(description)};
-  }
-
-  Point pointAt(const fit::ParameterVector& parameters) const {
+  Sizes sizesAt(const fit::ParameterVector& parameters) {
     io::ComponentDescription description = fitter_.model().apply(parameters.model);
-    Point point{modelValues(description), {}, {}};
+    Sizes sizes;
+    sizes.model = modelValues(description);
     const std::vector<Entries> entries = fitted_.law.at(parameters.scales);
     for (std::size_t m = 0; m < entries.size(); ++m) {
       for (const HeadlineValue& value : headlineValuesOf(entries[m])) {
-        point.effects.push_back({{effects_[m], value.name}, value.unit, value.value, value.is_scale});
+        sizes.effects.push_back({effects_[m], value.name, value.unit, kNone, value.value});
+        if (value.is_scale) {
+          may_vanish_.insert({effects_[m], value.name});
+        }
       }
       description.add.insert(description.add.end(), entries[m].begin(), entries[m].end());
     }
-    point.written = writtenValues(description);
-    return point;
+    sizes.written = writtenValues(description);
+    return sizes;
+  }
+
+  void complete(const std::vector<SizedValue>& configured, std::vector<SizedValue>& sizes) const {
+    for (SizedValue& size : sizes) {
+      const auto found = std::find_if(configured.begin(), configured.end(), [&](const SizedValue& other) {
+        return other.owner == size.owner && other.name == size.name;
+      });
+      size.configured = found == configured.end() ? kNone : found->value;
+      predict(size);
+    }
   }
 
   // An effect that a resample leaves out altogether has the size 0 in it.
-  std::vector<SizedValue> sized(const std::vector<Value>& best, const std::vector<Value>& configured,
-                                bool may_vanish) const {
-    std::vector<SizedValue> result;
-    for (const Value& value : best) {
-      SizedValue size;
-      std::tie(size.owner, size.name) = value.key;
-      size.unit = value.unit;
-      size.value = value.value;
-      const auto found = std::find_if(configured.begin(), configured.end(),
-                                      [&](const Value& other) { return other.key == value.key; });
-      size.configured = found == configured.end() ? size.configured : found->value;
-      predict(value, may_vanish, size);
-      result.push_back(std::move(size));
-    }
-    return result;
-  }
-
-  void predict(const Value& value, bool may_vanish, SizedValue& size) const {
-    const auto found = draws_.find(value.key);
+  void predict(SizedValue& size) const {
+    const auto found = draws_.find({size.owner, size.name});
     if (found == draws_.end()) {
-      size.interval_95 = {value.value, value.value};
+      size.interval_95 = {size.value, size.value};
       return;
     }
     std::vector<std::pair<double, double>> draws = found->second;
     const auto add = [](double sum, const auto& draw) { return sum + draw.second; };
     double weight = std::accumulate(draws.begin(), draws.end(), 0.0, add);
-    if (may_vanish && value.is_scale && drawn_ > weight) {
+    if (may_vanish_.count(found->first) > 0 && drawn_ > weight) {
       draws.emplace_back(0.0, drawn_ - weight);
       weight = drawn_;
     }
@@ -255,7 +252,7 @@ class Resampling {
       }
       return draw->first;
     };
-    size.interval_95 = {std::min(value.value, at(0.025)), std::max(value.value, at(0.975))};
+    size.interval_95 = {std::min(size.value, at(0.025)), std::max(size.value, at(0.975))};
     // A bound gathers all draws that would lie beyond it.
     const double low = draws.front().first;
     const double high = draws.back().first;
@@ -265,11 +262,12 @@ class Resampling {
   const fit::HypothesisFitter& fitter_;
   const FittedLaw& fitted_;
   const fit::Hypothesis hypothesis_;
-  const std::vector<std::string>& effects_;
+  const std::vector<std::string> effects_;  // names of the members
   const double weight_;
   std::mt19937 generator_;
   const fit::BlockGrams blocks_;
-  const Point best_;
+  std::set<Key> may_vanish_;  // of these nothing of the effect is left at 0
+  const Sizes best_;
   std::vector<Eigen::VectorXd> mistakes_;                        // each of standard deviation 1
   std::map<Key, std::vector<std::pair<double, double>>> draws_;  // each with its weight
   double drawn_ = 0.0;                                           // weight of all resamples
@@ -277,13 +275,16 @@ class Resampling {
 
 }  // namespace
 
-Sizes sizesOf(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
-              const std::vector<std::string>& effects, const DiagnosisOptions& options) {
-  Resampling first(laws.front(), form_error, effects, options);
+void addSizes(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
+              const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options, Diagnosis& diagnosis) {
+  Resampling first(laws.front(), form_error, candidates, options);
   for (std::size_t l = 1; l < laws.size(); ++l) {
-    first.add(Resampling(laws[l], form_error, effects, options));
+    first.add(Resampling(laws[l], form_error, candidates, options));
   }
-  return first.sizes();
+  Sizes sizes = first.sizes();
+  diagnosis.model_sizes = std::move(sizes.model);
+  diagnosis.effect_sizes = std::move(sizes.effects);
+  diagnosis.written = std::move(sizes.written);
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -110,9 +110,9 @@ Surrogate fitSurrogate(const io::ComponentDescription& component, const Surrogat
 }
 
 std::string describeRest(const Surrogate& surrogate) {
-  const std::string prediction =
-      fmt::format("a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to (gap {:.1f} to {:.1f} %)",
-                  100.0 * surrogate.share, 100.0 * surrogate.unseen_before, 100.0 * surrogate.unseen_after);
+  const std::string prediction = fmt::format(
+      "a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to (gap {:.1f} to {:.1f} %)",
+      100.0 * surrogate.share, 100.0 * surrogate.unseen_before, 100.0 * surrogate.unseen_after);
   if (surrogate.function_of_the_motion) {
     return "The rest is a function of the motion that is not in the list: " + prediction + ".";
   }
@@ -120,7 +120,8 @@ std::string describeRest(const Surrogate& surrogate) {
     return "Only part of the rest is a function of the motion: " + prediction +
            ". The other part takes other logs to learn, or the motion does not cause it (hum, cross-talk, a plug).";
   }
-  return "No surrogate predicts the rest in parts of the logs that it was not fitted to: whether the motion causes it stays open.";
+  return "No surrogate predicts the rest in parts of the logs that it was not fitted to: whether the motion causes it "
+         "stays open.";
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "diagnosis/judge/score.h"
 #include "diagnosis/results/rounding.h"
 #include "diagnosis/results/simplest_law.h"
+#include "diagnosis/results/sizes.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -28,20 +28,20 @@ double squareInSample(const io::ComponentDescription& component, const std::vect
 }
 
 // The exact component rounded as far as the gap allows, and by how much that changes the squared gap in sample.
-double roundTo(const io::ComponentDescription& exact, const std::vector<log::Record>& records, WrittenLaw& law) {
+double roundTo(const io::ComponentDescription& exact, const std::vector<log::Record>& records, Diagnosis& diagnosis) {
   const double square = squareInSample(exact, records);
-  for (law.finer = 0; law.finer < kMostFiner; ++law.finer) {
+  for (diagnosis.finer = 0; diagnosis.finer < kMostFiner; ++diagnosis.finer) {
     try {
-      law.component = rounded(exact, law.sizes.written, law.finer);
+      diagnosis.augmented = rounded(exact, diagnosis.written, diagnosis.finer);
     } catch (const std::runtime_error&) {
       continue;  // so roughly there is no such component
     }
-    const double ratio = squareInSample(law.component, records) / square;
+    const double ratio = squareInSample(diagnosis.augmented, records) / square;
     if (ratio <= std::pow(1.0 + kShows, 2)) {
       return ratio;
     }
   }
-  law.component = exact;
+  diagnosis.augmented = exact;
   return 1.0;
 }
 
@@ -57,21 +57,22 @@ gap::Forces byRounding(const io::ComponentDescription& exact, const io::Componen
 }
 
 // How probable a law is by what it leaves more than the best of all, as the judgement sees it.
-double weightOf(double gap, const SimplestLaw& simple) {
+double weightOf(double gap, const SimplestLaw& chosen) {
   const JudgeNumbers& numbers = fittedNumbers();
-  double least = simple.gap;
-  for (const auto& other : simple.others) {
+  double least = chosen.gap;
+  for (const auto& other : chosen.others) {
     least = std::min(least, other.first);
   }
-  const double expected = std::inner_product(simple.form_error.begin(), simple.form_error.end(),
-                                             simple.form_error.begin(), numbers.accepted * numbers.accepted);
+  double expected = numbers.accepted * numbers.accepted;
+  for (const double form_error : chosen.form_error) {
+    expected += form_error * form_error;
+  }
   return std::exp(-0.5 * numbers.sharpness * lossOf(gap * gap - least * least, expected, numbers));
 }
 
-io::ComponentDescription componentOf(const PreparedCase& prepared, const fit::ParameterVector& parameters,
-                                     const std::vector<Entries>& added) {
-  io::ComponentDescription result = prepared.model.apply(parameters.model);
-  for (const Entries& entries : added) {
+io::ComponentDescription componentOf(const PreparedCase& prepared, const FittedLaw& fitted) {
+  io::ComponentDescription result = prepared.model.apply(fitted.fit.parameters.model);
+  for (const Entries& entries : fitted.law.at(fitted.fit.parameters.scales)) {
     result.add.insert(result.add.end(), entries.begin(), entries.end());
   }
   result.valid_displacement = prepared.component.valid_displacement;
@@ -81,38 +82,36 @@ io::ComponentDescription componentOf(const PreparedCase& prepared, const fit::Pa
 
 }  // namespace
 
-WrittenLaw writtenLaw(const PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
-                      const FittedHypothesis& judged, double before, const DiagnosisOptions& options) {
+std::vector<gap::PartError> addWrittenLaw(const PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
+                                          const FittedHypothesis& judged, double before,
+                                          const DiagnosisOptions& options, Diagnosis& diagnosis) {
   const HeldOut held_out{prepared.held_out, prepared.zeros.held_out};
-  const SimplestLaw simple = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
+  const SimplestLaw chosen = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
+  const FittedLaw& simple = chosen.fitted;
   const FittedLaw full = fullLaw(judged, candidates);
   std::deque<LawFitter> fitters;
   std::vector<SizedLaw> laws;
-  const auto addLaw = [&](double gap, const FittedLaw& one) {
-    laws.push_back({fitters.emplace_back(prepared.fitter, one.law, options.threads), one, weightOf(gap, simple)});
+  const auto addLaw = [&](double gap, const FittedLaw& law) {
+    laws.push_back({fitters.emplace_back(prepared.fitter, law.law, options.threads), law, weightOf(gap, chosen)});
   };
-  addLaw(simple.gap, simple.fitted);
-  for (const auto& [gap, other] : simple.others) {
+  addLaw(chosen.gap, simple);
+  for (const auto& [gap, other] : chosen.others) {
     addLaw(gap, other);
   }
-  WrittenLaw law;
-  law.sizes = sizesOf(laws, simple.form_error, effectsOf(simple.fitted.law, candidates), options);
-  law.full = componentOf(prepared, full.fit.parameters, full.law.at(full.fit.parameters.scales));
-  const auto exact =
-      componentOf(prepared, simple.fitted.fit.parameters, simple.fitted.law.at(simple.fitted.fit.parameters.scales));
-  const double ratio = roundTo(exact, prepared.training, law);
-  if (prepared.held_out.empty()) {
-    law.errors = simple.fitted.fit.blocks;
-    for (gap::PartError& error : law.errors) {
-      error.error *= ratio;
-    }
-    law.full_gap = gap::gapOfParts(judged.fit.blocks);
-  } else {
-    law.errors =
-        unseenErrors(prepared.model, simple.fitted, held_out, byRounding(exact, law.component, prepared.held_out));
-    law.full_gap = gap::gapOfParts(unseenErrors(prepared.model, full, held_out));
+  addSizes(laws, chosen.form_error, candidates, options, diagnosis);
+  diagnosis.augmented_full = componentOf(prepared, full);
+  const io::ComponentDescription exact = componentOf(prepared, simple);
+  const double ratio = roundTo(exact, prepared.training, diagnosis);
+  if (!prepared.held_out.empty()) {
+    diagnosis.gap_of_full_law = gap::gapOfParts(unseenErrors(prepared.model, full, held_out));
+    return unseenErrors(prepared.model, simple, held_out, byRounding(exact, diagnosis.augmented, prepared.held_out));
   }
-  return law;
+  diagnosis.gap_of_full_law = gap::gapOfParts(judged.fit.blocks);
+  std::vector<gap::PartError> errors = simple.fit.blocks;
+  for (gap::PartError& error : errors) {
+    error.error *= ratio;
+  }
+  return errors;
 }
 
 }  // namespace rubber_suspension::diagnosis

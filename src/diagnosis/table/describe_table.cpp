@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "diagnosis/experiment/confusion.h"
@@ -173,9 +174,7 @@ class TableDescriber {
     result_.augmented_full = result_.augmented;
     describeRows();
     measureGap();
-    result_.gap_of_full_law = result_.gap.augmented;
     mapGap();
-    describeCandidates();
     describeParameters();
     describeAnswer();
     result_.workings = std::move(workings_);
@@ -209,24 +208,20 @@ class TableDescriber {
     result_.table = std::move(table);
   }
 
-  // On rows that took no part in the fit. Noise is no more than what any model leaves.
+  // On rows that took no part in the fit.
   void measureGap() {
-    Gap& gap = result_.gap;
-    gap = {search_.configured_gap, gap::gapOfParts(search_.re_estimated.fit.blocks),
-           gap::gapOfParts(judged_.fit.blocks), search_.noise};
+    Gap gap = {search_.configured_gap, gap::gapOfParts(search_.re_estimated.fit.blocks),
+               gap::gapOfParts(judged_.fit.blocks), search_.noise};
     if (answer_.model == Evidence::kAsConfigured) {
       gap.augmented = gap.as_configured;
     }
-    gap.noise_floor = std::min({gap.noise_floor, gap.as_configured, gap.re_estimated, gap.augmented});
-    for (const FittedHypothesis& single : search_.singles) {
-      gap.noise_floor = std::min(gap.noise_floor, gap::gapOfParts(single.fit.blocks));
-    }
+    std::vector<std::vector<gap::PartError>> alone;
+    std::transform(search_.singles.begin(), search_.singles.end(), std::back_inserter(alone),
+                   [](const FittedHypothesis& single) { return single.fit.blocks; });
     result_.noise_source = search_.noise_source;
-    addClosed(*workings_, options_, result_);
-    io::ComponentDescription values = result_.augmented;
-    values.add = component_.add;
-    io::ComponentDescription effects = component_;
-    effects.add = result_.augmented.add;
+    result_.gap_of_full_law = gap.augmented;
+    addGap(gap, alone, *workings_, options_, result_);
+    const auto [values, effects] = valuesAndEffects(result_);
     result_.gap_of_values = gapOf(values);
     result_.gap_of_effects = gapOf(effects);
   }
@@ -254,21 +249,9 @@ class TableDescriber {
                      [](const gap::GapCell& x, const gap::GapCell& y) { return x.share > y.share; });
   }
 
-  void describeCandidates() {
-    for (std::size_t c = 0; c < search_.candidates.size(); ++c) {
-      result_.candidates.push_back(
-          candidateResult(*workings_, options_, result_, c, gap::gapOfParts(search_.singles[c].fit.blocks)));
-    }
-    sortByProbability(result_.candidates);
-  }
-
   void describeParameters() {
     result_.parameter_ratios = measured_.model().ratios(search_.re_estimated.fit.parameters.model);
-    const FittedLaw law = fullLaw(judged_, search_.candidates);
-    Sizes sizes = sizesOf({{measured_.fitter(), law}}, {}, effectsOf(law.law, search_.candidates), options_);
-    result_.model_sizes = std::move(sizes.model);
-    result_.effect_sizes = std::move(sizes.effects);
-    result_.written = std::move(sizes.written);
+    addSizes({{measured_.fitter(), fullLaw(judged_, search_.candidates)}}, {}, search_.candidates, options_, result_);
   }
 
   void describeAnswer() {
