@@ -18,12 +18,6 @@ struct Discrimination {
   std::size_t nearest = 0;   ///< the explanation nearest to the first
 };
 
-/// The error that counts as noise in a new log.
-struct NewLogNoise {
-  double force = 0.0;     ///< [N]
-  double relative = 0.0;  ///< of the force's standard deviation: less is within the accuracy of models
-};
-
 /// T-optimality (Atkinson and Fedorov, Biometrika 62, 1975) for several explanations: each is taken for right with its
 /// probability; each other one gives way by a Gauss-Newton step on the normal equations of the logs and of the motion
 /// together, and what it is still off by counts, on the motion and on the logs. The zero of the force is free in a new
@@ -68,7 +62,8 @@ class Discriminator {
 
   const fit::Fitter& fitter_;
   const std::vector<Explanation>& explanations_;
-  NewLogNoise noise_;
+  double noise_;     // of a new log [N]
+  double accepted_;  // of the force's standard deviation: less is within the accuracy of models
   double force_limit_;
   int threads_;
   PlayedMotions played_;

@@ -19,10 +19,9 @@ struct Explanation {
 /// The hypothesis judged, then the likeliest others; the model as configured and re-estimated are among them.
 std::vector<Explanation> explanationsOf(const Workings& workings);
 
-/// How probable it is that the judgement leaves one explanation alone, were it right, once there is one log more beside
-/// `logs`, of which the others leave these squares [of the force's variance] more than it does. All logs count alike,
-/// so that those so far tell less than before. What the right one leaves itself, the form error of its law, scatters as
-/// the judgement expects.
+/// How probable it is that an explanation stands alone, were it right, once there is one log more beside `logs`, of
+/// which others leave these squares `more` than it does. All logs count alike, so that those so far tell less than
+/// before. What the right one leaves itself, the form error of its law, scatters as the judgement expects.
 double standsAlone(std::size_t right, const std::vector<Explanation>& explanations, const std::vector<double>& more,
                    double logs);
 

@@ -231,8 +231,7 @@ class Describer {
   }
 
   void describeParameters() {
-    const fit::Fit& joint = search_.re_estimated.fit;
-    result_.parameter_ratios = prepared_.model.ratios(joint.parameters.model);
+    result_.parameter_ratios = prepared_.model.ratios(search_.re_estimated.fit.parameters.model);
     result_.whole = wholeStiffness(prepared_.component, result_.augmented, prepared_.training);
   }
 

@@ -254,8 +254,7 @@ class Resampling {
     };
     size.interval_95 = {std::min(size.value, at(0.025)), std::max(size.value, at(0.975))};
     // A bound gathers all draws that would lie beyond it.
-    const double low = draws.front().first;
-    const double high = draws.back().first;
+    const auto [low, high] = std::pair(draws.front().first, draws.back().first);
     size.at_bound = {low < high && size.interval_95[0] == low, low < high && size.interval_95[1] == high};
   }
 

@@ -63,10 +63,9 @@ double weightOf(double gap, const SimplestLaw& chosen) {
   for (const auto& other : chosen.others) {
     least = std::min(least, other.first);
   }
-  double expected = numbers.accepted * numbers.accepted;
-  for (const double form_error : chosen.form_error) {
-    expected += form_error * form_error;
-  }
+  const Eigen::Map<const Eigen::VectorXd> form(chosen.form_error.data(),
+                                               static_cast<Eigen::Index>(chosen.form_error.size()));
+  const double expected = numbers.accepted * numbers.accepted + form.squaredNorm();
   return std::exp(-0.5 * numbers.sharpness * lossOf(gap * gap - least * least, expected, numbers));
 }
 
