@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -142,8 +141,7 @@ class Chooser {
     }
     linearise();
     const JudgeNumbers& numbers = fittedNumbers();
-    result_.gap = gapOf(result_.fitted);
-    const double full = std::pow(result_.gap, 2);
+    const double full = std::pow(gapOf(result_.fitted), 2);
     const double most = 0.5 * (full + std::pow(before_, 2));  // closes half of what the full law does
     double allowed = full + std::pow(numbers.accepted, 2);
     for (std::size_t m = 0; m < own_.size(); ++m) {
@@ -234,9 +232,10 @@ class Chooser {
       std::vector<std::pair<double, FittedLaw>> laws =
           numbers > most ? decltype(laws){} : allowedOf(m, starts, allowed);
       if (!laws.empty()) {
-        std::swap(laws.front().first, result_.gap);
         std::swap(laws.front().second, result_.fitted);
-        std::move(laws.begin(), laws.end(), std::back_inserter(result_.others));
+        for (auto& [gap, law] : laws) {
+          result_.others.push_back(std::move(law));
+        }
         return;
       }
     }

@@ -1,7 +1,6 @@
 // After the verdict: the law with the fewest numbers that says as much of each effect as the one that was judged.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
@@ -26,8 +25,7 @@ std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, cons
 
 struct SimplestLaw {
   FittedLaw fitted;
-  std::vector<std::pair<double, FittedLaw>> others;  ///< gaps and laws: of as many numbers, and the full one
-  double gap = 0.0;
+  std::vector<FittedLaw> others;   ///< that no gap tells from it: of as many numbers but another form, and the full one
   std::vector<double> form_error;  ///< of each member, by which its law may differ from the rubber's: of the force
 };
 

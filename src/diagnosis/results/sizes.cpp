@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -100,7 +99,6 @@ class Resampling {
         fitted_(law.fitted),
         hypothesis_(fitted_.law.hypothesis()),
         effects_(effectsOf(fitted_.law, candidates)),
-        weight_(law.weight),
         generator_(options.seed),
         blocks_(fitter_.linearise(hypothesis_, fitted_.fit.parameters, {}, options.threads)),
         best_(sizesAt(fitted_.fit.parameters)) {
@@ -120,7 +118,7 @@ class Resampling {
     if (!std::equal(best_.effects.begin(), best_.effects.end(), others.begin(), others.end(), same)) {
       return;
     }
-    drawn_ += other.drawn_;
+    resamples_ += other.resamples_;
     for (const auto& [key, draws] : other.draws_) {
       if (!key.first.empty()) {  // a place in a component file is that of another number there
         draws_[key].insert(draws_[key].end(), draws.begin(), draws.end());
@@ -191,10 +189,10 @@ class Resampling {
     }
     try {
       const Sizes drawn = sizesAt(moved);
-      drawn_ += weight_;
+      ++resamples_;
       for (const auto* sizes : {&drawn.model, &drawn.effects, &drawn.written}) {
         for (const SizedValue& size : *sizes) {
-          draws_[{size.owner, size.name}].emplace_back(size.value, weight_);
+          draws_[{size.owner, size.name}].push_back(size.value);
         }
       }
     } catch (const std::invalid_argument&) {
@@ -237,39 +235,31 @@ class Resampling {
       size.interval_95 = {size.value, size.value};
       return;
     }
-    std::vector<std::pair<double, double>> draws = found->second;
-    const auto add = [](double sum, const auto& draw) { return sum + draw.second; };
-    double weight = std::accumulate(draws.begin(), draws.end(), 0.0, add);
-    if (may_vanish_.count(found->first) > 0 && drawn_ > weight) {
-      draws.emplace_back(0.0, drawn_ - weight);
-      weight = drawn_;
+    std::vector<double> draws = found->second;
+    if (may_vanish_.count(found->first) > 0) {
+      draws.resize(std::max(draws.size(), resamples_), 0.0);
     }
     std::sort(draws.begin(), draws.end());
     const auto at = [&](double share) {
-      auto draw = draws.begin();
-      for (double below = draw->second; below < share * weight && draw + 1 != draws.end(); below += draw->second) {
-        ++draw;
-      }
-      return draw->first;
+      return draws[static_cast<std::size_t>(std::lround(share * static_cast<double>(draws.size() - 1)))];
     };
     size.interval_95 = {std::min(size.value, at(0.025)), std::max(size.value, at(0.975))};
     // A bound gathers all draws that would lie beyond it.
-    const auto [low, high] = std::pair(draws.front().first, draws.back().first);
-    size.at_bound = {low < high && size.interval_95[0] == low, low < high && size.interval_95[1] == high};
+    const bool spread = draws.front() < draws.back();
+    size.at_bound = {spread && size.interval_95[0] == draws.front(), spread && size.interval_95[1] == draws.back()};
   }
 
   const fit::HypothesisFitter& fitter_;
   const FittedLaw& fitted_;
   const fit::Hypothesis hypothesis_;
   const std::vector<std::string> effects_;  // names of the members
-  const double weight_;
   std::mt19937 generator_;
   const fit::BlockGrams blocks_;
   std::set<Key> may_vanish_;  // of these nothing of the effect is left at 0
   const Sizes best_;
-  std::vector<Eigen::VectorXd> mistakes_;                        // each of standard deviation 1
-  std::map<Key, std::vector<std::pair<double, double>>> draws_;  // each with its weight
-  double drawn_ = 0.0;                                           // weight of all resamples
+  std::vector<Eigen::VectorXd> mistakes_;  // each of standard deviation 1
+  std::map<Key, std::vector<double>> draws_;
+  std::size_t resamples_ = 0;
 };
 
 }  // namespace

@@ -9,18 +9,18 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// A law, what fitted it, and how probable it is beside others of the same effects, up to a factor.
+/// A law and what fitted it.
 struct SizedLaw {
   const fit::HypothesisFitter& fitter;
   FittedLaw fitted;
-  double weight = 1.0;
 };
 
-/// Sets the sizes of the first of several laws in a diagnosis: those of the model, headline numbers of each member of
-/// the law in their order, and every number of its component by its place there (io::numberPlace). Intervals are
-/// percentiles over resampled blocks of the logs: each resample moves the fit by one step of its own normal equations,
-/// within the bounds of the fit, and the numbers of each member by what its form error may be mistaken for. Those of
-/// the model and of headline numbers are over all laws that have the same ones, by their weights.
+/// Sets the sizes of the first of several laws in a diagnosis, between which no gap decides: those of the model,
+/// headline numbers of each member of the law in their order, and every number of its component by its place there
+/// (io::numberPlace). Intervals are percentiles over resampled blocks of the logs: each resample moves the fit by one
+/// step of its own normal equations, within the bounds of the fit, and the numbers of each member by what its form
+/// error may be mistaken for. Those of the model and of headline numbers are over all laws that have the same ones,
+/// alike.
 void addSizes(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
               const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options, Diagnosis& diagnosis);
 

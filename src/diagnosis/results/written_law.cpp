@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diagnosis/judge/score.h"
 #include "diagnosis/results/rounding.h"
 #include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/sizes.h"
@@ -56,19 +55,6 @@ gap::Forces byRounding(const io::ComponentDescription& exact, const io::Componen
   return change;
 }
 
-// How probable a law is by what it leaves more than the best of all, as the judgement sees it.
-double weightOf(double gap, const SimplestLaw& chosen) {
-  const JudgeNumbers& numbers = fittedNumbers();
-  double least = chosen.gap;
-  for (const auto& other : chosen.others) {
-    least = std::min(least, other.first);
-  }
-  const Eigen::Map<const Eigen::VectorXd> form(chosen.form_error.data(),
-                                               static_cast<Eigen::Index>(chosen.form_error.size()));
-  const double expected = numbers.accepted * numbers.accepted + form.squaredNorm();
-  return std::exp(-0.5 * numbers.sharpness * lossOf(gap * gap - least * least, expected, numbers));
-}
-
 io::ComponentDescription componentOf(const PreparedCase& prepared, const FittedLaw& fitted) {
   io::ComponentDescription result = prepared.model.apply(fitted.fit.parameters.model);
   for (const Entries& entries : fitted.law.at(fitted.fit.parameters.scales)) {
@@ -90,13 +76,11 @@ std::vector<gap::PartError> addWrittenLaw(const PreparedCase& prepared, const st
   const FittedLaw full = fullLaw(judged, candidates);
   std::deque<LawFitter> fitters;
   std::vector<SizedLaw> laws;
-  const auto addLaw = [&](double gap, const FittedLaw& law) {
-    laws.push_back({fitters.emplace_back(prepared.fitter, law.law, options.threads), law, weightOf(gap, chosen)});
+  const auto addLaw = [&](const FittedLaw& law) {
+    laws.push_back({fitters.emplace_back(prepared.fitter, law.law, options.threads), law});
   };
-  addLaw(chosen.gap, simple);
-  for (const auto& [gap, other] : chosen.others) {
-    addLaw(gap, other);
-  }
+  addLaw(simple);
+  std::for_each(chosen.others.begin(), chosen.others.end(), addLaw);
   addSizes(laws, chosen.form_error, candidates, options, diagnosis);
   diagnosis.augmented_full = componentOf(prepared, full);
   const io::ComponentDescription exact = componentOf(prepared, simple);
