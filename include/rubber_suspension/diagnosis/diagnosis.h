@@ -121,14 +121,6 @@ struct TakenOut {
 /// Re-estimated over configured value, by the parameter's name.
 using ParameterRatios = std::vector<std::pair<std::string, double>>;
 
-/// Model parameters that each log alone would want.
-struct ParameterByLog {
-  std::string log;
-  double amplitude = 0.0;  ///< sqrt(2) times the standard deviation of the displacement [m]
-  double frequency = 0.0;  ///< mean frequency of the motion [Hz]
-  ParameterRatios ratios;
-};
-
 /// A file that a diagnosis read.
 struct InputFile {
   std::string option;  ///< that named it
@@ -256,7 +248,6 @@ struct Diagnosis {
   std::vector<Admission> admission;
   std::vector<TakenOut> taken_out;  ///< log by log
   ParameterRatios parameter_ratios;
-  std::vector<ParameterByLog> by_log;
   std::vector<SizedValue> model_sizes;   ///< of the judged model's own parameters
   std::vector<SizedValue> effect_sizes;  ///< of the effects named
   std::optional<WholeStiffness> whole;   ///< nothing where a component has no settled loop

@@ -49,8 +49,8 @@ Discriminator::Discriminator(const fit::Fitter& fitter, const Search& search,
                              const std::vector<Explanation>& explanations, double force_limit, int threads)
     : fitter_(fitter),
       explanations_(explanations),
-      noise_{std::max(search.noise, kLeastNoise) * search.excitation.force,
-             std::max(fittedNumbers().accepted, search.discretisation)},
+      noise_(std::max(search.noise, kLeastNoise) * search.excitation.force),
+      accepted_(std::max(fittedNumbers().accepted, search.discretisation)),
       force_limit_(force_limit),
       threads_(threads),
       played_(fitter.records()) {}
@@ -81,9 +81,7 @@ std::vector<std::size_t> Discriminator::playable() const {
   return motions;
 }
 
-double Discriminator::floorOf(double force_deviation) const {
-  return std::max(noise_.force, noise_.relative * force_deviation);
-}
+double Discriminator::floorOf(double force_deviation) const { return std::max(noise_, accepted_ * force_deviation); }
 
 // Expected least difference in floors before any refit: an upper bound of that after it.
 double Discriminator::unrefitted(std::size_t motion) const {
@@ -242,7 +240,7 @@ Discrimination Discriminator::weigh(std::size_t motion) const {
     const double probability = explanations_[right].probability;
     result.difference = right == 0 ? least : result.difference;
     result.floors += probability * std::min(kMostFloors, least / floorOf(deviation));
-    result.probability += probability * updated(explanations_, left, logs)[right];
+    result.probability += probability * standsAlone(right, explanations_, left, logs);
     result.nearest = right == 0 ? nearest : result.nearest;
   }
   return result;

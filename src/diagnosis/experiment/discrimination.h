@@ -14,14 +14,8 @@ struct Discrimination {
   const Experiment* experiment = nullptr;
   double difference = 0.0;   ///< were the first right: RMS force by which the nearest other would still be off [N]
   double floors = 0.0;       ///< expected over what may be right, in noise floors of which ten count at most
-  double probability = 0.0;  ///< expected, of the right explanation once the motion is among the logs
+  double probability = 0.0;  ///< that the right explanation stands alone once the motion is among the logs
   std::size_t nearest = 0;   ///< the explanation nearest to the first
-};
-
-/// The error that counts as noise in a new log.
-struct NewLogNoise {
-  double force = 0.0;     ///< [N]
-  double relative = 0.0;  ///< of the force's standard deviation: less is within the accuracy of models
 };
 
 /// T-optimality (Atkinson and Fedorov, Biometrika 62, 1975) for several explanations: each is taken for right with its
@@ -68,7 +62,8 @@ class Discriminator {
 
   const fit::Fitter& fitter_;
   const std::vector<Explanation>& explanations_;
-  NewLogNoise noise_;
+  double noise_;     // of a new log [N]
+  double accepted_;  // of the force's standard deviation: less is within the accuracy of models
   double force_limit_;
   int threads_;
   PlayedMotions played_;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <random>
 #include <utility>
 
 #include "diagnosis/judge/score.h"
@@ -32,46 +32,52 @@ std::vector<Ranked> rankedHypotheses(const Workings& workings, const ScoreTable&
   return ranked;
 }
 
-void normalise(std::vector<double>& weights) {
-  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-  for (double& weight : weights) {
-    weight /= sum;
-  }
-}
-
 }  // namespace
 
 std::vector<Explanation> explanationsOf(const Workings& workings) {
   const ScoreTable table = scoreTable(workings.evidence);
-  const Eigen::ArrayXd expected = (expectedSquares(table, fittedNumbers()).matrix() * table.weight.matrix()).array();
+  const Eigen::ArrayXXd squares = expectedSquares(table, fittedNumbers());
+  const auto onAverage = [&](const Eigen::ArrayXXd& ofLogs, int hypothesis) {
+    return ofLogs.row(hypothesis).matrix().dot(table.weight.matrix());
+  };
+  const Eigen::ArrayXXd losses =
+      table.left.binaryExpr(squares, [](double left, double s2) { return lossOf(left, s2, fittedNumbers()); });
   std::vector<Explanation> explanations;
-  std::vector<double> weights;
+  double sum = 0.0;
   for (const auto& [probability, hypothesis] : rankedHypotheses(workings, table)) {
     const FittedHypothesis& fitted = workings.search.at(hypothesis);
     if (explanations.size() < kMost && std::isfinite(fitted.fit.held_out) && probability > 0.0) {
-      explanations.push_back({&fitted, probability, expected[hypothesis]});
-      weights.push_back(probability);
+      explanations.push_back({&fitted, probability, onAverage(squares, hypothesis), onAverage(losses, hypothesis)});
+      sum += probability;
     }
   }
-  normalise(weights);
-  for (std::size_t e = 0; e < explanations.size(); ++e) {
-    explanations[e].probability = weights[e];
+  for (Explanation& explanation : explanations) {
+    explanation.probability /= sum;
   }
   return explanations;
 }
 
-std::vector<double> updated(const std::vector<Explanation>& explanations, const std::vector<double>& left,
-                            double logs) {
+double standsAlone(std::size_t right, const std::vector<Explanation>& explanations, const std::vector<double>& more,
+                   double logs) {
+  constexpr int kDraws = 200;
   const JudgeNumbers& numbers = fittedNumbers();
-  std::vector<double> weights;
-  for (std::size_t e = 0; e < explanations.size(); ++e) {
-    const double loss = lossOf(left[e], explanations[e].expected, numbers);
-    weights.push_back(std::log(explanations[e].probability) - 0.5 * numbers.sharpness * loss / (logs + 1.0));
+  std::mt19937 generator(1);
+  std::student_t_distribution<double> form(numbers.tails);
+  int alone = 0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const double form_error = explanations[right].expected * std::pow(form(generator), 2);
+    double odds = 0.0;
+    double of_right = 0.0;
+    for (std::size_t e = 0; e < explanations.size(); ++e) {
+      const Explanation& one = explanations[e];
+      const double change = (lossOf(form_error + more[e], one.expected, numbers) - one.loss) / (logs + 1.0);
+      const double weight = one.probability * std::exp(-0.5 * numbers.sharpness * change);
+      odds += weight;
+      of_right = e == right ? weight : of_right;
+    }
+    alone += of_right >= kListed * odds ? 1 : 0;
   }
-  const double most = *std::max_element(weights.begin(), weights.end());
-  std::transform(weights.begin(), weights.end(), weights.begin(), [&](double w) { return std::exp(w - most); });
-  normalise(weights);
-  return weights;
+  return static_cast<double>(alone) / kDraws;
 }
 
 std::string nameOf(const Search& search, const FittedHypothesis& fitted) {

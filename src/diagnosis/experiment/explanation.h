@@ -13,14 +13,17 @@ struct Explanation {
   const FittedHypothesis* fitted = nullptr;
   double probability = 0.0;
   double expected = 1e-4;  ///< square that it is expected to leave of a log (expectedSquares())
+  double loss = 0.0;       ///< of the logs so far, on average (lossOf())
 };
 
 /// The hypothesis judged, then the likeliest others; the model as configured and re-estimated are among them.
 std::vector<Explanation> explanationsOf(const Workings& workings);
 
-/// Probabilities of explanations once there is one log more beside `logs`, of which each leaves these squares beyond
-/// the noise: by the score of the judgement, in which all logs count alike.
-std::vector<double> updated(const std::vector<Explanation>& explanations, const std::vector<double>& left, double logs);
+/// How probable it is that an explanation stands alone, were it right, once there is one log more beside `logs`, of
+/// which others leave these squares `more` than it does. All logs count alike, so that those so far tell less than
+/// before. What the right one leaves itself, the form error of its law, scatters as the judgement expects.
+double standsAlone(std::size_t right, const std::vector<Explanation>& explanations, const std::vector<double>& more,
+                   double logs);
 
 /// "friction + creep"; "the model as it is" without members.
 std::string nameOf(const Search& search, const FittedHypothesis& fitted);

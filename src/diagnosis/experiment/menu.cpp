@@ -241,8 +241,9 @@ class Menu {
     const auto addParts = [&](const std::string& kind, const std::vector<double>& part) {
       add({kind, 3.0 * phase, 1.0 / full_, full_, 1.0,
            [=](double t) {
-             const auto now = static_cast<std::size_t>(std::clamp(t / phase, 0.0, 2.0));
-             return part[now] * std::sin(omega * t);
+             const double second = (part[1] - part[0]) * eased(t - phase, 1.0 / full_);
+             const double third = (part[2] - part[1]) * eased(t - 2.0 * phase, 1.0 / full_);
+             return (part[0] + second + third) * std::sin(omega * t);
            },
            fmt::format("sine at {:.3g} Hz: {:.0f} cycles with # mm, as many with # mm, and with # mm", full_, cycles),
            part});

@@ -72,8 +72,10 @@ class Proposer {
     const Experiment& chosen = *best.experiment;
     NextExperiment next;
     next.text = fmt::format(
-        "{}. It decides between {}. If {} is right, {} would still differ by {} there, fitted anew. Over all of them "
-        "the difference is {:.1f} times the noise. The right one should then stand at {} %.",
+        "{}. It is to decide between {}. If {} is right, {}, fitted anew, would be off by {} there. Whichever is "
+        "right, "
+        "the nearest other one is off by {:.1f} times the noise on average. The right one alone remains in {} % of "
+        "cases.",
         chosen.description, allNames(), nameOfExplanation(0), nameOfExplanation(best.nearest),
         quantity(best.difference, "N"), best.floors, chance(best.probability));
     next.proposed.description = chosen.description;
@@ -99,24 +101,24 @@ class Proposer {
 
   NextExperiment none(const Discrimination& best) {
     std::string text = fmt::format(
-        "None within the limits: {}, refitted, would differ by {:.1f} times the noise floor at most ({}), and {:.0f} "
-        "times are needed. ",
-        allNames(), best.floors, best.experiment->description, kLeastFloors);
+        "None within the limits: {}, fitted anew, would differ by {:.1f} times the noise, and {:.0f} times are needed. "
+        "The motion that tells most is this: {}. ",
+        allNames(), best.floors, kLeastFloors, best.experiment->description);
     for (const Relaxation& relaxation : relaxationsOf(bounds_)) {
       const std::vector<Experiment> menu = experimentMenu(relaxation.bounds);
       discriminator_.setForceLimit(relaxation.bounds.force);
       const Discrimination wider = discriminator_.best(menu);
       if (wider.experiment != nullptr && wider.floors >= kLeastFloors) {
-        return {text + fmt::format("It would take {}: {}, {:.1f} times the noise floor.", relaxation.text,
+        return {text + fmt::format("It would take {}: {}, {:.1f} times the noise.", relaxation.text,
                                    wider.experiment->description, wider.floors),
                 {}};
       }
     }
-    return {
-        text + fmt::format("Neither twice the stroke, twice the speed nor five times the time would do; it would take "
-                           "noise of {:.2g} % of today's.",
-                           100.0 * best.floors / kLeastFloors),
-        {}};
+    return {text + fmt::format(
+                       "Twice the stroke, twice the speed or five times the time would not do. The noise would have "
+                       "to fall to {:.2g} % of today's.",
+                       100.0 * best.floors / kLeastFloors),
+            {}};
   }
 
   const Search& search_;

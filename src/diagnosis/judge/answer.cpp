@@ -8,7 +8,6 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr double kListed = 0.9;         // of all, that lists are to hold the right one with
 constexpr double kMajority = 0.5;       // of all sets, that one has to have to stand for itself
 constexpr double kWorthListing = 0.02;  // a set that holds a less probable effect is not listed
 

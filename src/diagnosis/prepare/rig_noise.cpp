@@ -44,8 +44,8 @@ void weighByNoise(const std::vector<double>& noise, std::vector<log::Record>& re
     sum += records[r].weight;
     if (records[r].weight < 1.0) {
       records[r].notes.push_back(
-          fmt::format("noise of {:.2g} % of the force: counts {:.2g} times as much as other logs", 100.0 * noise[r],
-                      records[r].weight));
+          fmt::format("noise of {:.2g} % of the force, so it counts {:.2g} times as much as other logs",
+                      100.0 * noise[r], records[r].weight));
     }
   }
   for (log::Record& record : records) {

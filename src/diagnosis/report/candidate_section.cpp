@@ -48,12 +48,12 @@ std::string notTestable(const Diagnosis& d) {
   }
   return names.empty() ? "Every candidate would show in " + sourceOf(d) + "."
                        : "A typical " + enumerated(names) + " would not show in " + sourceOf(d) +
-                             ": not absent, but not testable here.";
+                             ", so whether it is there stays open.";
 }
 
 const char* const kProbability =
-    "A probability is that of all sets of effects that hold this one. The numbers behind it were fitted to cases of "
-    "known cause; docs/accuracy.md says how often what is stated so is right.";
+    "The probability of an effect is the sum over all sets of effects that contain it. It rests on cases of known "
+    "cause; docs/accuracy.md says how often a stated probability is right.";
 
 }  // namespace
 
@@ -62,14 +62,14 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
     return "";
   }
   if (d.table && contains(d.table->never_shown, c.effect)) {
-    return "never to be seen in a table of settled loops: record a log";
+    return "no table of settled loops shows it: record a log";
   }
   if (!c.testable) {
-    return fmt::format("not to be seen in {}: re-estimation hides all but {} % of a typical one", sourceOf(d),
-                       wholePercent(c.visible_share));
+    return fmt::format("not testable with {}: other parameter values leave {} % of a typical one, too little to see",
+                       sourceOf(d), wholePercent(c.visible_share));
   }
   if (c.interval[0] <= 0.0) {
-    return "may remove nothing on further logs: the interval holds 0";
+    return "on further logs it may remove nothing";
   }
   if (d.effects.empty()) {
     return fmt::format("leaves {} of the {} that re-estimation leaves", percent(c.gap), percent(d.gap.re_estimated));

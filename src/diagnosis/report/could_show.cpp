@@ -49,7 +49,7 @@ std::string namesText(const std::vector<std::string>& names, std::size_t most) {
 }
 
 std::string outcomeTable(const CouldShow& could_show) {
-  return table({"implanted", "would be", "with, or as", "#not hidden by model parameters", "#least size seen"},
+  return table({"implanted", "would be", "with, or as", "#left by other parameter values", "#least size seen"},
                could_show.implanted, [](const ImplantedEffect& row) -> Row {
                  return {escape(spoken(row.effect)), outcomeText(row.outcome),
                          escape(spoken(namesText(row.taken_for, 4))), wholePercent(row.visible_share) + " %",
@@ -123,8 +123,8 @@ std::string couldShowHtml(const CouldShow& could_show) {
              "<p class=\"note screen\">Each effect is implanted into this component, motion and noise, in several "
              "shapes of its "
              "law, with an RMS force of {} % of the force's standard deviation ({}; noise floor {} %), and judged as "
-             "the logs are. The least size is that from which half of the shapes are found, alone or in a set without "
-             "wrong values.</p>\n",
+             "the logs are. From the least size on, half of the shapes are found, alone or in a set, and wrong values "
+             "of the model do not explain them.</p>\n",
              fmt::format("{:.2g}", 100.0 * could_show.size), escape(could_show.why),
              fmt::format("{:.2g}", 100.0 * could_show.noise)) +
          "<p>" + escape(outcomesInWords(could_show)) + "</p>\n<div class=screen>" + outcomeTable(could_show) +

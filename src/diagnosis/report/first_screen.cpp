@@ -100,7 +100,7 @@ std::string leftHtml(const Diagnosis& d) {
   std::string html = fmt::format("gap {} as configured, {} re-estimated, <b>{} after</b>; noise floor {}",
                                  percent(d.gap.as_configured), percent(d.gap.re_estimated), percent(d.gap.augmented),
                                  percent(d.gap.noise_floor));
-  html += d.effects.empty() ? "" : fmt::format("; {} with all numbers of the law", percent(d.gap_of_full_law));
+  html += d.effects.empty() ? "" : fmt::format("; {} with the law as judged", percent(d.gap_of_full_law));
   if (!d.effects.empty()) {
     html += fmt::format(
         "<br>removes {} % (95 % on further logs: {} to {} %) of the error that other parameter values "
@@ -125,8 +125,8 @@ std::string whereHtml(const Diagnosis& d) {
   }
   const gap::GapCell& cell = d.where.front();
   const std::string band = cell.frequency[0] > 0.0 ? fmt::format(", {} Hz", rangeText(cell.frequency, 1.0)) : "";
-  return fmt::format("{} <b>{}</b>{}, {} mm: <b>{}</b>, {} % of the squared gap as configured",
-                     d.table ? "table" : "log", escape(cell.log), band, rangeText(cell.amplitude, 1e3),
+  return fmt::format("largest in {}<b>{}</b>{}, {} mm: <b>{}</b>, {} % of the squared gap as configured",
+                     d.table ? "table " : "", escape(cell.log), band, rangeText(cell.amplitude, 1e3),
                      gap::toString(cell.quantity), wholePercent(cell.share));
 }
 

@@ -57,8 +57,8 @@ std::string howFar(const Diagnosis& d) {
                 "the fit in its turn: for a sine, the RMS of the force difference over the standard deviation of "
                 "the measured force."
               : "A gap is the RMS of measured minus simulated force over the standard deviation of the measured "
-                "force, on data that took no part in the fit, after what the rig did to that very log is taken "
-                "out: no number was fitted to these data, but they took part in choosing between the effects.") +
+                "force. It is that of data to which no number was fitted, but which helped to choose between the "
+                "effects. What the rig did to a log is taken out before.") +
          "</p>\n";
 }
 
@@ -67,14 +67,14 @@ std::string whereTable(const Diagnosis& d) {
   const std::vector<gap::GapCell> largest(
       d.where.begin(), d.where.begin() + static_cast<std::ptrdiff_t>(std::min(kMost, d.where.size())));
   return table({d.table ? "table" : "log", "#frequency [Hz]", "#amplitude [mm]", "what is wrong",
-                "#share of squared gap", "#over noise"},
+                "#share of squared gap", "#times the noise"},
                largest, [](const gap::GapCell& cell) -> Row {
                  return {escape(cell.log),
                          rangeText(cell.frequency, 1.0),
                          rangeText(cell.amplitude, 1e3),
                          gap::toString(cell.quantity),
                          percent(cell.share),
-                         cell.noise_ratio > 0.0 ? fmt::format("{:.1f}", cell.noise_ratio) : ""};  // the mean has none
+                         cell.noise_ratio > 0.0 ? fmt::format("{:.2g}", cell.noise_ratio) : ""};  // the mean has none
                });
 }
 
@@ -159,29 +159,11 @@ std::string furtherFigures(const DrawnFigures& drawn) {
              : heading("Figures") + "<div class=figures>" + panels + "</div>\n<p class=note>" + captions + "</p>\n";
 }
 
-std::string ratiosText(const ParameterRatios& ratios) {
-  std::string text;
-  for (const auto& [name, ratio] : ratios) {
-    text += fmt::format("{}{} &times; {:.3f}", text.empty() ? "" : ", ", escape(symbolOf(name)), ratio);
-  }
-  return text;
-}
-
-std::string parameterTable(const Diagnosis& d) {
-  std::vector<Row> rows = {{"<b>all logs</b>", "", "", ratiosText(d.parameter_ratios)}};
-  for (const ParameterByLog& row : d.by_log) {
-    rows.push_back({escape(row.log), fmt::format("{:.3g}", 1e3 * row.amplitude), fmt::format("{:.3g}", row.frequency),
-                    ratiosText(row.ratios)});
-  }
-  return table({"log", "#amplitude [mm]", "#mean frequency [Hz]", "best value over configured value"}, rows);
-}
-
 std::string componentFile(const Diagnosis& d) {
   return heading("Component file before and after") + componentChanges(d) +
          "<p class=screen>Node and <code>replay</code> run <a href=\"augmented.yaml\">augmented.yaml</a> as it is: the "
          "simplest law of each effect, rounded to what is known of it. All digits are in report.json.</p>\n" +
-         folded("augmented.yaml", "<pre>" + escape(augmentedYaml(d)) + "</pre>\n") +
-         (d.by_log.empty() ? "" : folded("Which value each log alone would want", parameterTable(d)));
+         folded("augmented.yaml", "<pre>" + escape(augmentedYaml(d)) + "</pre>\n");
 }
 
 std::string findingText(const measurement::RigFinding& finding) {
@@ -249,8 +231,9 @@ std::string takenOut(const Diagnosis& d) {
     }
     return {escape(log.log), percent(log.recorded), parts.empty() ? "nothing" : parts, percent(log.left)};
   };
-  return "<p>What was taken out of each log before the model with its effects was held against it. In squares it adds "
-         "up: gap as recorded less what was taken out is the gap; less than 0 where the gap grew.</p>\n" +
+  return "<p>What the rig did is taken out of each log before it is compared with the model. Squares add up: the gap "
+         "as "
+         "recorded less what is taken out is the gap. A negative number made the gap larger.</p>\n" +
          table({"log", "#gap as recorded", "taken out, in % of the force", "#gap"}, d.admission, row);
 }
 

@@ -136,13 +136,6 @@ ordered_json ratiosJson(const ParameterRatios& ratios) {
   return result;
 }
 
-ordered_json byLogJson(const ParameterByLog& row) {
-  return {{"log", row.log},
-          {"amplitude_m", row.amplitude},
-          {"frequency_hz", row.frequency},
-          {"ratios", ratiosJson(row.ratios)}};
-}
-
 ordered_json alternativeJson(const Alternative& other) {
   return {{"verdict", toString(other.verdict)}, {"effects", other.effects}, {"probability", other.probability}};
 }
@@ -229,9 +222,7 @@ std::string toJson(const Diagnosis& diagnosis) {
                          {"errors",
                           {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
                            {"augmented", errorsJson(diagnosis.errors_augmented)}}},
-                         {"own_parameters",
-                          {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)},
-                           {"by_log", list(diagnosis.by_log, byLogJson)}}},
+                         {"own_parameters", {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}}},
                          {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
                          {"admission", list(diagnosis.admission, admissionJson)}};
   if (diagnosis.turns) {

@@ -16,7 +16,6 @@
 #include "diagnosis/results/admission.h"
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/characteristics.h"
-#include "diagnosis/results/model_parameters_by_log.h"
 #include "diagnosis/results/recorded_gap.h"
 #include "diagnosis/results/surrogate.h"
 #include "diagnosis/results/taken_out.h"
@@ -232,9 +231,7 @@ class Describer {
   }
 
   void describeParameters() {
-    const fit::Fit& joint = search_.re_estimated.fit;
-    result_.parameter_ratios = prepared_.model.ratios(joint.parameters.model);
-    result_.by_log = parametersByLog(prepared_.fitter, joint);
+    result_.parameter_ratios = prepared_.model.ratios(search_.re_estimated.fit.parameters.model);
     result_.whole = wholeStiffness(prepared_.component, result_.augmented, prepared_.training);
   }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,8 +39,9 @@ class Subsets {
  public:
   // `from`: the normal equations' column of each term; `free`: columns of all else that is free; `moment` and `square`:
   // of the residual without the member.
-  Subsets(const Eigen::MatrixXd& gram, std::vector<fit::BasisTerm> terms, const Indices& from, const Indices& free,
-          const Eigen::VectorXd& moment, double square)
+  // The first `own` terms are those of the candidate, the others of its further laws.
+  Subsets(const Eigen::MatrixXd& gram, std::vector<fit::BasisTerm> terms, std::size_t own, const Indices& from,
+          const Indices& free, const Eigen::VectorXd& moment, double square)
       : terms_(std::move(terms)), square_(square) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const Eigen::MatrixXd of_free = gram(free, free);
@@ -60,7 +60,7 @@ class Subsets {
     for (const fit::BasisTerm& term : terms_) {
       const Entries one = {term.at(term.typical)};
       numbers_.push_back(numbersOf(one).size());
-      types_.push_back(one.front().type);
+      kinds_.push_back(one.front().type + (kinds_.size() < own ? "" : " of another form"));
     }
   }
 
@@ -72,13 +72,13 @@ class Subsets {
  private:
   void tryFrom(std::size_t first, const Indices& chosen, std::size_t numbers) {
     for (std::size_t t = first; t < terms_.size(); ++t) {
-      const bool of_one_kind = chosen.empty() || types_[t] == types_[static_cast<std::size_t>(chosen.front())];
+      const bool of_one_kind = chosen.empty() || kinds_[t] == kinds_[static_cast<std::size_t>(chosen.front())];
       if (numbers + numbers_[t] > kMostNumbers || (terms_[t].additive && !of_one_kind)) {
         continue;
       }
       Indices more = chosen;
       more.push_back(static_cast<Eigen::Index>(t));
-      rate(more, best_[numbers + numbers_[t]][types_[static_cast<std::size_t>(more.front())]]);
+      rate(more, best_[numbers + numbers_[t]][kinds_[static_cast<std::size_t>(more.front())]]);
       if (more.size() < kMostTerms) {
         tryFrom(t + 1, more, numbers + numbers_[t]);
       }
@@ -116,7 +116,7 @@ class Subsets {
 
   std::vector<fit::BasisTerm> terms_;
   std::vector<std::size_t> numbers_;  // of each term
-  std::vector<std::string> types_;    // likewise
+  std::vector<std::string> kinds_;    // likewise
   Eigen::MatrixXd gram_;
   Eigen::VectorXd moment_;
   double square_;
@@ -222,38 +222,45 @@ class Chooser {
     for (const Eigen::Index t : pool_[m]) {
       terms.push_back(termAt(t));
     }
-    return Subsets(blocks_.sum, std::move(terms), pool_[m], free, moment, square).best();
+    return Subsets(blocks_.sum, std::move(terms), own_[m].size(), pool_[m], free, moment, square).best();
   }
 
   void simplify(std::size_t m, double allowed) {
     const std::vector<Entries> full = result_.fitted.law.at(result_.fitted.fit.parameters.scales);
     const std::size_t most = numbersOf(full[m]).size();
     for (const auto& [numbers, starts] : startsOf(m)) {
-      const std::optional<FittedLaw> simple = numbers > most ? std::nullopt : bestOf(m, starts);
-      if (simple && std::pow(gapOf(*simple), 2) <= allowed) {
-        result_.fitted = *simple;
+      std::vector<std::pair<double, FittedLaw>> laws =
+          numbers > most ? decltype(laws){} : allowedOf(m, starts, allowed);
+      if (!laws.empty()) {
+        std::swap(laws.front().second, result_.fitted);
+        for (auto& [gap, law] : laws) {
+          result_.others.push_back(std::move(law));
+        }
         return;
       }
     }
   }
 
-  // The fit that leaves least.
-  std::optional<FittedLaw> bestOf(std::size_t m, const std::map<std::string, Start>& starts) const {
-    std::optional<FittedLaw> best;
-    for (const auto& [type, start] : starts) {
+  // The fits that leave little enough, by their gaps.
+  std::vector<std::pair<double, FittedLaw>> allowedOf(std::size_t m, const std::map<std::string, Start>& starts,
+                                                      double allowed) const {
+    std::vector<std::pair<double, FittedLaw>> laws;
+    for (const auto& [kind, start] : starts) {
       if (start.entries.empty()) {
         continue;
       }
       try {
         FittedLaw simple = fitted(m, start.entries);
-        if (!best || gapOf(simple) < gapOf(*best)) {
-          best = std::move(simple);
+        const double gap = gapOf(simple);
+        if (gap * gap <= allowed) {
+          laws.emplace_back(gap, std::move(simple));
         }
       } catch (const std::invalid_argument&) {
         continue;  // its numbers have no model
       }
     }
-    return best;
+    std::sort(laws.begin(), laws.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    return laws;
   }
 
   FittedLaw fitted(std::size_t m, const Entries& start) const {

@@ -25,6 +25,7 @@ std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, cons
 
 struct SimplestLaw {
   FittedLaw fitted;
+  std::vector<FittedLaw> others;   ///< that no gap tells from it: of as many numbers but another form, and the full one
   std::vector<double> form_error;  ///< of each member, by which its law may differ from the rubber's: of the force
 };
 

@@ -93,34 +93,41 @@ std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candid
 
 class Resampling {
  public:
-  Resampling(const fit::HypothesisFitter& fitter, const FittedLaw& fitted, const std::vector<double>& form_error,
-             const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options)
-      : fitter_(fitter),
-        fitted_(fitted),
-        hypothesis_(fitted.law.hypothesis()),
-        effects_(effectsOf(fitted.law, candidates)),
-        options_(options),
+  Resampling(const SizedLaw& law, const std::vector<double>& form_error, const std::vector<fit::Candidate>& candidates,
+             const DiagnosisOptions& options)
+      : fitter_(law.fitter),
+        fitted_(law.fitted),
+        hypothesis_(fitted_.law.hypothesis()),
+        effects_(effectsOf(fitted_.law, candidates)),
         generator_(options.seed),
-        blocks_(fitter.linearise(hypothesis_, fitted.fit.parameters, {}, options.threads)) {
-    Eigen::Index first = fitter.model().size();
+        blocks_(fitter_.linearise(hypothesis_, fitted_.fit.parameters, {}, options.threads)),
+        best_(sizesAt(fitted_.fit.parameters)) {
+    Eigen::Index first = fitter_.model().size();
     for (std::size_t m = 0; m < form_error.size(); ++m) {
-      const auto size = static_cast<Eigen::Index>(fitted.law.members[m].size());
+      const auto size = static_cast<Eigen::Index>(fitted_.law.members[m].size());
       addMistakes(first, size, form_error[m]);
       first += size;
     }
+    draw(options.resamplings);
   }
 
-  Sizes run() {
-    Sizes best = sizesAt(fitted_.fit.parameters);
-    const Eigen::VectorXd rest = step(blocks_.sum);  // 0 but for what the fit's last step left
-    std::uniform_int_distribution<std::size_t> pick(0, blocks_.gram.size() - 1);
-    for (int i = 0; i < options_.resamplings; ++i) {
-      Eigen::MatrixXd sum = blocks_.prior;
-      for (std::size_t b = 0; b < blocks_.gram.size(); ++b) {
-        sum += blocks_.gram[pick(generator_)];
-      }
-      collect(step(sum) - rest + mistake());
+  // The draws of another law, where its effects have the same sizes.
+  void add(const Resampling& other) {
+    const auto same = [](const SizedValue& a, const SizedValue& b) { return a.owner == b.owner && a.name == b.name; };
+    const std::vector<SizedValue>& others = other.best_.effects;
+    if (!std::equal(best_.effects.begin(), best_.effects.end(), others.begin(), others.end(), same)) {
+      return;
     }
+    resamples_ += other.resamples_;
+    for (const auto& [key, draws] : other.draws_) {
+      if (!key.first.empty()) {  // a place in a component file is that of another number there
+        draws_[key].insert(draws_[key].end(), draws.begin(), draws.end());
+      }
+    }
+  }
+
+  Sizes sizes() const {
+    Sizes best = best_;
     const auto configured = fitter_.model().apply(Eigen::VectorXd::Zero(fitter_.model().size()));
     complete(modelValues(configured), best.model);
     complete({}, best.effects);
@@ -129,6 +136,18 @@ class Resampling {
   }
 
  private:
+  void draw(int count) {
+    const Eigen::VectorXd rest = step(blocks_.sum);  // 0 but for what the fit's last step left
+    std::uniform_int_distribution<std::size_t> pick(0, blocks_.gram.size() - 1);
+    for (int i = 0; i < count; ++i) {
+      Eigen::MatrixXd sum = blocks_.prior;
+      for (std::size_t b = 0; b < blocks_.gram.size(); ++b) {
+        sum += blocks_.gram[pick(generator_)];
+      }
+      collect(step(sum) - rest + mistake());
+    }
+  }
+
   // The part of a form error of this size that a fit takes for numbers of the law: all directions that they span alike.
   void addMistakes(Eigen::Index first, Eigen::Index size, double form_error) {
     const auto system = numerics::eigensystem(blocks_.sum.block(first, first, size, size));
@@ -234,20 +253,24 @@ class Resampling {
   const FittedLaw& fitted_;
   const fit::Hypothesis hypothesis_;
   const std::vector<std::string> effects_;  // names of the members
-  const DiagnosisOptions& options_;
   std::mt19937 generator_;
   const fit::BlockGrams blocks_;
+  std::set<Key> may_vanish_;  // of these nothing of the effect is left at 0
+  const Sizes best_;
   std::vector<Eigen::VectorXd> mistakes_;  // each of standard deviation 1
   std::map<Key, std::vector<double>> draws_;
-  std::set<Key> may_vanish_;  // of these nothing of the effect is left at 0
   std::size_t resamples_ = 0;
 };
 
 }  // namespace
 
-void addSizes(const fit::HypothesisFitter& fitter, const FittedLaw& fitted, const std::vector<double>& form_error,
+void addSizes(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
               const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options, Diagnosis& diagnosis) {
-  Sizes sizes = Resampling(fitter, fitted, form_error, candidates, options).run();
+  Resampling first(laws.front(), form_error, candidates, options);
+  for (std::size_t l = 1; l < laws.size(); ++l) {
+    first.add(Resampling(laws[l], form_error, candidates, options));
+  }
+  Sizes sizes = first.sizes();
   diagnosis.model_sizes = std::move(sizes.model);
   diagnosis.effect_sizes = std::move(sizes.effects);
   diagnosis.written = std::move(sizes.written);

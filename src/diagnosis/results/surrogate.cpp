@@ -19,6 +19,7 @@ namespace {
 constexpr double kChanceOfGain = 0.05;  // of a gain on unseen blocks without there being any
 constexpr double kEvenChance = 0.5;     // where there is nothing to tell it by
 constexpr double kLargerPart = 0.5;     // of the squared rest
+constexpr double kLeastPart = 0.01;     // likewise, to be told
 constexpr std::size_t kFewestLogs = 3;  // whose scatter from log to log can be told
 
 // Tenths of logs that took no part in any fit, as further logs.
@@ -109,18 +110,18 @@ Surrogate fitSurrogate(const io::ComponentDescription& component, const Surrogat
 }
 
 std::string describeRest(const Surrogate& surrogate) {
-  const std::string prediction =
-      fmt::format("a surrogate predicts {:.0f} % of it where it was not fitted (gap {:.1f} to {:.1f} %)",
-                  100.0 * surrogate.share, 100.0 * surrogate.unseen_before, 100.0 * surrogate.unseen_after);
+  const std::string prediction = fmt::format(
+      "a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to (gap {:.1f} to {:.1f} %)",
+      100.0 * surrogate.share, 100.0 * surrogate.unseen_before, 100.0 * surrogate.unseen_after);
   if (surrogate.function_of_the_motion) {
     return "The rest is a function of the motion that is not in the list: " + prediction + ".";
   }
-  if (surrogate.chance < kChanceOfGain && surrogate.share > 0.0) {
+  if (surrogate.chance < kChanceOfGain && surrogate.share >= kLeastPart) {
     return "Only part of the rest is a function of the motion: " + prediction +
-           "; the other part needs other logs to be learned, or the motion does not cause it (hum, cross-talk, a "
-           "connector).";
+           ". The other part takes other logs to learn, or the motion does not cause it (hum, cross-talk, a plug).";
   }
-  return "No surrogate predicts the rest where it was not fitted: these logs do not tell whether the motion causes it.";
+  return "No surrogate predicts the rest in parts of the logs that it was not fitted to: whether the motion causes it "
+         "stays open.";
 }
 
 }  // namespace rubber_suspension::diagnosis

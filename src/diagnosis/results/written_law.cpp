@@ -1,7 +1,9 @@
 // Fit, sizes, rounding and gap of the law that is written.
 #include "diagnosis/results/written_law.h"
 
+#include <algorithm>
 #include <cmath>
+#include <deque>
 #include <stdexcept>
 #include <utility>
 
@@ -69,10 +71,17 @@ std::vector<gap::PartError> addWrittenLaw(const PreparedCase& prepared, const st
                                           const FittedHypothesis& judged, double before,
                                           const DiagnosisOptions& options, Diagnosis& diagnosis) {
   const HeldOut held_out{prepared.held_out, prepared.zeros.held_out};
-  const auto [simple, form_error] = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
+  const SimplestLaw chosen = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
+  const FittedLaw& simple = chosen.fitted;
   const FittedLaw full = fullLaw(judged, candidates);
-  const LawFitter fitter(prepared.fitter, simple.law, options.threads);
-  addSizes(fitter, simple, form_error, candidates, options, diagnosis);
+  std::deque<LawFitter> fitters;
+  std::vector<SizedLaw> laws;
+  const auto addLaw = [&](const FittedLaw& law) {
+    laws.push_back({fitters.emplace_back(prepared.fitter, law.law, options.threads), law});
+  };
+  addLaw(simple);
+  std::for_each(chosen.others.begin(), chosen.others.end(), addLaw);
+  addSizes(laws, chosen.form_error, candidates, options, diagnosis);
   diagnosis.augmented_full = componentOf(prepared, full);
   const io::ComponentDescription exact = componentOf(prepared, simple);
   const double ratio = roundTo(exact, prepared.training, diagnosis);

@@ -251,7 +251,7 @@ class TableDescriber {
 
   void describeParameters() {
     result_.parameter_ratios = measured_.model().ratios(search_.re_estimated.fit.parameters.model);
-    addSizes(measured_.fitter(), fullLaw(judged_, search_.candidates), {}, search_.candidates, options_, result_);
+    addSizes({{measured_.fitter(), fullLaw(judged_, search_.candidates)}}, {}, search_.candidates, options_, result_);
   }
 
   void describeAnswer() {

@@ -160,7 +160,11 @@ std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDe
                         : followsTemperature(group.front()) ? changesWithTemperature(group)
                         : name == "series_compliance"       ? compliancesOf(group)
                                                             : movedOf(group);
-    result.insert(result.end(), values.begin(), values.end());
+    for (HeadlineValue value : values) {
+      const bool taken = std::any_of(result.begin(), result.end(), [&](const auto& v) { return v.name == value.name; });
+      value.name += taken ? "_of_" + name : "";
+      result.push_back(std::move(value));
+    }
   }
   return result;
 }

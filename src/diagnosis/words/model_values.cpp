@@ -26,12 +26,6 @@ std::string nameOf(const SizedValue& size) {
   return size.owner == "specification" ? symbolOf(size.name) : spoken(size.owner) + " " + spoken(size.name);
 }
 
-// A value that the fit would have moved on: it is not told what it is.
-bool isAtBound(const SizedValue& size) {
-  return (size.at_bound[0] && size.value == size.interval_95[0]) ||
-         (size.at_bound[1] && size.value == size.interval_95[1]);
-}
-
 std::string boundText(const SizedValue& size) {
   return isAtBound(size) ? ", a bound of the fit: these logs do not tell it" : "";
 }
@@ -60,6 +54,11 @@ std::string addedText(const std::vector<element::ElementDescription>& entries) {
 }
 
 }  // namespace
+
+bool isAtBound(const SizedValue& size) {
+  return (size.at_bound[0] && size.value == size.interval_95[0]) ||
+         (size.at_bound[1] && size.value == size.interval_95[1]);
+}
 
 std::vector<const SizedValue*> changedValues(const Diagnosis& d) {
   std::vector<const SizedValue*> changed;

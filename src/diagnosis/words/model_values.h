@@ -8,6 +8,9 @@
 
 namespace rubber_suspension::diagnosis {
 
+/// A value that the fit would have moved on: it is not told what it is.
+bool isAtBound(const SizedValue& size);
+
 /// Values of the model that differ from the component file by 2 % or more with an interval that leaves the configured
 /// one out; the farthest off first.
 std::vector<const SizedValue*> changedValues(const Diagnosis& diagnosis);

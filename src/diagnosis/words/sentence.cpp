@@ -61,7 +61,7 @@ std::string effectsText(const Diagnosis& diagnosis) {
   for (const std::string& effect : diagnosis.effects) {
     std::vector<std::string> sizes;
     for (const SizedValue& size : diagnosis.effect_sizes) {
-      if (size.owner == effect && sizes.size() < kMost) {
+      if (size.owner == effect && !isAtBound(size) && sizes.size() < kMost) {
         sizes.push_back(sizeName(size) + " " + quantity(size.value, size.unit));
       }
     }
@@ -76,7 +76,8 @@ std::string priceText(const Diagnosis& diagnosis) {
   const std::string full = percent(diagnosis.gap_of_full_law);
   return simple == full
              ? ""
-             : fmt::format(" The simple law of augmented.yaml leaves {} instead of {} with all numbers.", simple, full);
+             : fmt::format(" augmented.yaml has a simpler law, which leaves {}; the law as judged leaves {}.", simple,
+                           full);
 }
 
 std::string ownValuesText(const Diagnosis& diagnosis) {
@@ -171,12 +172,10 @@ std::string sentence(const Diagnosis& diagnosis) {
              gainText(diagnosis);
     case Verdict::partly:
       return withOwnValues(diagnosis, lacks + ", and something else") + "." + closes +
-             " A significant part of the gap remains unexplained.";
+             " No effect of the list explains the rest.";
     default:
       return fmt::format(
-          "The gap of {}{} is real (noise floor {}) and no effect of the list explains it: see where it lies before "
-          "you "
-          "trust the model there.",
+          "No effect of the list explains the gap of {}{} (noise {}). Do not trust the model where that gap lies.",
           percent(gap.re_estimated), ofUnseenLogs(diagnosis), percent(gap.noise_floor));
   }
 }
