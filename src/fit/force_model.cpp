@@ -19,6 +19,20 @@ bool allParallel(const std::vector<element::ElementDescription>& elements) {
   });
 }
 
+LogScales scalesOf(const std::vector<log::Log>& logs) {
+  LogScales scales{0.0, 0.0, amplitudeOf(logs)};
+  for (const log::Log& log : logs) {
+    log::TimeSteps steps;
+    steps.add(log);
+    const log::EvenSteps even = steps.evenSteps();
+    const double duration = even.duration;
+    const double rate = static_cast<double>(log.size() - 1 - even.gaps) / duration;
+    scales.sampling_rate = std::max(scales.sampling_rate, rate);
+    scales.duration = std::max(scales.duration, duration);
+  }
+  return scales;
+}
+
 // Limits that the log sets for a unit; nothing for units that it sets none for.
 std::optional<std::pair<double, double>> searchLimits(const std::string& unit, const LogScales& scales) {
   if (unit == "Hz") {
@@ -62,6 +76,9 @@ Unknown makeUnknown(std::size_t position, const element::ParameterInfo& paramete
     unknown.start_lower = std::max(unknown.lower, -2.0 * unknown.scale);
     unknown.start_upper = std::min(unknown.upper, 2.0 * unknown.scale);
   }
+  for (double* const limit : {&unknown.lower, &unknown.upper, &unknown.start_lower, &unknown.start_upper}) {
+    *limit = unknown.toSearch(*limit);
+  }
   return unknown;
 }
 
@@ -70,20 +87,13 @@ Unknown makeUnknown(std::size_t position, const element::ParameterInfo& paramete
 double Unknown::toSearch(double value) const { return logarithmic ? std::log(value) : value / scale; }
 double Unknown::toValue(double search) const { return logarithmic ? std::exp(search) : search * scale; }
 
-LogScales scalesOf(const std::vector<log::Log>& logs) {
-  LogScales scales{0.0, 0.0, 0.0};
+double amplitudeOf(const std::vector<log::Log>& logs) {
+  double amplitude = 0.0;
   for (const log::Log& log : logs) {
-    log::TimeSteps steps;
-    steps.add(log);
-    const log::EvenSteps even = steps.evenSteps();
-    const double duration = even.duration;
-    const double rate = static_cast<double>(log.size() - 1 - even.gaps) / duration;
     const auto [low, high] = std::minmax_element(log.displacement.begin(), log.displacement.end());
-    scales.sampling_rate = std::max(scales.sampling_rate, rate);
-    scales.duration = std::max(scales.duration, duration);
-    scales.amplitude = std::max(scales.amplitude, 0.5 * (*high - *low));
+    amplitude = std::max(amplitude, 0.5 * (*high - *low));
   }
-  return scales;
+  return amplitude;
 }
 
 ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
@@ -234,27 +244,23 @@ bool ForceModel::simulateIfChanged(Part& part, const Eigen::VectorXd& search) co
 
 Eigen::VectorXd ForceModel::derivative(const Eigen::VectorXd& search, Eigen::Index unknown,
                                        const Eigen::VectorXd& coefficients) const {
-  constexpr double kStep = 1e-5;  // of ln(value): truncation 1e-10 and rounding 1e-11, both relative
-  const auto at = static_cast<std::size_t>(unknown);
-  Eigen::VectorXd before = search;
-  Eigen::VectorXd after = search;
-  before[unknown] -= kStep;
-  after[unknown] += kStep;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(size_);
   for (const Part& part : parts_) {
-    if (std::find(part.unknowns.begin(), part.unknowns.end(), at) != part.unknowns.end()) {
-      const double coefficient = part.column < 0 ? 1.0 : coefficients[part.column];
-      double steps = 2.0;
-      const auto simulated = [&](const Eigen::VectorXd& place) {
-        try {
-          return simulate(part, valuesOf(part, place));
-        } catch (const std::invalid_argument&) {  // beyond the border of what the law accepts
-          steps = 1.0;
-          return simulate(part, valuesOf(part, search));
-        }
+    if (std::find(part.unknowns.begin(), part.unknowns.end(), static_cast<std::size_t>(unknown)) !=
+        part.unknowns.end()) {
+      double step = 1e-6;  // of ln(value): truncation 1e-6 and rounding 1e-10, both relative
+      const auto moved = [&] {
+        return simulate(part, valuesOf(part, search + step * Eigen::VectorXd::Unit(search.size(), unknown)));
       };
-      const Eigen::VectorXd difference = simulated(after) - simulated(before);
-      sum += coefficient / (steps * kStep) * difference;
+      Eigen::VectorXd force;
+      try {
+        force = moved();
+      } catch (const std::invalid_argument&) {  // beyond the border of what the law accepts
+        step = -step;
+        force = moved();
+      }
+      const double coefficient = part.column < 0 ? 1.0 : coefficients[part.column];
+      sum += coefficient / step * (force - part.force);
     }
   }
   return sum;

@@ -17,7 +17,7 @@ struct Unknown {
   double given;
   bool logarithmic;  ///< the search runs over ln(value), else over value/scale
   double scale;      ///< 1 for logarithmic ones
-  double lower;      ///< limits of the value
+  double lower;      ///< limits of the search
   double upper;
   double start_lower;  ///< where starts are spread
   double start_upper;
@@ -30,10 +30,11 @@ struct Unknown {
 struct LogScales {
   double sampling_rate;  ///< [Hz]
   double duration;       ///< of the longest log [s]
-  double amplitude;      ///< largest displacement from the middle [m]
+  double amplitude;      ///< amplitudeOf() [m]
 };
 
-LogScales scalesOf(const std::vector<log::Log>& logs);
+/// Largest displacement from the middle of its log [m].
+double amplitudeOf(const std::vector<log::Log>& logs);
 
 /// force = rest(nonlinear) + basis(nonlinear) * coefficients. A coefficient of 1 is the linear unknown as given; after
 /// the linear unknowns, the basis has the constant 1, the force offset, and what else the rig may have added.
@@ -53,8 +54,8 @@ class ForceModel {
 
   /// Simulate for these values in search coordinates; parts whose unknowns did not change are not simulated again.
   void evaluate(const Eigen::VectorXd& search);
-  /// Derivative of the force by one of the search coordinates for these coefficients of the basis, by central
-  /// differences; only what depends on that unknown is simulated.
+  /// Derivative of the force by one of the search coordinates where it was evaluated last, for these coefficients of
+  /// the basis, by differences; only what depends on that unknown is simulated.
   Eigen::VectorXd derivative(const Eigen::VectorXd& search, Eigen::Index unknown,
                              const Eigen::VectorXd& coefficients) const;
   const Eigen::MatrixXd& basis() const { return basis_; }

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
-#include "fit/bounded_least_squares.h"
 #include "fit/gram.h"
 #include "fit/parallel.h"
+#include "numerics/bounded_least_squares.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -46,17 +45,7 @@ std::vector<Rows> cut(const std::vector<log::Record>& records) {
   return blocks;
 }
 
-// Columns over a whole log, weighted; 0 where samples do not count.
-Eigen::MatrixXd columnsOver(const std::vector<ForceColumn>& columns, std::size_t r, const log::Record& record,
-                            double weight) {
-  Eigen::MatrixXd matrix(record.size(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    matrix.col(static_cast<Eigen::Index>(j)) = weight * (*columns[j])[r];
-  }
-  return matrix;
-}
-
-// The rows of a block.
+// Columns over some samples, weighted.
 Eigen::MatrixXd blockOf(const std::vector<ForceColumn>& columns, const Rows& rows, double weight) {
   const Eigen::Index count = rows.last - rows.first;
   Eigen::MatrixXd matrix(count, static_cast<Eigen::Index>(columns.size()));
@@ -163,7 +152,7 @@ Eigen::MatrixXd freshOver(const Columns& all, const Sorted& sorted, std::size_t 
   const log::Record& record = all.records[r];
   const auto derivatives = static_cast<Eigen::Index>(sorted.fresh.size());
   Eigen::MatrixXd columns(record.size(), derivatives + all.free.count() + 1);
-  columns.leftCols(derivatives) = columnsOver(sorted.fresh, r, record, all.weights[r]);
+  columns.leftCols(derivatives) = blockOf(sorted.fresh, {r, 0, record.size()}, all.weights[r]);
   fillFreeInLog(all.free, record, all.base[r], all.by_zero ? (*all.by_zero)[r] : Eigen::VectorXd(), 0, all.weights[r],
                 columns.middleCols(derivatives, all.free.count()));
   columns.rightCols<1>() = all.weights[r] * (record.force - all.base[r]);
@@ -264,10 +253,11 @@ std::vector<std::size_t> firstBlocks(const std::vector<Rows>& blocks, std::size_
 // Sums, not differences: what is zero without a fold has to be so to the last bit.
 void BlockGrams::sumUp() {
   sum = prior;
-  without_fold.assign(kFolds, prior);
+  const int folds = std::max(kFolds, 1 + *std::max_element(fold.begin(), fold.end()));
+  without_fold.assign(static_cast<std::size_t>(folds), prior);
   for (std::size_t b = 0; b < gram.size(); ++b) {
     sum += gram[b];
-    for (int other = 0; other < kFolds; ++other) {
+    for (int other = 0; other < folds; ++other) {
       if (other != fold[b]) {
         without_fold[static_cast<std::size_t>(other)] += gram[b];
       }
@@ -334,7 +324,10 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
   std::vector<Eigen::VectorXd> squares(records.size(), Eigen::VectorXd::Zero(all.width()));
   parallelFor(records.size(), threads,
               [&](std::size_t r) { fillGrams(all, sorted, r, first_block[r], blocks, result.gram, squares[r]); });
-  result.squares = std::accumulate(squares.begin() + 1, squares.end(), squares.front());
+  result.squares = Eigen::VectorXd::Zero(all.width());
+  for (const Eigen::VectorXd& of_log : squares) {
+    result.squares += of_log;
+  }
   for (std::size_t j = 0; j < sorted.known.size(); ++j) {
     result.squares[sorted.known_places[j]] = known->squares(sorted.known_index[j]);
   }
@@ -354,7 +347,12 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
 
 Eigen::VectorXd solveColumns(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
                              const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  return boundedLeastSquares(gram(columns, columns), gram(columns, gram.cols() - 1), lower, upper);
+  return numerics::boundedLeastSquares(gram(columns, columns), gram(columns, gram.cols() - 1), lower, upper);
+}
+
+Eigen::VectorXd solveAll(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  const Eigen::Index last = gram.cols() - 1;
+  return numerics::boundedLeastSquares(gram.topLeftCorner(last, last), gram.col(last).head(last), lower, upper);
 }
 
 double squaresLeft(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
@@ -366,12 +364,12 @@ double squaresLeft(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>&
 }
 
 std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
-                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+                                  const std::function<Eigen::VectorXd(const Eigen::MatrixXd& gram)>& solve) {
   std::vector<double> errors(blocks.gram.size());
-  for (int fold = 0; fold < kFolds; ++fold) {
-    const Eigen::VectorXd x = solveColumns(blocks.without_fold[static_cast<std::size_t>(fold)], columns, lower, upper);
+  for (std::size_t fold = 0; fold < blocks.without_fold.size(); ++fold) {
+    const Eigen::VectorXd x = solve(blocks.without_fold[fold]);
     for (std::size_t b = 0; b < blocks.gram.size(); ++b) {
-      if (blocks.fold[b] == fold) {
+      if (blocks.fold[b] == static_cast<int>(fold)) {
         const double error = squaresLeft(blocks.gram[b], columns, x);
         errors[b] =
             std::isfinite(error) ? std::max(error, 0.0) / blocks.weight[b] : std::numeric_limits<double>::infinity();
@@ -379,6 +377,12 @@ std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Ei
     }
   }
   return errors;
+}
+
+std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
+                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  return crossValidate(blocks, columns,
+                       [&](const Eigen::MatrixXd& gram) { return solveColumns(gram, columns, lower, upper); });
 }
 
 }  // namespace rubber_suspension::fit

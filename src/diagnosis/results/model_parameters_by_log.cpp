@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/bounded_least_squares.h"
+#include "numerics/bounded_least_squares.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -25,7 +25,7 @@ std::vector<ParameterByLog> parametersByLog(const fit::Fitter& fitter, const fit
     Eigen::MatrixXd normal = gram.topLeftCorner(size, size);
     normal.diagonal().array() += variance / (kPrior * kPrior) / 100.0;
     const Eigen::VectorXd farthest = Eigen::VectorXd::Constant(size, kFarthestByLog);
-    const Eigen::VectorXd step = fit::boundedLeastSquares(normal, gram.col(size).head(size), -farthest, farthest);
+    const Eigen::VectorXd step = numerics::boundedLeastSquares(normal, gram.col(size).head(size), -farthest, farthest);
     const log::Record& record = fitter.records()[r];
     ParameterByLog row;
     row.log = record.name;
