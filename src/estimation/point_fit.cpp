@@ -43,6 +43,7 @@ class PointFit {
     }
     constexpr double kStep = 1e-6;  // loops are settled to 1e-9
     numerics::DifferencedSquares misfit([this](const Eigen::VectorXd& x) { return residuals(x); }, kStep);
+    residuals(start(0));  // throws what the component itself refuses
     numerics::Optimum best{{}, std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < combinations; ++i) {
       const numerics::Optimum found = numerics::searchLeast(misfit, start(i), limits());

@@ -64,24 +64,19 @@ class ForceModel {
  private:
   // Elements that are simulated together, for one column or as a share of the rest.
   struct Part {
-    std::vector<element::ElementDescription> elements;
-    std::vector<std::size_t> positions;  // of these elements in elements_
-    std::vector<std::size_t> unknowns;   // nonlinear ones that it depends on
-    Eigen::Index column = -1;            // -1: rest
-    std::vector<double> values;          // of its unknowns when last simulated
+    std::vector<element::ElementDescription> elements;  // one, or all where they act on each other
+    std::vector<Eigen::Index> unknowns;                 // nonlinear ones that it depends on
+    Eigen::Index column = -1;                           // -1: rest
+    Eigen::VectorXd values;                             // of its unknowns when last simulated
     Eigen::VectorXd force;
   };
 
-  void addRig(const std::vector<Eigen::MatrixXd>& rig);
-  bool isHeld(const element::ElementDescription& element, const element::ParameterInfo& parameter) const;
+  std::vector<element::ParameterInfo> freeOf(const element::ElementDescription& element) const;
+  void addNonlinear(Part& part, std::size_t position, const element::ParameterInfo& parameter);
   void addWhole();
   void addElement(std::size_t position);
-  void addNonlinear(Part& part, std::size_t position, const element::ParameterInfo& parameter);
-  void addColumn(Part part, std::size_t position, const element::ParameterInfo& parameter);
-  std::vector<double> valuesOf(const Part& part, const Eigen::VectorXd& search) const;
-  Eigen::VectorXd simulate(const Part& part, const std::vector<double>& values) const;
-  bool simulateIfChanged(Part& part, const Eigen::VectorXd& search) const;
-  Eigen::VectorXd simulate(const std::vector<element::ElementDescription>& elements) const;
+  void addRig(const std::vector<Eigen::MatrixXd>& rig);
+  Eigen::VectorXd simulate(const Part& part, const Eigen::VectorXd& values) const;
 
   std::vector<element::ElementDescription> elements_;
   const std::vector<log::Log>& logs_;
@@ -92,7 +87,6 @@ class ForceModel {
   std::vector<Unknown> linear_;
   std::vector<bool> signed_columns_;
   std::vector<Part> parts_;
-  Eigen::MatrixXd rig_;  // the constant, and what else the rig may have added
   Eigen::MatrixXd basis_;
   Eigen::VectorXd rest_;
 };

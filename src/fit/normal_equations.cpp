@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -63,7 +64,7 @@ void maskOut(const log::Record& record, Eigen::Ref<Eigen::MatrixXd> columns) {
 
 // Columns of one log, and what is in the nuisances of each block of it.
 struct OfBlock {
-  Eigen::MatrixXd products;      // of columns with each other
+  Eigen::MatrixXd products;      // of columns with each other; within OfLog freed of the nuisances
   Eigen::MatrixXd on_nuisances;  // of nuisances with columns
   Eigen::MatrixXd nuisances;     // of nuisances with each other
 };
@@ -91,20 +92,32 @@ Eigen::MatrixXd freed(const Eigen::MatrixXd& products, const Eigen::MatrixXd& nu
   return products - s.transpose() * of_y - of_x.transpose() * t + s.transpose() * (nuisances * t);
 }
 
-Eigen::MatrixXd sumOf(const std::vector<OfBlock>& blocks) {
-  Eigen::MatrixXd sum = blocks.front().on_nuisances;
-  for (std::size_t b = 1; b < blocks.size(); ++b) {
-    sum += blocks[b].on_nuisances;
-  }
-  return sum;
-}
+// The blocks of one log.
+struct OfLog {
+  std::vector<OfBlock> blocks;
+  Eigen::MatrixXd shares;   // of the nuisances in the columns
+  Eigen::VectorXd squares;  // of the columns, with what the rig may have added
+};
 
-Eigen::VectorXd squaresOf(const std::vector<OfBlock>& blocks) {
-  Eigen::VectorXd sum = blocks.front().products.diagonal();
-  for (std::size_t b = 1; b < blocks.size(); ++b) {
-    sum += blocks[b].products.diagonal();
+// From place `first` on among all blocks, for columns over the rows of a block.
+OfLog productsOver(const std::vector<Rows>& blocks, std::size_t first, std::size_t r, const log::Record& record,
+                   const std::function<Eigen::MatrixXd(const Rows& rows)>& columns) {
+  OfLog result;
+  for (std::size_t b = first; b < blocks.size() && blocks[b].record == r; ++b) {
+    result.blocks.push_back(productsIn(blocks[b], record, columns(blocks[b])));
+    const OfBlock& block = result.blocks.back();
+    if (b == first) {
+      result.shares = Eigen::MatrixXd::Zero(block.on_nuisances.rows(), block.on_nuisances.cols());
+      result.squares = Eigen::VectorXd::Zero(block.products.cols());
+    }
+    result.shares += block.on_nuisances;
+    result.squares += block.products.diagonal();
   }
-  return sum;
+  for (OfBlock& block : result.blocks) {
+    block.products =
+        freed(block.products, block.nuisances, block.on_nuisances, result.shares, block.on_nuisances, result.shares);
+  }
+  return result;
 }
 
 // The columns of the least squares: derivatives of the force, what is free in each log, and last the residual.
@@ -183,37 +196,31 @@ void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::siz
   const log::Record& record = all.records[r];
   const Eigen::MatrixXd fresh = freshOver(all, sorted, r);
   const std::vector<Eigen::Index> places = placesOfFresh(all, sorted, r);
-  std::vector<OfBlock> of_fresh;
-  for (std::size_t b = first; b < blocks.size() && blocks[b].record == r; ++b) {
-    of_fresh.push_back(
-        productsIn(blocks[b], record, fresh.middleRows(blocks[b].first, blocks[b].last - blocks[b].first)));
-  }
-  if (of_fresh.empty()) {
+  const OfLog of_fresh = productsOver(blocks, first, r, record, [&](const Rows& rows) {
+    return Eigen::MatrixXd(fresh.middleRows(rows.first, rows.last - rows.first));
+  });
+  if (of_fresh.blocks.empty()) {
     return;
   }
-  const Eigen::VectorXd of_log = squaresOf(of_fresh);
-  squares = Eigen::VectorXd::Zero(all.width());
-  squares(places) = of_log;
-  const Eigen::MatrixXd shares = sumOf(of_fresh);
+  squares(places) = of_fresh.squares;
   const bool known = !sorted.known.empty();
   Eigen::MatrixXd known_shares;
   if (known) {
     known_shares = all.known->shares(r)(Eigen::all, sorted.known_index);
   }
-  for (std::size_t i = 0; i < of_fresh.size(); ++i) {
+  for (std::size_t i = 0; i < of_fresh.blocks.size(); ++i) {
     const Rows& rows = blocks[first + i];
-    const OfBlock& block = of_fresh[i];
+    const OfBlock& block = of_fresh.blocks[i];
     Eigen::MatrixXd& gram = grams[first + i];
     gram = Eigen::MatrixXd::Zero(all.width(), all.width());
-    place(freed(block.products, block.nuisances, block.on_nuisances, shares, block.on_nuisances, shares), places,
-          places, gram);
+    place(block.products, places, places, gram);
     if (!known) {
       continue;
     }
     const Eigen::MatrixXd of_block = blockOf(sorted.known, rows, all.weights[r]);
     const Eigen::MatrixXd mixed = fresh.middleRows(rows.first, of_block.rows()).transpose() * of_block;
     const Eigen::MatrixXd on_nuisances = all.known->onNuisances(first + i)(Eigen::all, sorted.known_index);
-    place(freed(mixed, block.nuisances, block.on_nuisances, shares, on_nuisances, known_shares), places,
+    place(freed(mixed, block.nuisances, block.on_nuisances, of_fresh.shares, on_nuisances, known_shares), places,
           sorted.known_places, gram);
     gram(sorted.known_places, sorted.known_places) =
         all.known->products(first + i)(sorted.known_index, sorted.known_index);
@@ -276,25 +283,19 @@ KnownColumns::KnownColumns(const std::vector<log::Record>& records, const std::v
   products_.resize(blocks.size());
   on_nuisances_.resize(blocks.size());
   parallelFor(records.size(), threads, [&](std::size_t r) {
-    std::vector<OfBlock> of_log;
-    for (std::size_t b = first[r]; b < blocks.size() && blocks[b].record == r; ++b) {
-      Eigen::MatrixXd local = blockOf(columns_, blocks[b], weights[r]);
+    OfLog of_log = productsOver(blocks, first[r], r, records[r], [&](const Rows& rows) {
+      Eigen::MatrixXd local = blockOf(columns_, rows, weights[r]);
       if (records[r].counts.size() > 0) {
-        local.array().colwise() *= records[r].counts.segment(blocks[b].first, local.rows()).array();
+        local.array().colwise() *= records[r].counts.segment(rows.first, local.rows()).array();
       }
-      of_log.push_back(productsIn(blocks[b], records[r], local));
+      return local;
+    });
+    for (std::size_t i = 0; i < of_log.blocks.size(); ++i) {
+      products_[first[r] + i] = std::move(of_log.blocks[i].products);
+      on_nuisances_[first[r] + i] = std::move(of_log.blocks[i].on_nuisances);
     }
-    if (of_log.empty()) {
-      return;
-    }
-    shares_[r] = sumOf(of_log);
-    squares_[r] = squaresOf(of_log);
-    for (std::size_t i = 0; i < of_log.size(); ++i) {
-      const OfBlock& block = of_log[i];
-      products_[first[r] + i] =
-          freed(block.products, block.nuisances, block.on_nuisances, shares_[r], block.on_nuisances, shares_[r]);
-      on_nuisances_[first[r] + i] = block.on_nuisances;
-    }
+    shares_[r] = std::move(of_log.shares);
+    squares_[r] = std::move(of_log.squares);
   });
 }
 
