@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unsupported/Eigen/NonLinearOptimization>
 
 #include "element/suggestion.h"
 #include "estimation/models.h"
+#include "numerics/trust_region.h"
 #include "rubber_suspension/element/berg_friction.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"
@@ -41,42 +41,21 @@ class PointFit {
     for (const FitNumber& number : numbers_) {
       combinations *= number.starts.size();
     }
-    Eigen::VectorXd best;
-    double least = std::numeric_limits<double>::infinity();
+    constexpr double kStep = 1e-6;  // loops are settled to 1e-9
+    numerics::DifferencedSquares misfit([this](const Eigen::VectorXd& x) { return residuals(x); }, kStep);
+    residuals(start(0));  // throws what the component itself refuses
+    numerics::Optimum best{{}, std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < combinations; ++i) {
-      const Eigen::VectorXd found = fitFrom(start(i));
-      const double misfit = residuals(found).squaredNorm();
-      if (misfit < least) {
-        least = misfit;
-        best = found;
-      }
+      const numerics::Optimum found = numerics::searchLeast(misfit, start(i), limits());
+      best = found.cost < best.cost ? found : best;
     }
-    if (!std::isfinite(least)) {
+    if (!std::isfinite(best.cost)) {
       throw std::invalid_argument("points: no model comes near them; accepted: points of one component");
     }
-    return result(best);
+    return result(best.search);
   }
 
  private:
-  // The functor that Eigen's method asks for.
-  struct Functor {
-    using Scalar = double;
-    using InputType = Eigen::VectorXd;
-    using ValueType = Eigen::VectorXd;
-    using JacobianType = Eigen::MatrixXd;
-    enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-
-    const PointFit* fit;
-    int input_count;
-    int value_count;
-    int inputs() const { return input_count; }
-    int values() const { return value_count; }
-    int operator()(const Eigen::VectorXd& logarithms, Eigen::VectorXd& residuals) const {
-      residuals = fit->residuals(logarithms);
-      return residuals.allFinite() ? 0 : -1;
-    }
-  };
-
   bool is(std::initializer_list<Model> models) const {
     return std::find(models.begin(), models.end(), model_) != models.end();
   }
@@ -242,9 +221,7 @@ class PointFit {
     Eigen::Index moved = 0;
     for (const FitNumber& number : numbers_) {
       if (number.name == name) {
-        const double start = std::log(number.starts.front());
-        return number.kept ? number.starts.front()
-                           : std::exp(std::clamp(logarithms[moved], start - kWidestFit, start + kWidestFit));
+        return number.kept ? number.starts.front() : std::exp(logarithms[moved]);
       }
       moved += number.kept ? 0 : 1;
     }
@@ -316,14 +293,10 @@ class PointFit {
     return result;
   }
 
-  Eigen::VectorXd fitFrom(Eigen::VectorXd logarithms) const {
-    constexpr double kStep = 1e-6;  // loops are settled to 1e-9
-    const Functor functor{this, static_cast<int>(logarithms.size()), static_cast<int>(residualCount())};
-    Eigen::NumericalDiff<Functor, Eigen::Central> differences(functor, kStep * kStep);
-    Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Functor, Eigen::Central>> search(differences);
-    search.parameters.maxfev = 100;
-    search.minimize(logarithms);
-    return logarithms;
+  // Logarithms to either side of those of the first starts.
+  numerics::Limits limits() const {
+    const Eigen::VectorXd first = start(0);
+    return {first.array() - kWidestFit, first.array() + kWidestFit};
   }
 
   Resolved result(const Eigen::VectorXd& logarithms) const {

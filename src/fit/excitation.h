@@ -1,6 +1,7 @@
 // Frequencies and amplitudes that the logs have in common; candidates choose their grids by them.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -30,5 +31,11 @@ struct Excitation {
 };
 
 Excitation summarise(const std::vector<log::Record>& records);
+
+/// Force of a mass of 1 kg that moves with the displacement [N], by central differences.
+Eigen::VectorXd acceleration(const log::Record& record);
+
+/// Bandwidth [Hz] with which an inertia that is driven by the displacement as recorded errs least; 0: none is needed.
+double massBandwidth(const std::vector<log::Record>& records, double highest_frequency);
 
 }  // namespace rubber_suspension::fit

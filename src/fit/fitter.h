@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "fit/displacement_zero.h"
 #include "fit/hypothesis_fitter.h"
 #include "fit/hypothesis_forces.h"
 #include "rubber_suspension/log/record.h"

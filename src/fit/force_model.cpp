@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
+#include <optional>
 
 #include "log/even_blocks.h"
 #include "rubber_suspension/component/sample_stream.h"
@@ -17,6 +20,20 @@ bool allParallel(const std::vector<element::ElementDescription>& elements) {
   return std::all_of(elements.begin(), elements.end(), [](const element::ElementDescription& element) {
     return element::lawOf(element::makeElement(element)).action() == element::Action::adds_force;
   });
+}
+
+LogScales scalesOf(const std::vector<log::Log>& logs) {
+  LogScales scales{0.0, 0.0, amplitudeOf(logs)};
+  for (const log::Log& log : logs) {
+    log::TimeSteps steps;
+    steps.add(log);
+    const log::EvenSteps even = steps.evenSteps();
+    const double duration = even.duration;
+    const double rate = static_cast<double>(log.size() - 1 - even.gaps) / duration;
+    scales.sampling_rate = std::max(scales.sampling_rate, rate);
+    scales.duration = std::max(scales.duration, duration);
+  }
+  return scales;
 }
 
 // Limits that the log sets for a unit; nothing for units that it sets none for.
@@ -62,6 +79,9 @@ Unknown makeUnknown(std::size_t position, const element::ParameterInfo& paramete
     unknown.start_lower = std::max(unknown.lower, -2.0 * unknown.scale);
     unknown.start_upper = std::min(unknown.upper, 2.0 * unknown.scale);
   }
+  for (double* const limit : {&unknown.lower, &unknown.upper, &unknown.start_lower, &unknown.start_upper}) {
+    *limit = unknown.toSearch(*limit);
+  }
   return unknown;
 }
 
@@ -70,20 +90,13 @@ Unknown makeUnknown(std::size_t position, const element::ParameterInfo& paramete
 double Unknown::toSearch(double value) const { return logarithmic ? std::log(value) : value / scale; }
 double Unknown::toValue(double search) const { return logarithmic ? std::exp(search) : search * scale; }
 
-LogScales scalesOf(const std::vector<log::Log>& logs) {
-  LogScales scales{0.0, 0.0, 0.0};
+double amplitudeOf(const std::vector<log::Log>& logs) {
+  double amplitude = 0.0;
   for (const log::Log& log : logs) {
-    log::TimeSteps steps;
-    steps.add(log);
-    const log::EvenSteps even = steps.evenSteps();
-    const double duration = even.duration;
-    const double rate = static_cast<double>(log.size() - 1 - even.gaps) / duration;
     const auto [low, high] = std::minmax_element(log.displacement.begin(), log.displacement.end());
-    scales.sampling_rate = std::max(scales.sampling_rate, rate);
-    scales.duration = std::max(scales.duration, duration);
-    scales.amplitude = std::max(scales.amplitude, 0.5 * (*high - *low));
+    amplitude = std::max(amplitude, 0.5 * (*high - *low));
   }
-  return scales;
+  return amplitude;
 }
 
 ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
@@ -102,78 +115,56 @@ ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const 
   addRig(rig);
 }
 
-void ForceModel::addRig(const std::vector<Eigen::MatrixXd>& rig) {
-  Eigen::Index columns = 1;
-  for (const Eigen::MatrixXd& of_log : rig) {
-    columns += of_log.cols();
+// The parameters of an element that are sought.
+std::vector<element::ParameterInfo> ForceModel::freeOf(const element::ElementDescription& element) const {
+  std::vector<element::ParameterInfo> free;
+  for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
+    const bool held = std::find(held_.begin(), held_.end(), element.type + "." + parameter.name) != held_.end();
+    if (!held && element::isFree(parameter, element.list(parameter.name))) {
+      free.push_back(parameter);
+    }
   }
-  rig_ = Eigen::MatrixXd::Zero(size_, columns);
-  rig_.col(0).setOnes();
-  Eigen::Index row = 0;
-  Eigen::Index column = 1;
-  for (std::size_t i = 0; i < rig.size(); ++i) {
-    rig_.block(row, column, rig[i].rows(), rig[i].cols()) = rig[i];
-    row += static_cast<Eigen::Index>(logs_[i].stamp.size());
-    column += rig[i].cols();
-  }
-  signed_columns_.insert(signed_columns_.end(), static_cast<std::size_t>(columns), true);
-}
-
-bool ForceModel::isHeld(const element::ElementDescription& element, const element::ParameterInfo& parameter) const {
-  return !element::isFree(parameter, element.list(parameter.name)) ||
-         std::find(held_.begin(), held_.end(), element.type + "." + parameter.name) != held_.end();
+  return free;
 }
 
 void ForceModel::addNonlinear(Part& part, std::size_t position, const element::ParameterInfo& parameter) {
-  part.unknowns.push_back(nonlinear_.size());
+  part.unknowns.push_back(static_cast<Eigen::Index>(nonlinear_.size()));
   nonlinear_.push_back(makeUnknown(position, parameter, elements_[position].value(parameter.name), scales_));
-}
-
-void ForceModel::addColumn(Part part, std::size_t position, const element::ParameterInfo& parameter) {
-  part.column = static_cast<Eigen::Index>(signed_columns_.size());
-  signed_columns_.push_back(parameter.range.lower < 0.0);
-  linear_.push_back(makeUnknown(position, parameter, elements_[position].value(parameter.name), scales_));
-  parts_.push_back(std::move(part));
 }
 
 void ForceModel::addWhole() {
   Part part;
   part.elements = elements_;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
-    part.positions.push_back(i);
-    for (const element::ParameterInfo& parameter : element::findElementType(elements_[i].type)->parameters) {
-      if (!isHeld(elements_[i], parameter)) {
-        addNonlinear(part, i, parameter);
-      }
+    for (const element::ParameterInfo& parameter : freeOf(elements_[i])) {
+      addNonlinear(part, i, parameter);
     }
   }
   parts_.push_back(std::move(part));
 }
 
+// A column for each parameter that scales a force of the element, where all of these are free.
 void ForceModel::addElement(std::size_t position) {
   const element::ElementDescription& element = elements_[position];
+  const auto scales = [&](const element::ParameterInfo& parameter) {
+    return parameter.role == element::Role::scale && element.value(parameter.name) != 0.0;
+  };
+  const auto& table = element::findElementType(element.type)->parameters;
+  const std::vector<element::ParameterInfo> free = freeOf(element);
+  std::vector<element::ParameterInfo> scaling;
+  std::copy_if(free.begin(), free.end(), std::back_inserter(scaling), scales);
+  if (static_cast<std::ptrdiff_t>(scaling.size()) < std::count_if(table.begin(), table.end(), scales)) {
+    scaling.clear();
+  }
   Part part;
   part.elements = {element};
-  part.positions = {position};
-  std::vector<element::ParameterInfo> scaling;
-  bool scaling_held = false;
-  for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
-    const bool linear = parameter.role == element::Role::scale;
-    if (linear && element.value(parameter.name) != 0.0) {
-      scaling.push_back(parameter);
-      scaling_held = scaling_held || isHeld(element, parameter);
-    } else if (!linear && !isHeld(element, parameter)) {
+  for (const element::ParameterInfo& parameter : free) {
+    if (scaling.empty() || !scales(parameter)) {
       addNonlinear(part, position, parameter);
     }
   }
-  if (scaling.empty() || scaling_held) {
-    for (const element::ParameterInfo& parameter : scaling) {
-      if (!isHeld(element, parameter)) {
-        addNonlinear(part, position, parameter);
-      }
-    }
-    parts_.push_back(std::move(part));
-    return;
+  if (scaling.empty()) {
+    parts_.push_back(part);
   }
   for (const element::ParameterInfo& parameter : scaling) {
     Part alone = part;
@@ -182,11 +173,36 @@ void ForceModel::addElement(std::size_t position) {
         alone.elements[0].values[other.name] = {0.0};
       }
     }
-    addColumn(std::move(alone), position, parameter);
+    alone.column = static_cast<Eigen::Index>(linear_.size());
+    parts_.push_back(std::move(alone));
+    linear_.push_back(makeUnknown(position, parameter, element.value(parameter.name), scales_));
+    signed_columns_.push_back(parameter.range.lower < 0.0);
   }
 }
 
-Eigen::VectorXd ForceModel::simulate(const std::vector<element::ElementDescription>& elements) const {
+// The columns after those of the elements.
+void ForceModel::addRig(const std::vector<Eigen::MatrixXd>& rig) {
+  Eigen::Index column = static_cast<Eigen::Index>(linear_.size());
+  const Eigen::Index columns =
+      std::accumulate(rig.begin(), rig.end(), column + 1,
+                      [](Eigen::Index sum, const Eigen::MatrixXd& of_log) { return sum + of_log.cols(); });
+  signed_columns_.resize(static_cast<std::size_t>(columns), true);
+  basis_ = Eigen::MatrixXd::Zero(size_, columns);
+  basis_.col(column++).setOnes();
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < rig.size(); ++i) {
+    basis_.block(row, column, rig[i].rows(), rig[i].cols()) = rig[i];
+    row += static_cast<Eigen::Index>(logs_[i].stamp.size());
+    column += rig[i].cols();
+  }
+}
+
+Eigen::VectorXd ForceModel::simulate(const Part& part, const Eigen::VectorXd& values) const {
+  std::vector<element::ElementDescription> elements = part.elements;
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const Unknown& unknown = nonlinear_[static_cast<std::size_t>(part.unknowns[static_cast<std::size_t>(i)])];
+    elements[elements.size() == 1 ? 0 : unknown.element].values[unknown.name] = {unknown.toValue(values[i])};
+  }
   const component::Component component(elements);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(size_);
   double* first = force.data();
@@ -204,76 +220,45 @@ Eigen::VectorXd ForceModel::simulate(const std::vector<element::ElementDescripti
   return force;
 }
 
-std::vector<double> ForceModel::valuesOf(const Part& part, const Eigen::VectorXd& search) const {
-  std::vector<double> values;
-  for (const std::size_t unknown : part.unknowns) {
-    values.push_back(search[static_cast<Eigen::Index>(unknown)]);
+void ForceModel::evaluate(const Eigen::VectorXd& search) {
+  rest_ = Eigen::VectorXd::Zero(size_);
+  for (Part& part : parts_) {
+    const Eigen::VectorXd values = search(part.unknowns);
+    if (part.force.size() != size_ || values != part.values) {
+      part.force = simulate(part, values);
+      part.values = values;
+    }
+    if (part.column < 0) {
+      rest_ += part.force;
+    } else {
+      basis_.col(part.column) = part.force;
+    }
   }
-  return values;
-}
-
-Eigen::VectorXd ForceModel::simulate(const Part& part, const std::vector<double>& values) const {
-  std::vector<element::ElementDescription> elements = part.elements;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const Unknown& unknown = nonlinear_[part.unknowns[i]];
-    const auto at = std::find(part.positions.begin(), part.positions.end(), unknown.element) - part.positions.begin();
-    elements[static_cast<std::size_t>(at)].values[unknown.name] = {unknown.toValue(values[i])};
-  }
-  return simulate(elements);
-}
-
-bool ForceModel::simulateIfChanged(Part& part, const Eigen::VectorXd& search) const {
-  std::vector<double> values = valuesOf(part, search);
-  if (part.force.size() == size_ && values == part.values) {
-    return false;
-  }
-  part.force = simulate(part, values);
-  part.values = std::move(values);
-  return true;
 }
 
 Eigen::VectorXd ForceModel::derivative(const Eigen::VectorXd& search, Eigen::Index unknown,
                                        const Eigen::VectorXd& coefficients) const {
-  constexpr double kStep = 1e-5;  // of ln(value): truncation 1e-10 and rounding 1e-11, both relative
-  const auto at = static_cast<std::size_t>(unknown);
-  Eigen::VectorXd before = search;
-  Eigen::VectorXd after = search;
-  before[unknown] -= kStep;
-  after[unknown] += kStep;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(size_);
   for (const Part& part : parts_) {
-    if (std::find(part.unknowns.begin(), part.unknowns.end(), at) != part.unknowns.end()) {
-      const double coefficient = part.column < 0 ? 1.0 : coefficients[part.column];
-      double steps = 2.0;
-      const auto simulated = [&](const Eigen::VectorXd& place) {
-        try {
-          return simulate(part, valuesOf(part, place));
-        } catch (const std::invalid_argument&) {  // beyond the border of what the law accepts
-          steps = 1.0;
-          return simulate(part, valuesOf(part, search));
-        }
-      };
-      const Eigen::VectorXd difference = simulated(after) - simulated(before);
-      sum += coefficient / (steps * kStep) * difference;
+    if (std::find(part.unknowns.begin(), part.unknowns.end(), unknown) == part.unknowns.end()) {
+      continue;
     }
+    double step = 1e-6;  // of ln(value): truncation 1e-6 and rounding 1e-10, both relative
+    const auto moved = [&] {
+      const Eigen::VectorXd place = search + step * Eigen::VectorXd::Unit(search.size(), unknown);
+      return simulate(part, place(part.unknowns));
+    };
+    Eigen::VectorXd force;
+    try {
+      force = moved();
+    } catch (const std::invalid_argument&) {  // beyond the border of what the law accepts
+      step = -step;
+      force = moved();
+    }
+    const double coefficient = part.column < 0 ? 1.0 : coefficients[part.column];
+    sum += coefficient / step * (force - part.force);
   }
   return sum;
-}
-
-void ForceModel::evaluate(const Eigen::VectorXd& search) {
-  if (basis_.rows() != size_) {
-    basis_.resize(size_, static_cast<Eigen::Index>(signed_columns_.size()));
-    basis_.rightCols(rig_.cols()) = rig_;
-  }
-  rest_ = Eigen::VectorXd::Zero(size_);
-  for (Part& part : parts_) {
-    const bool changed = simulateIfChanged(part, search);
-    if (part.column < 0) {
-      rest_ += part.force;
-    } else if (changed) {
-      basis_.col(part.column) = part.force;
-    }
-  }
 }
 
 }  // namespace rubber_suspension::fit

@@ -17,7 +17,7 @@ struct Unknown {
   double given;
   bool logarithmic;  ///< the search runs over ln(value), else over value/scale
   double scale;      ///< 1 for logarithmic ones
-  double lower;      ///< limits of the value
+  double lower;      ///< limits of the search
   double upper;
   double start_lower;  ///< where starts are spread
   double start_upper;
@@ -30,10 +30,11 @@ struct Unknown {
 struct LogScales {
   double sampling_rate;  ///< [Hz]
   double duration;       ///< of the longest log [s]
-  double amplitude;      ///< largest displacement from the middle [m]
+  double amplitude;      ///< amplitudeOf() [m]
 };
 
-LogScales scalesOf(const std::vector<log::Log>& logs);
+/// Largest displacement from the middle of its log [m].
+double amplitudeOf(const std::vector<log::Log>& logs);
 
 /// force = rest(nonlinear) + basis(nonlinear) * coefficients. A coefficient of 1 is the linear unknown as given; after
 /// the linear unknowns, the basis has the constant 1, the force offset, and what else the rig may have added.
@@ -53,8 +54,8 @@ class ForceModel {
 
   /// Simulate for these values in search coordinates; parts whose unknowns did not change are not simulated again.
   void evaluate(const Eigen::VectorXd& search);
-  /// Derivative of the force by one of the search coordinates for these coefficients of the basis, by central
-  /// differences; only what depends on that unknown is simulated.
+  /// Derivative of the force by one of the search coordinates where it was evaluated last, for these coefficients of
+  /// the basis, by differences; only what depends on that unknown is simulated.
   Eigen::VectorXd derivative(const Eigen::VectorXd& search, Eigen::Index unknown,
                              const Eigen::VectorXd& coefficients) const;
   const Eigen::MatrixXd& basis() const { return basis_; }
@@ -63,24 +64,19 @@ class ForceModel {
  private:
   // Elements that are simulated together, for one column or as a share of the rest.
   struct Part {
-    std::vector<element::ElementDescription> elements;
-    std::vector<std::size_t> positions;  // of these elements in elements_
-    std::vector<std::size_t> unknowns;   // nonlinear ones that it depends on
-    Eigen::Index column = -1;            // -1: rest
-    std::vector<double> values;          // of its unknowns when last simulated
+    std::vector<element::ElementDescription> elements;  // one, or all where they act on each other
+    std::vector<Eigen::Index> unknowns;                 // nonlinear ones that it depends on
+    Eigen::Index column = -1;                           // -1: rest
+    Eigen::VectorXd values;                             // of its unknowns when last simulated
     Eigen::VectorXd force;
   };
 
-  void addRig(const std::vector<Eigen::MatrixXd>& rig);
-  bool isHeld(const element::ElementDescription& element, const element::ParameterInfo& parameter) const;
+  std::vector<element::ParameterInfo> freeOf(const element::ElementDescription& element) const;
+  void addNonlinear(Part& part, std::size_t position, const element::ParameterInfo& parameter);
   void addWhole();
   void addElement(std::size_t position);
-  void addNonlinear(Part& part, std::size_t position, const element::ParameterInfo& parameter);
-  void addColumn(Part part, std::size_t position, const element::ParameterInfo& parameter);
-  std::vector<double> valuesOf(const Part& part, const Eigen::VectorXd& search) const;
-  Eigen::VectorXd simulate(const Part& part, const std::vector<double>& values) const;
-  bool simulateIfChanged(Part& part, const Eigen::VectorXd& search) const;
-  Eigen::VectorXd simulate(const std::vector<element::ElementDescription>& elements) const;
+  void addRig(const std::vector<Eigen::MatrixXd>& rig);
+  Eigen::VectorXd simulate(const Part& part, const Eigen::VectorXd& values) const;
 
   std::vector<element::ElementDescription> elements_;
   const std::vector<log::Log>& logs_;
@@ -91,7 +87,6 @@ class ForceModel {
   std::vector<Unknown> linear_;
   std::vector<bool> signed_columns_;
   std::vector<Part> parts_;
-  Eigen::MatrixXd rig_;  // the constant, and what else the rig may have added
   Eigen::MatrixXd basis_;
   Eigen::VectorXd rest_;
 };

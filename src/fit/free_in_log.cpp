@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "gap/simulate.h"
 #include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -42,6 +43,22 @@ void fillFreeInLog(FreeInLog free, const log::Record& record, const Eigen::Vecto
   if (free.gain) {
     columns.rightCols<1>() = weight * simulated.segment(first, columns.rows());
   }
+}
+
+std::vector<Eigen::VectorXd> byZero(const std::vector<element::ElementDescription>& elements,
+                                    const std::vector<log::Record>& records,
+                                    const std::vector<DisplacementZero>& zeros) {
+  constexpr double kStep = 0.1;  // of a standard deviation
+  std::vector<Eigen::VectorXd> columns = gap::simulate(elements, records);
+  std::size_t next = 0;  // records come one after the other
+  const auto moved = gap::simulate(elements, records, [&](const log::Record& record) -> Eigen::VectorXd {
+    return record.displacement.array() - kStep * zeros[next++].deviation;
+  });
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    columns[r] = (moved[r] - columns[r]) / (kStep * zeros[r].one_deviation);
+    columns[r].array() -= columns[r].mean();
+  }
+  return columns;
 }
 
 log::Record withFreeInLog(FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated,

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
+#include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
@@ -37,6 +39,18 @@ void fillFreeInLog(FreeInLog free, const log::Record& record, const Eigen::Vecto
 /// are those of a random walk, which is as wide as zeros are on a bench of which nothing is known: free ones predict
 /// nothing between the samples that they are fitted to.
 Eigen::VectorXd costsOfTrends(const log::Record& record);
+
+/// The knowledge before any fit of a displacement that was recorded too high by the same amount throughout a log.
+struct DisplacementZero {
+  double deviation = 0.0;      ///< standard deviation [m]; 0: there is none
+  double one_deviation = 0.0;  ///< what that counts as, in units of the standard deviation of the force
+};
+
+/// The effect of one standard deviation of the zero on the force of elements on each record [N], its mean taken out,
+/// which is a zero of the force; over what it counts as.
+std::vector<Eigen::VectorXd> byZero(const std::vector<element::ElementDescription>& elements,
+                                    const std::vector<log::Record>& records,
+                                    const std::vector<DisplacementZero>& zeros);
 
 /// The record with these among the nuisances: what the rig may have added to it (Record::withoutRig).
 log::Record withFreeInLog(FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated,

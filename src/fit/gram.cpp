@@ -5,7 +5,13 @@
 #include <numeric>
 #include <vector>
 
-#include "fit/tiles.h"
+namespace rubber_suspension::fit {
+
+constexpr std::size_t kColumnLanes = 8;  // sums that run side by side, on any processor
+constexpr std::size_t kTile = 3;         // columns on either side whose sums stay in registers
+constexpr std::size_t kTileSums = kTile * kTile * kColumnLanes;
+
+}  // namespace rubber_suspension::fit
 
 #define RUBBER_SUSPENSION_LAYER fit
 #define RUBBER_SUSPENSION_KERNELS "fit/gram_kernels.h"

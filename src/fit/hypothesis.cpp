@@ -67,6 +67,18 @@ std::vector<Eigen::VectorXd> unitEffect(const BasisTerm& term, const std::vector
 
 }  // namespace
 
+BasisTerm additiveTerm(const std::string& type, const std::string& scaled, double typical,
+                       const element::ParameterValues& others) {
+  BasisTerm term;
+  term.typical = typical;
+  term.at = [=](double scale) {
+    element::ElementDescription description{type, others};
+    description.values[scaled] = {scale};
+    return description;
+  };
+  return term;
+}
+
 bool Hypothesis::isAdditive() const {
   return std::all_of(terms.begin(), terms.end(), [](const BasisTerm& term) { return term.additive; });
 }

@@ -1,17 +1,74 @@
-// A hypothesis: the candidate effects that are supposed to be at work beside a model, ready to be fitted.
+// Candidate effects: what a model may lack, as entries for `add:` whose scales a fit determines; and hypotheses that
+// some of them are at work, ready to be fitted.
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
+#include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
-#include "fit/candidate.h"
 #include "fit/free_in_log.h"
+#include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
 
-/// Without members it is the model alone, its parameters free.
+/// One entry for `add:` and the scale that a fit determines. The component's force is taken as differentiable in the
+/// scale; at scale 0 the entry is left out.
+struct BasisTerm {
+  std::function<element::ElementDescription(double scale)> at;
+  double typical = 1.0;  ///< a scale of the order that a visible effect has
+  double lower = 0.0;
+  double upper = std::numeric_limits<double>::infinity();
+  bool additive = true;  ///< the force is that of the component plus scale times that of the entry alone
+  bool refines = false;  ///< much like its fellows, so that a fit far from its end would confuse them
+  bool on_rig = false;   ///< additive whatever effects act on the component
+  bool is_gain = false;  ///< the scale is a gain on all forces: of gains that are free in each log, the mean
+  /// A force effect whose factor is 1 less the scale times a share that the displacement alone decides.
+  bool softening = false;
+  bool depends_on_place =
+      false;  ///< a zero of the displacement changes more of it than its mean; set by Fitter::prepare
+  /// Force of the entry alone at scale 1 where samples to come tell it better than the entry, which may not look ahead.
+  std::function<Eigen::VectorXd(const log::Record&)> exact;
+  /// The effect of the entry on each log at scale 1: the force that it adds [N], or the share of the component's force
+  /// that it takes [-]. Set by findUnitEffects for additive and softening terms.
+  std::shared_ptr<const std::vector<Eigen::VectorXd>> unit_effect;
+};
+
+/// An unmodelled effect by its name in reports. Its basis terms span the shapes that the effect's law can take: their
+/// scales are bounded such that only physical laws can be composed (dissipating friction, stiffening stops, ...).
+struct Candidate {
+  std::string effect;
+  std::string documentation;  ///< what it is and its signature, one sentence
+  bool on_rig = false;        ///< belongs to the rig, not to the rubber
+  std::vector<BasisTerm> terms;
+  FreeInLog free_in_log = {};  ///< belongs to it
+  /// What its terms do, all of the model's parameters do together: told beside parameter_error, and named only for
+  /// gains that differ from log to log.
+  bool like_parameters = false;
+
+  /// The terms at a value of a number that the force is not linear in, which lies between these; null: there is none.
+  std::function<std::vector<BasisTerm>(double)> terms_at = nullptr;
+  double least_shape = 0.0;
+  double largest_shape = 0.0;
+  /// Further laws of few numbers, at the places where a fit of all their numbers may start: after the verdict one of
+  /// these, or a few of the terms, stands for the effect.
+  std::vector<BasisTerm> laws = {};
+
+  /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
+  bool applies() const { return !terms.empty(); }
+
+  /// Whether it competes with others: it applies, and may do what parameters do not.
+  bool competes() const { return applies() && (!like_parameters || free_in_log.gain); }
+};
+
+/// A basis term that scales one parameter of an element whose force is linear in it, the others being given.
+BasisTerm additiveTerm(const std::string& type, const std::string& scaled, double typical,
+                       const element::ParameterValues& others = {});
+
+/// Candidates at work beside a model. Without members it is the model alone, its parameters free.
 struct Hypothesis {
   std::vector<int> members;      ///< the candidates at work by their index, ascending
   std::vector<BasisTerm> terms;  ///< of all members, one member after the other

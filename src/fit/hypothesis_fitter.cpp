@@ -8,8 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fit/bounded_least_squares.h"
-
 namespace rubber_suspension::fit {
 namespace {
 
@@ -22,12 +20,10 @@ constexpr double kNothing = 1e-9;     // of the typical scale: a term of this sc
 
 std::vector<double> gainsOf(const Hypothesis& hypothesis, Eigen::Index model, const BlockGrams& blocks,
                             const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  const Eigen::Index unknowns = lower.size();
-  const Eigen::VectorXd x = boundedLeastSquares(blocks.sum.topLeftCorner(unknowns, unknowns),
-                                                blocks.sum.col(unknowns).head(unknowns), lower, upper);
+  const Eigen::VectorXd x = solveAll(blocks.sum, lower, upper);
   const Eigen::Index of_log = hypothesis.free_in_log.count();
   std::vector<double> gains;
-  for (Eigen::Index j = model + static_cast<Eigen::Index>(hypothesis.terms.size()) + of_log - 1; j < unknowns;
+  for (Eigen::Index j = model + static_cast<Eigen::Index>(hypothesis.terms.size()) + of_log - 1; j < x.size();
        j += of_log) {
     gains.push_back(x[j]);
   }
@@ -66,31 +62,21 @@ ParameterVector HypothesisFitter::configured(const Hypothesis& hypothesis) const
           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hypothesis.terms.size()))};
 }
 
-HypothesisFitter::Forces HypothesisFitter::forcesAt(const Hypothesis& hypothesis,
-                                                    const ParameterVector& parameters) const {
-  auto forces = simulate(hypothesis, parameters);
-  if (!forces) {
-    throw std::invalid_argument("the model has no solution at the parameters to be linearised about");
-  }
-  return std::move(*forces);
-}
-
 double HypothesisFitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
   const auto forces = simulate(hypothesis, parameters);
   return forces ? gapOf(hypothesis, *forces) : std::numeric_limits<double>::infinity();
 }
 
-BlockGrams HypothesisFitter::linearise(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                       const Forces& base, FreeInLog free, const std::vector<bool>& active,
-                                       int threads) const {
-  BlockGrams result = normalEquationsAbout(hypothesis, parameters, base, free, active, threads);
+BlockGrams HypothesisFitter::linearise(const Hypothesis& hypothesis, const Place& place, FreeInLog free,
+                                       const std::vector<bool>& active, int threads) const {
+  BlockGrams result = normalEquationsAbout(hypothesis, place.parameters, place.forces, free, active, threads);
   const Eigen::Index last = result.gram[0].rows() - 1;
   if (result.prior.size() == 0) {
     result.prior = Eigen::MatrixXd::Zero(last + 1, last + 1);
   }
   for (Eigen::Index j = 0; j < model().size(); ++j) {
     result.prior(j, j) = std::pow(kPrior * noise_ * model().firmness(j), 2);
-    result.prior(j, last) = result.prior(last, j) = -result.prior(j, j) * parameters.model[j];
+    result.prior(j, last) = result.prior(last, j) = -result.prior(j, j) * place.parameters.model[j];
   }
   result.sumUp();
   return result;
@@ -171,23 +157,21 @@ bool HypothesisFitter::improve(const Hypothesis& hypothesis, const Eigen::Vector
 
 BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimits& limits, FreeInLog free,
                                      bool model_fixed, Place& place) const {
-  BlockGrams blocks = linearise(hypothesis, place.parameters, place.forces, free, limits.active, 1);
+  BlockGrams blocks = linearise(hypothesis, place, free, limits.active, 1);
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
   const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
   const Eigen::Index size = model().size();
   for (int iteration = 0; iteration < limits.iterations; ++iteration) {
-    const Eigen::MatrixXd& total = blocks.sum;
     stepBounds(hypothesis, place.parameters, unknowns, lower, upper);
     const double longest = model_fixed ? 0.0 : kLongestStep;
     lower.head(size) = lower.head(size).cwiseMax(-longest);
     upper.head(size) = upper.head(size).cwiseMin(longest);
-    const Eigen::VectorXd step =
-        boundedLeastSquares(total.topLeftCorner(unknowns, unknowns), total.col(unknowns).head(unknowns), lower, upper);
+    const Eigen::VectorXd step = solveAll(blocks.sum, lower, upper);
     if (!step.allFinite()) {
       break;
     }
-    const double promise = std::hypot(promised(total, step), priorOf(place.parameters.model));
+    const double promise = std::hypot(promised(blocks.sum, step), priorOf(place.parameters.model));
     const bool hopeless = iteration > 0 && promise > limits.reach;
     if (hopeless || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
       break;
@@ -198,7 +182,7 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
     for (std::size_t t = 0; t < active.size(); ++t) {
       active[t] = hypothesis.terms[t].additive || place.parameters.scales[static_cast<Eigen::Index>(t)] != 0.0;
     }
-    blocks = linearise(hypothesis, place.parameters, place.forces, free, active, 1);
+    blocks = linearise(hypothesis, place, free, active, 1);
   }
   return blocks;
 }

@@ -58,7 +58,7 @@ class HypothesisFitter {
   /// Terms that are not `active` get a column of zeros: they stay as they are. All are active where the list is empty.
   BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters,
                        const std::vector<bool>& active = {}, int threads = 1) const {
-    return linearise(hypothesis, parameters, forcesAt(hypothesis, parameters), hypothesis.free_in_log, active, threads);
+    return linearise(hypothesis, startAt(hypothesis, parameters), hypothesis.free_in_log, active, threads);
   }
 
   /// Fit by Gauss-Newton steps within the bounds, from a start.
@@ -104,16 +104,14 @@ class HypothesisFitter {
                                           const Forces& base, FreeInLog free, const std::vector<bool>& active,
                                           int threads) const = 0;
 
-  BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters, const Forces& base,
-                       FreeInLog free, const std::vector<bool>& active, int threads) const;
-  /// Throws std::invalid_argument where there is no model.
-  Forces forcesAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
   /// Where Gauss-Newton steps are.
   struct Place {
     ParameterVector parameters;
     Forces forces;
     double cost = 0.0;  ///< gap and prior together
   };
+  BlockGrams linearise(const Hypothesis& hypothesis, const Place& place, FreeInLog free,
+                       const std::vector<bool>& active, int threads) const;
   /// The cost of departing from the configured model parameters within a fit, as a gap.
   double priorOf(const Eigen::VectorXd& logarithms) const;
   Place placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const;

@@ -10,12 +10,10 @@
 #include <stdexcept>
 
 #include "element/suggestion.h"
-#include "fit/fit_method.h"
 #include "fit/force_model.h"
-#include "fit/noise.h"
-#include "fit/product_fit.h"
+#include "fit/gram.h"
 #include "fit/residual_covariance.h"
-#include "fit/residual_fit.h"
+#include "fit/variable_projection.h"
 #include "log/even_blocks.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"
@@ -27,13 +25,7 @@ namespace {
 constexpr double kTail = 0.025;  // on either side of a 95 % interval
 constexpr double kDeadBandInStandardDeviations = 6.0;
 constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
-constexpr double kRankTolerance = 1e-12;    // of eigenvalues of the correlation form of J'J
-// Share of the force's sum of squares; a cost below is left to the residuals. Products know the gradient to 1e-15 of
-// |column| |force|, and white noise moves it by |column| sqrt(cost/N): at this limit and for N = 1e6 samples the former
-// is 1e-7 of the latter, so that columns may have a condition of 1e5 before a hundredth of a standard deviation is
-// lost.
-constexpr double kSmallestByProducts = 1e-10;
-constexpr double kSameResidual = 1e-4;  // relative, by which starts count as ended at the same optimum
+constexpr double kSameResidual = 1e-4;      // relative, by which starts count as ended at the same optimum
 
 void checkLog(const log::Log& log, std::size_t number) {
   const auto fail = [&](const std::string& reason) {
@@ -108,136 +100,52 @@ Eigen::VectorXd stackedForce(const std::vector<log::Log>& logs) {
   return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
-Eigen::VectorXd startAsGiven(const ForceModel& model) {
-  Eigen::VectorXd start(static_cast<Eigen::Index>(model.nonlinear().size()));
-  for (Eigen::Index i = 0; i < start.size(); ++i) {
-    const Unknown& unknown = model.nonlinear()[static_cast<std::size_t>(i)];
-    start[i] = unknown.toSearch(std::clamp(unknown.given, unknown.lower, unknown.upper));
-  }
-  return start;
-}
-
-Eigen::VectorXd randomStart(const ForceModel& model, std::mt19937& generator) {
-  Eigen::VectorXd start(static_cast<Eigen::Index>(model.nonlinear().size()));
-  for (Eigen::Index i = 0; i < start.size(); ++i) {
-    const Unknown& unknown = model.nonlinear()[static_cast<std::size_t>(i)];
-    const double part = static_cast<double>(generator()) / static_cast<double>(std::mt19937::max());
-    const double low = unknown.toSearch(unknown.start_lower);
-    start[i] = low + part * (unknown.toSearch(unknown.start_upper) - low);
-  }
-  return start;
+// One search coordinate of each nonlinear unknown.
+template <class Coordinate>
+Eigen::VectorXd eachOf(const ForceModel& model, Coordinate coordinate) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(model.nonlinear().size()));
+  std::transform(model.nonlinear().begin(), model.nonlinear().end(), result.begin(), coordinate);
+  return result;
 }
 
 std::vector<Eigen::VectorXd> startsOf(const ForceModel& model, const IdentificationOptions& options) {
   std::mt19937 generator(options.seed);
-  std::vector<Eigen::VectorXd> starts = {startAsGiven(model)};
+  std::vector<Eigen::VectorXd> starts = {eachOf(model, [](const Unknown& unknown) {
+    return std::clamp(unknown.toSearch(unknown.given), unknown.lower, unknown.upper);
+  })};
   // Without a nonlinear unknown the problem is convex and one start tells all.
   const std::size_t count = model.nonlinear().empty() ? 1 : static_cast<std::size_t>(std::max(1, options.starts));
   while (starts.size() < count) {
-    starts.push_back(randomStart(model, generator));
+    starts.push_back(eachOf(model, [&](const Unknown& unknown) {
+      const double part = static_cast<double>(generator()) / static_cast<double>(std::mt19937::max());
+      return unknown.start_lower + part * (unknown.start_upper - unknown.start_lower);
+    }));
   }
   return starts;
 }
 
-struct Searches {
-  Optimum best;
-  int at_best = 0;
-};
-
-Limits limitsOf(const ForceModel& model) {
-  const auto size = static_cast<Eigen::Index>(model.nonlinear().size());
-  Limits limits{Eigen::VectorXd(size), Eigen::VectorXd(size)};
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const Unknown& unknown = model.nonlinear()[static_cast<std::size_t>(i)];
-    limits.lower[i] = unknown.toSearch(unknown.lower);
-    limits.upper[i] = unknown.toSearch(unknown.upper);
-  }
-  return limits;
-}
-
-Searches searchFrom(const std::vector<Eigen::VectorXd>& starts, const Limits& limits, FitMethod& method) {
-  Searches searches;
-  std::vector<double> costs;
-  for (const Eigen::VectorXd& start : starts) {
-    const Optimum optimum = searchLeast(method, start, limits);
-    if (std::isfinite(optimum.cost)) {
-      costs.push_back(optimum.cost);
-      if (costs.size() == 1 || optimum.cost < searches.best.cost) {
-        searches.best = optimum;
-      }
+// The best of the searches from all starts.
+Eigen::VectorXd searchAll(const ForceModel& model, const IdentificationOptions& options, VariableProjection& squares,
+                          Identification& result) {
+  const numerics::Limits limits{eachOf(model, [](const Unknown& unknown) { return unknown.lower; }),
+                                eachOf(model, [](const Unknown& unknown) { return unknown.upper; })};
+  std::vector<numerics::Optimum> optima;
+  for (const Eigen::VectorXd& start : startsOf(model, options)) {
+    ++result.starts;
+    optima.push_back(numerics::searchLeast(squares, start, limits));
+    if (!std::isfinite(optima.back().cost)) {
+      optima.pop_back();
     }
   }
-  if (costs.empty()) {
+  if (optima.empty()) {
     throw std::invalid_argument("the simulated force is not finite from any start");
   }
-  const double limit = searches.best.cost * (1.0 + kSameResidual) + 10.0 * method.rounding() * method.unit();
-  searches.at_best = static_cast<int>(std::count_if(costs.begin(), costs.end(), [&](double c) { return c <= limit; }));
-  return searches;
-}
-
-// The result of the searches: the best fit, and what it knows of the parameters.
-struct BestFit {
-  ModelFit fit;
-  Eigen::MatrixXd products;  // J'J of FitMethod's Jacobian J
-  Autoregression noise;
-  Eigen::MatrixXd noise_products;  // J'OJ, O being the covariance of the residuals
-};
-
-BestFit describeFit(FitMethod& method, const ModelFit& fit, const std::vector<Eigen::Index>& runs) {
-  BestFit best{fit, method.jacobianProducts(fit), fitAutoregression(fit.residual, runs), {}};
-  best.noise_products = best.noise.coefficients.empty() ? best.noise.innovation * best.products
-                                                        : projectedCovariance(method.jacobian(fit), runs, best.noise);
-  return best;
-}
-
-BestFit bestFit(ForceModel& model, const Eigen::VectorXd& force, const std::vector<log::Log>& logs,
-                const std::vector<Eigen::Index>& runs, const IdentificationOptions& options, Identification& result) {
-  const std::vector<Eigen::VectorXd> starts = startsOf(model, options);
-  result.starts = static_cast<int>(starts.size());
-  const Limits limits = limitsOf(model);
-  ResidualFit by_residuals(model, force);
-  if (!options.by_products || !options.rig.empty() || !ProductFit::appliesTo(model, logs)) {
-    const Searches searches = searchFrom(starts, limits, by_residuals);
-    result.starts_at_best = searches.at_best;
-    return describeFit(by_residuals, by_residuals.fitAt(searches.best.search), runs);
-  }
-  ProductFit by_products(model, logs);
-  const Searches searches = searchFrom(starts, limits, by_products);
-  result.starts_at_best = searches.at_best;
-  const ModelFit fit = by_products.fitAt(searches.best.search);
-  if (fit.cost() > kSmallestByProducts * by_products.unit()) {
-    return describeFit(by_products, fit, runs);
-  }
-  return describeFit(by_residuals, by_residuals.fitAt(searchLeast(by_residuals, fit.search, limits).search), runs);
-}
-
-// Covariance of the unknowns in the coordinates of the Jacobian, and directions that the log does not show at all.
-struct Covariance {
-  Eigen::MatrixXd matrix;
-  std::vector<Eigen::VectorXd> unseen;
-  double quantile = 1.96;  // of the parameters' standard deviations, for 95 %
-};
-
-// From the products J'J and J'OJ of the Jacobian, O being the covariance of the residuals.
-Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& noise_products) {
-  const Eigen::VectorXd length = products.diagonal().cwiseMax(0.0).cwiseSqrt();
-  const double largest = length.maxCoeff();
-  const Eigen::VectorXd inverse =
-      length.unaryExpr([&](double x) { return x > 1e-14 * largest ? 1.0 / x : 1.0 / (1e-14 * largest); });
-  const numerics::Eigensystem eigen = numerics::eigensystem(inverse.asDiagonal() * products * inverse.asDiagonal());
-  Eigen::MatrixXd pseudo_inverse = Eigen::MatrixXd::Zero(length.size(), length.size());
-  Covariance covariance;
-  for (Eigen::Index i = 0; i < length.size(); ++i) {
-    const Eigen::VectorXd direction = eigen.vectors.col(i);
-    if (eigen.values[i] > kRankTolerance * eigen.values.maxCoeff()) {
-      pseudo_inverse += direction * direction.transpose() / eigen.values[i];
-    } else {
-      covariance.unseen.push_back((inverse.asDiagonal() * direction).normalized());
-    }
-  }
-  const Eigen::MatrixXd outer = inverse.asDiagonal() * pseudo_inverse * inverse.asDiagonal();
-  covariance.matrix = outer * noise_products * outer.transpose();
-  return covariance;
+  const auto by_cost = [](const numerics::Optimum& a, const numerics::Optimum& b) { return a.cost < b.cost; };
+  const numerics::Optimum& best = *std::min_element(optima.begin(), optima.end(), by_cost);
+  const double limit = best.cost * (1.0 + kSameResidual) + 10.0 * squares.rounding() * squares.unit();
+  result.starts_at_best = static_cast<int>(std::count_if(
+      optima.begin(), optima.end(), [&](const numerics::Optimum& optimum) { return optimum.cost <= limit; }));
+  return best.search;
 }
 
 std::string nameOf(const std::vector<element::ElementDescription>& elements, const Unknown& unknown) {
@@ -251,46 +159,27 @@ std::string nameOf(const std::vector<element::ElementDescription>& elements, con
   return (same > 1 ? fmt::format("{} {}", type, number) : type) + "." + unknown.name;
 }
 
-void setInterval(IdentifiedParameter& parameter, const Unknown& unknown, double coefficient_sign,
-                 double standard_deviation, double quantile) {
-  const double reach = quantile * standard_deviation;
-  if (unknown.logarithmic && parameter.value > 0.0) {
-    parameter.lower = parameter.value * std::exp(-reach);
-    parameter.upper = parameter.value * std::exp(reach);
-  } else if (unknown.logarithmic) {  // at zero: the standard deviation counts in the given value
-    parameter.lower = 0.0;
-    parameter.upper = reach * unknown.given;
-  } else {
-    const double unit = coefficient_sign != 0.0 ? std::abs(parameter.value) : unknown.scale;
-    parameter.lower = parameter.value - reach * unit;
-    parameter.upper = parameter.value + reach * unit;
-  }
-  parameter.determined = parameter.value != 0.0 && standard_deviation < kUndetermined;
-}
-
 bool atLimit(const Unknown& unknown, double value) {
   const double x = unknown.toSearch(value);
-  return x <= unknown.toSearch(unknown.lower) + 1e-6 || x >= unknown.toSearch(unknown.upper) - 1e-6;
+  return x <= unknown.lower + 1e-6 || x >= unknown.upper - 1e-6;
 }
 
 // Puts together what the best fit says.
 class Summary {
  public:
-  Summary(ForceModel& model, const ModelFit& fit, const Covariance& covariance)
-      : model_(model), fit_(fit), covariance_(covariance) {}
+  Summary(const ForceModel& model, const ModelFit& fit, const Covariance& covariance, double quantile)
+      : model_(model),
+        fit_(fit),
+        covariance_(covariance),
+        quantile_(quantile),
+        count_(fit.search.size() + static_cast<Eigen::Index>(model.linear().size())) {}
 
   void describe(Identification& result) const {
     result.elements = model_.elements();
-    for (std::size_t i = 0; i < model_.nonlinear().size(); ++i) {
-      const Unknown& unknown = model_.nonlinear()[i];
-      const double value = unknown.toValue(fit_.search[static_cast<Eigen::Index>(i)]);
-      add(result, unknown, value, static_cast<Eigen::Index>(i), 0.0);
-      result.parameters.back().determined &= !atLimit(unknown, value);
-    }
-    for (std::size_t i = 0; i < model_.linear().size(); ++i) {
-      const Unknown& unknown = model_.linear()[i];
-      const double coefficient = fit_.coefficients[static_cast<Eigen::Index>(i)];
-      add(result, unknown, coefficient * unknown.given, fit_.search.size() + static_cast<Eigen::Index>(i), coefficient);
+    for (Eigen::Index i = 0; i < count_; ++i) {
+      const Unknown& unknown = unknownAt(i);
+      result.parameters.push_back(parameter(i, unknown));
+      result.elements[unknown.element].values[unknown.name] = {result.parameters.back().value};
     }
     std::stable_sort(result.parameters.begin(), result.parameters.end(),
                      [](const auto& a, const auto& b) { return a.index < b.index; });
@@ -298,42 +187,49 @@ class Summary {
   }
 
  private:
-  void add(Identification& result, const Unknown& unknown, double value, Eigen::Index column,
-           double coefficient) const {
-    result.elements[unknown.element].values[unknown.name] = {value};
-    IdentifiedParameter parameter;
-    parameter.element = model_.elements()[unknown.element].type;
-    parameter.index = static_cast<int>(unknown.element);
-    parameter.name = unknown.name;
-    parameter.unit = unknown.unit;
-    parameter.value = value;
-    parameter.given = unknown.given;
-    const bool unseen = std::any_of(covariance_.unseen.begin(), covariance_.unseen.end(),
-                                    [&](const Eigen::VectorXd& v) { return std::abs(v[column]) > 1e-3; });
-    const double standard_deviation = unseen ? HUGE_VAL : std::sqrt(std::max(0.0, covariance_.matrix(column, column)));
-    setInterval(parameter, unknown, coefficient, standard_deviation, covariance_.quantile);
-    result.parameters.push_back(parameter);
+  bool isLinear(Eigen::Index i) const { return i >= fit_.search.size(); }
+
+  const Unknown& unknownAt(Eigen::Index i) const {
+    return isLinear(i) ? model_.linear()[static_cast<std::size_t>(i - fit_.search.size())]
+                       : model_.nonlinear()[static_cast<std::size_t>(i)];
   }
 
-  // Columns of the rig are no parameters.
-  Eigen::Index parameters() const {
-    return static_cast<Eigen::Index>(model_.nonlinear().size() + model_.linear().size());
+  IdentifiedParameter parameter(Eigen::Index i, const Unknown& unknown) const {
+    IdentifiedParameter result;
+    result.element = model_.elements()[unknown.element].type;
+    result.index = static_cast<int>(unknown.element);
+    result.name = unknown.name;
+    result.unit = unknown.unit;
+    result.given = unknown.given;
+    result.value =
+        isLinear(i) ? fit_.coefficients[i - fit_.search.size()] * unknown.given : unknown.toValue(fit_.search[i]);
+    const double standard_deviation = covariance_.standardDeviation(i);
+    const double reach = quantile_ * standard_deviation;
+    if (unknown.logarithmic && result.value > 0.0) {
+      result.lower = result.value * std::exp(-reach);
+      result.upper = result.value * std::exp(reach);
+    } else if (unknown.logarithmic) {  // at zero: the standard deviation counts in the given value
+      result.upper = reach * unknown.given;
+    } else {
+      const double unit = isLinear(i) && result.value != 0.0 ? std::abs(result.value) : unknown.scale;
+      result.lower = result.value - reach * unit;
+      result.upper = result.value + reach * unit;
+    }
+    result.determined =
+        result.value != 0.0 && standard_deviation < kUndetermined && (isLinear(i) || !atLimit(unknown, result.value));
+    return result;
   }
 
-  // Weights of a direction by name, the largest 1.
+  // Weights of a direction by name, the largest 1. Columns of the rig are no parameters.
   UndeterminedDirection direction(const Eigen::VectorXd& vector, double standard_deviation) const {
-    const Eigen::Index count = parameters();
     Eigen::Index largest = 0;
-    vector.head(count).cwiseAbs().maxCoeff(&largest);
+    vector.head(count_).cwiseAbs().maxCoeff(&largest);
     UndeterminedDirection result;
     result.standard_deviation = standard_deviation;
-    for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index i = 0; i < count_; ++i) {
       const double weight = vector[i] / vector[largest];
       if (std::abs(weight) > 0.1) {
-        const auto at = static_cast<std::size_t>(i);
-        const std::size_t nonlinear = model_.nonlinear().size();
-        const Unknown& unknown = at < nonlinear ? model_.nonlinear()[at] : model_.linear()[at - nonlinear];
-        result.weights.emplace_back(nameOf(model_.elements(), unknown), weight);
+        result.weights.emplace_back(nameOf(model_.elements(), unknownAt(i)), weight);
       }
     }
     return result;
@@ -343,12 +239,8 @@ class Summary {
     for (const Eigen::VectorXd& vector : covariance_.unseen) {
       result.undetermined.push_back(direction(vector, HUGE_VAL));
     }
-    const Eigen::Index count = parameters();
-    if (count == 0) {
-      return;
-    }
-    const numerics::Eigensystem eigen = numerics::eigensystem(covariance_.matrix.topLeftCorner(count, count));
-    for (Eigen::Index i = count - 1; i >= 0; --i) {
+    const numerics::Eigensystem eigen = numerics::eigensystem(covariance_.matrix.topLeftCorner(count_, count_));
+    for (Eigen::Index i = count_ - 1; i >= 0; --i) {
       const double standard_deviation = std::sqrt(std::max(0.0, eigen.values[i]));
       if (standard_deviation >= kUndetermined) {
         result.undetermined.push_back(direction(eigen.vectors.col(i), standard_deviation));
@@ -356,9 +248,11 @@ class Summary {
     }
   }
 
-  ForceModel& model_;
+  const ForceModel& model_;
   const ModelFit& fit_;
   const Covariance& covariance_;
+  double quantile_;
+  Eigen::Index count_;  // of parameters
 };
 
 double independentSamples(const Eigen::VectorXd& residual, const Autoregression& noise) {
@@ -366,25 +260,13 @@ double independentSamples(const Eigen::VectorXd& residual, const Autoregression&
   return count / std::max(1.0, correlationFactor(noise, residual.squaredNorm() / count));
 }
 
-// The fit takes as many independent samples out of the residuals as it has unknowns, and their variance is an estimate
-// itself: Student's distribution with the samples that are left.
-void allowForFewSamples(Covariance& covariance, double independent_samples) {
-  const auto unknowns = static_cast<double>(covariance.matrix.rows());
-  const double left = std::max(1.0, independent_samples - unknowns);
-  covariance.matrix *= independent_samples / left;
-  covariance.quantile = boost::math::quantile(boost::math::complement(boost::math::students_t(left), kTail));
-}
-
 // Gives friction without dead band one that keeps the noise of the displacement from being taken for reversals.
 void addDeadBands(std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
                   std::vector<std::string>& notes) {
-  const double amplitude = scalesOf(logs).amplitude;
-  const double negligible = kSmallestDeadBand * amplitude / kDeadBandInStandardDeviations;
+  const double negligible = kSmallestDeadBand * amplitudeOf(logs) / kDeadBandInStandardDeviations;
   double standard_deviation = 0.0;
   for (const log::Log& log : logs) {
-    if (noisierThan(log.displacement, negligible)) {
-      standard_deviation = std::max(standard_deviation, noiseStandardDeviation(log.displacement));
-    }
+    standard_deviation = std::max(standard_deviation, noiseStandardDeviation(log.displacement, negligible));
   }
   for (element::ElementDescription& element : elements) {
     if (element.type == "friction" && element.value("dead_band") == 0.0 && standard_deviation > 0.0) {
@@ -419,18 +301,29 @@ void dropElementsWithoutForce(Identification& result) {
   }
 }
 
-void describeResiduals(Identification& result, const ModelFit& fit, const Eigen::VectorXd& force,
-                       const Autoregression& noise) {
+void describeResiduals(Identification& result, const Eigen::VectorXd& residual, const Eigen::VectorXd& force) {
   const auto count = static_cast<double>(force.size());
-  const double variance = fit.residual.squaredNorm() / count;
-  result.residual = std::sqrt(variance);
-  result.relative_residual = gap::gapOfResidual(fit.residual, gap::standardDeviation(force));
-  result.independent_samples = independentSamples(fit.residual, noise);
+  result.residual = std::sqrt(residual.squaredNorm() / count);
+  result.relative_residual = gap::gapOfResidual(residual, gap::standardDeviation(force));
   if (result.relative_residual > 0.02 && result.independent_samples < count / 50.0) {
     result.notes.push_back(
         "the residuals are strongly correlated in time: the model leaves something out that is not part of the "
         "intervals; the command diagnose tells what");
   }
+}
+
+// What the best fit knows of the parameters.
+void describeFit(Identification& result, const ForceModel& model, const ModelFit& fit, const Eigen::MatrixXd& jacobian,
+                 const std::vector<Eigen::Index>& runs) {
+  const Autoregression noise = fitAutoregression(fit.residual, runs);
+  Covariance covariance = covarianceOf(gramOf(jacobian), projectedCovariance(jacobian, runs, noise));
+  result.independent_samples = independentSamples(fit.residual, noise);
+  // The fit takes as many independent samples out of the residuals as it has unknowns, and their variance is an
+  // estimate itself: Student's distribution with the samples that are left.
+  const double left = std::max(1.0, result.independent_samples - static_cast<double>(jacobian.cols()));
+  covariance.matrix *= result.independent_samples / left;
+  const double quantile = boost::math::quantile(boost::math::complement(boost::math::students_t(left), kTail));
+  Summary(model, fit, covariance, quantile).describe(result);
 }
 
 }  // namespace
@@ -458,12 +351,11 @@ Identification identify(const std::vector<element::ElementDescription>& elements
     throw std::invalid_argument("no parameter is left to be found; all are held");
   }
   const Eigen::VectorXd force = stackedForce(logs);
-  const BestFit best = bestFit(model, force, logs, runs, options, result);
-  result.force_offset = best.fit.coefficients[static_cast<Eigen::Index>(model.linear().size())];
-  Covariance covariance = covarianceOf(best.products, best.noise_products);
-  allowForFewSamples(covariance, independentSamples(best.fit.residual, best.noise));
-  Summary(model, best.fit, covariance).describe(result);
-  describeResiduals(result, best.fit, force, best.noise);
+  VariableProjection squares(model, force);
+  const ModelFit best = squares.fitAt(searchAll(model, options, squares, result));
+  result.force_offset = best.coefficients[static_cast<Eigen::Index>(model.linear().size())];
+  describeFit(result, model, best, squares.jacobian(best), runs);
+  describeResiduals(result, best.residual, force);
   dropElementsWithoutForce(result);
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <complex>
+#include <map>
 
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/constants.h"
@@ -80,20 +81,17 @@ void ModelParameters::addRelaxation() {
     relaxation_.alpha = stiffnesses[0] / stiffnesses[1];
     relaxation_.band_ratio = break_frequencies[1] / break_frequencies[0];
   }
-  for (const char* key : {"static_stiffness", "relaxing_stiffness", "break_frequency"}) {
-    if (!curve || std::string(key) != "static_stiffness") {
+  const auto addFree = [&](const char* key, bool free) {
+    if (free) {
       add({Slot::relaxation, 0, key, 0}, key);
     }
-  }
-  if (relaxation_.elements > 1) {
-    add({Slot::relaxation, 0, "alpha", 0}, "alpha");
-  }
-  if (description_.specification().has("low_frequency")) {
-    add({Slot::relaxation, 0, "band_ratio", 0}, "band_ratio");
-  }
-  if (relaxation_.damping > 0.0) {
-    add({Slot::relaxation, 0, "damping", 0}, "damping");
-  }
+  };
+  addFree("static_stiffness", !curve);
+  addFree("relaxing_stiffness", true);
+  addFree("break_frequency", true);
+  addFree("alpha", relaxation_.elements > 1);
+  addFree("band_ratio", description_.specification().has("low_frequency"));
+  addFree("damping", relaxation_.damping > 0.0);
 }
 
 void ModelParameters::addSpecification() {
@@ -118,19 +116,14 @@ void ModelParameters::addElements(const std::vector<element::ElementDescription>
 }
 
 double& ModelParameters::coordinate(Relaxation& relaxation, const std::string& key) {
-  if (key == "static_stiffness") {
-    return relaxation.static_stiffness;
-  }
-  if (key == "relaxing_stiffness") {
-    return relaxation.relaxing_stiffness;
-  }
-  if (key == "alpha") {
-    return relaxation.alpha;
-  }
-  if (key == "band_ratio") {
-    return relaxation.band_ratio;
-  }
-  return key == "damping" ? relaxation.damping : relaxation.break_frequency;
+  static const std::map<std::string, double Relaxation::*> numbers = {
+      {"static_stiffness", &Relaxation::static_stiffness},
+      {"relaxing_stiffness", &Relaxation::relaxing_stiffness},
+      {"alpha", &Relaxation::alpha},
+      {"break_frequency", &Relaxation::break_frequency},
+      {"band_ratio", &Relaxation::band_ratio},
+      {"damping", &Relaxation::damping}};
+  return relaxation.*numbers.at(key);
 }
 
 // The specification of a point: Eqs. 17 to 21 of Polach (IAVSD 2015) read backwards.

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <numeric>
 #include <utility>
 
-#include "fit/bounded_least_squares.h"
 #include "fit/gram.h"
 #include "fit/parallel.h"
+#include "numerics/bounded_least_squares.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -46,17 +46,7 @@ std::vector<Rows> cut(const std::vector<log::Record>& records) {
   return blocks;
 }
 
-// Columns over a whole log, weighted; 0 where samples do not count.
-Eigen::MatrixXd columnsOver(const std::vector<ForceColumn>& columns, std::size_t r, const log::Record& record,
-                            double weight) {
-  Eigen::MatrixXd matrix(record.size(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    matrix.col(static_cast<Eigen::Index>(j)) = weight * (*columns[j])[r];
-  }
-  return matrix;
-}
-
-// The rows of a block.
+// Columns over some samples, weighted.
 Eigen::MatrixXd blockOf(const std::vector<ForceColumn>& columns, const Rows& rows, double weight) {
   const Eigen::Index count = rows.last - rows.first;
   Eigen::MatrixXd matrix(count, static_cast<Eigen::Index>(columns.size()));
@@ -74,7 +64,7 @@ void maskOut(const log::Record& record, Eigen::Ref<Eigen::MatrixXd> columns) {
 
 // Columns of one log, and what is in the nuisances of each block of it.
 struct OfBlock {
-  Eigen::MatrixXd products;      // of columns with each other
+  Eigen::MatrixXd products;      // of columns with each other; within OfLog freed of the nuisances
   Eigen::MatrixXd on_nuisances;  // of nuisances with columns
   Eigen::MatrixXd nuisances;     // of nuisances with each other
 };
@@ -102,20 +92,32 @@ Eigen::MatrixXd freed(const Eigen::MatrixXd& products, const Eigen::MatrixXd& nu
   return products - s.transpose() * of_y - of_x.transpose() * t + s.transpose() * (nuisances * t);
 }
 
-Eigen::MatrixXd sumOf(const std::vector<OfBlock>& blocks) {
-  Eigen::MatrixXd sum = blocks.front().on_nuisances;
-  for (std::size_t b = 1; b < blocks.size(); ++b) {
-    sum += blocks[b].on_nuisances;
-  }
-  return sum;
-}
+// The blocks of one log.
+struct OfLog {
+  std::vector<OfBlock> blocks;
+  Eigen::MatrixXd shares;   // of the nuisances in the columns
+  Eigen::VectorXd squares;  // of the columns, with what the rig may have added
+};
 
-Eigen::VectorXd squaresOf(const std::vector<OfBlock>& blocks) {
-  Eigen::VectorXd sum = blocks.front().products.diagonal();
-  for (std::size_t b = 1; b < blocks.size(); ++b) {
-    sum += blocks[b].products.diagonal();
+// From place `first` on among all blocks, for columns over the rows of a block.
+OfLog productsOver(const std::vector<Rows>& blocks, std::size_t first, std::size_t r, const log::Record& record,
+                   const std::function<Eigen::MatrixXd(const Rows& rows)>& columns) {
+  OfLog result;
+  for (std::size_t b = first; b < blocks.size() && blocks[b].record == r; ++b) {
+    result.blocks.push_back(productsIn(blocks[b], record, columns(blocks[b])));
+    const OfBlock& block = result.blocks.back();
+    if (b == first) {
+      result.shares = Eigen::MatrixXd::Zero(block.on_nuisances.rows(), block.on_nuisances.cols());
+      result.squares = Eigen::VectorXd::Zero(block.products.cols());
+    }
+    result.shares += block.on_nuisances;
+    result.squares += block.products.diagonal();
   }
-  return sum;
+  for (OfBlock& block : result.blocks) {
+    block.products =
+        freed(block.products, block.nuisances, block.on_nuisances, result.shares, block.on_nuisances, result.shares);
+  }
+  return result;
 }
 
 // The columns of the least squares: derivatives of the force, what is free in each log, and last the residual.
@@ -163,7 +165,7 @@ Eigen::MatrixXd freshOver(const Columns& all, const Sorted& sorted, std::size_t 
   const log::Record& record = all.records[r];
   const auto derivatives = static_cast<Eigen::Index>(sorted.fresh.size());
   Eigen::MatrixXd columns(record.size(), derivatives + all.free.count() + 1);
-  columns.leftCols(derivatives) = columnsOver(sorted.fresh, r, record, all.weights[r]);
+  columns.leftCols(derivatives) = blockOf(sorted.fresh, {r, 0, record.size()}, all.weights[r]);
   fillFreeInLog(all.free, record, all.base[r], all.by_zero ? (*all.by_zero)[r] : Eigen::VectorXd(), 0, all.weights[r],
                 columns.middleCols(derivatives, all.free.count()));
   columns.rightCols<1>() = all.weights[r] * (record.force - all.base[r]);
@@ -194,37 +196,31 @@ void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::siz
   const log::Record& record = all.records[r];
   const Eigen::MatrixXd fresh = freshOver(all, sorted, r);
   const std::vector<Eigen::Index> places = placesOfFresh(all, sorted, r);
-  std::vector<OfBlock> of_fresh;
-  for (std::size_t b = first; b < blocks.size() && blocks[b].record == r; ++b) {
-    of_fresh.push_back(
-        productsIn(blocks[b], record, fresh.middleRows(blocks[b].first, blocks[b].last - blocks[b].first)));
-  }
-  if (of_fresh.empty()) {
+  const OfLog of_fresh = productsOver(blocks, first, r, record, [&](const Rows& rows) {
+    return Eigen::MatrixXd(fresh.middleRows(rows.first, rows.last - rows.first));
+  });
+  if (of_fresh.blocks.empty()) {
     return;
   }
-  const Eigen::VectorXd of_log = squaresOf(of_fresh);
-  squares = Eigen::VectorXd::Zero(all.width());
-  squares(places) = of_log;
-  const Eigen::MatrixXd shares = sumOf(of_fresh);
+  squares(places) = of_fresh.squares;
   const bool known = !sorted.known.empty();
   Eigen::MatrixXd known_shares;
   if (known) {
     known_shares = all.known->shares(r)(Eigen::all, sorted.known_index);
   }
-  for (std::size_t i = 0; i < of_fresh.size(); ++i) {
+  for (std::size_t i = 0; i < of_fresh.blocks.size(); ++i) {
     const Rows& rows = blocks[first + i];
-    const OfBlock& block = of_fresh[i];
+    const OfBlock& block = of_fresh.blocks[i];
     Eigen::MatrixXd& gram = grams[first + i];
     gram = Eigen::MatrixXd::Zero(all.width(), all.width());
-    place(freed(block.products, block.nuisances, block.on_nuisances, shares, block.on_nuisances, shares), places,
-          places, gram);
+    place(block.products, places, places, gram);
     if (!known) {
       continue;
     }
     const Eigen::MatrixXd of_block = blockOf(sorted.known, rows, all.weights[r]);
     const Eigen::MatrixXd mixed = fresh.middleRows(rows.first, of_block.rows()).transpose() * of_block;
     const Eigen::MatrixXd on_nuisances = all.known->onNuisances(first + i)(Eigen::all, sorted.known_index);
-    place(freed(mixed, block.nuisances, block.on_nuisances, shares, on_nuisances, known_shares), places,
+    place(freed(mixed, block.nuisances, block.on_nuisances, of_fresh.shares, on_nuisances, known_shares), places,
           sorted.known_places, gram);
     gram(sorted.known_places, sorted.known_places) =
         all.known->products(first + i)(sorted.known_index, sorted.known_index);
@@ -264,10 +260,11 @@ std::vector<std::size_t> firstBlocks(const std::vector<Rows>& blocks, std::size_
 // Sums, not differences: what is zero without a fold has to be so to the last bit.
 void BlockGrams::sumUp() {
   sum = prior;
-  without_fold.assign(kFolds, prior);
+  const int folds = std::max(kFolds, 1 + *std::max_element(fold.begin(), fold.end()));
+  without_fold.assign(static_cast<std::size_t>(folds), prior);
   for (std::size_t b = 0; b < gram.size(); ++b) {
     sum += gram[b];
-    for (int other = 0; other < kFolds; ++other) {
+    for (int other = 0; other < folds; ++other) {
       if (other != fold[b]) {
         without_fold[static_cast<std::size_t>(other)] += gram[b];
       }
@@ -286,25 +283,19 @@ KnownColumns::KnownColumns(const std::vector<log::Record>& records, const std::v
   products_.resize(blocks.size());
   on_nuisances_.resize(blocks.size());
   parallelFor(records.size(), threads, [&](std::size_t r) {
-    std::vector<OfBlock> of_log;
-    for (std::size_t b = first[r]; b < blocks.size() && blocks[b].record == r; ++b) {
-      Eigen::MatrixXd local = blockOf(columns_, blocks[b], weights[r]);
+    OfLog of_log = productsOver(blocks, first[r], r, records[r], [&](const Rows& rows) {
+      Eigen::MatrixXd local = blockOf(columns_, rows, weights[r]);
       if (records[r].counts.size() > 0) {
-        local.array().colwise() *= records[r].counts.segment(blocks[b].first, local.rows()).array();
+        local.array().colwise() *= records[r].counts.segment(rows.first, local.rows()).array();
       }
-      of_log.push_back(productsIn(blocks[b], records[r], local));
+      return local;
+    });
+    for (std::size_t i = 0; i < of_log.blocks.size(); ++i) {
+      products_[first[r] + i] = std::move(of_log.blocks[i].products);
+      on_nuisances_[first[r] + i] = std::move(of_log.blocks[i].on_nuisances);
     }
-    if (of_log.empty()) {
-      return;
-    }
-    shares_[r] = sumOf(of_log);
-    squares_[r] = squaresOf(of_log);
-    for (std::size_t i = 0; i < of_log.size(); ++i) {
-      const OfBlock& block = of_log[i];
-      products_[first[r] + i] =
-          freed(block.products, block.nuisances, block.on_nuisances, shares_[r], block.on_nuisances, shares_[r]);
-      on_nuisances_[first[r] + i] = block.on_nuisances;
-    }
+    shares_[r] = std::move(of_log.shares);
+    squares_[r] = std::move(of_log.squares);
   });
 }
 
@@ -334,7 +325,10 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
   std::vector<Eigen::VectorXd> squares(records.size(), Eigen::VectorXd::Zero(all.width()));
   parallelFor(records.size(), threads,
               [&](std::size_t r) { fillGrams(all, sorted, r, first_block[r], blocks, result.gram, squares[r]); });
-  result.squares = std::accumulate(squares.begin() + 1, squares.end(), squares.front());
+  result.squares = Eigen::VectorXd::Zero(all.width());
+  for (const Eigen::VectorXd& of_log : squares) {
+    result.squares += of_log;
+  }
   for (std::size_t j = 0; j < sorted.known.size(); ++j) {
     result.squares[sorted.known_places[j]] = known->squares(sorted.known_index[j]);
   }
@@ -354,7 +348,12 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
 
 Eigen::VectorXd solveColumns(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
                              const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  return boundedLeastSquares(gram(columns, columns), gram(columns, gram.cols() - 1), lower, upper);
+  return numerics::boundedLeastSquares(gram(columns, columns), gram(columns, gram.cols() - 1), lower, upper);
+}
+
+Eigen::VectorXd solveAll(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  const Eigen::Index last = gram.cols() - 1;
+  return numerics::boundedLeastSquares(gram.topLeftCorner(last, last), gram.col(last).head(last), lower, upper);
 }
 
 double squaresLeft(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
@@ -366,12 +365,12 @@ double squaresLeft(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>&
 }
 
 std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
-                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+                                  const std::function<Eigen::VectorXd(const Eigen::MatrixXd& gram)>& solve) {
   std::vector<double> errors(blocks.gram.size());
-  for (int fold = 0; fold < kFolds; ++fold) {
-    const Eigen::VectorXd x = solveColumns(blocks.without_fold[static_cast<std::size_t>(fold)], columns, lower, upper);
+  for (std::size_t fold = 0; fold < blocks.without_fold.size(); ++fold) {
+    const Eigen::VectorXd x = solve(blocks.without_fold[fold]);
     for (std::size_t b = 0; b < blocks.gram.size(); ++b) {
-      if (blocks.fold[b] == fold) {
+      if (blocks.fold[b] == static_cast<int>(fold)) {
         const double error = squaresLeft(blocks.gram[b], columns, x);
         errors[b] =
             std::isfinite(error) ? std::max(error, 0.0) / blocks.weight[b] : std::numeric_limits<double>::infinity();
@@ -379,6 +378,12 @@ std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Ei
     }
   }
   return errors;
+}
+
+std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
+                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  return crossValidate(blocks, columns,
+                       [&](const Eigen::MatrixXd& gram) { return solveColumns(gram, columns, lower, upper); });
 }
 
 }  // namespace rubber_suspension::fit

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -27,7 +28,7 @@ struct BlockGrams {
   Eigen::MatrixXd sum;                        ///< of all blocks and the prior
   std::vector<Eigen::MatrixXd> without_fold;  ///< the same without the blocks of a fold
 
-  /// Fill in the sums.
+  /// Fill in the sums, for kFolds folds at least.
   void sumUp();
 };
 
@@ -73,11 +74,19 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
 Eigen::VectorXd solveColumns(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
                              const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
+/// The same of all columns.
+Eigen::VectorXd solveAll(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+
 /// The squares that coefficients of some columns leave of the last column.
 double squaresLeft(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
                    const Eigen::VectorXd& coefficients);
 
-/// Held-out mean square error of each block, from its normal equations: each fold is predicted by a fit to the others.
+/// Held-out mean square error of each block, from its normal equations: each fold is predicted by a fit to the others,
+/// for which `solve` finds the coefficients of these columns.
+std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
+                                  const std::function<Eigen::VectorXd(const Eigen::MatrixXd& gram)>& solve);
+
+/// The same by solveColumns().
 std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
                                   const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 

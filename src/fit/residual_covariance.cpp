@@ -1,51 +1,18 @@
-// Autoregressive residuals: Levinson-Durbin recursion and filtering of the Jacobian.
+// Inverse of J'J; autoregressive residuals by Levinson-Durbin recursion and filtering of the Jacobian.
 #include "fit/residual_covariance.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "fit/gram.h"
+#include "numerics/symmetric.h"
+
 namespace rubber_suspension::fit {
 namespace {
 
 constexpr Eigen::Index kLargestOrder = 30;
-
-constexpr Eigen::Index kFilterBlock = 256;  // rows that stay in the first-level cache
-
-// y_t = x_t - sum a_i y_(t+i), one block of rows after the other from the last one on; all columns side by side.
-class BackwardFilter {
- public:
-  BackwardFilter(const Autoregression& model, Eigen::Index columns)
-      : model_(model), rows_(RowMajor::Zero(kFilterBlock + order(), columns)) {}
-
-  // Filters the rows before those of the last call, and adds the products of their columns.
-  void addProducts(const Eigen::Ref<const Eigen::MatrixXd>& rows, Eigen::MatrixXd& sum) {
-    // Those of the last call that the recursion still needs follow the new ones.
-    const RowMajor later = rows_.topRows(order());
-    rows_.topRows(rows.rows()) = rows;
-    rows_.middleRows(rows.rows(), order()) = later;
-    const Eigen::Index columns = rows_.cols();
-    for (Eigen::Index t = rows.rows() - 1; t >= 0; --t) {
-      double* const row = rows_.data() + t * columns;
-      for (std::size_t i = 0; i < model_.coefficients.size(); ++i) {
-        const double coefficient = model_.coefficients[i];
-        const double* const later_row = row + (static_cast<Eigen::Index>(i) + 1) * columns;
-        for (Eigen::Index k = 0; k < columns; ++k) {
-          row[k] -= coefficient * later_row[k];
-        }
-      }
-    }
-    const auto filtered = rows_.topRows(rows.rows());
-    sum += filtered.transpose() * filtered;
-  }
-
- private:
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-  Eigen::Index order() const { return static_cast<Eigen::Index>(model_.coefficients.size()); }
-
-  const Autoregression& model_;
-  RowMajor rows_;
-};
+constexpr double kRankTolerance = 1e-12;  // of eigenvalues of the correlation form of J'J
+constexpr double kPartInUnseen = 1e-3;    // of a direction of length 1
 
 // Autocovariances at lags 0 to `lags`, products within runs only.
 std::vector<double> autocovariances(const Eigen::VectorXd& residuals, const std::vector<Eigen::Index>& runs,
@@ -83,6 +50,34 @@ void raiseOrder(Autoregression& model, const std::vector<double>& covariance) {
 
 }  // namespace
 
+double Covariance::standardDeviation(Eigen::Index estimate) const {
+  const bool shown = std::none_of(unseen.begin(), unseen.end(), [&](const Eigen::VectorXd& direction) {
+    return std::abs(direction[estimate]) > kPartInUnseen;
+  });
+  return shown ? std::sqrt(std::max(0.0, matrix(estimate, estimate))) : HUGE_VAL;
+}
+
+Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& noise_products) {
+  const Eigen::VectorXd length = products.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const double largest = length.maxCoeff();
+  const Eigen::VectorXd inverse =
+      length.unaryExpr([&](double x) { return x > 1e-14 * largest ? 1.0 / x : 1.0 / (1e-14 * largest); });
+  const numerics::Eigensystem eigen = numerics::eigensystem(inverse.asDiagonal() * products * inverse.asDiagonal());
+  Eigen::MatrixXd pseudo_inverse = Eigen::MatrixXd::Zero(length.size(), length.size());
+  Covariance covariance;
+  for (Eigen::Index i = 0; i < length.size(); ++i) {
+    const Eigen::VectorXd direction = eigen.vectors.col(i);
+    if (eigen.values[i] > kRankTolerance * eigen.values.maxCoeff()) {
+      pseudo_inverse += direction * direction.transpose() / eigen.values[i];
+    } else {
+      covariance.unseen.push_back((inverse.asDiagonal() * direction).normalized());
+    }
+  }
+  const Eigen::MatrixXd outer = inverse.asDiagonal() * pseudo_inverse * inverse.asDiagonal();
+  covariance.matrix = outer * noise_products * outer.transpose();
+  return covariance;
+}
+
 Autoregression fitAutoregression(const Eigen::VectorXd& residuals, const std::vector<Eigen::Index>& runs) {
   const Eigen::Index longest = *std::max_element(runs.begin(), runs.end());
   const Eigen::Index largest_order = std::min(kLargestOrder, longest / 20);
@@ -109,17 +104,20 @@ Autoregression fitAutoregression(const Eigen::VectorXd& residuals, const std::ve
 Eigen::MatrixXd projectedCovariance(const Eigen::MatrixXd& jacobian, const std::vector<Eigen::Index>& runs,
                                     const Autoregression& model) {
   // O = s^2 A^-1 A^-T, A being the filter of the autoregression as a triangular matrix; A^-T runs backwards in time.
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(jacobian.cols(), jacobian.cols());
+  const Eigen::Map<const Eigen::VectorXd> coefficients(model.coefficients.data(),
+                                                       static_cast<Eigen::Index>(model.coefficients.size()));
+  Eigen::MatrixXd filtered = jacobian;
   Eigen::Index begin = 0;
   for (const Eigen::Index length : runs) {
-    BackwardFilter filter(model, jacobian.cols());
-    for (Eigen::Index end = begin + length; end > begin; end -= kFilterBlock) {
-      const Eigen::Index rows = std::min(kFilterBlock, end - begin);
-      filter.addProducts(jacobian.middleRows(end - rows, rows), sum);
+    for (auto column : filtered.middleRows(begin, length).colwise()) {
+      for (Eigen::Index t = length - 2; t >= 0; --t) {
+        const Eigen::Index later = std::min(coefficients.size(), length - 1 - t);
+        column[t] -= coefficients.head(later).dot(column.segment(t + 1, later));
+      }
     }
     begin += length;
   }
-  return model.innovation * sum;
+  return model.innovation * gramOf(filtered);
 }
 
 double correlationFactor(const Autoregression& model, double variance) {

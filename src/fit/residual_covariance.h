@@ -1,10 +1,27 @@
-// Covariance of least squares estimates whose residuals are autocorrelated.
+// Covariance of least squares estimates, whose residuals may be autocorrelated.
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 namespace rubber_suspension::fit {
+
+/// Standard deviation of ln(value) whose 95 % interval reaches a factor of 2 to either side: a parameter is determined
+/// below it.
+inline const double kUndetermined = std::log(2.0) / 1.96;
+
+/// Of estimates in the coordinates of a Jacobian.
+struct Covariance {
+  Eigen::MatrixXd matrix;
+  std::vector<Eigen::VectorXd> unseen;  ///< directions that the measurement does not show at all
+
+  /// Infinite where a direction that is not shown has a part in the estimate.
+  double standardDeviation(Eigen::Index estimate) const;
+};
+
+/// (J'J)^-1 J'OJ (J'J)^-1 from the products J'J and J'OJ of the Jacobian J, O being the covariance of the residuals.
+Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& noise_products);
 
 /// An autoregressive model of residuals: r_t + sum a_i r_(t-i) = e_t, e of variance innovation.
 struct Autoregression {

@@ -115,28 +115,18 @@ struct Choice {
 class RidgeRegression {
  public:
   RidgeRegression(BlockGrams blocks, std::size_t records) : blocks_(std::move(blocks)) {
-    const Eigen::Index last = blocks_.gram[0].rows() - 1;
-    total_ = Eigen::MatrixXd::Zero(last + 1, last + 1);
-    for (const Eigen::MatrixXd& gram : blocks_.gram) {
-      total_ += gram;
+    blocks_.sumUp();
+    const Eigen::VectorXd squares = blocks_.sum.diagonal();
+    // A function that never moves is left at nothing.
+    scale_ = squares.unaryExpr([](double square) { return square > 0.0 ? 1.0 / std::sqrt(square) : 0.0; });
+    scale_.tail<1>().setOnes();
+    for (Eigen::MatrixXd& gram : blocks_.gram) {
+      gram = scale_.asDiagonal() * gram * scale_.asDiagonal();
     }
-    scale_ = Eigen::VectorXd::Ones(last + 1);
-    for (Eigen::Index j = 0; j < last; ++j) {  // a function that never moves is left at nothing
-      scale_[j] = total_(j, j) > 0.0 ? 1.0 / std::sqrt(total_(j, j)) : 0.0;
+    if (records >= kFewestLogs) {
+      blocks_.fold = blocks_.record;
     }
-    const auto rescale = [&](Eigen::MatrixXd& gram) { gram = scale_.asDiagonal() * gram * scale_.asDiagonal(); };
-    rescale(total_);
-    std::for_each(blocks_.gram.begin(), blocks_.gram.end(), rescale);
-    group_ = records >= kFewestLogs ? blocks_.record : blocks_.fold;
-    groups_ = 1 + *std::max_element(group_.begin(), group_.end());
-    for (int g = 0; g < groups_; ++g) {
-      without_.push_back(total_);
-      for (std::size_t b = 0; b < group_.size(); ++b) {
-        if (group_[b] == g) {
-          without_.back() -= blocks_.gram[b];
-        }
-      }
-    }
+    blocks_.sumUp();
   }
 
   /// The ridge that predicts best with these functions.
@@ -156,25 +146,24 @@ class RidgeRegression {
   }
 
   std::vector<UnseenBlock> predict(const Choice& choice) const {
-    std::vector<UnseenBlock> unseen(group_.size());
-    for (int g = 0; g < groups_; ++g) {
-      const Eigen::VectorXd x = solve(without_[static_cast<std::size_t>(g)], choice);
-      for (std::size_t b = 0; b < group_.size(); ++b) {
-        if (group_[b] == g) {
-          unseen[b] = errorOf(b, choice.functions, x);
-        }
-      }
+    const std::vector<double> errors =
+        crossValidate(blocks_, choice.functions, [&](const Eigen::MatrixXd& gram) { return solve(gram, choice); });
+    std::vector<UnseenBlock> unseen;
+    for (std::size_t b = 0; b < errors.size(); ++b) {
+      const double weight = blocks_.weight[b];
+      unseen.push_back(
+          {blocks_.record[b], weight, blocks_.gram[b].bottomRightCorner<1, 1>().value() / weight, errors[b]});
     }
     return unseen;
   }
 
   /// The error without any surrogate.
-  double errorBefore() const { return total_(total_.rows() - 1, total_.rows() - 1); }
+  double errorBefore() const { return blocks_.sum.bottomRightCorner<1, 1>().value(); }
 
   /// Weight of each function [N].
   Eigen::VectorXd weights(const Choice& choice) const {
-    const Eigen::VectorXd x = solve(total_, choice);
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(total_.rows() - 1);
+    const Eigen::VectorXd x = solve(blocks_.sum, choice);
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(scale_.size() - 1);
     result(choice.functions) = x.cwiseProduct(scale_(choice.functions));
     return result;
   }
@@ -186,27 +175,8 @@ class RidgeRegression {
     return numerics::Cholesky(small).solve(Eigen::VectorXd(gram(choice.functions, gram.rows() - 1)));
   }
 
-  UnseenBlock errorOf(std::size_t block, const std::vector<Eigen::Index>& functions, const Eigen::VectorXd& x) const {
-    const Eigen::MatrixXd& gram = blocks_.gram[block];
-    const Eigen::Index last = gram.rows() - 1;
-    const double after = squaresLeft(gram, functions, x);
-    UnseenBlock result;
-    result.record = blocks_.record[block];
-    result.weight = blocks_.weight[block];
-    if (result.weight > 0.0) {  // without a sample that counts there is no error
-      result.before = gram(last, last) / result.weight;
-      result.after =
-          std::isfinite(after) ? std::max(after, 0.0) / result.weight : std::numeric_limits<double>::infinity();
-    }
-    return result;
-  }
-
   BlockGrams blocks_;
-  Eigen::MatrixXd total_;
   Eigen::VectorXd scale_;
-  std::vector<int> group_;  // of each block: what is left out at once
-  int groups_ = 0;
-  std::vector<Eigen::MatrixXd> without_;
 };
 
 // Products alone, with the characteristic, with the resonators, with both: more only where it predicts better.

@@ -4,12 +4,11 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <stdexcept>
 
-#include "fit/fit_method.h"
 #include "fit/model_parameters.h"
-#include "numerics/symmetric.h"
+#include "fit/residual_covariance.h"
+#include "numerics/trust_region.h"
 #include "rubber_suspension/response/sweep.h"
 
 namespace rubber_suspension::fit {
@@ -17,7 +16,24 @@ namespace {
 
 // Of a cycle; the loops of a table are known to a percent or so, and 180 samples cost the area 2e-4 of it.
 constexpr int kSamplesOfSweep = 180;
-constexpr double kStepOfLogarithm = 1e-4;  // of a logarithm, for differences
+constexpr double kStepOfLogarithm = 1e-4;  // for differences
+
+double misfitOf(const Eigen::VectorXd& residual) {
+  return residual.norm() / std::sqrt(0.5 * static_cast<double>(residual.size()));
+}
+
+// Of the logarithms to either side; 0 for those that are kept.
+Eigen::VectorXd boundsOf(const ModelParameters& parameters, const io::ComponentDescription& description) {
+  // The break frequencies spread the elements over the range: with them kept the stiffnesses have one best fit.
+  const bool spread = description.model() == estimation::Model::multi_maxwell;
+  Eigen::VectorXd bounds(parameters.size());
+  for (Eigen::Index i = 0; i < bounds.size(); ++i) {
+    const std::string& name = parameters.names()[static_cast<std::size_t>(i)];
+    const bool kept = spread && name.find("break_frequency") != std::string::npos;
+    bounds[i] = kept ? 0.0 : parameters.bound(i);
+  }
+  return bounds;
+}
 
 std::complex<double> simulated(const component::Component& component, const TablePoint& point) {
   response::LoopOptions options;
@@ -31,134 +47,50 @@ std::complex<double> simulated(const component::Component& component, const Tabl
 Eigen::VectorXd differences(const component::Component& component, const std::vector<TablePoint>& points) {
   Eigen::VectorXd result(2 * static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::complex<double> target = points[i].complexStiffness();
-    const std::complex<double> difference = (simulated(component, points[i]) - target) / std::abs(target);
-    result[2 * static_cast<Eigen::Index>(i)] = difference.real();
-    result[2 * static_cast<Eigen::Index>(i) + 1] = difference.imag();
+    const std::complex<double> measured = points[i].complexStiffness();
+    const std::complex<double> difference = (simulated(component, points[i]) - measured) / std::abs(measured);
+    result.segment<2>(2 * static_cast<Eigen::Index>(i)) << difference.real(), difference.imag();
   }
   return result;
-}
-
-double misfitOf(const Eigen::VectorXd& residual) {
-  return residual.norm() / std::sqrt(0.5 * static_cast<double>(residual.size()));
-}
-
-// The squares of the differences over the logarithms of the parameters that are moved.
-class TableSquares final : public SumOfSquares {
- public:
-  TableSquares(const io::ComponentDescription& description, const std::vector<TablePoint>& points)
-      : parameters_(description, Level::elements), points_(points) {
-    // The break frequencies spread the elements over the range: with them kept the stiffnesses have one best fit.
-    const bool spread = description.model() == estimation::Model::multi_maxwell;
-    for (Eigen::Index i = 0; i < parameters_.size(); ++i) {
-      const std::string& name = parameters_.names()[static_cast<std::size_t>(i)];
-      if (!spread || name.find("break_frequency") == std::string::npos) {
-        free_.push_back(i);
-      }
-    }
-  }
-
-  Eigen::Index size() const { return static_cast<Eigen::Index>(free_.size()); }
-  double bound(Eigen::Index i) const { return parameters_.bound(place(i)); }
-  const std::string& name(Eigen::Index i) const { return parameters_.names()[static_cast<std::size_t>(place(i))]; }
-  double given(Eigen::Index i) const { return parameters_.configured(place(i)); }
-  io::ComponentDescription apply(const Eigen::VectorXd& x) const { return parameters_.apply(all(x)); }
-
-  Limits limits() const {
-    Eigen::VectorXd bounds(size());
-    for (Eigen::Index i = 0; i < size(); ++i) {
-      bounds[i] = bound(i);
-    }
-    return {-bounds, bounds};
-  }
-
-  /// Throws std::invalid_argument where there is no such component.
-  Eigen::VectorXd residuals(const Eigen::VectorXd& x) const { return differences(apply(x).makeComponent(), points_); }
-
-  Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const {
-    Eigen::MatrixXd result(2 * static_cast<Eigen::Index>(points_.size()), size());
-    for (Eigen::Index i = 0; i < size(); ++i) {
-      const Eigen::VectorXd step = kStepOfLogarithm * Eigen::VectorXd::Unit(size(), i);
-      result.col(i) = (residuals(x + step) - residuals(x - step)) / (2.0 * kStepOfLogarithm);
-    }
-    return result;
-  }
-
-  double at(const Eigen::VectorXd& x) override {
-    last_ = x;
-    try {
-      return residuals(x).squaredNorm();
-    } catch (const std::invalid_argument&) {
-      return std::numeric_limits<double>::infinity();
-    }
-  }
-  Slope slope() override {
-    try {
-      const Eigen::MatrixXd derivatives = jacobian(last_);
-      return {derivatives.transpose() * residuals(last_), derivatives.transpose() * derivatives};
-    } catch (const std::invalid_argument&) {
-      return {Eigen::VectorXd::Constant(size(), std::numeric_limits<double>::quiet_NaN()), {}};
-    }
-  }
-  double unit() const override { return 1.0; }
-  double rounding() const override { return 1e-20; }
-
- private:
-  Eigen::Index place(Eigen::Index i) const { return free_[static_cast<std::size_t>(i)]; }
-
-  Eigen::VectorXd all(const Eigen::VectorXd& x) const {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(parameters_.size());
-    for (Eigen::Index i = 0; i < size(); ++i) {
-      result[place(i)] = x[i];
-    }
-    return result;
-  }
-
-  ModelParameters parameters_;
-  const std::vector<TablePoint>& points_;
-  std::vector<Eigen::Index> free_;
-  Eigen::VectorXd last_;
-};
-
-// Standard deviations of the logarithms: sigma^2 (J'J)^-1, infinite along what no point shows.
-Eigen::VectorXd deviationsOf(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual) {
-  const numerics::Eigensystem system = numerics::eigensystem(jacobian.transpose() * jacobian);
-  const double freedom = std::max(1.0, static_cast<double>(jacobian.rows() - jacobian.cols()));
-  const double variance = residual.squaredNorm() / freedom;
-  const double smallest = 1e-12 * system.values.maxCoeff();
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(jacobian.cols());
-  for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
-    const double value = system.values[k];
-    for (Eigen::Index i = 0; i < result.size(); ++i) {
-      const double share = system.vectors(i, k) * system.vectors(i, k);
-      result[i] += value > smallest ? share * variance / value
-                   : share > 1e-6   ? std::numeric_limits<double>::infinity()
-                                    : 0.0;
-    }
-  }
-  return result.cwiseSqrt();
 }
 
 }  // namespace
 
 TableFit fitToTable(const io::ComponentDescription& description, const std::vector<TablePoint>& points) {
   checkPoints(points);
-  TableSquares squares(description, points);
-  if (squares.size() == 0) {
+  const ModelParameters parameters(description, Level::elements);
+  const Eigen::VectorXd bounds = boundsOf(parameters, description);
+  std::vector<Eigen::Index> moved;
+  for (Eigen::Index i = 0; i < bounds.size(); ++i) {
+    if (bounds[i] > 0.0) {
+      moved.push_back(i);
+    }
+  }
+  if (moved.empty()) {
     throw std::invalid_argument(description.name + ": has no parameter that a fit moves");
   }
-  const Eigen::VectorXd x =
-      searchLeast(squares, Eigen::VectorXd::Zero(squares.size()), squares.limits(), {200, 1e-12}).search;
-  const Eigen::VectorXd residual = squares.residuals(x);
-  const Eigen::VectorXd deviations = deviationsOf(squares.jacobian(x), residual);
+  const auto residuals = [&](const Eigen::VectorXd& x) {
+    return differences(parameters.apply(x).makeComponent(), points);
+  };
+  numerics::DifferencedSquares squares(residuals, kStepOfLogarithm);
+  const Eigen::VectorXd given = Eigen::VectorXd::Zero(bounds.size());
+  const Eigen::VectorXd x = numerics::searchLeast(squares, given, {-bounds, bounds}, {200, 1e-12}).search;
+  const Eigen::VectorXd residual = residuals(x);
+  const Eigen::MatrixXd jacobian = squares.jacobian(x)(Eigen::all, moved);
+  const Eigen::MatrixXd products = jacobian.transpose() * jacobian;
+  const double freedom = std::max(1.0, static_cast<double>(jacobian.rows() - jacobian.cols()));
+  const Covariance covariance = covarianceOf(products, residual.squaredNorm() / freedom * products);
   TableFit fit;
-  fit.component = squares.apply(x);
-  fit.misfit_before = misfitOf(squares.residuals(0.0 * x));
+  fit.component = parameters.apply(x);
+  fit.misfit_before = misfitOf(residuals(given));
   fit.misfit = misfitOf(residual);
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const bool at_bound = squares.bound(i) - std::abs(x[i]) < 1e-6;
-    fit.parameters.push_back({squares.name(i), squares.given(i), squares.given(i) * std::exp(x[i]),
-                              !at_bound && deviations[i] < kUndetermined, deviations[i]});
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    const Eigen::Index i = moved[k];
+    const bool at_bound = bounds[i] - std::abs(x[i]) < 1e-6;
+    const double deviation = covariance.standardDeviation(static_cast<Eigen::Index>(k));
+    fit.parameters.push_back({parameters.names()[static_cast<std::size_t>(i)], parameters.configured(i),
+                              parameters.configured(i) * std::exp(x[i]), !at_bound && deviation < kUndetermined,
+                              deviation});
   }
   return fit;
 }

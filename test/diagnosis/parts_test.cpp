@@ -9,8 +9,8 @@
 
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/prepare/friction_noise.h"
+#include "fit/excitation.h"
 #include "fit/fitter.h"
-#include "fit/mass_bandwidth.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
 #include "rig.h"

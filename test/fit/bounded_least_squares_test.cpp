@@ -1,5 +1,5 @@
 // Bounded least squares: conditions of optimality over random problems, bounds, collinear columns.
-#include "fit/bounded_least_squares.h"
+#include "numerics/bounded_least_squares.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ TEST(BoundedLeastSquares, MeetsTheConditionsOfOptimality) {
     const Eigen::VectorXd moment = a.transpose() * y;
     const Eigen::VectorXd lower = Eigen::VectorXd::Constant(unknowns, -0.1);
     const Eigen::VectorXd upper = Eigen::VectorXd::Constant(unknowns, 0.15);
-    const Eigen::VectorXd x = fit::boundedLeastSquares(gram, moment, lower, upper);
+    const Eigen::VectorXd x = numerics::boundedLeastSquares(gram, moment, lower, upper);
     const Eigen::VectorXd descent = moment - gram * x;
     // The ridge of 1e-9 of the diagonal shifts the gradient by no more than that times the bound.
     const double tolerance = 1e-8 * gram.diagonal().maxCoeff();
@@ -48,7 +48,7 @@ TEST(BoundedLeastSquares, LeavesAnEmptyColumnAtNothing) {
   gram(1, 1) = 0.0;
   const Eigen::Vector3d moment(1.0, 0.0, -2.0);
   const Eigen::Vector3d infinite = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  const Eigen::VectorXd x = fit::boundedLeastSquares(gram, moment, -infinite, infinite);
+  const Eigen::VectorXd x = numerics::boundedLeastSquares(gram, moment, -infinite, infinite);
   EXPECT_NEAR(x[0], 1.0, 1e-8);
   EXPECT_EQ(x[1], 0.0);
   EXPECT_NEAR(x[2], -2.0, 1e-8);
@@ -58,7 +58,7 @@ TEST(BoundedLeastSquares, SplitsBetweenEqualColumnsWithoutBlowingUp) {
   const Eigen::MatrixXd gram = Eigen::MatrixXd::Constant(2, 2, 4.0);
   const Eigen::Vector2d moment(4.0, 4.0);
   const Eigen::Vector2d infinite = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  const Eigen::VectorXd x = fit::boundedLeastSquares(gram, moment, Eigen::Vector2d::Zero(), infinite);
+  const Eigen::VectorXd x = numerics::boundedLeastSquares(gram, moment, Eigen::Vector2d::Zero(), infinite);
   EXPECT_NEAR(x.sum(), 1.0, 1e-6);
   EXPECT_LE(x.maxCoeff(), 1.0 + 1e-6);
 }
@@ -66,7 +66,7 @@ TEST(BoundedLeastSquares, SplitsBetweenEqualColumnsWithoutBlowingUp) {
 TEST(NonNegativeLeastSquares, BoundsOnlyWhatHasNoSign) {
   const Eigen::Matrix3d gram = Eigen::Matrix3d::Identity();
   const Eigen::Vector3d moment(-1.0, -2.0, 3.0);
-  const Eigen::VectorXd x = fit::nonNegativeLeastSquares(gram, moment, {false, true, false});
+  const Eigen::VectorXd x = numerics::nonNegativeLeastSquares(gram, moment, {false, true, false});
   EXPECT_EQ(x[0], 0.0);
   EXPECT_DOUBLE_EQ(x[1], -2.0);
   EXPECT_DOUBLE_EQ(x[2], 3.0);
@@ -75,7 +75,7 @@ TEST(NonNegativeLeastSquares, BoundsOnlyWhatHasNoSign) {
 // What enters later finds nothing left; those that are free from the start share by least norm.
 TEST(NonNegativeLeastSquares, LetsEqualColumnsOfAnySignShareAlike) {
   const Eigen::MatrixXd gram = Eigen::MatrixXd::Constant(2, 2, 4.0);
-  const Eigen::VectorXd x = fit::nonNegativeLeastSquares(gram, Eigen::Vector2d(4.0, 4.0), {true, true});
+  const Eigen::VectorXd x = numerics::nonNegativeLeastSquares(gram, Eigen::Vector2d(4.0, 4.0), {true, true});
   EXPECT_NEAR(x[0], 0.5, 1e-12);  // rounding
   EXPECT_NEAR(x[1], 0.5, 1e-12);
 }
@@ -89,7 +89,7 @@ TEST(NonNegativeLeastSquares, IsExact) {
     const Eigen::VectorXd y = randomMatrix(4 * unknowns, 1, generator);
     std::vector<bool> signed_unknown(static_cast<std::size_t>(unknowns), false);
     signed_unknown.back() = true;
-    const Eigen::VectorXd x = fit::nonNegativeLeastSquares(a.transpose() * a, a.transpose() * y, signed_unknown);
+    const Eigen::VectorXd x = numerics::nonNegativeLeastSquares(a.transpose() * a, a.transpose() * y, signed_unknown);
     const Eigen::VectorXd descent = a.transpose() * (y - a * x);
     // Stays below the tolerance of the active set, 1e-11 of the largest moment with columns of length 1.
     const double tolerance = 1e-10 * (a.transpose() * y).cwiseAbs().maxCoeff();

@@ -1,12 +1,12 @@
 // The search for the least squares within limits.
-#include "fit/trust_region.h"
+#include "numerics/trust_region.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace rubber_suspension::fit {
+namespace rubber_suspension::numerics {
 namespace {
 
 // Rosenbrock's valley: residuals 10 (y - x^2) and 1 - x; none where x is beyond `end`.
@@ -68,4 +68,4 @@ TEST(TrustRegion, ReturnsTheStartWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace rubber_suspension::fit
+}  // namespace rubber_suspension::numerics

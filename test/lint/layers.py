@@ -15,7 +15,7 @@ BELOW = {
     "kernel": {"processor", "element"},
     "component": {"element", "kernel"},
     "response": {"element", "component"},
-    "estimation": {"element", "component", "response"},
+    "estimation": {"element", "component", "response", "numerics"},
     "numerics": set(),
     "log": {"element", "kernel", "numerics"},
     "io": {"element", "component", "response", "estimation", "log"},

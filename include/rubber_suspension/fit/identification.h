@@ -15,8 +15,6 @@ struct IdentificationOptions {
   int starts = 8;                 ///< first as given, the others spread over what the log can show
   std::vector<std::string> held;  ///< parameters to keep, as "maxwell.break_frequency"
   unsigned seed = 1;              ///< of the starts
-  /// Search by products of columns where the elements and the logs allow it: the same result, many times as fast.
-  bool by_products = true;
   /// For each log, what its rig may have added to the force besides the constant that all have in common: columns over
   /// its samples, whose shares are found along. Empty: nothing.
   std::vector<Eigen::MatrixXd> rig;
@@ -75,6 +73,7 @@ Identification identify(const std::vector<element::ElementDescription>& elements
 
 /// Standard deviation of white noise on a smooth signal, from its differences: those of a signal that is smooth at the
 /// sampling rate fall with every order, scaled differences of noise stay, so the least over orders 1 to 10 is noise.
-double noiseStandardDeviation(const std::vector<double>& signal);
+/// 0 where it is no more than what is negligible.
+double noiseStandardDeviation(const std::vector<double>& signal, double negligible = 0.0);
 
 }  // namespace rubber_suspension::fit

@@ -7,9 +7,9 @@
 #include <map>
 
 #include "diagnosis/judge/numbers.h"
-#include "fit/bounded_least_squares.h"
 #include "fit/hypothesis_forces.h"
 #include "fit/parallel.h"
+#include "numerics/bounded_least_squares.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
@@ -215,7 +215,7 @@ double Discriminator::leftAfterRefit(std::size_t right, std::size_t wrong, std::
   gram.topLeftCorner(columns.cols(), columns.cols()) += unit * unit * says_[wrong].grams[motion];
   Eigen::VectorXd moment = Eigen::VectorXd::Zero(gram.rows());
   moment.head(columns.cols()) = unit * (columns.transpose() * difference);
-  const Eigen::VectorXd step = fit::boundedLeastSquares(gram, moment, normal.lower, normal.upper);
+  const Eigen::VectorXd step = numerics::boundedLeastSquares(gram, moment, normal.lower, normal.upper);
   const double cost = difference.squaredNorm() - 2.0 * step.dot(moment) + step.dot(gram * step);
   return deviation * std::sqrt(std::clamp(cost, 0.0, difference.squaredNorm()));
 }

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "diagnosis/hypotheses/screening.h"
-#include "fit/bounded_least_squares.h"
 #include "fit/parallel.h"
+#include "numerics/bounded_least_squares.h"
 #include "numerics/symmetric.h"
 
 namespace rubber_suspension::diagnosis {
@@ -55,7 +55,7 @@ class Projected {
     }
     Eigen::VectorXd added = Eigen::VectorXd::Zero(size_);  // coefficients of all columns
     if (count > 0) {
-      const Eigen::VectorXd fitted = fit::boundedLeastSquares(gram, moment, lower, upper);
+      const Eigen::VectorXd fitted = numerics::boundedLeastSquares(gram, moment, lower, upper);
       for (Eigen::Index i = 0; i < count; ++i) {
         added[columns[static_cast<std::size_t>(i)]] = fitted[i];
       }

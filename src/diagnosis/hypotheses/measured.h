@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
-#include "fit/candidate.h"
 #include "fit/excitation.h"
+#include "fit/hypothesis.h"
 #include "fit/hypothesis_fitter.h"
 
 namespace rubber_suspension::diagnosis {

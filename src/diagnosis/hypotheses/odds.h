@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fit/candidate.h"
+#include "fit/hypothesis.h"
 
 namespace rubber_suspension::diagnosis {
 

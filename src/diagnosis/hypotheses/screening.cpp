@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "fit/bounded_least_squares.h"
 #include "fit/parallel.h"
 #include "numerics/least_squares.h"
 

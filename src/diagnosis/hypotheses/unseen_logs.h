@@ -5,7 +5,6 @@
 
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/prepare/rig_noise.h"
-#include "fit/displacement_zero.h"
 #include "fit/free_in_log.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "fit/displacement_zero.h"
+#include "fit/free_in_log.h"
 #include "fit/model_parameters.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/io/rig_tolerances.h"

@@ -11,7 +11,7 @@
 
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/judge/numbers.h"
-#include "fit/bounded_least_squares.h"
+#include "numerics/bounded_least_squares.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
@@ -47,7 +47,7 @@ class Subsets {
     const Eigen::MatrixXd of_free = gram(free, free);
     const auto unbounded = Eigen::VectorXd::Constant(of_free.rows(), kInfinity).eval();
     const auto solve = [&](const Eigen::VectorXd& right) {
-      return fit::boundedLeastSquares(of_free, right, -unbounded, unbounded);
+      return numerics::boundedLeastSquares(of_free, right, -unbounded, unbounded);
     };
     const Eigen::MatrixXd across = gram(free, from);
     const Eigen::VectorXd of_moment = solve(moment(free));
@@ -95,7 +95,7 @@ class Subsets {
     }
     const Eigen::VectorXd moment = moment_(chosen);
     const Eigen::MatrixXd gram = gram_(chosen, chosen);
-    const Eigen::VectorXd scales = fit::boundedLeastSquares(gram, moment, lower, upper);
+    const Eigen::VectorXd scales = numerics::boundedLeastSquares(gram, moment, lower, upper);
     const double square = square_ - 2.0 * scales.dot(moment) + scales.dot(gram * scales);
     if (!(square < best.square)) {
       return;

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "diagnosis/words/headline.h"
-#include "fit/bounded_least_squares.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"
 
@@ -171,11 +170,10 @@ class Resampling {
   }
 
   Eigen::VectorXd step(const Eigen::MatrixXd& sum) const {
-    const Eigen::Index columns = sum.cols() - 1;
     Eigen::VectorXd lower;
     Eigen::VectorXd upper;
-    fitter_.stepBounds(hypothesis_, fitted_.fit.parameters, columns, lower, upper);
-    return fit::boundedLeastSquares(sum.topLeftCorner(columns, columns), sum.col(columns).head(columns), lower, upper);
+    fitter_.stepBounds(hypothesis_, fitted_.fit.parameters, sum.cols() - 1, lower, upper);
+    return fit::solveAll(sum, lower, upper);
   }
 
   void collect(const Eigen::VectorXd& step) {

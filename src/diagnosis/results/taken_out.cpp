@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "fit/displacement_zero.h"
+#include "fit/free_in_log.h"
 #include "gap/simulate.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"

@@ -1,6 +1,6 @@
 // Candidate effect: mass that moves with the displacement.
 #include "diagnosis/hypotheses/candidate/registry.h"
-#include "fit/mass_bandwidth.h"
+#include "fit/excitation.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "fit/candidate.h"
+#include "fit/excitation.h"
+#include "fit/hypothesis.h"
 
 namespace rubber_suspension::diagnosis {
 

@@ -1,12 +1,14 @@
 // Levenberg-Marquardt within limits.
-#include "fit/trust_region.h"
+#include "numerics/trust_region.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
-#include "numerics/symmetric.h"
+#include "numerics/bounded_least_squares.h"
 
-namespace rubber_suspension::fit {
+namespace rubber_suspension::numerics {
 namespace {
 
 constexpr double kFirstRadius = 1e4;     // the first step is damped by 1e-4 of the diagonal of J'J
@@ -36,28 +38,12 @@ class TrustRegion {
   double shrinking_ = 2.0;
 };
 
-// The least of the damped quadratic model within the limits: coordinates that a step would take beyond theirs are set
-// to it, one round after the other, and the step of the others is sought again.
+// The least of the damped quadratic model within the limits.
 Eigen::VectorXd stepFrom(const Eigen::VectorXd& x, const SumOfSquares::Slope& here, const Limits& limits,
                          double least_damped, double radius) {
   Eigen::MatrixXd damped = here.curvature;
   damped.diagonal() += here.curvature.diagonal().cwiseMax(least_damped) / radius;
-  Eigen::VectorXd descent = -here.gradient;
-  Eigen::VectorXd step = Eigen::VectorXd::Zero(x.size());
-  for (Eigen::Index round = 0; round <= x.size(); ++round) {
-    step = numerics::solveSymmetric(damped, descent);
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      if (x[i] + step[i] < limits.lower[i] || x[i] + step[i] > limits.upper[i]) {
-        step[i] = (step[i] < 0.0 ? limits.lower[i] : limits.upper[i]) - x[i];
-        descent -= damped.col(i) * step[i];
-        damped.row(i).setZero();
-        damped.col(i).setZero();
-        damped(i, i) = 1.0;
-        descent[i] = step[i];
-      }
-    }
-  }
-  return limits.inside(x + step) - x;
+  return boundedLeastSquares(damped, -here.gradient, limits.lower - x, limits.upper - x);
 }
 
 // By how much the quadratic model says that the sum falls.
@@ -68,6 +54,33 @@ double promise(const SumOfSquares::Slope& here, const Eigen::VectorXd& step) {
 bool isFinite(const SumOfSquares::Slope& slope) { return slope.gradient.allFinite() && slope.curvature.allFinite(); }
 
 }  // namespace
+
+double DifferencedSquares::at(const Eigen::VectorXd& x) {
+  last_ = x;
+  try {
+    return residuals_(x).squaredNorm();
+  } catch (const std::invalid_argument&) {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+SumOfSquares::Slope DifferencedSquares::slope() {
+  try {
+    const Eigen::MatrixXd derivatives = jacobian(last_);
+    return {derivatives.transpose() * residuals_(last_), derivatives.transpose() * derivatives};
+  } catch (const std::invalid_argument&) {
+    return {Eigen::VectorXd::Constant(last_.size(), std::numeric_limits<double>::quiet_NaN()), {}};
+  }
+}
+
+Eigen::MatrixXd DifferencedSquares::jacobian(const Eigen::VectorXd& x) const {
+  Eigen::MatrixXd result(residuals_(x).size(), x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const Eigen::VectorXd step = step_ * Eigen::VectorXd::Unit(x.size(), i);
+    result.col(i) = (residuals_(x + step) - residuals_(x - step)) / (2.0 * step_);
+  }
+  return result;
+}
 
 Optimum searchLeast(SumOfSquares& sum, const Eigen::VectorXd& start, const Limits& limits,
                     const SearchTolerances& tolerances) {
@@ -105,4 +118,4 @@ Optimum searchLeast(SumOfSquares& sum, const Eigen::VectorXd& start, const Limit
   return {x, cost};
 }
 
-}  // namespace rubber_suspension::fit
+}  // namespace rubber_suspension::numerics

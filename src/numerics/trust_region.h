@@ -2,8 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 
-namespace rubber_suspension::fit {
+namespace rubber_suspension::numerics {
 
 /// A sum of squared residuals over some coordinates.
 class SumOfSquares {
@@ -24,6 +25,28 @@ class SumOfSquares {
   virtual double unit() const = 0;
   /// Rounding of the sum, relative to unit().
   virtual double rounding() const = 0;
+};
+
+/// That of residuals whose Jacobian is found by central differences. Where they throw std::invalid_argument there is no
+/// sum.
+class DifferencedSquares final : public SumOfSquares {
+ public:
+  using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>;
+
+  /// `step`: of each coordinate. The residuals are in units that a good fit is small against.
+  DifferencedSquares(Residuals residuals, double step) : residuals_(std::move(residuals)), step_(step) {}
+
+  double at(const Eigen::VectorXd& x) override;
+  Slope slope() override;
+  double unit() const override { return 1.0; }
+  double rounding() const override { return 1e-18; }
+
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const;
+
+ private:
+  Residuals residuals_;
+  double step_;
+  Eigen::VectorXd last_;
 };
 
 struct Limits {
@@ -51,4 +74,4 @@ struct Optimum {
 Optimum searchLeast(SumOfSquares& sum, const Eigen::VectorXd& start, const Limits& limits,
                     const SearchTolerances& tolerances = {});
 
-}  // namespace rubber_suspension::fit
+}  // namespace rubber_suspension::numerics

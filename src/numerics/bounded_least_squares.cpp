@@ -1,5 +1,5 @@
 // Bounded least squares by an active set.
-#include "fit/bounded_least_squares.h"
+#include "numerics/bounded_least_squares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "numerics/least_squares.h"
 #include "numerics/symmetric.h"
 
-namespace rubber_suspension::fit {
+namespace rubber_suspension::numerics {
 namespace {
 
 // Relative to the unit diagonal of the scaled Gram matrix: keeps collinear columns from large opposed coefficients that
@@ -31,9 +31,9 @@ Eigen::VectorXd solveFree(const Problem& problem, const std::vector<int>& free, 
   const Eigen::MatrixXd gram = problem.gram(free, free);
   const Eigen::VectorXd moment = (problem.moment - problem.gram * fixed)(free);
   if (problem.exact) {
-    return numerics::solveLeastNorm(gram, moment);
+    return solveLeastNorm(gram, moment);
   }
-  return numerics::solveSymmetric(gram, moment);
+  return solveSymmetric(gram, moment);
 }
 
 // Move from x towards the solution on the free set until a bound is met; that unknown leaves the free set.
@@ -125,4 +125,4 @@ Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram, const Eigen
   return solveWithin(gram, moment, lower, upper, 0.0);
 }
 
-}  // namespace rubber_suspension::fit
+}  // namespace rubber_suspension::numerics

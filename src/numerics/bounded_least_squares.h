@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace rubber_suspension::fit {
+namespace rubber_suspension::numerics {
 
 /// Minimise x'Gx/2 - b'x subject to lower <= x <= upper, G symmetric and positive semidefinite, by an active set
 /// (Lawson and Hanson 1974; Stark and Parker 1995 for two-sided bounds). Directions that G does not determine stay at
@@ -18,4 +18,4 @@ Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::Ve
 Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
                                         const std::vector<bool>& signed_unknown);
 
-}  // namespace rubber_suspension::fit
+}  // namespace rubber_suspension::numerics

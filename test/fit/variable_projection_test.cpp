@@ -1,7 +1,8 @@
-// Fits by products of columns against fits by residuals: the same optimum, intervals and notes, over random models.
+// Fits of random models: never worse than the truth, and with it inside the intervals; the same bits on any processor.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -55,46 +56,33 @@ void measure(const std::vector<element::ElementDescription>& elements, double no
   }
 }
 
-constexpr double kSameResidual = 1e-8;  // relative
-
 // From one start: of several, any may come first at an optimum that has Maxwell elements in another order.
 fit::Identification fit(const std::vector<element::ElementDescription>& elements,
-                        const std::vector<log::Log>& measurements, bool by_products,
-                        const std::vector<std::string>& held = {}) {
+                        const std::vector<log::Log>& measurements, const std::vector<std::string>& held = {}) {
   fit::IdentificationOptions options;
   options.starts = 1;
   options.held = held;
-  options.by_products = by_products;
   return fit::identify(elements, measurements, options);
 }
 
-double width(const fit::IdentifiedParameter& parameter) { return parameter.upper - parameter.lower; }
-
-// Both searches end where a step gains less than 1e-10 of the cost: within sqrt(1e-10 N), 0.4 thousandths of a standard
-// deviation for N = 1500 samples, of the optimum where they converge fast; the interval has four standard deviations.
-void expectSameParameters(const fit::Identification& expected, const fit::Identification& actual) {
-  ASSERT_EQ(actual.parameters.size(), expected.parameters.size());
-  for (std::size_t i = 0; i < expected.parameters.size(); ++i) {
-    const fit::IdentifiedParameter& parameter = expected.parameters[i];
-    SCOPED_TRACE(parameter.element + "." + parameter.name);
-    EXPECT_EQ(actual.parameters[i].name, parameter.name);
-    EXPECT_EQ(actual.parameters[i].index, parameter.index);
-    EXPECT_EQ(actual.parameters[i].determined, parameter.determined);
-    if (parameter.determined) {
-      EXPECT_NEAR(actual.parameters[i].value, parameter.value, 2.5e-3 * width(parameter));
-      EXPECT_NEAR(width(actual.parameters[i]) / width(parameter), 1.0, 1e-2);
+// RMS of what the elements leave of the force, with the best offset: that of a fit in which nothing else is free.
+double residualOf(const std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& measurements) {
+  double sum = 0.0;
+  double squares = 0.0;
+  double count = 0.0;
+  for (const log::Log& measurement : measurements) {
+    const component::Component component(elements);
+    component::SampleStream stream(component);
+    std::vector<double> force(measurement.stamp.size());
+    stream.pushAll(measurement.stamp.data(), measurement.displacement.data(), force.size(), force.data());
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      const double residual = measurement.force[i] - force[i];
+      sum += residual;
+      squares += residual * residual;
+      count += 1.0;
     }
   }
-}
-
-void expectSame(const fit::Identification& expected, const fit::Identification& actual) {
-  EXPECT_NEAR(actual.residual / expected.residual, 1.0, kSameResidual);
-  EXPECT_NEAR(actual.independent_samples / expected.independent_samples, 1.0, 1e-3);
-  EXPECT_EQ(actual.notes, expected.notes);
-  EXPECT_EQ(actual.starts, expected.starts);
-  EXPECT_EQ(actual.elements.size(), expected.elements.size());
-  EXPECT_EQ(actual.undetermined.size(), expected.undetermined.size());
-  expectSameParameters(expected, actual);
+  return std::sqrt(squares / count - std::pow(sum / count, 2));
 }
 
 class RandomModel {
@@ -151,27 +139,35 @@ class RandomModel {
   std::mt19937 random_;
 };
 
-TEST(ProductFit, AgreesWithResidualsOverRandomModels) {
-  // Where the search by residuals comes to its end in a long valley, that by products goes on; parameters are compared
-  // where both ended at the same residual, and that has to be the rule.
+constexpr double kSameResidual = 1e-8;  // relative
+
+TEST(VariableProjection, LeavesNoMoreThanTheTruthOverRandomModels) {
   const unsigned models = 60;
-  unsigned compared = 0;
+  unsigned at_best = 0;
+  unsigned parameters = 0;
+  unsigned inside = 0;
   for (unsigned seed = 1; seed <= models; ++seed) {
     SCOPED_TRACE(seed);
     const RandomModel model(seed);
-    const fit::Identification expected = fit(model.guess, model.measurements, false);
-    const fit::Identification actual = fit(model.guess, model.measurements, true);
-    EXPECT_LE(actual.residual, expected.residual * (1.0 + kSameResidual));
-    if (actual.residual >= expected.residual * (1.0 - kSameResidual)) {
-      expectSame(expected, actual);
-      ++compared;
+    const fit::Identification result = fit(model.guess, model.measurements);
+    at_best += result.residual <= residualOf(model.truth, model.measurements) * (1.0 + kSameResidual) ? 1 : 0;
+    for (const fit::IdentifiedParameter& parameter : result.parameters) {
+      if (parameter.determined && result.elements.size() == model.truth.size()) {
+        const double truth = model.truth[static_cast<std::size_t>(parameter.index)].value(parameter.name);
+        ++parameters;
+        inside += parameter.lower <= truth && truth <= parameter.upper ? 1 : 0;
+      }
     }
   }
-  EXPECT_GE(compared, models * 9 / 10);
+  // From one start a search may end at an optimum that is not the least.
+  EXPECT_GE(at_best, models * 9 / 10);
+  // 95 % intervals; of Maxwell elements that changed places some are another's.
+  EXPECT_GE(inside, parameters * 85 / 100);
+  EXPECT_GE(parameters, 3 * models);
 }
 
-// A log whose residuals are correlated in time, so that the covariance needs the derivatives themselves.
-TEST(ProductFit, AgreesWhereResidualsAreCorrelated) {
+// A log whose residuals are correlated in time has wider intervals than one that is as noisy sample by sample.
+TEST(VariableProjection, WidensIntervalsWhereResidualsAreCorrelated) {
   std::mt19937 random(3);
   const std::vector<element::ElementDescription> truth = {spring(3e6), maxwell(5e5, 1.2), maxwell(4e5, 11.0),
                                                           friction(900.0, 4e-4, 0.0)};
@@ -183,12 +179,17 @@ TEST(ProductFit, AgreesWhereResidualsAreCorrelated) {
   }
   const std::vector<element::ElementDescription> guess = {spring(2e6), maxwell(5e5, 2.0), maxwell(4e5, 5.0),
                                                           friction(500.0, 2e-4, 0.0)};
-  const fit::Identification expected = fit(guess, {measurement}, false);
-  EXPECT_LT(expected.independent_samples, 1500.0);
-  expectSame(expected, fit(guess, {measurement}, true));
+  const fit::Identification result = fit(guess, {measurement});
+  EXPECT_LT(result.independent_samples, 1500.0);
+  EXPECT_LE(result.residual, residualOf(truth, {measurement}) * (1.0 + kSameResidual));
+  for (const fit::IdentifiedParameter& parameter : result.parameters) {
+    const double value = truth[static_cast<std::size_t>(parameter.index)].value(parameter.name);
+    EXPECT_LE(parameter.lower, value) << parameter.element << "." << parameter.name;
+    EXPECT_GE(parameter.upper, value) << parameter.element << "." << parameter.name;
+  }
 }
 
-TEST(ProductFit, AgreesOverLogsWithHeldParameters) {
+TEST(VariableProjection, KeepsHeldParametersOverLogs) {
   std::mt19937 random(5);
   const std::vector<element::ElementDescription> truth = {spring(3e6), dashpot(3e3), maxwell(5e5, 1.2),
                                                           maxwell(5e5, 9.0), friction(900.0, 4e-4, 2e-5)};
@@ -202,44 +203,51 @@ TEST(ProductFit, AgreesOverLogsWithHeldParameters) {
                                                {"maxwell.stiffness", "friction.maximum_force"},
                                                {"friction.displacement", "spring.stiffness"}}) {
     SCOPED_TRACE(held.front());
-    expectSame(fit(guess, measurements, false, held), fit(guess, measurements, true, held));
+    const fit::Identification result = fit(guess, measurements, held);
+    EXPECT_LE(result.residual, residualOf(truth, measurements) * (1.0 + kSameResidual));
+    for (const std::string& name : held) {
+      EXPECT_TRUE(std::none_of(result.parameters.begin(), result.parameters.end(), [&](const auto& parameter) {
+        return parameter.element + "." + parameter.name == name;
+      })) << name;
+    }
   }
 }
 
-TEST(ProductFit, AgreesOnWhatIsNotThere) {
+TEST(VariableProjection, LeavesOutWhatIsNotThere) {
   std::mt19937 random(7);
   log::Log measurement = motion(1500, 2000000, 0.0);
-  measure({spring(3e6), maxwell(5e5, 2.0), friction(900.0, 4e-4, 0.0)}, 1e-3, random, measurement);
+  const std::vector<element::ElementDescription> truth = {spring(3e6), maxwell(5e5, 2.0), friction(900.0, 4e-4, 0.0)};
+  measure(truth, 1e-3, random, measurement);
   for (std::size_t i = 1; i < measurement.force.size(); ++i) {  // energy that no Maxwell element can give
     measurement.force[i] -= 2e3 * (measurement.displacement[i] - measurement.displacement[i - 1]) / 2e-3;
   }
   const std::vector<element::ElementDescription> guess = {spring(2e6), dashpot(1e3), maxwell(5e5, 2.0),
                                                           maxwell(5e5, 50.0), friction(500.0, 5e-4, 0.0)};
-  const fit::Identification expected = fit(guess, {measurement}, false);
-  EXPECT_THAT(expected.notes, testing::Contains(testing::HasSubstr("dashpot 2 was left without force")));
-  expectSame(expected, fit(guess, {measurement}, true));
+  const fit::Identification result = fit(guess, {measurement});
+  EXPECT_THAT(result.notes, testing::Contains(testing::HasSubstr("dashpot 2 was left without force")));
+  EXPECT_LE(result.residual, residualOf(truth, {measurement}) * (1.0 + kSameResidual));
 }
 
-TEST(ProductFit, AgreesAtALimit) {
+TEST(VariableProjection, EndsAtALimit) {
   // Beyond half of the rate of 500 Hz no break frequency is searched.
   std::mt19937 random(7);
   log::Log measurement = motion(1500, 2000000, 0.0);
   measure({spring(3e6), maxwell(3e6, 1e3), friction(900.0, 4e-4, 0.0)}, 1e-5, random, measurement);
   const std::vector<element::ElementDescription> guess = {spring(2e6), maxwell(5e5, 20.0), friction(500.0, 5e-4, 0.0)};
-  const fit::Identification expected = fit(guess, {measurement}, false);
-  const auto frequency = [](const fit::Identification& result) {
-    return result.elements.at(1).value("break_frequency");
-  };
+  const fit::Identification result = fit(guess, {measurement});
   const double highest = 0.5 * 500.0;
-  EXPECT_NEAR(frequency(expected), highest, 1e-9 * highest);
-  const fit::Identification actual = fit(guess, {measurement}, true);
-  EXPECT_NEAR(frequency(actual), highest, 1e-9 * highest);
-  // The search by residuals cuts its steps at limits, which makes the last ones short: it ends a little earlier.
-  EXPECT_NEAR(actual.residual / expected.residual, 1.0, 1e-6);
-  expectSameParameters(expected, actual);
+  EXPECT_NEAR(result.elements.at(1).value("break_frequency"), highest, 1e-9 * highest);
+  const auto frequency = std::find_if(result.parameters.begin(), result.parameters.end(),
+                                      [](const auto& parameter) { return parameter.name == "break_frequency"; });
+  ASSERT_NE(frequency, result.parameters.end());
+  EXPECT_FALSE(frequency->determined);
+  // The others are the best there: as where the limit itself is given and held.
+  const fit::Identification held =
+      fit({spring(2e6), maxwell(5e5, highest), friction(500.0, 5e-4, 0.0)}, {measurement}, {"maxwell.break_frequency"});
+  EXPECT_NEAR(result.residual / held.residual, 1.0, 1e-6);
 }
 
-TEST(ProductFit, FindsTheTruthInALogWithoutNoise) {
+TEST(VariableProjection, FindsTheTruthInALogWithoutNoise) {
   std::mt19937 random(1);
   const std::vector<element::ElementDescription> truth = {spring(3e6), maxwell(5e5, 1.2), maxwell(4e5, 11.0),
                                                           friction(900.0, 4e-4, 0.0)};
@@ -247,13 +255,13 @@ TEST(ProductFit, FindsTheTruthInALogWithoutNoise) {
   measure(truth, 0.0, random, measurement);
   const std::vector<element::ElementDescription> guess = {spring(2e6), maxwell(5e5, 2.0), maxwell(4e5, 5.0),
                                                           friction(500.0, 2e-4, 0.0)};
-  const fit::Identification result = fit(guess, {measurement}, true);
+  const fit::Identification result = fit(guess, {measurement});
   EXPECT_LT(result.relative_residual, 1e-8);
   EXPECT_NEAR(result.elements[1].value("break_frequency"), 1.2, 1e-6);
   EXPECT_NEAR(result.elements[3].value("displacement"), 4e-4, 1e-9);
 }
 
-TEST(ProductFit, SameBitsOnAnyProcessor) {
+TEST(VariableProjection, SameBitsOnAnyProcessor) {
   const RandomModel model(4);
   const fit::Identification widest = fit::identify(model.guess, model.measurements);
   for (const processor::Instructions instructions : {processor::Instructions::any, processor::Instructions::avx2}) {
