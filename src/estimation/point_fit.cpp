@@ -7,6 +7,7 @@
 #include <cmath>
 #include <unsupported/Eigen/NonLinearOptimization>
 
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "estimation/models.h"
 #include "rubber_suspension/element/berg_friction.h"
@@ -51,9 +52,7 @@ class PointFit {
         best = found;
       }
     }
-    if (!std::isfinite(least)) {
-      throw std::invalid_argument("points: no model comes near them; accepted: points of one component");
-    }
+    element::refuseIf(!std::isfinite(least), "points: no model comes near them; accepted: points of one component");
     return result(best);
   }
 
@@ -110,14 +109,11 @@ class PointFit {
     }
     for (std::size_t i = 0; i < given_.points().size(); ++i) {
       const SpecifiedPoint& point = given_.points()[i];
-      if (!point.stiffness && !point.loss_angle) {
-        throw std::invalid_argument(
-            fmt::format("points[{}] has no number to meet; accepted: stiffness, loss_angle or both", i));
-      }
-      if (point.amplitude == 0.0 && !isLinear() && !given_.has("nominal_amplitude")) {
-        throw std::invalid_argument(fmt::format(
-            "points[{}].amplitude is missing; accepted: the amplitude of the point, as the component is nonlinear", i));
-      }
+      element::refuseIf(!point.stiffness && !point.loss_angle,
+                        "points[{}] has no number to meet; accepted: stiffness, loss_angle or both", i);
+      element::refuseIf(
+          point.amplitude == 0.0 && !isLinear() && !given_.has("nominal_amplitude"),
+          "points[{}].amplitude is missing; accepted: the amplitude of the point, as the component is nonlinear", i);
     }
   }
 
@@ -201,10 +197,8 @@ class PointFit {
     if (const auto level = given_.find("static_stiffness")) {
       return *level;
     }
-    if (given_.curve() == nullptr) {
-      throw std::invalid_argument(
-          "points: none has a stiffness; accepted: at least one stiffness, or static_stiffness");
-    }
+    element::refuseIf(given_.curve() == nullptr,
+                      "points: none has a stiffness; accepted: at least one stiffness, or static_stiffness");
     return given_.curve()->tangentAt(nominalDisplacement(given_));
   }
 
@@ -429,9 +423,8 @@ class PointFit {
 }  // namespace
 
 Resolved fitPoints(Model model, const Specification& specification, const FitEntries& add) {
-  if (model == Model::elements) {
-    throw std::invalid_argument("points: model elements has nothing to estimate; accepted: any other model");
-  }
+  element::refuseIf(model == Model::elements,
+                    "points: model elements has nothing to estimate; accepted: any other model");
   return PointFit(model, specification, add).fit();
 }
 

@@ -41,8 +41,8 @@ BELOW = {
         "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis", "node",
         "bag", "roscpp_fixes"},
     "benchmark": {
-        "processor", "element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement",
-        "fit", "diagnosis", "node", "roscpp_fixes", "ros_interface", "fmi"},
+        "processor", "element", "kernel", "component", "response", "estimation", "numerics", "log", "io", "gap",
+        "measurement", "fit", "diagnosis", "node", "roscpp_fixes", "ros_interface"},
 }
 KNOW_ROS = {"bag", "roscpp_fixes", "ros_interface", "benchmark", "apps"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
