@@ -155,15 +155,15 @@ rubber_suspension::Gap gapMessage(const node::LiveGap& gap, const node::GapSetti
   message.share_drift = share(gap::Quantity::drift);
   for (std::size_t i = 0; i < std::min(gap.cells.size(), kMostCells); ++i) {
     const gap::GapCell& cell = gap.cells[i];
-    GapShare share;
-    share.quantity = gap::toString(cell.quantity);
-    share.frequency_low = cell.frequency[0];
-    share.frequency_high = cell.frequency[1];
-    share.amplitude_low = cell.amplitude[0];
-    share.amplitude_high = cell.amplitude[1];
-    share.share = cell.share;
-    share.noise_ratio = cell.noise_ratio;
-    message.cells.push_back(share);
+    GapShare entry;
+    entry.quantity = gap::toString(cell.quantity);
+    entry.frequency_low = cell.frequency[0];
+    entry.frequency_high = cell.frequency[1];
+    entry.amplitude_low = cell.amplitude[0];
+    entry.amplitude_high = cell.amplitude[1];
+    entry.share = cell.share;
+    entry.noise_ratio = cell.noise_ratio;
+    message.cells.push_back(entry);
   }
   return message;
 }
