@@ -23,9 +23,7 @@ struct Options {
 int convert(const Options& options) {
   const io::Activity converting("converting " + options.input);
   const log::Log log = bag::readBagLog(options.input, options.component);
-  for (const std::string& note : log.notes) {
-    printNote("bag_to_csv", note);
-  }
+  printNotes("bag_to_csv", log.notes);
   log::writeLogCsv(options.output, log);
   std::cout << options.output << ": " << log.size() << " samples"
             << (log.force.empty() ? ", displacement\n" : ", displacement and measured force\n");

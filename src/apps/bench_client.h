@@ -6,6 +6,7 @@
 #include <string>
 
 #include "command_line/command.h"
+#include "element/refuse.h"
 #include "ros_interface/connection.h"
 #include "ros_interface/log_player.h"
 #include "roscpp_fixes/process_fixes.h"
@@ -24,9 +25,7 @@ inline void noteOpenness(const std::string& command) {
 inline void resetComponent(const ros::NodeHandle& handle, const std::string& service) {
   constexpr double kPatience = 30.0;  // [s]; a node has its topics before its services
   const std::string refusal = service.empty() ? "" : ros_interface::callTrigger(handle.resolveName(service), kPatience);
-  if (!refusal.empty()) {
-    throw ros_interface::PlayError(refusal);
-  }
+  element::refuseIf<ros_interface::PlayError>(!refusal.empty(), "{}", refusal);
 }
 
 /// A player that tells now and then what it waits for.

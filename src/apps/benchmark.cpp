@@ -5,6 +5,7 @@
 #include "benchmark/single_work.h"
 #include "command_line/command.h"
 #include "command_line/plot_option.h"
+#include "element/refuse.h"
 
 namespace {
 
@@ -66,9 +67,8 @@ int runSingle(const Options& options) {
     std::cout << benchmark::diagnoseLongLog(options.log_duration) << '\n';
     return kSuccess;
   }
-  if (options.config.empty() || options.log.empty()) {
-    throw UsageError("--work " + options.work + " needs --config and --log");
-  }
+  element::refuseIf<UsageError>(options.config.empty() || options.log.empty(), "--work {} needs --config and --log",
+                                options.work);
   std::cout << benchmark::singleWork(options.work, options.config, options.log) << '\n';
   return kSuccess;
 }
@@ -97,9 +97,7 @@ int run(const Options& options) {
     }
   }
   std::cout << benchmark::markdown(results);
-  if (!options.plot.empty()) {
-    drawPlot(benchmark::ratioFigure(results), options.plot);
-  }
+  drawPlot(options.plot, [&] { return benchmark::ratioFigure(results); });
   return accurate ? kSuccess : kFailed;
 }
 

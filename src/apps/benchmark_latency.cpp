@@ -14,6 +14,7 @@
 #include "benchmark/latency/soak.h"
 #include "command_line/command.h"
 #include "command_line/plot_option.h"
+#include "element/refuse.h"
 #include "ros_interface/child_process.h"
 #include "ros_interface/command_line.h"
 
@@ -53,9 +54,7 @@ std::unique_ptr<ros_interface::ChildProcess> startMaster() {
 void waitForMaster() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
   while (!ros::master::check()) {
-    if (std::chrono::steady_clock::now() > end) {
-      throw std::runtime_error("the master does not answer");
-    }
+    element::refuseIf<std::runtime_error>(std::chrono::steady_clock::now() > end, "the master does not answer");
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
 }
@@ -66,9 +65,7 @@ int measureLatency(const Options& options) {
   const auto rows =
       benchmark::benchmarkLatency(options.benchmark, [](const std::string& what) { tell("measuring " + what); });
   benchmark::printMarkdown(rows, std::cout);
-  if (!options.plot.empty()) {
-    drawPlot(benchmark::latencyFigure(rows), options.plot);
-  }
+  drawPlot(options.plot, [&] { return benchmark::latencyFigure(rows); });
   return kSuccess;
 }
 
@@ -78,12 +75,8 @@ int measureSoak(const Options& options) {
   soak_options.components = options.benchmark.components.front();
   const benchmark::SoakResult result = benchmark::soak(soak_options, tell);
   benchmark::printMarkdown(result, std::cout);
-  if (!options.plot.empty()) {
-    drawPlot(benchmark::soakFigure(result), options.plot);
-  }
-  if (!result.exact()) {
-    throw std::runtime_error("not every sample had exactly one force");
-  }
+  drawPlot(options.plot, [&] { return benchmark::soakFigure(result); });
+  element::refuseIf<std::runtime_error>(!result.exact(), "not every sample had exactly one force");
   return kSuccess;
 }
 

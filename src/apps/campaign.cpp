@@ -12,8 +12,8 @@
 #include "campaign/slurm.h"
 #include "campaign/status.h"
 #include "command_line/command.h"
+#include "element/refuse.h"
 #include "io/output_files.h"
-#include "io/progress.h"
 #include "log/text.h"
 
 using namespace rubber_suspension;
@@ -28,12 +28,10 @@ struct Options {
   std::string output;
   std::string shard = "1/1";
   int threads = 2;
-  bool retry_failed = false;
   double job_minutes = campaign::kJobMinutes;
+  campaign::RunOptions run;
   std::string engine;
-  std::uint64_t max_running = 0;
-  double shard_minutes = campaign::SlurmOptions().shard_minutes;
-  std::string partition;
+  campaign::SlurmOptions slurm;
   bool dry_run = false;
 
   Files madeFiles() const {
@@ -79,15 +77,16 @@ struct Options {
                "a job that takes longer is ended and has failed, for run and in each element of submit; 0: no limit")
             .rare()
             .within(0, 1000000),
-        Option("--retry-failed", retry_failed, "work failed jobs off again, for run").rare(),
+        Option("--retry-failed", run.retry_failed, "work failed jobs off again, for run").rare(),
         Option("--engine", engine, "ENGINE", "what works the jobs off, for submit").rare().oneOf({"slurm"}),
-        Option("--shard-minutes", shard_minutes, "MINUTES", "work of an element of the array, for submit")
+        Option("--shard-minutes", slurm.shard_minutes, "MINUTES", "work of an element of the array, for submit")
             .rare()
             .within(0.001, 10000),
-        Option("--max-running", max_running, "COUNT", "elements that run at a time, for submit; all if absent")
+        Option("--max-running", slurm.max_running, "COUNT", "elements that run at a time, for submit; all if absent")
             .rare()
             .within(1, 1000000),
-        Option("--partition", partition, "NAME", "partition of the cluster, for submit; its default if absent").rare(),
+        Option("--partition", slurm.partition, "NAME", "partition of the cluster, for submit; its default if absent")
+            .rare(),
         Option("--dry-run", dry_run, "print the array's script and submit nothing").rare()};
     options.needs({"--jobs", "--output"}, {"task make"});
     options.needs({"--force"}, {"task make", "task collect"});
@@ -100,13 +99,12 @@ struct Options {
 };
 
 void checkUse(const Options& options) {
-  if (options.task == "make" && (options.jobs.empty() || options.output.empty() || !options.folder.empty())) {
-    throw UsageError("make: accepted: campaign make --jobs FILE --output FOLDER");
-  }
-  if (options.task != "make" && options.folder.empty()) {
-    throw UsageError(options.task + ": the folder of the campaign is missing; accepted: campaign " + options.task +
-                     " FOLDER");
-  }
+  element::refuseIf<UsageError>(
+      options.task == "make" && (options.jobs.empty() || options.output.empty() || !options.folder.empty()),
+      "make: accepted: campaign make --jobs FILE --output FOLDER");
+  element::refuseIf<UsageError>(options.task != "make" && options.folder.empty(),
+                                "{}: the folder of the campaign is missing; accepted: campaign {} FOLDER", options.task,
+                                options.task);
 }
 
 log::Log readLog(const std::string& path, const std::string& component, const log::LogFormat& format) {
@@ -127,47 +125,33 @@ int make(const Options& options) {
   }
   io::makeFolder(options.output);
   campaign::writeManifest(expansion.manifest, options.output);
-  for (const std::string& note : expansion.notes) {
-    printNote("campaign", note);
-  }
+  printNotes("campaign", expansion.notes);
   std::cout << fmt::format("{} jobs with {} input files\n{}\n", expansion.manifest.jobs.size(),
                            expansion.manifest.inputs.size(), campaign::manifestPath(options.output));
   return kSuccess;
 }
 
 int run(const Options& options) {
-  campaign::RunOptions settings;
-  try {
-    settings.shard = campaign::parseShard(options.shard);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--shard: ") + error.what());
-  }
+  campaign::RunOptions settings = options.run;
+  settings.shard = asUsage("--shard: ", [&] { return campaign::parseShard(options.shard); });
   settings.workers = options.threads;
-  settings.retry_failed = options.retry_failed;
   settings.job_minutes = options.job_minutes;
   const campaign::RunSummary summary = campaign::run(options.folder, version(), settings, readLog, say);
   std::cout << fmt::format("{} jobs done, {} failed, {} passed over because they have a result\n", summary.done,
                            summary.failed, summary.passed_over);
-  if (summary.interrupted) {
-    throw std::runtime_error("interrupted; the same command continues");
-  }
+  element::refuseIf<std::runtime_error>(summary.interrupted, "interrupted; the same command continues");
   return summary.failed == 0 ? kSuccess : kFailed;
 }
 
 int submit(const Options& options) {
-  if (options.engine.empty()) {
-    throw UsageError("submit: --engine is missing; accepted: --engine slurm");
-  }
-  if (options.partition.find_first_of(" \t\n\r") != std::string::npos) {
-    throw UsageError("--partition: '" + options.partition + "'; accepted: the name of a partition, without blanks");
-  }
+  element::refuseIf<UsageError>(options.engine.empty(), "submit: --engine is missing; accepted: --engine slurm");
+  campaign::SlurmOptions settings = options.slurm;
+  element::refuseIf<UsageError>(settings.partition.find_first_of(" \t\n\r") != std::string::npos,
+                                "--partition: '{}'; accepted: the name of a partition, without blanks",
+                                settings.partition);
   const campaign::Manifest manifest = campaign::readManifest(options.folder);
   campaign::requireVersion(manifest, options.folder, version());
-  campaign::SlurmOptions settings;
   settings.program = std::filesystem::read_symlink("/proc/self/exe").string();
-  settings.shard_minutes = options.shard_minutes;
-  settings.max_running = options.max_running;
-  settings.partition = options.partition;
   settings.workers = options.threads;
   settings.job_minutes = options.job_minutes;
   const campaign::SlurmArray array =
@@ -181,20 +165,16 @@ int submit(const Options& options) {
 }
 
 int status(const Options& options) {
-  const std::string text = [&] {
-    const io::Activity reading("reading the records of " + options.folder);
+  std::cout << during("reading the records of " + options.folder, [&] {
     return campaign::toText(campaign::statusOf(campaign::readManifest(options.folder), options.folder));
-  }();
-  std::cout << text;
+  });
   return kSuccess;
 }
 
 int collect(const Options& options) {
   const campaign::Manifest manifest = campaign::readManifest(options.folder);
-  const campaign::CollectSummary summary = [&] {
-    const io::Activity collecting("reading the records of " + options.folder);
-    return campaign::collect(manifest, options.folder);
-  }();
+  const campaign::CollectSummary summary =
+      during("reading the records of " + options.folder, [&] { return campaign::collect(manifest, options.folder); });
   for (const std::string& problem : summary.broken) {
     printNote("campaign", problem + "; counted as missing");
   }

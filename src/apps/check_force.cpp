@@ -33,11 +33,7 @@ struct Options {
 };
 
 std::string reportPath(const Options& options) {
-  try {
-    return options.report.empty() ? "" : ros_interface::testReportPath(options.report);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
+  return asUsage("", [&] { return options.report.empty() ? "" : ros_interface::testReportPath(options.report); });
 }
 
 OptionTable Options::table() {
@@ -116,8 +112,8 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
   if (!path.empty()) {
     ros_interface::writeTestReport(path, "check_force", outcome.cases);
   }
-  if (!options.plot.empty() && !outcome.figure.axes.empty()) {
-    drawPlot(outcome.figure, options.plot);
+  if (!outcome.figure.axes.empty()) {
+    drawPlot(options.plot, [&] { return outcome.figure; });
   }
   int status = kSuccess;
   for (const ros_interface::TestCase& test : outcome.cases) {

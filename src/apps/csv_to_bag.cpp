@@ -2,6 +2,7 @@
 #include "bag/bag_log.h"
 #include "command_line/command.h"
 #include "command_line/log_options.h"
+#include "element/refuse.h"
 #include "io/progress.h"
 
 using namespace rubber_suspension;
@@ -24,9 +25,8 @@ struct Options {
 };
 
 int convert(const Options& options) {
-  if (bag::isBagPath(options.input)) {
-    throw UsageError("--log: " + options.input + " is a bag already; accepted: text (CSV), .mat or HDF5");
-  }
+  element::refuseIf<UsageError>(bag::isBagPath(options.input),
+                                "--log: {} is a bag already; accepted: text (CSV), .mat or HDF5", options.input);
   const log::Log log = options.log_options.read("csv_to_bag", options.input, options.component);
   const io::Activity writing("writing " + options.output);
   bag::writeBagLog(options.output, options.component, log);

@@ -15,6 +15,7 @@
 #include "diagnosis/report/run_record.h"
 #include "diagnosis/results/taken_out.h"
 #include "diagnosis/words/model_values.h"
+#include "element/refuse.h"
 #include "log/text.h"
 #include "rubber_suspension/diagnosis/plan.h"
 #include "rubber_suspension/diagnosis/six_directions.h"
@@ -78,11 +79,9 @@ int run(const DiagnoseOptions& options) {
   if (!options.table_path.empty()) {
     return runTable(options);
   }
-  if (options.logs.empty()) {
-    throw UsageError(
-        "--log is missing; accepted: measured logs, --from-table with a table of stiffness and loss angle, or --plan "
-        "with programmes of displacement");
-  }
+  element::refuseIf<UsageError>(options.logs.empty(),
+                                "--log is missing; accepted: measured logs, --from-table with a table of stiffness and "
+                                "loss angle, or --plan with programmes of displacement");
   std::vector<std::string> all_logs = options.logs;
   all_logs.insert(all_logs.end(), options.hold_out.begin(), options.hold_out.end());
   options.log_options.requireUse(all_logs);
@@ -206,12 +205,8 @@ diagnosis::RunRecord runRecord(const DiagnoseOptions& options) {
 
 void setTolerances(const std::vector<std::string>& assignments, io::ComponentDescription& component) {
   io::RigTolerances tolerances = component.rig.value_or(io::RigTolerances{});
-  try {
-    for (const std::string& assignment : assignments) {
-      io::setRigTolerance(tolerances, assignment);
-    }
-  } catch (const std::invalid_argument& error) {
-    throw UsageError("--rig: " + std::string(error.what()));
+  for (const std::string& assignment : assignments) {
+    asUsage("--rig: ", [&] { io::setRigTolerance(tolerances, assignment); });
   }
   if (!assignments.empty()) {
     component.rig = tolerances;

@@ -16,8 +16,8 @@
 #include "command_line/log_options.h"
 #include "command_line/plot_option.h"
 #include "command_line/warnings.h"
+#include "element/refuse.h"
 #include "gap/odd_motion.h"
-#include "io/progress.h"
 #include "log/new_file.h"
 #include "log/text.h"
 
@@ -128,10 +128,8 @@ void readRange(const std::string& option, const std::vector<double>& ends, const
   if (!ends.empty()) {
     low = ends[0];
     high = ends[1];
-    if (!(*low < *high)) {
-      throw UsageError(
-          fmt::format("{}: the first, {:g} {}, is not below the second, {:g} {}", option, *low, unit, *high, unit));
-    }
+    element::refuseIf<UsageError>(!(*low < *high), "{}: the first, {:g} {}, is not below the second, {:g} {}", option,
+                                  *low, unit, *high, unit);
   }
 }
 
@@ -170,10 +168,9 @@ int convertDataSheet(const Options& options) {
   for (std::string line; std::getline(lines, line) && line[0] == '#';) {
     printNote("estimate", line.substr(2));
   }
-  if (!options.plot.empty()) {
-    drawPlot(command::toFigure(smoothReports(io::parseComponentFile(text, options.data_sheet), {}, std::nullopt)),
-             options.plot);
-  }
+  drawPlot(options.plot, [&] {
+    return command::toFigure(smoothReports(io::parseComponentFile(text, options.data_sheet), {}, std::nullopt));
+  });
   if (options.output.empty()) {
     std::cout << text;
   } else {
@@ -196,13 +193,9 @@ int identifyComponent(const Options& options) {
       logs.push_back(std::move(log));
     }
   }
-  const fit::Identification result = [&] {
-    const io::Activity searching("finding parameters");
-    return command::identifyFromLogs(description, logs, options.identification);
-  }();
-  if (!options.plot.empty()) {
-    drawPlot(command::identificationFigure(description, result, logs), options.plot);
-  }
+  const fit::Identification result = during(
+      "finding parameters", [&] { return command::identifyFromLogs(description, logs, options.identification); });
+  drawPlot(options.plot, [&] { return command::identificationFigure(description, result, logs); });
   if (!options.output.empty()) {
     log::writeNewFile(options.output, io::toYaml({command::identifiedComponent(description, result)}));
   }
@@ -215,10 +208,7 @@ int fitToTable(const Options& options) {
   const io::ComponentDescription& description = io::selectComponent(components, options.component);
   const fit::MeasuredTable table = command::readTable(options.table_path);
   command::requireNoShift(description, table, options.table_path);
-  const fit::TableFit result = [&] {
-    const io::Activity searching("finding parameters");
-    return fit::fitToTable(description, table.points);
-  }();
+  const fit::TableFit result = during("finding parameters", [&] { return fit::fitToTable(description, table.points); });
   if (!options.output.empty()) {
     log::writeNewFile(options.output, io::toYaml({result.component}));
   }
@@ -281,9 +271,7 @@ int estimateComponents(const Options& options) {
     std::vector<std::string> notes;
     components =
         command::inModels(io::selectComponent(components, options.component, options.config), options.models, notes);
-    for (const std::string& note : notes) {
-      std::cerr << "estimate: note: " << note << "\n";
-    }
+    printNotes("estimate", notes);
   }
   checkStateSpace(options.state_space, components.size());
   std::vector<command::EstimateReport> reports;
@@ -293,10 +281,10 @@ int estimateComponents(const Options& options) {
     reports.push_back(reportOf(component, sweeps, options.sensitivity));
   }
   writeFiles(options, components, reports);
-  if (!options.plot.empty()) {
+  drawPlot(options.plot, [&] {
     const auto legends = options.models.empty() ? command::Legends::in_all_axes : command::Legends::one;
-    drawPlot(command::toFigure(smoothReports(components, sweeps, options.sensitivity), legends), options.plot);
-  }
+    return command::toFigure(smoothReports(components, sweeps, options.sensitivity), legends);
+  });
   if (options.json) {
     std::cout << command::toJson(reports);
     return kSuccess;

@@ -7,6 +7,7 @@
 #include "command/bushing_file.h"
 #include "command_line/command.h"
 #include "command_line/component_options.h"
+#include "element/refuse.h"
 #include "log/new_file.h"
 
 namespace {
@@ -49,9 +50,8 @@ struct Options {
 
 command::BushingFormat formatOf(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending != ".bus" && ending != ".gbs") {
-    throw UsageError("--output: " + path + "; accepted: a file that ends in .bus (Adams) or .gbs (Altair)");
-  }
+  element::refuseIf<UsageError>(ending != ".bus" && ending != ".gbs",
+                                "--output: {}; accepted: a file that ends in .bus (Adams) or .gbs (Altair)", path);
   return ending == ".bus" ? command::BushingFormat::adams : command::BushingFormat::altair;
 }
 
@@ -70,18 +70,15 @@ command::Bushing bushingOf(const io::ComponentDescription& description, const st
     return command::bushingAlong(*component::directionFromString(axis.empty() ? "z" : axis),
                                  description.makeComponent());
   }
-  if (!axis.empty()) {
-    throw UsageError("--axis has no effect: the component has directions of its own");
-  }
+  element::refuseIf<UsageError>(!axis.empty(), "--axis has no effect: the component has directions of its own");
   return command::bushingOf(description.six->makeComponent());
 }
 
 int run(Options& options) {
   options.bushing.format = formatOf(options.output);
-  if (options.bushing.points % 2 == 0) {
-    throw UsageError(fmt::format("--points: {} is even; accepted: an odd number, so that 0 is on the curve",
-                                 options.bushing.points));
-  }
+  element::refuseIf<UsageError>(options.bushing.points % 2 == 0,
+                                "--points: {} is even; accepted: an odd number, so that 0 is on the curve",
+                                options.bushing.points);
   const io::ComponentDescription description = options.component.readAny("export_bushing");
   const command::Bushing bushing = bushingOf(description, options.axis);
   const auto has = [&](std::size_t first) {
@@ -92,9 +89,7 @@ int run(Options& options) {
   requireCurve(options.bushing.rotation, has(component::kRx), "--largest-rotation", "--rotation-amplitude");
   const command::BushingFile file = command::makeBushingFile(description.name, bushing, options.bushing);
   log::writeNewFile(options.output, file.text);
-  for (const std::string& note : file.notes) {
-    printNote("export_bushing", note);
-  }
+  printNotes("export_bushing", file.notes);
   std::cout << options.output << '\n';
   return kSuccess;
 }

@@ -34,9 +34,7 @@ int run(const Options& options) {
   const io::ComponentDescription description = options.component.read("export_table");
   const auto table = command::makeTable(description.name, description.makeComponent(), options.grid);
   log::writeNewFile(options.output, command::toCsv(table));
-  for (const std::string& note : table.notes) {
-    printNote("export_table", note);
-  }
+  printNotes("export_table", table.notes);
   std::cout << fmt::format("{}: {} rows\n{}\n", table.component, table.rows.size(), options.output);
   return kSuccess;
 }

@@ -9,6 +9,7 @@
 #include "command_line/command.h"
 #include "command_line/log_options.h"
 #include "command_line/plot_option.h"
+#include "element/refuse.h"
 #include "io/progress.h"
 #include "ros_interface/command_line.h"
 #include "vehicle/components.h"
@@ -63,17 +64,19 @@ std::string summary(const Scene& scene, std::chrono::steady_clock::time_point st
                      scene.steps(), 1e-6 * static_cast<double>(scene.step), elapsed.count(), differences);
 }
 
-BushedHistory runBushedLoop(ros_interface::RosCommandLine& line, const Options& options, BushedKind kind,
-                            const Scene& scene, const PerBush<component::SixDirections>& components) {
+// A loop with a partner: the node, or the library by components that are loaded here.
+template <class Topics, class Library, class Components, class Run>
+auto runLoop(ros_interface::RosCommandLine& line, const Options& options, const std::vector<std::string>& names,
+             const Components& components, Run loop) {
   if (options.forces == "topics") {
     line.initialise("half_bogie", 0, ros_interface::PoseClient::kPatience);
     const ros::NodeHandle handle;
     noteOpenness("half_bogie");
-    TopicWrenchExchange exchange(handle, kind, options.reset);
-    return runExchange(scene, kind, exchange, options.delay);
+    Topics exchange(handle, names, options.reset);
+    return loop(exchange);
   }
-  LibraryWrenchExchange exchange(components);
-  return runExchange(scene, kind, exchange, options.delay);
+  Library exchange(components);
+  return loop(exchange);
 }
 
 // A vehicle on components of six directions.
@@ -82,7 +85,9 @@ int runBushed(ros_interface::RosCommandLine& line, const Options& options, Bushe
   const Scene scene = sceneOf(options);
   std::optional<io::Activity> simulating("simulating the vehicle");
   const auto start = std::chrono::steady_clock::now();
-  const BushedHistory history = runBushedLoop(line, options, kind, scene, components);
+  const BushedHistory history = runLoop<TopicWrenchExchange, LibraryWrenchExchange>(
+      line, options, bushNames(kind), components,
+      [&](WrenchExchange& exchange) { return runExchange(scene, kind, exchange, options.delay); });
   const BushedHistory reference = runVariableStep(scene, kind, components, {});
   simulating.reset();
   std::cout << summary(scene, start,
@@ -93,28 +98,17 @@ int runBushed(ros_interface::RosCommandLine& line, const Options& options, Bushe
   return kSuccess;
 }
 
-History runLoop(ros_interface::RosCommandLine& line, const Options& options, const Scene& scene,
-                const std::vector<component::Component>& components) {
-  if (options.forces == "implicit") {
-    return runImplicit(scene, components);
-  }
-  if (options.forces == "topics") {
-    line.initialise("half_bogie", 0, ros_interface::BundleClient::kPatience);
-    const ros::NodeHandle handle;
-    noteOpenness("half_bogie");
-    TopicExchange exchange(handle, options.reset);
-    return runExchange(scene, exchange, options.delay);
-  }
-  LibraryExchange exchange(components);
-  return runExchange(scene, exchange, options.delay);
-}
-
 int runTrack(ros_interface::RosCommandLine& line, const Options& options) {
   const std::vector<component::Component> components = loadStruts(options.config);
   const Scene scene = sceneOf(options);
   std::optional<io::Activity> simulating("simulating the vehicle");
   const auto start = std::chrono::steady_clock::now();
-  const History history = runLoop(line, options, scene, components);
+  const History history =
+      options.forces == "implicit"
+          ? runImplicit(scene, components)
+          : runLoop<TopicExchange, LibraryExchange>(
+                line, options, {strutNames().begin(), strutNames().end()}, components,
+                [&](ForceExchange& exchange) { return runExchange(scene, exchange, options.delay); });
   const History reference = runVariableStep(scene, components, {});
   std::string text = summary(scene, start, percentages(strutNames(), displacementDifference(history, reference)));
   if (options.forces != "implicit") {
@@ -129,9 +123,8 @@ int runTrack(ros_interface::RosCommandLine& line, const Options& options) {
   if (!options.output.empty()) {
     writeHistoryCsv(options.output, history);
   }
-  if (!options.plot.empty()) {
-    drawPlot(historyFigure(history, reference, fmt::format("loop at {:g} ms", 1e3 * options.time_step)), options.plot);
-  }
+  drawPlot(options.plot,
+           [&] { return historyFigure(history, reference, fmt::format("loop at {:g} ms", 1e3 * options.time_step)); });
   return kSuccess;
 }
 
@@ -175,9 +168,7 @@ int runStability(const Options& options) {
   }
   searching.reset();
   std::cout << text;
-  if (!options.plot.empty()) {
-    drawPlot(stabilityFigure(parameters, components, margin.delay), options.plot);
-  }
+  drawPlot(options.plot, [&] { return stabilityFigure(parameters, components, margin.delay); });
   return kSuccess;
 }
 
@@ -188,9 +179,9 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
   if (options.vehicle == "struts") {
     return options.stability ? runStability(options) : runTrack(line, options);
   }
-  if (options.forces == "implicit") {
-    throw UsageError("--forces implicit: of components of six directions only with --forces library or topics");
-  }
+  element::refuseIf<UsageError>(
+      options.forces == "implicit",
+      "--forces implicit: of components of six directions only with --forces library or topics");
   return runBushed(line, options, options.vehicle == "body" ? BushedKind::body : BushedKind::half_bogie);
 }
 

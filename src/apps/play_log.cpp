@@ -10,6 +10,7 @@
 #include "command_line/log_options.h"
 #include "command_line/plot_option.h"
 #include "command_line/warnings.h"
+#include "element/refuse.h"
 #include "gap/odd_motion.h"
 #include "ros_interface/bench_player.h"
 #include "ros_interface/command_line.h"
@@ -93,13 +94,12 @@ OptionTable Options::table() {
 }
 
 void checkCounts(const Options& options) {
-  if (options.logs.size() != 1 && options.logs.size() != options.components.size()) {
-    throw UsageError(fmt::format("--log: {} logs for {} components; accepted: one for all, or one each",
-                                 options.logs.size(), options.components.size()));
-  }
-  if (options.components.size() > 1 && !(options.output + options.gap_output + options.bag + options.plot).empty()) {
-    throw UsageError("--output, --gap, --bag and --plot go with one component; accepted with several: --folder");
-  }
+  element::refuseIf<UsageError>(options.logs.size() != 1 && options.logs.size() != options.components.size(),
+                                "--log: {} logs for {} components; accepted: one for all, or one each",
+                                options.logs.size(), options.components.size());
+  element::refuseIf<UsageError>(
+      options.components.size() > 1 && !(options.output + options.gap_output + options.bag + options.plot).empty(),
+      "--output, --gap, --bag and --plot go with one component; accepted with several: --folder");
 }
 
 ros_interface::RecordPaths recordPaths(const Options& options, const std::string& component) {
@@ -136,9 +136,8 @@ ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   track.log = options.log_options.read("play_log", path, track.component);
   track.paths = recordPaths(options, track.component);
   if (track.log.force.empty()) {
-    if (!options.gap_output.empty()) {
-      throw UsageError("--gap has no effect: " + path + " has no measured force; accepted: without it");
-    }
+    element::refuseIf<UsageError>(!options.gap_output.empty(),
+                                  "--gap has no effect: {} has no measured force; accepted: without it", path);
     track.paths.gaps.clear();
   }
   return track;
@@ -199,9 +198,7 @@ int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
       failed += (failed.empty() ? "" : "; ") + describe(count);
     }
   }
-  if (!failed.empty()) {
-    throw ros_interface::PlayError(failed + "; not every sample had exactly one force");
-  }
+  element::refuseIf<ros_interface::PlayError>(!failed.empty(), "{}; not every sample had exactly one force", failed);
   return kSuccess;
 }
 
@@ -231,8 +228,9 @@ int playAll(ros_interface::RosCommandLine& line, Options& options) {
   }
   if (!options.plot.empty() && !counts.front().complete) {
     printNote("play_log", options.plot + " is not drawn: the log was not played to its end");
-  } else if (!options.plot.empty()) {
-    drawPlot(gap::replayFigure(options.components.front(), first_log, player.lastForces(0)), options.plot);
+  } else {
+    drawPlot(options.plot,
+             [&] { return gap::replayFigure(options.components.front(), first_log, player.lastForces(0)); });
   }
   return report(counts, options.passes == 0);
 }

@@ -11,6 +11,7 @@
 #include "command/help_page.h"
 #include "command_line/command.h"
 #include "diagnosis/report/effect_reference.h"
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "ros_interface/child_process.h"
 #include "ros_interface/node_interface.h"
@@ -67,9 +68,8 @@ struct Options {
 int print(const Options& options) {
   const std::vector<std::string> names = commandNames();
   const bool is_known = std::find(names.begin(), names.end(), options.command) != names.end();
-  if (options.page != "man" && !options.command.empty()) {
-    throw UsageError("a command goes with the page man; accepted: without it");
-  }
+  element::refuseIf<UsageError>(options.page != "man" && !options.command.empty(),
+                                "a command goes with the page man; accepted: without it");
   if (!options.command.empty() && !is_known) {
     throw UsageError(fmt::format("no command '{}'{}; accepted: {}", options.command,
                                  element::didYouMean(options.command, names), fmt::join(names, ", ")));

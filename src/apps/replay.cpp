@@ -9,7 +9,6 @@
 #include "command_line/plot_option.h"
 #include "command_line/warnings.h"
 #include "gap/odd_motion.h"
-#include "io/progress.h"
 #include "rubber_suspension/gap/pose_replay.h"
 
 namespace {
@@ -42,25 +41,27 @@ void noteBridged(const Options& options, std::uint64_t bridged) {
   }
 }
 
+// Writes the forces, or wrenches, by `write`, and says what they come to.
+template <class Log, class Loads, class Replay>
+int publish(const Options& options, const std::string& component, const Log& log, const Loads& loads,
+            const Replay& replay, void (*write)(const std::string&, const Log&, const Loads&)) {
+  during("writing " + options.output, [&] { write(options.output, log, loads); });
+  drawPlot(options.plot, [&] { return gap::replayFigure(component, log, loads); });
+  std::cout << gap::summary(component, log, replay) << "\n" << options.output << '\n';
+  return kSuccess;
+}
+
 int runPoses(const Options& options, const io::ComponentDescription& description) {
   const component::SixDirections component = description.six->makeComponent();
   const log::PoseLog log =
       options.log_options.readPoses("replay", options.log, description.name, component.laws().measure);
   const gap::PoseReplay result = gap::replayPoses(component, log);
-  {
-    const io::Activity writing("writing " + options.output);
-    log::writeWrenchCsv(options.output, log, result.wrench);
-  }
-  if (!options.plot.empty()) {
-    drawPlot(gap::replayFigure(description.name, log, result.wrench), options.plot);
-  }
   if (result.beyond_valid > 0) {
     printWarning("replay", fmt::format("{}: {} of {} samples are beyond valid_rotation, {:g} rad", options.log,
                                        result.beyond_valid, log.size(), component.laws().valid_rotation));
   }
   noteBridged(options, result.counters.bridged);
-  std::cout << gap::summary(description.name, log, result) << "\n" << options.output << '\n';
-  return kSuccess;
+  return publish(options, description.name, log, result.wrench, result, &log::writeWrenchCsv);
 }
 
 int run(const Options& options) {
@@ -74,16 +75,8 @@ int run(const Options& options) {
   warnOfTemperature("replay", options.log, !log.temperature.empty(), description);
   warnOf("replay", options.log, gap::oddMotion(log, result.force, gap::motionScaleOf(description)));
   warnOf("replay", options.log, gap::beyondValid(log, description));
-  {
-    const io::Activity writing("writing " + options.output);
-    log::writeForceCsv(options.output, log, result.force);
-  }
-  if (!options.plot.empty()) {
-    drawPlot(gap::replayFigure(description.name, log, result.force), options.plot);
-  }
   noteBridged(options, result.bridged);
-  std::cout << gap::summary(description.name, log, result) << "\n" << options.output << '\n';
-  return kSuccess;
+  return publish(options, description.name, log, result.force, result, &log::writeForceCsv);
 }
 
 }  // namespace

@@ -61,14 +61,6 @@ int printHelp() {
   return become(reference, arguments);
 }
 
-std::string accepted(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
-
 int run(int argc, char** argv) {
   const std::string command = argc > 1 ? argv[1] : "";
   if (command == "--help" || command == "-h") {
@@ -87,7 +79,7 @@ int run(int argc, char** argv) {
   const std::string what = command.empty() ? "a command is missing"
                                            : "no command " + rubber_suspension::log::quoted(command) +
                                                  rubber_suspension::element::didYouMean(command, names);
-  return fail(kWrongUsage, what + "; accepted: " + accepted(names) + ", --help, --version");
+  return fail(kWrongUsage, what + "; accepted: " + rubber_suspension::log::join(names) + ", --help, --version");
 }
 
 }  // namespace

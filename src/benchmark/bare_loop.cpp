@@ -4,48 +4,21 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "rubber_suspension/element/constants.h"
-
 namespace rubber_suspension::benchmark {
 namespace {
 
-template <int n>
-struct Maxwells {
-  std::array<double, n> stiffness;        // [N/m]
-  std::array<double, n> relaxation_time;  // [s]
-
-  explicit Maxwells(const BareParameters& parameters) {
-    for (int i = 0; i < n; ++i) {
-      stiffness[i] = parameters.stiffness[i];
-      relaxation_time[i] = 1.0 / (2.0 * element::kPi * parameters.break_frequency[i]);
-    }
-  }
-};
-
-// n is known to the compiler, which makes the loop as fast as a plain one gets.
 template <int n, bool steps_differ>
 void run(const BareParameters& parameters, const std::vector<double>& step, const std::vector<double>& displacement,
          std::vector<double>& force) {
-  const Maxwells<n> maxwells(parameters);
-  BareSteps<n> steps{};
-  steps.set(maxwells.stiffness, maxwells.relaxation_time, step.front());
-  std::array<double, n> maxwell{};
-  BareFriction friction{displacement[0], displacement[0]};
+  const BareMaxwells<n> maxwells(parameters);
+  BareComponent<n> component(parameters, displacement[0]);
+  component.setStep(maxwells, step.front());
   force[0] = parameters.spring * displacement[0];
-  double last = displacement[0];
-  for (std::size_t sample = 1; sample < displacement.size(); ++sample) {
+  for (std::size_t i = 1; i < displacement.size(); ++i) {
     if (steps_differ) {
-      steps.set(maxwells.stiffness, maxwells.relaxation_time, step[sample]);
+      component.setStep(maxwells, step[i]);
     }
-    const double z = displacement[sample];
-    const double increment = z - last;
-    last = z;
-    double sum = parameters.spring * z;
-    for (int i = 0; i < n; ++i) {
-      maxwell[i] = steps.decay[i] * maxwell[i] + steps.gain[i] * increment;
-      sum += maxwell[i];
-    }
-    force[sample] = sum + friction.advance(z, parameters.maximum_force, parameters.friction_displacement);
+    force[i] = component.tick(displacement[i], displacement[i] - displacement[i - 1]);
   }
 }
 
@@ -94,14 +67,6 @@ void bareLoop(const BareParameters& parameters, const std::vector<double>& step,
     default:
       throw std::invalid_argument("the plain loop is there for 1, 5, 10 and 20 Maxwell elements");
   }
-}
-
-BareMember::BareMember(const BareParameters& parameters, double dt)
-    : spring_(parameters.spring),
-      maximum_force_(parameters.maximum_force),
-      friction_displacement_(parameters.friction_displacement) {
-  const Maxwells<5> maxwells(parameters);
-  steps_.set(maxwells.stiffness, maxwells.relaxation_time, dt);
 }
 
 }  // namespace rubber_suspension::benchmark

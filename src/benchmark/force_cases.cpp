@@ -119,7 +119,7 @@ void addPeers(std::vector<Case>& cases, std::size_t samples) {
 
 // Components that differ in all stiffnesses and forces by up to a factor of two.
 struct ManyBench {
-  std::vector<BareMember> members;
+  std::vector<BareComponent<kElements>> members;
   std::vector<component::Component> components;
   std::vector<component::ComponentState> states;
   std::vector<double> displacement;
@@ -136,7 +136,8 @@ struct ManyBench {
       for (double& stiffness : parameters.stiffness) {
         stiffness *= factor;
       }
-      members.emplace_back(parameters, kStep);
+      members.emplace_back(parameters);
+      members.back().setStep(BareMaxwells<kElements>(parameters), kStep);
       components.emplace_back(elementsOf(parameters));
       states.push_back(components.back().makeState());
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "numerics/quantile.h"
 #include "rubber_suspension/io/figure.h"
 
 namespace rubber_suspension::benchmark {
@@ -11,13 +12,7 @@ namespace rubber_suspension::benchmark {
 /// Median and quartiles, linear between the ranks. The list must not be empty.
 inline io::Spread spreadOf(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  const auto at = [&](double part) {
-    const double rank = part * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(rank);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
-  };
-  return {at(0.5), at(0.25), at(0.75)};
+  return {numerics::quantileOf(values, 0.5), numerics::quantileOf(values, 0.25), numerics::quantileOf(values, 0.75)};
 }
 
 }  // namespace rubber_suspension::benchmark

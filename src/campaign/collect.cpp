@@ -6,10 +6,9 @@
 
 #include <boost/algorithm/string/replace.hpp>
 #include <filesystem>
-#include <unordered_set>
 
-#include "campaign/line_file.h"
 #include "campaign/record.h"
+#include "io/line_file.h"
 #include "log/new_file.h"
 
 namespace rubber_suspension::campaign {
@@ -21,24 +20,6 @@ using nlohmann::ordered_json;
 struct Row {
   const char* status;
   std::string values;
-};
-
-// The names of all values, in an order that no order of work can change: that of the jobs of the manifest.
-class Columns {
- public:
-  void add(const ordered_json& values) {
-    for (const auto& [name, value] : values.items()) {
-      if (seen_.insert(name).second) {
-        names_.push_back(name);
-      }
-    }
-  }
-
-  const std::vector<std::string>& names() const { return names_; }
-
- private:
-  std::unordered_set<std::string> seen_;
-  std::vector<std::string> names_;
 };
 
 std::string csvCell(const ordered_json& value) {
@@ -87,10 +68,10 @@ ordered_json headOf(const Manifest& manifest, std::size_t place, const char* sta
 }
 
 void writeCsv(const Manifest& manifest, const std::string& folder, const std::vector<Row>& rows,
-              const std::vector<std::string>& names) {
-  LineFile file(tableCsvPath(folder));
+              const ordered_json& columns) {
+  io::LineFile file(tableCsvPath(folder));
   std::string header = "id,group,type,test_piece,command,component,logs,status";
-  for (const std::string& name : names) {
+  for (const auto& [name, value] : columns.items()) {
     header += "," + csvCell(name);
   }
   file.line(header);
@@ -100,7 +81,7 @@ void writeCsv(const Manifest& manifest, const std::string& folder, const std::ve
       cells.push_back(csvCell(value));
     }
     const ordered_json values = ordered_json::parse(rows[i].values);
-    for (const std::string& name : names) {
+    for (const auto& [name, value] : columns.items()) {
       cells.push_back(csvCell(values.value(name, ordered_json())));
     }
     file.line(fmt::format("{}", fmt::join(cells, ",")));
@@ -109,7 +90,7 @@ void writeCsv(const Manifest& manifest, const std::string& folder, const std::ve
 }
 
 void writeJson(const Manifest& manifest, const std::string& folder, const std::vector<Row>& rows) {
-  LineFile file(tableJsonPath(folder));
+  io::LineFile file(tableJsonPath(folder));
   file.line("{\"schema\": \"rubber_suspension/campaign_table/1\",\n\"jobs\": [");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string head = headOf(manifest, i, rows[i].status).dump();
@@ -128,7 +109,7 @@ std::string tableJsonPath(const std::string& folder) { return folder + "/table.j
 
 CollectSummary collect(const Manifest& manifest, const std::string& folder) {
   CollectSummary summary;
-  Columns columns;
+  ordered_json columns;  // by the names of all values, in the order of the manifest
   Fleet fleet;
   std::vector<Row> rows;
   for (const Job& job : manifest.jobs) {
@@ -140,13 +121,13 @@ CollectSummary collect(const Manifest& manifest, const std::string& folder) {
     const char* const status = record == nullptr ? "missing" : (record->failed() ? "failed" : "done");
     ++(record == nullptr ? summary.missing : (record->failed() ? summary.failed : summary.done));
     const ordered_json values = valuesOf(job, record);
-    columns.add(values);
+    columns.update(values);
     rows.push_back({status, values.dump()});
     if (record != nullptr) {
       fleet.add(job, *record);
     }
   }
-  writeCsv(manifest, folder, rows, columns.names());
+  writeCsv(manifest, folder, rows, columns);
   writeJson(manifest, folder, rows);
   const FleetFindings findings = fleet.analyse();
   log::writeNewFile(fleetJsonPath(folder), toJson(findings));

@@ -12,6 +12,7 @@
 
 #include "command/identify.h"
 #include "diagnosis/results/rounding.h"
+#include "element/refuse.h"
 #include "io/output_files.h"
 #include "io/sha256.h"
 #include "log/new_file.h"
@@ -281,12 +282,11 @@ std::string Executor::makeReportFolder(const Job& job) const {
 std::string Executor::unchangedPath(std::size_t input) const {
   const InputFile& file = manifest_.inputs[input];
   const io::FileHash hash = io::hashFile(file.path);
-  if (hash.sha256 != file.sha256) {
-    throw std::runtime_error(fmt::format(
-        "{}: has changed since `campaign make` ({} bytes then, {} now); accepted: the file as it was, or `campaign "
-        "make` again",
-        file.path, file.size, hash.size));
-  }
+  element::refuseIf<std::runtime_error>(
+      hash.sha256 != file.sha256,
+      "{}: has changed since `campaign make` ({} bytes then, {} now); accepted: the file as it was, or `campaign "
+      "make` again",
+      file.path, file.size, hash.size);
   return file.path;
 }
 

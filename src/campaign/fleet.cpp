@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "numerics/quantile.h"
+
 namespace rubber_suspension::campaign {
 namespace {
 
@@ -44,14 +46,6 @@ void countVerdicts(FleetType& type) {
   }
   type.verdicts = sharesOf(verdicts, diagnosed);
   type.effects = sharesOf(effects, diagnosed);
-}
-
-// Of sorted values, linear between them.
-double quantileOf(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
 // Of the value, from 1, at either end of the interval of the median; 0 where there are too few.
@@ -121,7 +115,8 @@ std::vector<RigParameter> rigsOf(const std::map<std::string, std::vector<FleetCo
 
 Distribution distributionOf(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  Distribution result{values.size(), quantileOf(values, 0.5), {quantileOf(values, 0.25), quantileOf(values, 0.75)}, {}};
+  const auto quantile = [&](double share) { return numerics::quantileOf(values, share); };
+  Distribution result{values.size(), quantile(0.5), {quantile(0.25), quantile(0.75)}, {}};
   if (const std::size_t rank = rankOfInterval(values.size()); rank > 0) {
     result.median_interval = {values[rank - 1], values[values.size() - rank]};
   }

@@ -14,6 +14,7 @@
 
 #include "campaign/jobs_file.h"
 #include "campaign/tolerance_draws.h"
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "fit/parallel.h"
 #include "io/output_files.h"
@@ -55,9 +56,7 @@ std::vector<std::string> matchPattern(const std::string& folder, const std::stri
   Matches matches;
   const std::string full = pattern.front() == '/' ? pattern : escaped(base) + "/" + pattern;
   const int status = glob(full.c_str(), GLOB_NOSORT, nullptr, &matches);
-  if (status != 0 && status != GLOB_NOMATCH) {
-    throw std::runtime_error(fmt::format("{}: a folder cannot be read", full));
-  }
+  element::refuseIf<std::runtime_error>(status != 0 && status != GLOB_NOMATCH, "{}: a folder cannot be read", full);
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < matches.gl_pathc; ++i) {
     std::string path = fs::path(matches.gl_pathv[i]).lexically_normal().string();
@@ -114,9 +113,9 @@ void hash(InputFile& file) {
 
 void check(const Job& job, const std::string& path, const LogReader& read_log) {
   const log::Log log = read_log(path, job.component, logFormat(job.options));
-  if (job.command != Command::replay && log.force.empty()) {
-    throw std::runtime_error(path + ": has no measured force; accepted: a log with a column of the measured force");
-  }
+  element::refuseIf<std::runtime_error>(
+      job.command != Command::replay && log.force.empty(),
+      "{}: has no measured force; accepted: a log with a column of the measured force", path);
 }
 
 class Maker {

@@ -11,7 +11,8 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "campaign/line_file.h"
+#include "element/refuse.h"
+#include "io/line_file.h"
 
 namespace rubber_suspension::campaign {
 namespace {
@@ -37,9 +38,7 @@ class LineReader {
   nlohmann::json next() {
     ++number_;
     std::string line;
-    if (!std::getline(file_, line) || file_.eof()) {
-      throw std::invalid_argument("the file is cut off");
-    }
+    element::refuseIf(!std::getline(file_, line) || file_.eof(), "the file is cut off");
     return nlohmann::json::parse(line);
   }
 
@@ -64,20 +63,14 @@ void checkJob(const Job& job, std::size_t inputs) {
   files.insert(files.end(), job.hold_out.begin(), job.hold_out.end());
   files.push_back(job.config);
   const std::size_t last = *std::max_element(files.begin(), files.end());
-  if (last >= inputs) {
-    throw std::invalid_argument(fmt::format("input {} is not among the {} inputs", last, inputs));
-  }
-  if (!isId(job.id) || job.logs.empty()) {
-    throw std::invalid_argument("a job without id or logs");
-  }
+  element::refuseIf(last >= inputs, "input {} is not among the {} inputs", last, inputs);
+  element::refuseIf(!isId(job.id) || job.logs.empty(), "a job without id or logs");
 }
 
 Manifest readLines(LineReader& lines) {
   Manifest manifest;
   const nlohmann::json header = lines.next();
-  if (header.at("schema") != kManifestSchema) {
-    throw std::invalid_argument("another schema");
-  }
+  element::refuseIf(header.at("schema") != kManifestSchema, "another schema");
   header.at("version").get_to(manifest.version);
   const auto inputs = header.at("inputs").get<std::size_t>();
   for (std::size_t i = 0; i < inputs; ++i) {
@@ -114,7 +107,7 @@ std::string recordPath(const std::string& folder, const std::string& id) {
 std::string reportFolder(const std::string& id) { return "reports/" + split(id); }
 
 void writeManifest(const Manifest& manifest, const std::string& folder) {
-  LineFile file(manifestPath(folder));
+  io::LineFile file(manifestPath(folder));
   file.line(ordered_json({{"schema", kManifestSchema},
                           {"version", manifest.version},
                           {"inputs", manifest.inputs.size()},

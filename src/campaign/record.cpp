@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "campaign/manifest.h"
+#include "element/refuse.h"
 #include "io/output_files.h"
 #include "log/new_file.h"
 
@@ -56,9 +57,7 @@ ordered_json recordJson(const Record& record) {
 ordered_json parsedShallow(const std::string& text) {
   static constexpr int kDeepest = 16;
   return ordered_json::parse(text, [](int depth, ordered_json::parse_event_t, ordered_json&) {
-    if (depth > kDeepest) {
-      throw std::runtime_error(fmt::format("nested deeper than {}", kDeepest));
-    }
+    element::refuseIf<std::runtime_error>(depth > kDeepest, "nested deeper than {}", kDeepest);
     return true;
   });
 }
@@ -74,9 +73,9 @@ Record recordFromJson(const ordered_json& json) {
   json.at("files").get_to(record.files);
   json.at("seconds").get_to(record.seconds);
   const auto nested = [](const ordered_json& value) { return value.is_structured(); };
-  if (!record.values.is_object() || std::any_of(record.values.begin(), record.values.end(), nested)) {
-    throw std::runtime_error("values: accepted: numbers and texts by name");
-  }
+  element::refuseIf<std::runtime_error>(
+      !record.values.is_object() || std::any_of(record.values.begin(), record.values.end(), nested),
+      "values: accepted: numbers and texts by name");
   return record;
 }
 

@@ -14,6 +14,7 @@
 #include "campaign/heartbeat.h"
 #include "campaign/record.h"
 #include "campaign/worker_pool.h"
+#include "element/refuse.h"
 
 namespace rubber_suspension::campaign {
 namespace {
@@ -100,19 +101,16 @@ Shard parseShard(const std::string& text) {
   const char* const end = text.data() + text.size();
   const char* const slash = std::from_chars(text.data(), end, shard.index).ptr;
   const bool complete = slash != end && *slash == '/' && std::from_chars(slash + 1, end, shard.count).ptr == end;
-  if (!complete || shard.index == 0 || shard.index > shard.count) {
-    throw std::invalid_argument("'" + text + "'; accepted: I/N with whole numbers, I from 1 to N, such as 3/8");
-  }
+  element::refuseIf(!complete || shard.index == 0 || shard.index > shard.count,
+                    "'{}'; accepted: I/N with whole numbers, I from 1 to N, such as 3/8", text);
   return shard;
 }
 
 void requireVersion(const Manifest& manifest, const std::string& folder, const std::string& version) {
-  if (manifest.version != version) {
-    throw std::runtime_error(
-        fmt::format("{}: of version {}, and this is {}; accepted: `campaign make` again, or that "
-                    "version of the program",
-                    manifestPath(folder), manifest.version, version));
-  }
+  element::refuseIf<std::runtime_error>(manifest.version != version,
+                                        "{}: of version {}, and this is {}; accepted: `campaign make` again, or that "
+                                        "version of the program",
+                                        manifestPath(folder), manifest.version, version);
 }
 
 RunSummary run(const std::string& folder, const std::string& version, const RunOptions& options,

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "io/output_files.h"
 #include "log/new_file.h"
 #include "log/text.h"
@@ -37,9 +38,7 @@ struct Said {
 
 Said ask(const std::string& command) {
   std::FILE* const pipe = popen((command + " 2>&1").c_str(), "re");
-  if (pipe == nullptr) {
-    throw std::runtime_error(command + ": cannot be run");
-  }
+  element::refuseIf<std::runtime_error>(pipe == nullptr, "{}: cannot be run", command);
   Said said;
   std::array<char, 4096> piece{};
   for (std::size_t count = 0; (count = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;) {
@@ -69,15 +68,13 @@ void refuseSecond(const std::string& folder) {
     return;
   }
   const Said said = ask("squeue --noheader --states=all --format=%T --jobs=" + array);
-  if (said.status != 0 && said.text.find("Invalid job id") == std::string::npos) {
-    throw std::runtime_error("squeue: " + said.text);
-  }
+  element::refuseIf<std::runtime_error>(said.status != 0 && said.text.find("Invalid job id") == std::string::npos,
+                                        "squeue: {}", said.text);
   for (const char* state : {"PENDING", "RUNNING", "COMPLETING", "CONFIGURING", "REQUEUE", "SUSPENDED"}) {
-    if (said.status == 0 && said.text.find(state) != std::string::npos) {
-      throw std::runtime_error(fmt::format(
-          "{}: array {} of this campaign is {}; accepted: once it has ended (squeue --jobs={}), or after scancel {}",
-          folder, array, log::lowerCase(state), array, array));
-    }
+    element::refuseIf<std::runtime_error>(
+        said.status == 0 && said.text.find(state) != std::string::npos,
+        "{}: array {} of this campaign is {}; accepted: once it has ended (squeue --jobs={}), or after scancel {}",
+        folder, array, log::lowerCase(state), array, array);
   }
 }
 
@@ -126,9 +123,7 @@ std::string submitArray(const SlurmArray& array, const std::string& folder) {
   log::writeNewFile(script, array.script);
   const Said said = ask("sbatch --parsable --output=" + shellWord(logPattern(folder)) + " " + shellWord(script));
   std::string id = said.number();
-  if (said.status != 0 || id.empty()) {
-    throw std::runtime_error("sbatch: " + said.text);
-  }
+  element::refuseIf<std::runtime_error>(said.status != 0 || id.empty(), "sbatch: {}", said.text);
   log::writeNewFile(submittedPath(folder), id + "\n");
   return id;
 }

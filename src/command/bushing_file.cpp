@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "command/sweep_values.h"
+#include "element/refuse.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"
 
@@ -40,16 +41,13 @@ void checkOptions(const Direction& direction, const BushingFileOptions& options)
   const BushingCurve& extent = direction.extent;
   const char* unit = direction.turns() ? "rad" : "m";
   const bool sine = options.frequency > 0.0 && extent.amplitude > 0.0;
-  if (!sine || !std::isfinite(options.frequency + extent.amplitude)) {
-    throw std::invalid_argument(fmt::format("{}: {:g} Hz, {:g} {} make no sine; accepted: both greater than 0",
-                                            component::toString(direction.direction), options.frequency,
-                                            extent.amplitude, unit));
-  }
-  if (!(extent.largest > 0.0) || !std::isfinite(extent.largest) || options.points < 3 || options.points % 2 == 0) {
-    throw std::invalid_argument(
-        fmt::format("{}: {:g} {}, {} points; accepted: greater than 0, an odd number of 3 or more",
-                    component::toString(direction.direction), extent.largest, unit, options.points));
-  }
+  element::refuseIf(!sine || !std::isfinite(options.frequency + extent.amplitude),
+                    "{}: {:g} Hz, {:g} {} make no sine; accepted: both greater than 0",
+                    component::toString(direction.direction), options.frequency, extent.amplitude, unit);
+  element::refuseIf(
+      !(extent.largest > 0.0) || !std::isfinite(extent.largest) || options.points < 3 || options.points % 2 == 0,
+      "{}: {:g} {}, {} points; accepted: greater than 0, an odd number of 3 or more",
+      component::toString(direction.direction), extent.largest, unit, options.points);
 }
 
 // Force that a new component at rest has at this displacement.

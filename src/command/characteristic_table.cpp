@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
+#include "command/sweep_values.h"
+#include "element/refuse.h"
+#include "estimation/root.h"
 #include "io/progress.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -69,9 +70,7 @@ TableRow rowAt(const component::Component& component, double frequency, double a
     row.complex_stiffness = *stiffness;
     return row;
   }
-  response::LoopOptions options;
-  options.mean = mean;
-  const response::SettledLoop loop = response::simulateSettledLoop(component, frequency, amplitude, options);
+  const response::SettledLoop loop = response::simulateSettledLoop(component, frequency, amplitude, loopsAbout(mean));
   row.point = {frequency, amplitude, loop.characteristics(), loop.settled};
   row.complex_stiffness = firstHarmonic(loop);
   return row;
@@ -88,15 +87,11 @@ double restingDisplacement(const component::Component& component, double force) 
   }
   const double end = at_rest < 0.0 ? kWidest : -kWidest;
   const double at_end = excess(end);
-  if (!(at_rest * at_end <= 0.0)) {
-    throw std::invalid_argument(fmt::format(
-        "preload: {:g} N is not reached within {:g} m; accepted: what the component carries at rest", force, kWidest));
-  }
-  boost::uintmax_t iterations = 200;
-  const auto bracket = boost::math::tools::toms748_solve(excess, std::min(0.0, end), std::max(0.0, end),
-                                                         end > 0.0 ? at_rest : at_end, end > 0.0 ? at_end : at_rest,
-                                                         boost::math::tools::eps_tolerance<double>(50), iterations);
-  return 0.5 * (bracket.first + bracket.second);
+  element::refuseIf(!(at_rest * at_end <= 0.0),
+                    "preload: {:g} N is not reached within {:g} m; accepted: what the component carries at rest", force,
+                    kWidest);
+  return end > 0.0 ? estimation::rootBetween(excess, 0.0, end, at_rest, at_end)
+                   : estimation::rootBetween(excess, end, 0.0, at_end, at_rest);
 }
 
 CharacteristicTable makeTable(const std::string& name, const component::Component& component, const TableGrid& grid) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "log/text.h"
 #include "rubber_suspension/estimation/notes.h"
 #include "rubber_suspension/log/units.h"
@@ -45,19 +46,15 @@ struct Sheet {
 
 estimation::Model modelOf(const std::string& name) {
   const auto model = estimation::modelFromString(name);
-  if (!model || *model == estimation::Model::elements) {
-    throw std::invalid_argument(
-        fmt::format("model: '{}' is not a model; accepted: kelvin_voigt, maxwell, "
+  element::refuseIf(!model || *model == estimation::Model::elements,
+                    "model: '{}' is not a model; accepted: kelvin_voigt, maxwell, "
                     "maxwell_dashpot, friction, friction_dashpot, berg, multi_maxwell",
-                    name));
-  }
+                    name);
   return *model;
 }
 
 estimation::LoadDirection loadOf(const std::string& name) {
-  if (name != "compression" && name != "shear") {
-    throw std::invalid_argument(fmt::format("load: '{}'; accepted: compression, shear", name));
-  }
+  element::refuseIf(name != "compression" && name != "shear", "load: '{}'; accepted: compression, shear", name);
   return name == "shear" ? estimation::LoadDirection::shear : estimation::LoadDirection::compression;
 }
 
@@ -75,20 +72,16 @@ double quantityOf(const std::string& key, const std::string& text) {
 }
 
 Sheet readSheet(const YAML::Node& root) {
-  if (!root.IsMap() || root.size() != 1 || !root["data_sheet"] || !root["data_sheet"].IsMap()) {
-    throw std::invalid_argument("accepted: a map with the one key data_sheet, which is a map");
-  }
+  element::refuseIf(!root.IsMap() || root.size() != 1 || !root["data_sheet"] || !root["data_sheet"].IsMap(),
+                    "accepted: a map with the one key data_sheet, which is a map");
   Sheet sheet;
   std::map<std::string, int> seen;
   for (const auto& entry : root["data_sheet"]) {
-    if (!entry.first.IsScalar() || !entry.second.IsScalar()) {
-      throw std::invalid_argument("data_sheet: every key takes one number or text");
-    }
+    element::refuseIf(!entry.first.IsScalar() || !entry.second.IsScalar(),
+                      "data_sheet: every key takes one number or text");
     const auto key = entry.first.as<std::string>();
     const auto text = entry.second.as<std::string>();
-    if (++seen[key] > 1) {
-      throw std::invalid_argument(key + ": stands twice; accepted: once");
-    }
+    element::refuseIf(++seen[key] > 1, "{}: stands twice; accepted: once", key);
     if (key == "component") {
       sheet.component = text;
     } else if (key == "model") {
@@ -104,12 +97,9 @@ Sheet readSheet(const YAML::Node& root) {
 
 std::string convert(const std::string& text) {
   const Sheet sheet = readSheet(YAML::Load(text));
-  if (sheet.component.empty()) {
-    throw std::invalid_argument("component: missing; needed is the name of the component");
-  }
-  if (sheet.load.has_value() != (sheet.values.count("shore_a") != 0)) {
-    throw std::invalid_argument("load: goes with shore_a; accepted: both (load: compression or shear) or none");
-  }
+  element::refuseIf(sheet.component.empty(), "component: missing; needed is the name of the component");
+  element::refuseIf(sheet.load.has_value() != (sheet.values.count("shore_a") != 0),
+                    "load: goes with shore_a; accepted: both (load: compression or shear) or none");
   const estimation::DataSheetResult result = estimation::specificationFromDataSheet(
       sheet.model, sheet.load.value_or(estimation::LoadDirection::compression), sheet.values);
   const io::ComponentDescription description(sheet.component, result.model, result.specification);

@@ -7,10 +7,10 @@
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <stdexcept>
 
 #include "command/sweep_values.h"
+#include "element/refuse.h"
+#include "estimation/models.h"
 #include "io/progress.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/notes.h"
@@ -28,17 +28,14 @@ struct Sweeps {
 };
 
 std::vector<double> spaced(const std::string& what, double low, double high, int points) {
-  if (!(low > 0.0) || !(high > low) || !std::isfinite(high)) {
-    throw std::invalid_argument(fmt::format(
-        "{} range: {:g} to {:g}; accepted: greater than 0, the second greater than the first", what, low, high));
-  }
+  element::refuseIf(!(low > 0.0) || !(high > low) || !std::isfinite(high),
+                    "{} range: {:g} to {:g}; accepted: greater than 0, the second greater than the first", what, low,
+                    high);
   return response::logSpaced(low, high, points);
 }
 
 Sweeps complete(const SweepOptions& options, const estimation::Specification& specification) {
-  if (options.points < 2 || options.points > 10000) {
-    throw std::invalid_argument(fmt::format("points: {}; accepted: 2 to 10000", options.points));
-  }
+  element::refuseIf(options.points < 2 || options.points > 10000, "points: {}; accepted: 2 to 10000", options.points);
   const bool nominal = specification.has("nominal_frequency");
   const double f_n = specification.valueOr("nominal_frequency", 1.0);
   Sweeps sweeps;
@@ -66,20 +63,6 @@ void addFrictionNote(EstimateReport& report) {
   }
 }
 
-std::optional<double> specifiedLossAngle(const estimation::Specification& specification) {
-  if (const auto angle = specification.find("loss_angle")) {
-    return angle;
-  }
-  const auto damping = specification.find("relative_damping");
-  return damping ? std::optional<double>(std::atan(2.0 * *damping)) : std::nullopt;
-}
-
-double nominalDisplacementOf(const io::ComponentDescription& description) {
-  return description.model() == estimation::Model::elements
-             ? 0.0
-             : estimation::nominalDisplacement(description.specification());
-}
-
 // A specification that does not say what it describes is that of the base: what the whole has where it has more.
 void addWholeNote(EstimateReport& report, const component::Component& component) {
   const io::ComponentDescription& description = report.description;
@@ -90,16 +73,16 @@ void addWholeNote(EstimateReport& report, const component::Component& component)
       (description.add.empty() && specification.curve() == nullptr)) {
     return;
   }
-  response::LoopOptions loops;
-  loops.mean = nominalDisplacementOf(description);
   const double amplitude = specification.valueOr("nominal_amplitude", 1e-3);
   const response::Characteristics whole =
-      response::characteristicsAt(component, *frequency, amplitude, loops).characteristics;
+      response::characteristicsAt(component, *frequency, amplitude,
+                                  loopsAbout(estimation::nominalDisplacement(description.specification())))
+          .characteristics;
   constexpr double kSame = 1e-3;  // a curve alone, hardly bent over the loop
   if (description.add.empty() && std::abs(whole.stiffness / *stiffness - 1.0) < kSame) {
     return;
   }
-  const auto angle = specifiedLossAngle(specification);
+  const auto angle = estimation::specifiedLossAngle(specification);
   report.notes.push_back(fmt::format(
       "the specification is that of the base: the whole has K {:.6g} N/m ({:.6g} specified) and a loss angle of {:.4g} "
       "deg{} at {:g} Hz and {:g} mm; with `describes: component` the whole meets it, with `describes: base` this note "
@@ -241,13 +224,6 @@ nlohmann::ordered_json elementJson(const element::ElementDescription& element) {
 }
 
 nlohmann::ordered_json reportJson(const EstimateReport& report) {
-  const auto numbers = [](const estimation::Specification& specification) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::object();
-    for (const auto& [key, value] : specification.values()) {
-      json[key] = value;
-    }
-    return json;
-  };
   auto elements = nlohmann::ordered_json::array();
   for (const element::ElementDescription& element : report.elements) {
     elements.push_back(elementJson(element));
@@ -255,8 +231,8 @@ nlohmann::ordered_json reportJson(const EstimateReport& report) {
   nlohmann::ordered_json json = {{"component", report.description.name},
                                  {"model", estimation::toString(report.description.model())},
                                  {"describes", estimation::toString(report.description.written().describes())},
-                                 {"specification", numbers(report.description.written())},
-                                 {"base", numbers(report.description.specification())},
+                                 {"specification", report.description.written().values()},
+                                 {"base", report.description.specification().values()},
                                  {"points", misfitsJson(report.description.resolved().points)},
                                  {"elements", elements},
                                  {"notes", report.notes},
@@ -272,17 +248,11 @@ nlohmann::ordered_json reportJson(const EstimateReport& report) {
   return json;
 }
 
-using SweepQuantity = double (*)(const response::SweepPoint&);
-
-double frequencyOf(const response::SweepPoint& point) { return point.frequency; }
-double amplitudeOf(const response::SweepPoint& point) { return point.amplitude * 1e3; }
-
 // A column of the figure: what is constant in it, and what varies.
 struct FigureColumn {
   std::string title;
-  const char* x_label;
+  SweepAxis along;
   const std::vector<response::SweepPoint> EstimateReport::*points;
-  SweepQuantity x;
 };
 
 // Several components differ by the style of their lines, too: for those who do not see colours, and in print.
@@ -291,20 +261,11 @@ const char* styleOf(int index, std::size_t count) {
   return count > 1 ? kStyles[static_cast<std::size_t>(index) % std::size(kStyles)] : "-";
 }
 
-io::Curve curveThrough(const std::vector<response::SweepPoint>& points, SweepQuantity x, SweepQuantity y, int colour) {
-  io::Curve curve;
-  curve.colour = colour;
-  for (const response::SweepPoint& point : points) {
-    curve.x.push_back(x(point));
-    curve.y.push_back(y(point));
-  }
-  return curve;
-}
-
 io::Curve curveOf(const EstimateReport& report, const FigureColumn& column, SweepQuantity y, int colour,
                   const char* style) {
-  io::Curve curve = curveThrough(report.*column.points, column.x, y, colour);
+  io::Curve curve = curveThrough(report.*column.points, column.along, y);
   curve.label = report.description.name;
+  curve.colour = colour;
   curve.style = style;
   return curve;
 }
@@ -316,7 +277,8 @@ void addBand(io::Axes& axes, const EstimateReport& report, const FigureColumn& c
   }
   constexpr double kHairline = 0.7;
   for (const auto* points : {&report.sensitivity->low, &report.sensitivity->high}) {
-    io::Curve curve = curveThrough(*points, column.x, y, colour);
+    io::Curve curve = curveThrough(*points, column.along, y);
+    curve.colour = colour;
     curve.style = ":";
     curve.width = kHairline;
     axes.curves.push_back(curve);
@@ -347,10 +309,10 @@ class SpecificationMarks {
     if (points.empty()) {
       return;
     }
-    const double low = column.x(points.front());
-    const double high = column.x(points.back());
+    const double low = column.along.value(points.front());
+    const double high = column.along.value(points.back());
     if (!stiffness) {
-      if (const auto angle = specifiedLossAngle(specification_); angle && !over_amplitude) {
+      if (const auto angle = estimation::specifiedLossAngle(specification_); angle && !over_amplitude) {
         point(axes, "specified at f_n", "o", "nominal_frequency", *angle * kDegrees, low, high);
       }
       return;
@@ -411,8 +373,7 @@ EstimateReport makeEstimateReport(const io::ComponentDescription& description, c
   addWholeNote(report, component);
 
   io::Progress progress("stiffness and loss angle", 3 * static_cast<std::size_t>(options.points) + 1);
-  response::LoopOptions loops;
-  loops.mean = nominalDisplacementOf(description);
+  const response::LoopOptions loops = loopsAbout(estimation::nominalDisplacement(description.specification()));
   const auto at = [&](double frequency, double amplitude) {
     const response::SweepPoint point = response::characteristicsAt(component, frequency, amplitude, loops);
     progress.advance();
@@ -481,15 +442,15 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports, Legends legends)
                                         : "Stiffness and loss angle"};
   const std::vector<FigureColumn> columns = {
       {constantTitle("amplitude", "mm", reports, [](const auto& r) { return r.working_point.amplitude * 1e3; }),
-       "frequency [Hz]", &EstimateReport::over_frequency, frequencyOf},
+       kOverFrequency, &EstimateReport::over_frequency},
       {constantTitle("frequency", "Hz", reports, [](const auto& r) { return r.working_point.frequency; }),
-       "amplitude [mm]", &EstimateReport::over_amplitude, amplitudeOf},
-      {constantTitle("product", "mm Hz", reports, [](const auto& r) { return r.product * 1e3; }), "frequency [Hz]",
-       &EstimateReport::over_product, frequencyOf}};
+       kOverAmplitude, &EstimateReport::over_amplitude},
+      {constantTitle("product", "mm Hz", reports, [](const auto& r) { return r.product * 1e3; }), kOverFrequency,
+       &EstimateReport::over_product}};
   figure.columns = 3;
   for (const bool stiffness : {true, false}) {
     for (const FigureColumn& column : columns) {
-      io::Axes axes{column.title, column.x_label, stiffness ? "stiffness [kN/mm]" : "loss angle [deg]", true};
+      io::Axes axes{column.title, column.along.label, stiffness ? "stiffness [kN/mm]" : "loss angle [deg]", true};
       for (std::size_t i = 0; i < reports.size(); ++i) {
         const int colour = static_cast<int>(i);
         const SweepQuantity quantity = stiffness ? stiffnessOf : angleOf;

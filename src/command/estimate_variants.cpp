@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "command/sweep_values.h"
+#include "element/refuse.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::command {
@@ -134,11 +135,10 @@ Specification completed(const io::ComponentDescription& description, const Wante
     added.push_back(key + " " + text);
   };
   if (!from.has("loss_angle") && !from.has("relative_damping")) {
-    response::LoopOptions loops;
-    loops.mean = estimation::nominalDisplacement(description.specification());
-    const double angle = response::characteristicsAt(description.makeComponent(), frequency,
-                                                     from.valueOr("nominal_amplitude", 1e-3), loops)
-                             .characteristics.loss_angle;
+    const response::SweepPoint point =
+        response::characteristicsAt(description.makeComponent(), frequency, from.valueOr("nominal_amplitude", 1e-3),
+                                    loopsAbout(estimation::nominalDisplacement(description.specification())));
+    const double angle = point.characteristics.loss_angle;
     add("loss_angle", angle, fmt::format("{:.4g} deg, that of the component", angle * kDegrees));
   }
   if (wanted.model == Model::multi_maxwell) {
@@ -179,8 +179,7 @@ io::ComponentDescription inModel(const io::ComponentDescription& description, co
 std::vector<response::SweepPoint> sweptAgain(const io::ComponentDescription& description,
                                              const std::vector<response::SweepPoint>& points) {
   const component::Component component = description.makeComponent();
-  response::LoopOptions options;
-  options.mean = estimation::nominalDisplacement(description.specification());
+  const response::LoopOptions options = loopsAbout(estimation::nominalDisplacement(description.specification()));
   std::vector<response::SweepPoint> result;
   for (const response::SweepPoint& point : points) {
     result.push_back(response::characteristicsAt(component, point.frequency, point.amplitude, options));
@@ -227,11 +226,9 @@ std::string csvRow(const std::string& component, const std::string& sweep, const
 std::vector<io::ComponentDescription> inModels(const io::ComponentDescription& description,
                                                const std::vector<std::string>& models,
                                                std::vector<std::string>& notes) {
-  if (description.model() == Model::elements) {
-    throw std::invalid_argument(description.name +
-                                ": a list of elements says nothing to other models; accepted: a component with a "
-                                "specification");
-  }
+  element::refuseIf(description.model() == Model::elements,
+                    "{}: a list of elements says nothing to other models; accepted: a component with a specification",
+                    description.name);
   std::vector<io::ComponentDescription> result;
   for (const std::string& text : eachOf(models)) {
     const WantedModel wanted = wantedModel(text);

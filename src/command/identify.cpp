@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command/rig_of_logs.h"
+#include "element/refuse.h"
 #include "gap/last_cycles.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/measurement/bench_check.h"
@@ -70,9 +71,7 @@ void checkBenchOf(const std::vector<element::ElementDescription>& elements, cons
                               finding.finding == measurement::finding::kPeakToPeak;
     const bool large = of_stiffness && std::abs(std::log(std::abs(finding.value))) > std::log(kLargeFactor);
     const bool short_log = finding.finding == measurement::finding::kTooShort;
-    if (!short_log && (!of_stiffness || large)) {
-      throw log::LogError(finding.log + ": " + finding.text);
-    }
+    element::refuseIf<log::LogError>(!short_log && (!of_stiffness || large), "{}: {}", finding.log, finding.text);
     notes.push_back(finding.log + ": " + finding.text);
   }
 }
@@ -82,9 +81,8 @@ void checkBenchOf(const std::vector<element::ElementDescription>& elements, cons
 fit::Identification identifyFromLogs(const io::ComponentDescription& description, const std::vector<log::Log>& logs,
                                      fit::IdentificationOptions options) {
   for (const log::Log& log : logs) {
-    if (log.force.size() != log.size()) {
-      throw log::LogError(log.name + ": has no measured force, which is needed to find parameters");
-    }
+    element::refuseIf<log::LogError>(log.force.size() != log.size(),
+                                     "{}: has no measured force, which is needed to find parameters", log.name);
   }
   const component::Component component = description.makeComponent();
   for (const log::Log& log : logs) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "estimation/models.h"
 #include "log/mat_file.h"
 #include "log/new_file.h"
 #include "log/text.h"
@@ -81,10 +82,7 @@ class LinearPartBuilder {
   }
 
   bool addTangent(const element::ParallelElement& law, const std::string& type) {
-    constexpr double kStep = 1e-7;  // [m]
-    std::vector<double> memory(law.memorySize());
-    const double above = law.initialise(displacement_ + kStep, memory.data());
-    sum_.stiffness += (above - law.initialise(displacement_ - kStep, memory.data())) / (2.0 * kStep);
+    sum_.stiffness += estimation::slopeAbout(law, displacement_);
     tangents_.push_back(type);
     return true;
   }

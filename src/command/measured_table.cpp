@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "log/column_name.h"
 #include "log/csv_dialect.h"
 #include "log/number_marks.h"
@@ -344,12 +345,10 @@ void requireNoShift(const io::ComponentDescription& component, const fit::Measur
                     const std::string& source) {
   const bool temperatures = std::any_of(table.points.begin(), table.points.end(),
                                         [](const fit::TablePoint& point) { return point.temperature.has_value(); });
-  if (temperatures && component.makeComponent().shiftsWithTemperature()) {
-    throw std::runtime_error(
-        fmt::format("{}: temperature: {} shifts with it, which a fit to a table does not follow; "
-                    "accepted: a table without the column, or diagnose --from-table",
-                    source, component.name));
-  }
+  element::refuseIf<std::runtime_error>(temperatures && component.makeComponent().shiftsWithTemperature(),
+                                        "{}: temperature: {} shifts with it, which a fit to a table does not follow; "
+                                        "accepted: a table without the column, or diagnose --from-table",
+                                        source, component.name);
 }
 
 std::string toText(const fit::TableFit& fit, const fit::MeasuredTable& table) {

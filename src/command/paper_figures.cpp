@@ -11,7 +11,6 @@
 #include "io/output_files.h"
 #include "io/progress.h"
 #include "log/new_file.h"
-#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/specification.h"
 
 namespace rubber_suspension::command {
@@ -21,7 +20,6 @@ constexpr double kFrequency = 4.0;        // f_n [Hz]
 constexpr double kAmplitude = 2e-3;       // A_n [m]
 constexpr double kProduct = 8e-3;         // P [m Hz]
 constexpr double kBreakFrequency = 1.43;  // of M2, as the paper prints it [Hz]
-constexpr double kDegrees = 180.0 / element::kPi;
 
 using Values = std::vector<std::pair<std::string, double>>;
 
@@ -100,31 +98,20 @@ std::vector<double> amplitudes() {
   return values;
 }
 
-double stiffnessOf(const response::SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
-double angleOf(const response::SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
-
-using Quantity = double (*)(const response::SweepPoint&);
-
-enum class Over { frequency, amplitude };
-
-io::Axes sweepAxes(const std::vector<PaperCurve>& curves, Over over, const std::string& y_label, Quantity y) {
-  io::Axes axes{"", over == Over::amplitude ? "amplitude [mm]" : "frequency [Hz]", y_label, true};
-  for (const PaperCurve& paper_curve : curves) {
-    io::Curve curve;
-    curve.label = paper_curve.label;
-    for (const response::SweepPoint& point : paper_curve.points) {
-      curve.x.push_back(over == Over::amplitude ? point.amplitude * 1e3 : point.frequency);
-      curve.y.push_back(y(point));
-    }
-    axes.curves.push_back(curve);
+io::Axes sweepAxes(const std::vector<PaperCurve>& curves, const SweepAxis& along, const std::string& y_label,
+                   SweepQuantity quantity) {
+  io::Axes axes{"", along.label, y_label, true};
+  for (const PaperCurve& curve : curves) {
+    axes.curves.push_back(curveThrough(curve.points, along, quantity));
+    axes.curves.back().label = curve.label;
   }
   return axes;
 }
 
 // A row of axes, stiffness on the left and loss angle on the right.
-void addRow(PaperFigure& figure, Over over, const std::vector<PaperCurve>& curves) {
-  figure.figure.axes.push_back(sweepAxes(curves, over, "stiffness [kN/mm]", stiffnessOf));
-  figure.figure.axes.push_back(sweepAxes(curves, over, "loss angle [deg]", angleOf));
+void addRow(PaperFigure& figure, const SweepAxis& along, const std::vector<PaperCurve>& curves) {
+  figure.figure.axes.push_back(sweepAxes(curves, along, "stiffness [kN/mm]", stiffnessOf));
+  figure.figure.axes.push_back(sweepAxes(curves, along, "loss angle [deg]", angleOf));
   figure.curves.insert(figure.curves.end(), curves.begin(), curves.end());
 }
 
@@ -154,7 +141,7 @@ std::vector<double> edgesOf(const std::vector<double>& centres) {
 }
 
 io::Axes surface(const PaperCurve& curve, const std::vector<double>& frequencies, std::vector<double> amplitudes,
-                 const std::string& label, Quantity quantity) {
+                 const std::string& label, SweepQuantity quantity) {
   io::Axes axes{curve.label, "frequency [Hz]", "amplitude [mm]", true, true};
   std::for_each(amplitudes.begin(), amplitudes.end(), [](double& amplitude) { amplitude *= 1e3; });
   io::HeatMap map{edgesOf(frequencies), edgesOf(amplitudes), {}, label};
@@ -186,10 +173,10 @@ PaperFigure modelFigure() {
   PaperFigure figure = titled(
       4, fmt::format("models over frequency at {:g} mm, and over amplitude at {:g} Hz", kAmplitude * 1e3, kFrequency));
   const std::vector<NamedComponent> models = allModels();
-  addRow(figure, Over::frequency, curvesOf(models, [](const component::Component& component) {
+  addRow(figure, kOverFrequency, curvesOf(models, [](const component::Component& component) {
            return response::sweepFrequency(component, frequencies(), kAmplitude);
          }));
-  addRow(figure, Over::amplitude, curvesOf(models, [](const component::Component& component) {
+  addRow(figure, kOverAmplitude, curvesOf(models, [](const component::Component& component) {
            return response::sweepAmplitude(component, amplitudes(), kFrequency);
          }));
   return figure;
@@ -198,7 +185,7 @@ PaperFigure modelFigure() {
 PaperFigure breakFrequencyFigure() {
   PaperFigure figure =
       titled(6, fmt::format("M2 for several break frequencies, all through K_n at {:g} Hz", kFrequency));
-  addRow(figure, Over::frequency, curvesOf(maxwellModels(), [](const component::Component& component) {
+  addRow(figure, kOverFrequency, curvesOf(maxwellModels(), [](const component::Component& component) {
            return response::sweepFrequency(component, frequencies(), kAmplitude);
          }));
   return figure;
@@ -206,7 +193,7 @@ PaperFigure breakFrequencyFigure() {
 
 PaperFigure productFigure(int number, const std::string& title, const std::vector<NamedComponent>& models) {
   PaperFigure figure = titled(number, fmt::format("{}, A f = {:g} mm Hz", title, kProduct * 1e3));
-  addRow(figure, Over::frequency, curvesOf(models, [](const component::Component& component) {
+  addRow(figure, kOverFrequency, curvesOf(models, [](const component::Component& component) {
            return response::sweepConstantProduct(component, frequencies(), kProduct);
          }));
   return figure;

@@ -1,17 +1,51 @@
-// Values of a sweep in the units of figures.
+// Values of a sweep in the units of figures, and curves of them.
 #pragma once
 
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/io/figure.h"
 #include "rubber_suspension/response/sweep.h"
 
 namespace rubber_suspension::command {
 
 constexpr double kDegrees = 180.0 / element::kPi;
 
+using SweepQuantity = double (*)(const response::SweepPoint&);
+
+/// [Hz]
+inline double frequencyOf(const response::SweepPoint& point) { return point.frequency; }
+
+/// [mm]
+inline double amplitudeOf(const response::SweepPoint& point) { return point.amplitude * 1e3; }
+
 /// [kN/mm]
 inline double stiffnessOf(const response::SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
 
 /// Loss angle [deg].
 inline double angleOf(const response::SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
+
+/// The axis that a sweep goes along.
+struct SweepAxis {
+  const char* label;
+  SweepQuantity value;
+};
+constexpr SweepAxis kOverFrequency{"frequency [Hz]", frequencyOf};
+constexpr SweepAxis kOverAmplitude{"amplitude [mm]", amplitudeOf};
+
+inline io::Curve curveThrough(const std::vector<response::SweepPoint>& points, const SweepAxis& along,
+                              SweepQuantity quantity) {
+  io::Curve curve;
+  for (const response::SweepPoint& point : points) {
+    curve.x.push_back(along.value(point));
+    curve.y.push_back(quantity(point));
+  }
+  return curve;
+}
+
+/// For a sine that swings about a displacement [m].
+inline response::LoopOptions loopsAbout(double mean) {
+  response::LoopOptions options;
+  options.mean = mean;
+  return options;
+}
 
 }  // namespace rubber_suspension::command

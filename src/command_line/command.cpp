@@ -10,6 +10,7 @@
 #include <streambuf>
 
 #include "command_line/parse.h"
+#include "element/refuse.h"
 #include "io/output_files.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
@@ -58,9 +59,8 @@ void checkFiles(const OptionTable& table, bool force) {
       }
     }
   }
-  if (force && std::none_of(all.outputs.begin(), all.outputs.end(), isGiven)) {
-    throw UsageError("--force has no effect without a file to write; accepted: without it");
-  }
+  element::refuseIf<UsageError>(force && std::none_of(all.outputs.begin(), all.outputs.end(), isGiven),
+                                "--force has no effect without a file to write; accepted: without it");
   io::refuseEqualLogs(logs);
   io::checkOutputs(all.inputs, all.outputs, force);
 }
@@ -138,6 +138,10 @@ void printError(const std::string& command, const std::string& message) {
 
 void printNote(const std::string& command, const std::string& note) { printError(command, "note: " + note); }
 
+void printNotes(const std::string& command, const std::vector<std::string>& notes) {
+  std::for_each(notes.begin(), notes.end(), [&](const std::string& note) { printNote(command, note); });
+}
+
 void printWarning(const std::string& command, const std::string& warning) {
   printError(command, "warning: " + warning);
 }
@@ -162,9 +166,7 @@ int runCommand(int argc, char** argv, const Command& command, const OptionTable&
   const SafeOutput output;
   try {
     const int status = runAsked(argc, argv, command, table, body);
-    if (!std::cout.flush()) {
-      throw std::runtime_error("standard output cannot be written");
-    }
+    element::refuseIf<std::runtime_error>(!std::cout.flush(), "standard output cannot be written");
     return status;
   } catch (const UsageError& error) {
     printError(command.name, error.what());

@@ -2,6 +2,7 @@
 #include "command_line/component_options.h"
 
 #include "command_line/warnings.h"
+#include "element/refuse.h"
 
 namespace rubber_suspension::command_line {
 
@@ -12,10 +13,10 @@ OptionTable ComponentOptions::table() {
 
 io::ComponentDescription ComponentOptions::read(const std::string& command) const {
   io::ComponentDescription description = readAny(command);
-  if (description.six) {
-    throw io::ComponentFileError(config + ": component '" + description.name + "' has six directions, which " +
-                                 command + " does not take; accepted: a component of one direction");
-  }
+  element::refuseIf<io::ComponentFileError>(
+      description.six != nullptr,
+      "{}: component '{}' has six directions, which {} does not take; accepted: a component of one direction", config,
+      description.name, command);
   return description;
 }
 

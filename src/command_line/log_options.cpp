@@ -8,7 +8,7 @@
 
 #include "bag/bag_log.h"
 #include "command_line/command.h"
-#include "io/progress.h"
+#include "element/refuse.h"
 
 namespace rubber_suspension::command_line {
 
@@ -50,18 +50,13 @@ const std::vector<std::string>& LogOptions::names() {
 
 void LogOptions::requireUse(const std::vector<std::string>& paths) const {
   const bool of_text = sampling_rate_ > 0.0 || !decimal_.empty() || !segment_.empty() || bridge_ >= 0.0;
-  if (of_text && std::all_of(paths.begin(), paths.end(), bag::isBagPath)) {
-    throw UsageError(
-        "--sampling-rate, --decimal, --segment and --bridge have no effect on a bag; accepted: without them");
-  }
+  element::refuseIf<UsageError>(
+      of_text && std::all_of(paths.begin(), paths.end(), bag::isBagPath),
+      "--sampling-rate, --decimal, --segment and --bridge have no effect on a bag; accepted: without them");
 }
 
 log::Log LogOptions::read(const std::string& command, const std::string& path, const std::string& component) const {
-  log::Log log;
-  {
-    const io::Activity reading("reading " + path);
-    log = readSilently(path, component);
-  }
+  log::Log log = during("reading " + path, [&] { return bag::readAnyLog(path, component, format()); });
   printNotes(command, path, log.notes);
   return log;
 }
@@ -69,21 +64,14 @@ log::Log LogOptions::read(const std::string& command, const std::string& path, c
 log::PoseLog LogOptions::readPoses(const std::string& command, const std::string& path, const std::string& component,
                                    component::RotationMeasure measure) const {
   const bool is_bag = bag::isBagPath(path);
-  if (is_bag && !(columns_.empty() && unit_.empty())) {
-    throw UsageError("--columns and --unit have no effect on a bag of poses; accepted: without them");
-  }
-  log::PoseLog log;
-  {
-    const io::Activity reading("reading " + path);
-    log = is_bag ? bag::readBagPoses(path, component, measure) : log::readPoseLog(path, format());
-    log.units = accept_units_ ? log::UnitsAre::accepted : log.units;
-  }
+  element::refuseIf<UsageError>(is_bag && !(columns_.empty() && unit_.empty()),
+                                "--columns and --unit have no effect on a bag of poses; accepted: without them");
+  log::PoseLog log = during("reading " + path, [&] {
+    return is_bag ? bag::readBagPoses(path, component, measure) : log::readPoseLog(path, format());
+  });
+  log.units = accept_units_ ? log::UnitsAre::accepted : log.units;
   printNotes(command, path, log.notes);
   return log;
-}
-
-log::Log LogOptions::readSilently(const std::string& path, const std::string& component) const {
-  return bag::readAnyLog(path, component, format());
 }
 
 std::vector<log::Log> LogOptions::readAll(const std::string& path, const std::string& component) const {
@@ -102,14 +90,12 @@ void LogOptions::printNotes(const std::string& command, const std::string& path,
 }
 
 log::LogFormat LogOptions::format() const {
-  try {
-    log::LogFormat format = log::makeLogFormat(columns_, fmt::format("{}", fmt::join(unit_, " ")), sampling_rate_,
-                                               decimal_, segment_, bridge_);
-    format.accept_units = accept_units_;
-    return format;
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
+  log::LogFormat format = asUsage("", [&] {
+    return log::makeLogFormat(columns_, fmt::format("{}", fmt::join(unit_, " ")), sampling_rate_, decimal_, segment_,
+                              bridge_);
+  });
+  format.accept_units = accept_units_;
+  return format;
 }
 
 }  // namespace rubber_suspension::command_line

@@ -35,10 +35,8 @@ class LogOptions {
   log::PoseLog readPoses(const std::string& command, const std::string& path, const std::string& component,
                          component::RotationMeasure measure) const;
 
-  /// The same without its notes; several threads may read at once.
-  log::Log readSilently(const std::string& path, const std::string& component) const;
-
-  /// The logs of a file, more than one where --segment asks for all of them.
+  /// The logs of a file without their notes (several threads may read at once), more than one where --segment asks for
+  /// all of them.
   std::vector<log::Log> readAll(const std::string& path, const std::string& component) const;
 
   /// The same, to be read block by block; several threads may open at once. Throws UsageError and LogError.

@@ -9,6 +9,7 @@
 #include <deque>
 
 #include "command_line/command.h"
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
@@ -154,9 +155,7 @@ class Parser {
   // No option is without effect.
   void refuseGiven(const std::vector<std::string>& options, const std::string& why) const {
     for (const std::string& option : options) {
-      if (isGiven(option)) {
-        throw UsageError(option + " has no effect" + why);
-      }
+      element::refuseIf<UsageError>(isGiven(option), "{} has no effect{}", option, why);
     }
   }
 

@@ -18,10 +18,15 @@ inline Option plotOption(std::string& path, const std::string& what) {
       });
 }
 
-/// Draws it, with word on a terminal that it takes its time. Throws io::FigureError.
-inline void drawPlot(const io::Figure& figure, const std::string& path) {
-  const io::Activity drawing("drawing " + path);
-  io::drawFigure(figure, path);
+/// Draws the figure that `make` gives, if a path is given, with word on a terminal that it takes its time. Throws
+/// io::FigureError.
+template <class Make>
+void drawPlot(const std::string& path, Make make) {
+  if (!path.empty()) {
+    const io::Figure figure = make();
+    const io::Activity drawing("drawing " + path);
+    io::drawFigure(figure, path);
+  }
 }
 
 }  // namespace rubber_suspension::command_line

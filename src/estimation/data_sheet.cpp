@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <complex>
 #include <map>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "estimation/models.h"
-#include "rubber_suspension/element/catalogue.h"
+#include "estimation/root.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::estimation {
@@ -31,12 +30,8 @@ bool isDataSheetKey(const std::string& key) { return element::findParameter(data
 void checkRanges(const Values& values) {
   for (const auto& [key, value] : values) {
     for (const auto* table : {&dataSheetParameters(), &specificationParameters()}) {
-      for (const element::ParameterInfo& row : *table) {
-        if (row.name == key && !row.range.contains(value)) {
-          throw std::invalid_argument(fmt::format("{}: {:g}{} is out of range; accepted: {} ({})", key, value,
-                                                  row.unit == "1" ? "" : " " + row.unit, element::describe(row.range),
-                                                  row.documentation));
-        }
+      if (const element::ParameterInfo* row = element::findParameter(*table, key)) {
+        checkRange(*row, value);
       }
     }
   }
@@ -44,16 +39,13 @@ void checkRanges(const Values& values) {
 
 void requireAll(const Values& values, const std::vector<std::string>& keys, const std::string& purpose) {
   for (const std::string& key : keys) {
-    if (values.count(key) == 0) {
-      throw std::invalid_argument(fmt::format("{}: missing; needed for {}", key, purpose));
-    }
+    element::refuseIf(values.count(key) == 0, "{}: missing; needed for {}", key, purpose);
   }
 }
 
 void refuseBoth(const Values& values, const std::string& derived, const std::string& direct) {
-  if (values.count(derived) != 0 && values.count(direct) != 0) {
-    throw std::invalid_argument(fmt::format("{}: given beside {}; accepted: one of the two", derived, direct));
-  }
+  element::refuseIf(values.count(derived) != 0 && values.count(direct) != 0,
+                    "{}: given beside {}; accepted: one of the two", derived, direct);
 }
 
 double blockStiffness(const Values& values, double hardness, LoadDirection direction) {
@@ -69,22 +61,18 @@ void addStaticStiffness(const Values& values, LoadDirection direction, DataSheet
   static const std::vector<std::string> keys = {"shore_a", "loaded_area", "layer_thickness", "shape_factor"};
   if (values.count("shore_a") == 0) {
     for (const char* key : {"loaded_area", "layer_thickness", "shape_factor", "layers"}) {
-      if (values.count(key) != 0) {
-        throw std::invalid_argument(std::string(key) +
-                                    ": given without shore_a; a shape says nothing about the rubber's modulus");
-      }
+      element::refuseIf(values.count(key) != 0,
+                        "{}: given without shore_a; a shape says nothing about the rubber's modulus", key);
     }
     return;
   }
   refuseBoth(values, "shore_a", "static_stiffness");
   requireAll(values, keys, "a static stiffness from hardness");
   const double shape_factor = values.at("shape_factor");
-  if (direction == LoadDirection::shear && shape_factor < kLowestShearShapeFactor) {
-    throw std::invalid_argument(
-        fmt::format("shape_factor: {:g} is out of range in shear, where a slender block bends; "
+  element::refuseIf(direction == LoadDirection::shear && shape_factor < kLowestShearShapeFactor,
+                    "shape_factor: {:g} is out of range in shear, where a slender block bends; "
                     "accepted: at least {:g}",
-                    shape_factor, kLowestShearShapeFactor));
-  }
+                    shape_factor, kLowestShearShapeFactor);
   const double hardness = values.at("shore_a");
   const double stiffness = blockStiffness(values, hardness, direction);
   const double softest = blockStiffness(values, std::max(kLowestHardness, hardness - kHardnessTolerance), direction);
@@ -103,9 +91,8 @@ void addStaticStiffness(const Values& values, LoadDirection direction, DataSheet
 void addDynamicStiffness(const Values& values, DataSheetResult& result) {
   if (values.count("dynamic_to_static_ratio") != 0) {
     refuseBoth(values, "dynamic_to_static_ratio", "dynamic_stiffness");
-    if (!result.specification.has("static_stiffness")) {
-      throw std::invalid_argument("static_stiffness: missing; needed for dynamic_to_static_ratio");
-    }
+    element::refuseIf(!result.specification.has("static_stiffness"),
+                      "static_stiffness: missing; needed for dynamic_to_static_ratio");
     const double stiffness = values.at("dynamic_to_static_ratio") * result.specification.at("static_stiffness");
     result.specification.set("dynamic_stiffness", stiffness);
     result.notes.push_back(fmt::format("dynamic_stiffness {:.6g} N/m from dynamic_to_static_ratio", stiffness));
@@ -117,15 +104,6 @@ void addDynamicStiffness(const Values& values, DataSheetResult& result) {
   }
 }
 
-double angleAt(const Specification& specification, double frequency) {
-  std::complex<double> sum = 0.0;
-  for (const element::ElementDescription& element : estimateMaxwellDashpot(specification)) {
-    const auto law = std::get<std::shared_ptr<const element::ParallelElement>>(element::makeElement(element));
-    sum += *law->complexStiffness(2.0 * element::kPi * frequency);
-  }
-  return std::arg(sum);
-}
-
 // The break frequency at which M3 has the second loss angle. Between the limits of a dashpot alone (f_b -> 0) and of a
 // Maxwell element alone the angle at another frequency moves one way.
 double breakFrequencyForSecondAngle(const Specification& specification, double frequency, double angle) {
@@ -133,7 +111,7 @@ double breakFrequencyForSecondAngle(const Specification& specification, double f
   const double highest = std::log(breakFrequencyForLossAngle(specification));
   const auto mismatch = [&](double log_frequency) {
     trial.set("break_frequency", std::exp(log_frequency));
-    return angleAt(trial, frequency) - angle;
+    return std::arg(stiffnessAt(estimateMaxwellDashpot(trial), frequency)) - angle;
   };
   const double lowest = highest - std::log(1e6);
   const double top = highest - 1e-9;
@@ -147,10 +125,7 @@ double breakFrequencyForSecondAngle(const Specification& specification, double f
         "other inputs; accepted: in ({:.6g}, {:.6g}) rad",
         angle, frequency, std::min(a, b), std::max(a, b)));
   }
-  boost::uintmax_t iterations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(mismatch, lowest, top, at_lowest, at_top,
-                                                         boost::math::tools::eps_tolerance<double>(48), iterations);
-  return std::exp(0.5 * (bracket.first + bracket.second));
+  return std::exp(rootBetween(mismatch, lowest, top, at_lowest, at_top, 48));
 }
 
 void addSecondAngle(const Values& values, DataSheetResult& result) {
@@ -161,9 +136,8 @@ void addSecondAngle(const Values& values, DataSheetResult& result) {
   }
   refuseBoth(values, "second_loss_angle", "break_frequency");
   Specification& specification = result.specification;
-  if (values.at("second_frequency") == specification.at("nominal_frequency")) {
-    throw std::invalid_argument("second_frequency: is the nominal frequency; accepted: another one");
-  }
+  element::refuseIf(values.at("second_frequency") == specification.at("nominal_frequency"),
+                    "second_frequency: is the nominal frequency; accepted: another one");
   specification.set("break_frequency", 1.0);  // for the checks; found below
   checkSpecification(Model::maxwell_dashpot, specification);
   for (const auto& obstacle : {stiffnessObstacle(specification), storageObstacle(specification)}) {
@@ -196,22 +170,19 @@ Model simplestModel(const Values& values) {
 }  // namespace
 
 double modulusFromShoreA(double hardness) {
-  if (!(hardness >= kLowestHardness && hardness <= kHighestHardness)) {
-    throw std::invalid_argument(
-        fmt::format("shore_a: {:g} is outside the range of Gent's relation; accepted: in [{:g}, "
+  element::refuseIf(!(hardness >= kLowestHardness && hardness <= kHighestHardness),
+                    "shore_a: {:g} is outside the range of Gent's relation; accepted: in [{:g}, "
                     "{:g}]",
-                    hardness, kLowestHardness, kHighestHardness));
-  }
+                    hardness, kLowestHardness, kHighestHardness);
   return 1e6 * 0.0981 * (56.0 + 7.62336 * hardness) / (0.137505 * (254.0 - 2.54 * hardness));
 }
 
 double compressionFactor(double shape_factor) {
-  if (!(shape_factor >= kLowestShapeFactor && shape_factor <= kHighestShapeFactor)) {
-    throw std::invalid_argument(fmt::format(
-        "shape_factor: {:g} is outside the range of 1 + 2 S^2 (below, a block bends; above, the rubber's own "
-        "compressibility counts); accepted: in [{:g}, {:g}]",
-        shape_factor, kLowestShapeFactor, kHighestShapeFactor));
-  }
+  element::refuseIf(
+      !(shape_factor >= kLowestShapeFactor && shape_factor <= kHighestShapeFactor),
+      "shape_factor: {:g} is outside the range of 1 + 2 S^2 (below, a block bends; above, the rubber's own "
+      "compressibility counts); accepted: in [{:g}, {:g}]",
+      shape_factor, kLowestShapeFactor, kHighestShapeFactor);
   return 1.0 + 2.0 * shape_factor * shape_factor;
 }
 

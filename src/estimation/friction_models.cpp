@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <complex>
 
 #include "estimation/models.h"
+#include "estimation/root.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::estimation {
@@ -101,13 +101,6 @@ double peakStiffness(std::complex<double> linear, double u, double friction_stif
 }
 
 }  // namespace
-
-double increasingRoot(const std::function<double(double)>& function) {
-  boost::uintmax_t iterations = 200;
-  const auto bracket = boost::math::tools::bracket_and_solve_root(
-      function, 1.0, 8.0, true, boost::math::tools::eps_tolerance<double>(50), iterations);
-  return 0.5 * (bracket.first + bracket.second);
-}
 
 std::optional<Obstacle> frictionObstacle(const Specification& specification) {
   return turningPointObstacle(workingPoint(specification, 0.0));

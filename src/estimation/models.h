@@ -2,17 +2,15 @@
 // one.
 #pragma once
 
-#include <functional>
+#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "rubber_suspension/element/element.h"
 #include "rubber_suspension/estimation/specification.h"
 
 namespace rubber_suspension::estimation {
-
-/// The root of an increasing function of a positive number, which may lie decades from 1.
-double increasingRoot(const std::function<double(double)>& function);
 
 /// Why a specification has no solution.
 struct Obstacle {
@@ -21,8 +19,11 @@ struct Obstacle {
 };
 
 /// Loss angle at the nominal frequency [rad], from loss_angle or from relative_damping D = tan(delta)/2 (Polach Eq.
-/// 10).
-double lossAngle(const Specification& specification);
+/// 10); nothing without either.
+std::optional<double> specifiedLossAngle(const Specification& specification);
+
+/// The same of a specification that has one.
+inline double lossAngle(const Specification& specification) { return specifiedLossAngle(specification).value(); }
 
 /// The condition of all models on their stiffnesses: K_st < K_n < K_max, and none more than ten times K_st.
 std::optional<Obstacle> stiffnessObstacle(const Specification& specification);
@@ -41,11 +42,20 @@ std::vector<element::ElementDescription> alongCurve(const StaticCurve& curve, do
 /// The curve as an element.
 element::ElementDescription springOf(const StaticCurve& curve);
 
+/// K*(f) [N/m] of the elements of a linear model at a frequency [Hz].
+std::complex<double> stiffnessAt(const std::vector<element::ElementDescription>& elements, double frequency);
+
+/// Stiffness [N/m] of an elastic law about a displacement [m].
+double slopeAbout(const element::ParallelElement& law, double displacement);
+
 /// "key 4.2e+06 N/m", for reasons that compare two inputs.
 std::string inputText(const Specification& specification, const std::string& key);
 
 /// All inputs as they stand in a component file on one line.
 std::string flowMap(const Specification& specification);
+
+/// Throws std::invalid_argument for a value that its table does not accept.
+void checkRange(const element::ParameterInfo& input, double value);
 
 /// The input, or the default of its table.
 double valueOrDefault(const Specification& specification, std::string_view key);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "estimation/models.h"
+#include "estimation/root.h"
 
 namespace rubber_suspension::estimation {
 namespace {
@@ -178,25 +179,14 @@ bool bandMeetsStiffness(const Inputs& inputs, double high_frequency) {
 std::optional<double> highFrequencyForAngle(const Inputs& inputs) {
   const double f_n = inputs.nominal_frequency;
   const double target = lossAngle(inputs.specification);
-  const auto mismatch = [&](double log_ratio) { return angleForBand(inputs, f_n * std::exp(log_ratio)) - target; };
+  const auto mismatch = [&](double log_ratio) {
+    const double high_frequency = f_n * std::exp(log_ratio);
+    return bandMeetsStiffness(inputs, high_frequency) ? angleForBand(inputs, high_frequency) - target
+                                                      : std::numeric_limits<double>::quiet_NaN();
+  };
   // The elements reach down to about f_l/2 and the band is at most as wide as Eq. 22 or 10^4 f_n makes it.
-  const double widest = std::log(1e4);
-  double before = 0.0;
-  double mismatch_before = std::numeric_limits<double>::quiet_NaN();  // compares false with anything
-  for (int i = 1; i <= kBandSteps; ++i) {
-    const double log_ratio = widest * i / kBandSteps;
-    const bool possible = bandMeetsStiffness(inputs, f_n * std::exp(log_ratio));
-    const double mismatch_now = possible ? mismatch(log_ratio) : std::numeric_limits<double>::quiet_NaN();
-    if (mismatch_before * mismatch_now <= 0.0) {
-      boost::uintmax_t iterations = 100;
-      const auto bracket = boost::math::tools::toms748_solve(mismatch, before, log_ratio, mismatch_before, mismatch_now,
-                                                             boost::math::tools::eps_tolerance<double>(50), iterations);
-      return f_n * std::exp(0.5 * (bracket.first + bracket.second));
-    }
-    before = log_ratio;
-    mismatch_before = mismatch_now;
-  }
-  return std::nullopt;
+  const auto root = lowestRoot(mismatch, 0.0, std::log(1e4), kBandSteps);
+  return root ? std::make_optional(f_n * std::exp(*root)) : std::nullopt;
 }
 
 Solution solveForMaximum(const Inputs& inputs) {
@@ -218,9 +208,10 @@ Solution solveForMaximum(const Inputs& inputs) {
 
 // K_max at which the model that meets K_n has the stiffness asked for at f_h, which rises with K_max. Its ends are
 // those of one Maxwell element with the last and with the first break frequency.
-Inputs withMaximumStiffness(Inputs inputs, const std::vector<double>& break_frequencies) {
+double maximumForHighStiffness(Inputs inputs) {
   const double k_st = inputs.static_stiffness;
   const double high_frequency = inputs.high_frequency.value();
+  const std::vector<double> break_frequencies = breakFrequencies(inputs, high_frequency);
   const double target = inputs.specification.at("high_frequency_stiffness");
   const std::vector<Complex> of_each_high = relativeStiffnesses(break_frequencies, high_frequency);
   const auto mismatch = [&](double maximum) {
@@ -233,23 +224,15 @@ Inputs withMaximumStiffness(Inputs inputs, const std::vector<double>& break_freq
     const double added = (inputs.dynamic_stiffness - k_st) * (inputs.dynamic_stiffness + k_st) * ratio * ratio;
     return std::sqrt(inputs.dynamic_stiffness * inputs.dynamic_stiffness + added);
   };
-  boost::uintmax_t iterations = 200;
-  const auto bracket =
-      boost::math::tools::toms748_solve(mismatch, maximumOfOne(break_frequencies.front() * (1.0 + kEndMargin)),
-                                        maximumOfOne(break_frequencies.back() * (1.0 - kEndMargin)),
-                                        boost::math::tools::eps_tolerance<double>(50), iterations);
-  inputs.maximum_stiffness = 0.5 * (bracket.first + bracket.second);
-  return inputs;
+  const double lowest = maximumOfOne(break_frequencies.front() * (1.0 + kEndMargin));
+  const double highest = maximumOfOne(break_frequencies.back() * (1.0 - kEndMargin));
+  return rootBetween(mismatch, lowest, highest, mismatch(lowest), mismatch(highest));
 }
 
-Solution solve(const Inputs& inputs) {
+Solution solve(Inputs inputs) {
   if (inputs.specification.has("high_frequency_stiffness")) {
-    std::vector<double> break_frequencies = breakFrequencies(inputs, inputs.high_frequency.value());
-    const Inputs solved = withMaximumStiffness(inputs, break_frequencies);
-    const double alpha = alphaForStiffness(solved, break_frequencies);
-    return {solved.high_frequency.value(), std::move(break_frequencies), solved.maximum_stiffness.value(), alpha};
-  }
-  if (!inputs.maximum_stiffness.has_value()) {
+    inputs.maximum_stiffness = maximumForHighStiffness(inputs);
+  } else if (!inputs.maximum_stiffness.has_value()) {
     return solveForMaximum(inputs);
   }
   const double high_frequency =
@@ -270,12 +253,15 @@ std::optional<Obstacle> orderObstacle(const Inputs& inputs) {
   return Obstacle{"low_frequency", "is not below " + inputText(inputs.specification, "nominal_frequency")};
 }
 
-Obstacle notEmbraced(const std::string& key, const Inputs& inputs, double frequency) {
+// One element with this break frequency would do; those of all have to embrace it.
+std::optional<Obstacle> spreadObstacle(const std::string& key, const Inputs& inputs, double frequency) {
   const std::vector<double> b = breakFrequencies(inputs, inputs.high_frequency.value());
-  return {key,
-          fmt::format("needs a break frequency of {:.6g} Hz on average, which is outside those of the {} elements, "
-                      "{:.6g} to {:.6g} Hz",
-                      frequency, b.size(), b.front(), b.back())};
+  if (embraces(b, frequency)) {
+    return std::nullopt;
+  }
+  return Obstacle{key, fmt::format("needs a break frequency of {:.6g} Hz on average, which is outside those of the {} "
+                                   "elements, {:.6g} to {:.6g} Hz",
+                                   frequency, b.size(), b.front(), b.back())};
 }
 
 std::optional<Obstacle> highStiffnessObstacle(const Inputs& inputs) {
@@ -297,29 +283,14 @@ std::optional<Obstacle> highStiffnessObstacle(const Inputs& inputs) {
                               b.size(), low / unit.size, high / unit.size, unit.name)};
 }
 
-std::optional<Obstacle> stiffnessTargetObstacle(const Inputs& inputs) {
-  if (auto obstacle = orderObstacle(inputs)) {
-    return obstacle;
-  }
-  const double frequency = breakFrequencyForMaximum(inputs.specification);
-  if (embraces(breakFrequencies(inputs, inputs.high_frequency.value()), frequency)) {
+std::optional<Obstacle> highFrequencyForAngleObstacle(const Inputs& inputs) {
+  if (highFrequencyForAngle(inputs)) {
     return std::nullopt;
   }
-  return notEmbraced("dynamic_stiffness", inputs, frequency);
-}
-
-std::optional<Obstacle> angleTargetObstacle(const Inputs& inputs) {
-  if (auto obstacle = orderObstacle(inputs)) {
-    return obstacle;
-  }
-  if (auto obstacle = storageObstacle(inputs.specification)) {
-    return obstacle;
-  }
-  const double frequency = breakFrequencyForLossAngle(inputs.specification);
-  if (embraces(breakFrequencies(inputs, inputs.high_frequency.value()), frequency)) {
-    return std::nullopt;
-  }
-  return notEmbraced("loss_angle", inputs, frequency);
+  return Obstacle{
+      "loss_angle",
+      fmt::format("is not reached with the other inputs by {} elements, whatever the high frequency above {}",
+                  inputs.elements, inputText(inputs.specification, "nominal_frequency"))};
 }
 
 }  // namespace
@@ -329,18 +300,19 @@ std::optional<Obstacle> multiMaxwellObstacle(const Specification& specification)
   if (specification.has("high_frequency_stiffness")) {
     return highStiffnessObstacle(inputs);
   }
+  if (inputs.loss_angle && inputs.maximum_stiffness) {
+    return highFrequencyForAngleObstacle(inputs);
+  }
+  if (auto obstacle = orderObstacle(inputs)) {
+    return obstacle;
+  }
   if (!inputs.loss_angle) {
-    return stiffnessTargetObstacle(inputs);
+    return spreadObstacle("dynamic_stiffness", inputs, breakFrequencyForMaximum(specification));
   }
-  if (!inputs.maximum_stiffness) {
-    return angleTargetObstacle(inputs);
+  if (auto obstacle = storageObstacle(specification)) {
+    return obstacle;
   }
-  if (highFrequencyForAngle(inputs)) {
-    return std::nullopt;
-  }
-  return Obstacle{"loss_angle", fmt::format("is not reached with the other inputs by {} elements, whatever the high "
-                                            "frequency above {}",
-                                            inputs.elements, inputText(specification, "nominal_frequency"))};
+  return spreadObstacle("loss_angle", inputs, breakFrequencyForLossAngle(specification));
 }
 
 Band multiMaxwellBand(const Specification& given) {

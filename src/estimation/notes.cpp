@@ -3,12 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <complex>
-#include <optional>
-
 #include "estimation/models.h"
-#include "rubber_suspension/element/catalogue.h"
-#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::estimation {
 namespace {
@@ -46,17 +41,13 @@ void warnOfSoftness(std::vector<std::string>& warnings, const Specification& spe
 
 // K_max is that at any frequency; a data sheet says that at f_h.
 std::string highFrequencyNote(const Specification& specification, double high_frequency) {
-  std::complex<double> stiffness = 0.0;
-  for (const element::ElementDescription& entry : estimateTangent(Model::multi_maxwell, specification)) {
-    const auto law = std::get<std::shared_ptr<const element::ParallelElement>>(element::makeElement(entry));
-    stiffness += *law->complexStiffness(2.0 * element::kPi * high_frequency);
-  }
+  const double stiffness = std::abs(stiffnessAt(estimateTangent(Model::multi_maxwell, specification), high_frequency));
   const WrittenUnit unit = specification.writtenUnit("maximum_stiffness");
   return fmt::format(
       "at high_frequency, {:.6g} Hz, K is {:.6g} {}: maximum_stiffness is that far above; give "
       "high_frequency_stiffness "
       "for K at high_frequency",
-      high_frequency, std::abs(stiffness) / unit.size, unit.name);
+      high_frequency, stiffness / unit.size, unit.name);
 }
 
 std::vector<std::string> multiMaxwellNotes(const Specification& specification) {
@@ -81,17 +72,16 @@ std::vector<std::string> multiMaxwellNotes(const Specification& specification) {
 }
 
 // Friction that is at its limit over nearly all of the motion: Coulomb's, at the end of what loss angles allow.
-std::optional<std::string> sharpFrictionNote(Model model, const Specification& specification) {
+void addSharpFriction(std::vector<std::string>& notes, Model model, const Specification& specification) {
   constexpr double kSharp = 0.02;  // of the amplitude
   for (const element::ElementDescription& entry : estimateTangent(model, specification)) {
     if (entry.type == "friction" && entry.value("displacement") < kSharp * specification.at("nominal_amplitude")) {
-      return fmt::format(
+      notes.push_back(fmt::format(
           "friction reaches half of its limit at z2 = {:.2g} m, {:.2g} % of the amplitude: it is nearly Coulomb's, as "
           "the loss angle is close to the most that this dynamic stiffness allows; rubber has z2 near the amplitude",
-          entry.value("displacement"), 100.0 * entry.value("displacement") / specification.at("nominal_amplitude"));
+          entry.value("displacement"), 100.0 * entry.value("displacement") / specification.at("nominal_amplitude")));
     }
   }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -100,34 +90,26 @@ std::vector<std::string> estimationNotes(Model model, const Specification& speci
   if (!specification.preloads().empty()) {
     return {"Maxwell elements and dashpots are linear in the displacement between the preloads, and constant beyond"};
   }
-  switch (model) {
-    case Model::kelvin_voigt: {
-      std::vector<std::string> notes = {
-          "dynamic_stiffness is taken as the storage stiffness (Eq. 11): the loop's stiffness is K_n/cos(loss angle)"};
-      if (specification.has("static_stiffness")) {
-        notes.push_back("static_stiffness is not used by kelvin_voigt, whose static stiffness is dynamic_stiffness");
-      }
-      return notes;
-    }
-    case Model::friction:
-    case Model::berg: {
-      const auto note = sharpFrictionNote(model, specification);
-      return note ? std::vector<std::string>{*note} : std::vector<std::string>{};
-    }
-    case Model::friction_dashpot: {
-      std::vector<std::string> notes = {
-          "dynamic_stiffness holds between the turning points, where the dashpot has no force; the peak of the loop "
-          "comes a little earlier and is a little higher"};
-      if (const auto note = sharpFrictionNote(model, specification)) {
-        notes.push_back(*note);
-      }
-      return notes;
-    }
-    case Model::multi_maxwell:
-      return multiMaxwellNotes(specification);
-    default:
-      return {};
+  if (model == Model::multi_maxwell) {
+    return multiMaxwellNotes(specification);
   }
+  std::vector<std::string> notes;
+  if (model == Model::kelvin_voigt) {
+    notes.push_back(
+        "dynamic_stiffness is taken as the storage stiffness (Eq. 11): the loop's stiffness is K_n/cos(loss angle)");
+    if (specification.has("static_stiffness")) {
+      notes.push_back("static_stiffness is not used by kelvin_voigt, whose static stiffness is dynamic_stiffness");
+    }
+  }
+  if (model == Model::friction_dashpot) {
+    notes.push_back(
+        "dynamic_stiffness holds between the turning points, where the dashpot has no force; the peak of the loop "
+        "comes a little earlier and is a little higher");
+  }
+  if (model == Model::friction || model == Model::friction_dashpot || model == Model::berg) {
+    addSharpFriction(notes, model, specification);
+  }
+  return notes;
 }
 
 std::vector<std::string> specificationWarnings(const Specification& specification) {

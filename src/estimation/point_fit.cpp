@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "estimation/models.h"
 #include "numerics/trust_region.h"
@@ -49,9 +50,8 @@ class PointFit {
       const numerics::Optimum found = numerics::searchLeast(misfit, start(i), limits());
       best = found.cost < best.cost ? found : best;
     }
-    if (!std::isfinite(best.cost)) {
-      throw std::invalid_argument("points: no model comes near them; accepted: points of one component");
-    }
+    element::refuseIf(!std::isfinite(best.cost),
+                      "points: no model comes near them; accepted: points of one component");
     return result(best.search);
   }
 
@@ -89,14 +89,11 @@ class PointFit {
     }
     for (std::size_t i = 0; i < given_.points().size(); ++i) {
       const SpecifiedPoint& point = given_.points()[i];
-      if (!point.stiffness && !point.loss_angle) {
-        throw std::invalid_argument(
-            fmt::format("points[{}] has no number to meet; accepted: stiffness, loss_angle or both", i));
-      }
-      if (point.amplitude == 0.0 && !isLinear() && !given_.has("nominal_amplitude")) {
-        throw std::invalid_argument(fmt::format(
-            "points[{}].amplitude is missing; accepted: the amplitude of the point, as the component is nonlinear", i));
-      }
+      element::refuseIf(!point.stiffness && !point.loss_angle,
+                        "points[{}] has no number to meet; accepted: stiffness, loss_angle or both", i);
+      element::refuseIf(
+          point.amplitude == 0.0 && !isLinear() && !given_.has("nominal_amplitude"),
+          "points[{}].amplitude is missing; accepted: the amplitude of the point, as the component is nonlinear", i);
     }
   }
 
@@ -180,10 +177,8 @@ class PointFit {
     if (const auto level = given_.find("static_stiffness")) {
       return *level;
     }
-    if (given_.curve() == nullptr) {
-      throw std::invalid_argument(
-          "points: none has a stiffness; accepted: at least one stiffness, or static_stiffness");
-    }
+    element::refuseIf(given_.curve() == nullptr,
+                      "points: none has a stiffness; accepted: at least one stiffness, or static_stiffness");
     return given_.curve()->tangentAt(nominalDisplacement(given_));
   }
 
@@ -402,9 +397,8 @@ class PointFit {
 }  // namespace
 
 Resolved fitPoints(Model model, const Specification& specification, const FitEntries& add) {
-  if (model == Model::elements) {
-    throw std::invalid_argument("points: model elements has nothing to estimate; accepted: any other model");
-  }
+  element::refuseIf(model == Model::elements,
+                    "points: model elements has nothing to estimate; accepted: any other model");
   return PointFit(model, specification, add).fit();
 }
 

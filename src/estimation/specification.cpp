@@ -8,9 +8,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "estimation/models.h"
 #include "estimation/solvability.h"
+#include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::estimation {
@@ -144,13 +146,9 @@ void checkKeys(const NamedModel& model, const Specification& specification, bool
   }
 }
 
-void checkRange(const std::string& key, double value) {
+void checkInput(const std::string& key, double value) {
   const element::ParameterInfo& parameter = *findParameter(key);
-  if (!parameter.range.contains(value)) {
-    throw std::invalid_argument(fmt::format("{}: {:g}{} is out of range; accepted: {} ({})", key, value,
-                                            parameter.unit == "1" ? "" : " " + parameter.unit,
-                                            element::describe(parameter.range), parameter.documentation));
-  }
+  checkRange(parameter, value);
   if (key == "maxwell_elements" && value != std::floor(value)) {
     throw std::invalid_argument(fmt::format("{}: {:g} is not a whole number; accepted: whole numbers {}", key, value,
                                             element::describe(parameter.range)));
@@ -190,19 +188,14 @@ void checkGroup(const NamedModel& model, const Specification& specification, con
 // high_frequency_stiffness stands for maximum_stiffness and needs its frequency.
 void checkHighFrequency(const NamedModel& model, const Specification& specification) {
   const bool stiffness = specification.has("high_frequency_stiffness");
-  if (stiffness && !specification.has("high_frequency")) {
-    throw std::invalid_argument(
-        "high_frequency is missing; accepted: the frequency at which high_frequency_stiffness holds");
-  }
-  if (!stiffness && model.info.model == Model::maxwell) {
-    throw std::invalid_argument(
-        "high_frequency: not an input of model maxwell without high_frequency_stiffness; accepted: both");
-  }
+  element::refuseIf(stiffness && !specification.has("high_frequency"),
+                    "high_frequency is missing; accepted: the frequency at which high_frequency_stiffness holds");
+  element::refuseIf(!stiffness && model.info.model == Model::maxwell,
+                    "high_frequency: not an input of model maxwell without high_frequency_stiffness; accepted: both");
   for (const char* other : {"maximum_stiffness", "loss_angle"}) {
-    if (stiffness && specification.has(other)) {
-      throw std::invalid_argument(fmt::format(
-          "{0}: given beside high_frequency_stiffness, which takes its place; accepted: one of both", other));
-    }
+    element::refuseIf(stiffness && specification.has(other),
+                      "{0}: given beside high_frequency_stiffness, which takes its place; accepted: one of both",
+                      other);
   }
 }
 
@@ -247,10 +240,8 @@ Specification tangentOf(Model model, const Specification& specification) {
     return specification;
   }
   const char* key = model == Model::kelvin_voigt ? "dynamic_stiffness" : "static_stiffness";
-  if (specification.has(key)) {
-    throw std::invalid_argument(
-        fmt::format("{}: given beside static_curve, whose tangent it is; accepted: one of both", key));
-  }
+  element::refuseIf(specification.has(key), "{}: given beside static_curve, whose tangent it is; accepted: one of both",
+                    key);
   Specification tangent = specification;
   const double stiffness = specification.curve()->tangentAt(nominalDisplacement(specification));
   if (!(stiffness > 0.0)) {
@@ -272,9 +263,8 @@ void checkWorkingPoint(const Specification& specification) {
   } else if (specification.has("nominal_force")) {
     throw std::invalid_argument("nominal_force: given without static_curve; accepted: nominal_displacement");
   }
-  if (specification.has("nominal_force") && specification.has("nominal_displacement")) {
-    throw std::invalid_argument("nominal_force: given beside nominal_displacement; accepted: one of both");
-  }
+  element::refuseIf(specification.has("nominal_force") && specification.has("nominal_displacement"),
+                    "nominal_force: given beside nominal_displacement; accepted: one of both");
 }
 
 }  // namespace
@@ -347,7 +337,7 @@ void checkSpecification(Model model, const Specification& given) {
   const Specification specification = tangentOf(model, given);
   checkKeys(entry(model), specification, given.describes() != Describes::unsaid || given.curve() != nullptr);
   for (const auto& [key, value] : specification.values()) {
-    checkRange(key, value);
+    checkInput(key, value);
   }
   checkPresence(entry(model), specification);
 }
@@ -357,9 +347,8 @@ bool isSolvable(Model model, const Specification& specification) {
 }
 
 std::vector<element::ElementDescription> estimateTangent(Model model, const Specification& given) {
-  if (!given.points().empty() || given.describes() == Describes::component) {
-    throw std::invalid_argument("describes: the numbers are not those of a base; accepted: those that resolve() gives");
-  }
+  element::refuseIf(!given.points().empty() || given.describes() == Describes::component,
+                    "describes: the numbers are not those of a base; accepted: those that resolve() gives");
   checkSpecification(model, given);
   const Specification specification = tangentOf(model, given);
   if (const auto obstacle = findObstacle(entry(model), specification)) {
@@ -392,12 +381,11 @@ std::vector<element::ElementDescription> joined(const std::vector<double>& displ
     const std::string scale = blocks.front()[i].type == "maxwell" ? "stiffness" : "damping";
     element::ElementDescription element{blocks.front()[i].type + "_along_curve", {{"displacement", displacement}}};
     for (const auto& block : blocks) {
-      if (scale == "stiffness" &&
-          std::abs(block[i].value("break_frequency") / blocks.front()[i].value("break_frequency") - 1.0) > 1e-9) {
-        throw std::invalid_argument(
-            "preloads: their break frequencies differ; accepted: break_frequency, or model multi_maxwell with "
-            "high_frequency, outside of the blocks");
-      }
+      element::refuseIf(
+          scale == "stiffness" &&
+              std::abs(block[i].value("break_frequency") / blocks.front()[i].value("break_frequency") - 1.0) > 1e-9,
+          "preloads: their break frequencies differ; accepted: break_frequency, or model multi_maxwell with "
+          "high_frequency, outside of the blocks");
       element.values[scale].push_back(block[i].value(scale));
     }
     if (scale == "stiffness") {
@@ -409,18 +397,14 @@ std::vector<element::ElementDescription> joined(const std::vector<double>& displ
 }
 
 void checkPreloads(Model model, const Specification& given) {
-  if (given.curve() == nullptr) {
-    throw std::invalid_argument("preloads: given without static_curve; accepted: both");
-  }
-  if (given.describes() == Describes::component || !given.points().empty()) {
-    throw std::invalid_argument("preloads: they describe the base; accepted: describes: base, and no points");
-  }
-  if (model == Model::friction || model == Model::friction_dashpot || model == Model::berg) {
-    throw std::invalid_argument(fmt::format(
-        "preloads: the friction of model {} is that at any preload; accepted: kelvin_voigt, maxwell, maxwell_dashpot, "
-        "multi_maxwell",
-        toString(model)));
-  }
+  element::refuseIf(given.curve() == nullptr, "preloads: given without static_curve; accepted: both");
+  element::refuseIf(given.describes() == Describes::component || !given.points().empty(),
+                    "preloads: they describe the base; accepted: describes: base, and no points");
+  element::refuseIf(
+      model == Model::friction || model == Model::friction_dashpot || model == Model::berg,
+      "preloads: the friction of model {} is that at any preload; accepted: kelvin_voigt, maxwell, maxwell_dashpot, "
+      "multi_maxwell",
+      toString(model));
 }
 
 std::vector<element::ElementDescription> estimatePreloads(Model model, const Specification& given) {
@@ -430,9 +414,8 @@ std::vector<element::ElementDescription> estimatePreloads(Model model, const Spe
     const Specification specification = blockOf(model, given, block);
     by_displacement[nominalDisplacement(specification)] = estimateTangent(model, specification);
   }
-  if (by_displacement.size() != given.preloads().size()) {
-    throw std::invalid_argument("preloads: two blocks at one displacement; accepted: one of each");
-  }
+  element::refuseIf(by_displacement.size() != given.preloads().size(),
+                    "preloads: two blocks at one displacement; accepted: one of each");
   std::vector<double> displacement;
   std::vector<std::vector<element::ElementDescription>> blocks;
   for (auto& [place, elements] : by_displacement) {
@@ -456,9 +439,34 @@ std::vector<element::ElementDescription> estimate(Model model, const Specificati
              : alongCurve(*specification.curve(), nominalDisplacement(specification), std::move(elements));
 }
 
-double lossAngle(const Specification& specification) {
-  return specification.has("loss_angle") ? specification.at("loss_angle")
-                                         : std::atan(2.0 * specification.at("relative_damping"));
+std::optional<double> specifiedLossAngle(const Specification& specification) {
+  const std::optional<double> damping = specification.find("relative_damping");
+  return specification.has("loss_angle") ? specification.find("loss_angle")
+         : damping                       ? std::make_optional(std::atan(2.0 * *damping))
+                                         : std::nullopt;
+}
+
+std::complex<double> stiffnessAt(const std::vector<element::ElementDescription>& elements, double frequency) {
+  std::complex<double> sum = 0.0;
+  for (const element::ElementDescription& element : elements) {
+    sum += *element::parallelLaw(element::makeElement(element))->complexStiffness(2.0 * element::kPi * frequency);
+  }
+  return sum;
+}
+
+double slopeAbout(const element::ParallelElement& law, double displacement) {
+  constexpr double kStep = 1e-7;  // [m]
+  std::vector<double> memory(law.memorySize());
+  const double above = law.initialise(displacement + kStep, memory.data());
+  return (above - law.initialise(displacement - kStep, memory.data())) / (2.0 * kStep);
+}
+
+void checkRange(const element::ParameterInfo& input, double value) {
+  if (!input.range.contains(value)) {
+    throw std::invalid_argument(fmt::format("{}: {:g}{} is out of range; accepted: {} ({})", input.name, value,
+                                            input.unit == "1" ? "" : " " + input.unit, element::describe(input.range),
+                                            input.documentation));
+  }
 }
 
 double valueOrDefault(const Specification& specification, std::string_view key) {

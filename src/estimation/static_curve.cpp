@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "estimation/models.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/slider_bank.h"
@@ -32,11 +33,10 @@ std::vector<double> StaticCurve::slopes() const {
 }
 
 void StaticCurve::check() const {
-  if (displacement.size() < 2 || force.size() != displacement.size()) {
-    throw std::invalid_argument(fmt::format(
-        "static_curve: {} forces for {} displacements; accepted: as many forces as displacements, at least 2",
-        force.size(), displacement.size()));
-  }
+  element::refuseIf(
+      displacement.size() < 2 || force.size() != displacement.size(),
+      "static_curve: {} forces for {} displacements; accepted: as many forces as displacements, at least 2",
+      force.size(), displacement.size());
   for (std::size_t i = 1; i < displacement.size(); ++i) {
     if (!(displacement[i] > displacement[i - 1])) {
       throw std::invalid_argument(
@@ -46,14 +46,11 @@ void StaticCurve::check() const {
     const double rise = force[i] - force[i - 1];
     const std::string place = fmt::format("static_curve: the force {} from {:g} m to {:g} m",
                                           rise < 0.0 ? "falls" : "does not rise", displacement[i - 1], displacement[i]);
-    if (scales && !(rise > 0.0)) {
-      throw std::invalid_argument(place +
-                                  ", where elements scaled along the curve would make energy; accepted: forces that "
-                                  "rise, or scale_with: none");
-    }
-    if (monotone && rise < 0.0) {
-      throw std::invalid_argument(place + "; accepted with monotone: true: forces that do not fall");
-    }
+    element::refuseIf(
+        scales && !(rise > 0.0),
+        "{}, where elements scaled along the curve would make energy; accepted: forces that rise, or scale_with: none",
+        place);
+    element::refuseIf(monotone && rise < 0.0, "{}; accepted with monotone: true: forces that do not fall", place);
   }
 }
 
@@ -79,12 +76,11 @@ double StaticCurve::displacementAt(double wanted) const {
       found.push_back(z);
     }
   }
-  if (found.size() != 1) {
-    throw std::invalid_argument(fmt::format(
-        "nominal_force: static_curve has {} displacements of {:g} N; accepted: a force that it has once, or "
-        "nominal_displacement",
-        found.size(), wanted));
-  }
+  element::refuseIf(
+      found.size() != 1,
+      "nominal_force: static_curve has {} displacements of {:g} N; accepted: a force that it has once, or "
+      "nominal_displacement",
+      found.size(), wanted);
   return found.front();
 }
 

@@ -4,14 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "estimation/models.h"
 #include "estimation/point_fit.h"
+#include "estimation/root.h"
 #include "estimation/solvability.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"
@@ -45,14 +46,6 @@ bool settles(const element::ElementDescription& entry) {
   return entry.type != "force_drift" && (law.action() != element::Action::scales_force || law.linear());
 }
 
-// Stiffness [N/m] of an elastic law about a displacement [m].
-double slopeAbout(const element::ParallelElement& law, double displacement) {
-  constexpr double kStep = 1e-7;  // [m]
-  std::vector<double> memory(law.memorySize());
-  const double above = law.initialise(displacement + kStep, memory.data());
-  return (above - law.initialise(displacement - kStep, memory.data())) / (2.0 * kStep);
-}
-
 // Of what is added, the stiffness [N/m] at rest and that at very high frequency, springs and Maxwell elements alone.
 struct AddedStiffness {
   double at_rest = 0.0;
@@ -79,18 +72,14 @@ class Whole {
  public:
   Whole(Model model, const Specification& given, const Entries& add) : model_(model), given_(given), base_(given) {
     base_.describe(Describes::base);
-    if (model == Model::kelvin_voigt && given.curve() != nullptr) {
-      throw std::invalid_argument(
-          "describes: component: the spring of model kelvin_voigt is static_curve, which leaves no number to meet a "
-          "stiffness; accepted: base, or another model");
-    }
+    element::refuseIf(model == Model::kelvin_voigt && given.curve() != nullptr,
+                      "describes: component: the spring of model kelvin_voigt is static_curve, which leaves no number "
+                      "to meet a stiffness; accepted: base, or another model");
     mean_ = nominalDisplacement(given);
     std::copy_if(add.begin(), add.end(), std::back_inserter(add_), settles);
-    if (!given.has("nominal_amplitude") && !isLinear()) {
-      throw std::invalid_argument(
-          "nominal_amplitude is missing; accepted: the amplitude at which the whole component has K_n, as its static "
-          "curve or what is added is nonlinear");
-    }
+    element::refuseIf(!given.has("nominal_amplitude") && !isLinear(),
+                      "nominal_amplitude is missing; accepted: the amplitude at which the whole component has K_n, as "
+                      "its static curve or what is added is nonlinear");
     subtract();
   }
 
@@ -126,8 +115,8 @@ class Whole {
 
   // K_n sin(delta) [N/m].
   std::optional<double> loss() const {
-    const bool has = given_.has("loss_angle") || given_.has("relative_damping");
-    return has ? std::optional<double>(given_.at("dynamic_stiffness") * std::sin(lossAngle(given_))) : std::nullopt;
+    const auto angle = specifiedLossAngle(given_);
+    return angle ? std::make_optional(given_.at("dynamic_stiffness") * std::sin(*angle)) : std::nullopt;
   }
 
   bool isLinear() const {
@@ -196,10 +185,7 @@ class Whole {
       lowest = std::min({lowest, target + at_from, target + at_to});
       highest = std::max({highest, target + at_from, target + at_to});
       if (at_from * at_to <= 0.0) {
-        boost::uintmax_t iterations = 200;
-        const auto bracket = boost::math::tools::toms748_solve(
-            mismatch, from, to, at_from, at_to, boost::math::tools::eps_tolerance<double>(48), iterations);
-        base = withStiffness(0.5 * (bracket.first + bracket.second)).value();
+        base = withStiffness(rootBetween(mismatch, from, to, at_from, at_to, 48)).value();
         return;
       }
     }
@@ -315,24 +301,12 @@ class Whole {
     };
     constexpr int kPoints = 60;
     const double reach = std::log(50.0);
-    double before = -reach;
-    double mismatch_before = mismatch(before);
-    for (int i = 1; i <= kPoints; ++i) {
-      const double now = -reach + 2.0 * reach * i / kPoints;
-      const double mismatch_now = mismatch(now);
-      if (mismatch_before * mismatch_now <= 0.0) {
-        boost::uintmax_t iterations = 100;
-        const auto bracket =
-            boost::math::tools::toms748_solve(mismatch, before, now, mismatch_before, mismatch_now,
-                                              boost::math::tools::eps_tolerance<double>(44), iterations);
-        Specification base = base_;
-        solve(base, start * std::exp(0.5 * (bracket.first + bracket.second)));
-        return base;
-      }
-      before = now;
-      mismatch_before = mismatch_now;
+    const auto root = lowestRoot(mismatch, -reach, reach, kPoints, 44);
+    Specification base = base_;
+    if (root) {
+      solve(base, start * std::exp(*root));
     }
-    return std::nullopt;
+    return root ? std::make_optional(base) : std::nullopt;
   }
 
   Obstacle tooMuch() const {

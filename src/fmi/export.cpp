@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "element/refuse.h"
 #include "fmi/runtime/embedded.h"
 #include "fmi/runtime/saved_state.h"
 
@@ -22,9 +23,8 @@ constexpr const char* kTool = "rubber_suspension " RUBBER_SUSPENSION_VERSION;
 std::string readFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (content.empty()) {
-    throw std::runtime_error(path + ": cannot be read; accepted: the file that was built and installed with this one");
-  }
+  element::refuseIf<std::runtime_error>(
+      content.empty(), "{}: cannot be read; accepted: the file that was built and installed with this one", path);
   return content;
 }
 
@@ -42,13 +42,11 @@ std::string binaryWith(const std::string& text, const std::string& path) {
   const std::string marker(RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_BLOCK_MARKER));
   const std::size_t start = binary.find(marker);
   const bool once = start != std::string::npos && binary.find(marker, start + 1) == std::string::npos;
-  if (!once || start + sizeof(EmbeddedBlock) > binary.size()) {
-    throw std::runtime_error(path + ": has no block for a component; accepted: the binary of an FMU of this version");
-  }
-  if (text.size() > kCapacity) {
-    throw std::runtime_error(
-        fmt::format("{}: the component takes {} bytes; accepted: at most {}", path, text.size(), kCapacity));
-  }
+  element::refuseIf<std::runtime_error>(
+      !once || start + sizeof(EmbeddedBlock) > binary.size(),
+      "{}: has no block for a component; accepted: the binary of an FMU of this version", path);
+  element::refuseIf<std::runtime_error>(
+      text.size() > kCapacity, "{}: the component takes {} bytes; accepted: at most {}", path, text.size(), kCapacity);
   const std::uint64_t size = text.size();
   std::memcpy(&binary[start + offsetof(EmbeddedBlock, size)], &size, sizeof(size));
   text.copy(&binary[start + offsetof(EmbeddedBlock, text)], text.size());
@@ -86,9 +84,8 @@ void addSources(std::vector<ArchiveEntry>& entries, const ComponentData& data, c
 
 FmuParts installedParts() {
   Dl_info info{};
-  if (dladdr(reinterpret_cast<const void*>(&installedParts), &info) == 0) {
-    throw std::runtime_error("the program's own place is unknown");
-  }
+  element::refuseIf<std::runtime_error>(dladdr(reinterpret_cast<const void*>(&installedParts), &info) == 0,
+                                        "the program's own place is unknown");
   const std::string program = info.dli_fname;
   const std::size_t slash = program.find_last_of('/');
   const std::string folder = slash == std::string::npos ? "." : program.substr(0, slash);

@@ -1,11 +1,9 @@
 // Units of UDUNITS spelling: symbols with exponents, multiplied by blanks and divided by slashes.
 #include "fmi/units.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
 
+#include "element/refuse.h"
 #include "rubber_suspension/element/temperature_shift.h"
 
 namespace rubber_suspension::fmi {
@@ -42,9 +40,9 @@ BaseUnit baseUnitOf(const std::string& unit) {
     const std::size_t caret = factor.find('^');
     const auto symbol = symbols().find(factor.substr(0, caret));
     const std::string power = caret == std::string::npos ? "1" : factor.substr(caret + 1);
-    if (symbol == symbols().end() || power.empty() || power.find_first_not_of("0123456789") != std::string::npos) {
-      throw std::invalid_argument(fmt::format("unit '{}': '{}' has no base units here", unit, factor));
-    }
+    element::refuseIf(
+        symbol == symbols().end() || power.empty() || power.find_first_not_of("0123456789") != std::string::npos,
+        "unit '{}': '{}' has no base units here", unit, factor);
     for (const auto& [base, exponent] : symbol->second) {
       if ((sum[base] += sign * std::stoi(power) * exponent) == 0) {
         sum.erase(base);

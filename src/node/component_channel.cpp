@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "element/refuse.h"
 #include "io/sha256.h"
 
 namespace rubber_suspension::node {
@@ -40,10 +41,9 @@ void goOn(component::PoseStream& stream, const SavedStream& saved) { stream.dese
 
 // Refuses a model that cannot be computed beside another.
 void requireOneDirection(const io::ComponentDescription& description) {
-  if (description.six) {
-    throw std::invalid_argument(fmt::format(
-        "{}: a component of six directions cannot be promoted; accepted: one of one direction", description.name));
-  }
+  element::refuseIf(description.six != nullptr,
+                    "{}: a component of six directions cannot be promoted; accepted: one of one direction",
+                    description.name);
 }
 
 }  // namespace
@@ -334,12 +334,9 @@ std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::checkState(const 
     const std::lock_guard<std::mutex> lock(mutex_);
     model = model_;
   }
-  if (state.component != name_) {
-    throw std::invalid_argument(fmt::format("state of component {} does not belong to {}", state.component, name_));
-  }
-  if (state.elements != model->elements()) {
-    throw std::invalid_argument(fmt::format("{}: the state was saved with other elements or parameters", name_));
-  }
+  element::refuseIf(state.component != name_, "state of component {} does not belong to {}", state.component, name_);
+  element::refuseIf(state.elements != model->elements(), "{}: the state was saved with other elements or parameters",
+                    name_);
   try {
     model->check(state);
     if (!state.promotion) {
@@ -408,9 +405,8 @@ void ComponentChannel::promote(const io::ComponentDescription& description) {
 
 void ComponentChannel::rollBack() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!isBeside() || promotion_->fade.stage() == RunStage::rolling_back) {
-    throw std::invalid_argument(fmt::format("{}: the configured model gives the force, nothing is promoted", name_));
-  }
+  element::refuseIf(!isBeside() || promotion_->fade.stage() == RunStage::rolling_back,
+                    "{}: the configured model gives the force, nothing is promoted", name_);
   promotion_->note.clear();
   promotion_->fade.giveBack();
 }

@@ -59,11 +59,8 @@ class GapTracker {
   explicit GapTracker(const GapSettings& settings, const io::RigTolerances& tolerances = {})
       : settings_(settings), tolerances_(tolerances) {}
 
-  /// Measure the gap of a window and its trend, or of the monitor's window.
+  /// Measure the gap of a window and its trend.
   LiveGap update(const std::vector<MatchedSample>& window, SimulatedForce force = &MatchedSample::simulated);
-  LiveGap update(const GapMonitor& monitor, SimulatedForce force = &MatchedSample::simulated) {
-    return update(monitor.window(settings_.window), force);
-  }
 
  private:
   struct Point {

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "io/sha256.h"
 #include "log/text.h"
 
@@ -118,9 +119,7 @@ SavedState stateOf(const json& entry) {
 
 // The parser goes into brackets without bound, and what it gives ends by a call for each.
 bool refuseDeepNesting(int depth, json::parse_event_t /*event*/, const json& /*parsed*/) {
-  if (depth >= kDeepestStateFile) {
-    throw std::invalid_argument(fmt::format("nested deeper than {} brackets", kDeepestStateFile));
-  }
+  element::refuseIf(depth >= kDeepestStateFile, "nested deeper than {} brackets", kDeepestStateFile);
   return true;
 }
 
@@ -166,10 +165,8 @@ std::vector<SavedState> parseStates(const std::string& text, const std::string& 
 
 void writeStateFile(const std::string& path, const std::vector<SavedState>& states) {
   const std::string text = stateText(states);
-  if (text.size() > kLargestStateFile) {
-    throw FileError(
-        fmt::format("{}: the state takes {} bytes; accepted: at most {}", path, text.size(), kLargestStateFile));
-  }
+  element::refuseIf<FileError>(text.size() > kLargestStateFile, "{}: the state takes {} bytes; accepted: at most {}",
+                               path, text.size(), kLargestStateFile);
   replaceRegularFile(path, text);
 }
 

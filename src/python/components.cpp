@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "python/bindings.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
@@ -36,23 +37,17 @@ class Motion {
   void setTemperature(double temperature) { component_->setTemperature(state_, temperature); }
 
   static void requireFinite(double displacement) {
-    if (!std::isfinite(displacement)) {
-      throw std::invalid_argument(
-          fmt::format("displacement: {} is not finite; accepted: a finite number in m", displacement));
-    }
+    element::refuseIf(!std::isfinite(displacement), "displacement: {} is not finite; accepted: a finite number in m",
+                      displacement);
   }
 
   static void requireFiniteForce(double force, double displacement) {
-    if (!std::isfinite(force)) {
-      throw std::invalid_argument(
-          fmt::format("displacement: {:g} m gives a force that is not finite; accepted: less", displacement));
-    }
+    element::refuseIf(!std::isfinite(force), "displacement: {:g} m gives a force that is not finite; accepted: less",
+                      displacement);
   }
 
   static void requirePositive(double dt) {
-    if (!(dt > 0.0) || !std::isfinite(dt)) {
-      throw std::invalid_argument(fmt::format("dt: {:g} s; accepted: greater than 0", dt));
-    }
+    element::refuseIf(!(dt > 0.0) || !std::isfinite(dt), "dt: {:g} s; accepted: greater than 0", dt);
   }
 
   const element::ComponentForce& force() const { return force_; }
@@ -67,9 +62,7 @@ class Motion {
 Array simulate(const ComponentDescription& description, const py::object& displacement, double dt) {
   Motion::requirePositive(dt);
   const std::vector<double> path = toVector(displacement, "displacement");
-  if (path.empty()) {
-    throw std::invalid_argument("displacement: empty; accepted: at least one value");
-  }
+  element::refuseIf(path.empty(), "displacement: empty; accepted: at least one value");
   std::vector<double> force(path.size());
   {
     const py::gil_scoped_release others_run;
@@ -112,12 +105,10 @@ py::object stiffness(const ComponentDescription& description,
 
 ComponentDescription estimate(const std::string& model, const std::string& name, const py::kwargs& inputs) {
   const std::optional<estimation::Model> found = estimation::modelFromString(model);
-  if (!found || *found == estimation::Model::elements) {
-    throw std::invalid_argument(
-        fmt::format("'{}' is not a model with a specification; accepted: kelvin_voigt, "
+  element::refuseIf(!found || *found == estimation::Model::elements,
+                    "'{}' is not a model with a specification; accepted: kelvin_voigt, "
                     "maxwell, maxwell_dashpot, friction, friction_dashpot, berg, multi_maxwell",
-                    model));
-  }
+                    model);
   estimation::Specification specification;
   for (const auto& [key, value] : inputs) {
     const auto input = py::cast<std::string>(key);
@@ -135,14 +126,6 @@ ComponentDescription ofElements(const py::sequence& elements, const std::string&
   description.makeComponent();  // throws where they do not go together
   io::toYaml({description});    // and for a name that no file can hold
   return description;
-}
-
-py::dict specificationOf(const ComponentDescription& description) {
-  py::dict result;
-  for (const auto& [key, value] : description.specification().values()) {
-    result[key.c_str()] = value;
-  }
-  return result;
 }
 
 ComponentDescription load(const std::string& path, const std::string& name) {
@@ -178,7 +161,9 @@ void addComponents(py::module_& module) {
            "Of a list of elements, {'type': 'spring', 'stiffness': '3 kN/mm'}. Raises ValueError.")
       .def_readonly("name", &ComponentDescription::name)
       .def_property_readonly("model", [](const ComponentDescription& d) { return estimation::toString(d.model()); })
-      .def_property_readonly("specification", &specificationOf, "Inputs of the model in SI units; empty without one.")
+      .def_property_readonly(
+          "specification", [](const ComponentDescription& d) { return d.specification().values(); },
+          "Inputs of the model in SI units; empty without one.")
       .def_property_readonly(
           "elements", [](const ComponentDescription& d) { return fromElements(d.allElements()); },
           "All elements: those of the model, and those added.")

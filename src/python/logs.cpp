@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "python/bindings.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/log/log.h"
@@ -28,10 +29,8 @@ log::Log makeLog(const py::object& time, const py::object& displacement, const p
   log::Log log;
   log.name = name;
   for (const double t : toVector(time, "time")) {
-    if (std::abs(t) > kLongestTime) {
-      throw std::invalid_argument(
-          fmt::format("time: {:g} s is out of range; accepted: at most {:g} s", t, kLongestTime));
-    }
+    element::refuseIf(std::abs(t) > kLongestTime, "time: {:g} s is out of range; accepted: at most {:g} s", t,
+                      kLongestTime);
     log.stamp.push_back(std::llround(t * 1e9));
   }
   log.displacement = toVector(displacement, "displacement");

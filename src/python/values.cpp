@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "log/text.h"
 #include "python/bindings.h"
@@ -24,9 +25,7 @@ const element::ParameterInfo& findParameter(const element::ElementType& type, co
 }
 
 const element::ElementType& findType(const py::dict& entry) {
-  if (!entry.contains("type")) {
-    throw std::invalid_argument("type is missing; accepted: the name of an element");
-  }
+  element::refuseIf(!entry.contains("type"), "type is missing; accepted: the name of an element");
   const auto name = py::cast<std::string>(py::str(entry["type"]));
   if (const element::ElementType* type = element::findElementType(name)) {
     return *type;
@@ -67,9 +66,7 @@ std::vector<double> toVector(const py::object& values_in, const std::string& nam
                     masked ? "masked values" : "numbers of type " + py::cast<std::string>(py::str(any.dtype()))));
   }
   const Array array = Array::ensure(any);
-  if (array.ndim() != 1) {
-    throw std::invalid_argument(fmt::format("{}: {} dimensions; accepted: one", name, array.ndim()));
-  }
+  element::refuseIf(array.ndim() != 1, "{}: {} dimensions; accepted: one", name, array.ndim());
   std::vector<double> values(array.data(), array.data() + array.size());
   const auto bad = std::find_if_not(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
   if (bad != values.end()) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "bag/header_stamp.h"
+#include "element/refuse.h"
 #include "ros_interface/connection.h"
 
 namespace rubber_suspension::ros_interface {
@@ -44,9 +45,7 @@ void BundleClientOf<Bundle, Sample, Answer>::connect() {
 template <class Bundle, class Sample, class Answer>
 void BundleClientOf<Bundle, Sample, Answer>::call(const std::string& service) {
   const std::string refusal = callTrigger(handle_.resolveName(service), timeout_);
-  if (!refusal.empty()) {
-    throw BundleError(refusal);
-  }
+  element::refuseIf<BundleError>(!refusal.empty(), "{}", refusal);
 }
 
 template <class Bundle, class Sample, class Answer>

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "node/message_bounds.h"
+#include "ros_interface/pose_messages.h"
 #include "ros_interface/sample_server.h"
 #include "roscpp_fixes/checked_subscription.h"
 
@@ -77,7 +78,7 @@ bool answerSample(node::ComponentChannel& channel, std::int64_t stamp, double di
 bool answerSample(node::ComponentChannel& channel, std::int64_t stamp, const geometry_msgs::Pose& pose,
                   WrenchArray& answer, std::size_t place) {
   component::Wrench wrench;
-  if (!channel.push(stamp, positionOf(pose), rotationOf(pose), wrench)) {
+  if (!channel.push(stamp, vectorOf(pose.position), rotationOf(pose), wrench)) {
     return false;
   }
   answer.wrenches[place] = messageOf(wrench);

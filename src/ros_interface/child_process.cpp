@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "element/refuse.h"
+
 namespace rubber_suspension::ros_interface {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command) {
@@ -59,9 +61,8 @@ std::string outputOf(const std::string& command, const std::string& option) {
     count = std::fread(buffer.data(), 1, buffer.size(), pipe);
   }
   const int status = pipe == nullptr ? -1 : pclose(pipe);
-  if (status != 0 || text.empty()) {
-    throw std::runtime_error(fmt::format("{} {}: exit status {}", command, option, WEXITSTATUS(status)));
-  }
+  element::refuseIf<std::runtime_error>(status != 0 || text.empty(), "{} {}: exit status {}", command, option,
+                                        WEXITSTATUS(status));
   return text;
 }
 

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "element/refuse.h"
 #include "log/text.h"
 #include "ros_interface/termination.h"
 #include "roscpp_fixes/master_call.h"
@@ -100,9 +101,7 @@ bool RosCommandLine::waitForMaster(double timeout) const {
   const auto begin = std::chrono::steady_clock::now();
   for (bool said = false; !isEnding();) {
     const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    if (waited >= timeout) {
-      throw std::runtime_error(fmt::format("no master answers at {} within {:g} s", uri, timeout));
-    }
+    element::refuseIf<std::runtime_error>(waited >= timeout, "no master answers at {} within {:g} s", uri, timeout);
     if (roscpp_fixes::masterAnswers(std::min(kTurn, timeout - waited), uri)) {
       return true;
     }

@@ -7,8 +7,8 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 
+#include "element/refuse.h"
 #include "log/new_file.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
@@ -40,10 +40,8 @@ std::ptrdiff_t firstCompared(const log::Log& log, double skip) {
   while (first < log.size() && log.duration(0, first) < skip) {
     ++first;
   }
-  if (first + 2 > log.size()) {
-    throw std::invalid_argument(fmt::format("{}: nothing is left to compare after {:g} s; the log lasts {:g} s",
-                                            log.name, skip, log.duration(0, log.size() - 1)));
-  }
+  element::refuseIf(first + 2 > log.size(), "{}: nothing is left to compare after {:g} s; the log lasts {:g} s",
+                    log.name, skip, log.duration(0, log.size() - 1));
   return static_cast<std::ptrdiff_t>(first);
 }
 
@@ -65,11 +63,9 @@ ForceDifference compareForces(const log::Log& log, const std::vector<double>& re
 }
 
 ForceReference measuredReference(const log::Log& log) {
-  if (log.force.empty()) {
-    throw std::invalid_argument(fmt::format(
-        "{} has no measured force; accepted: a log with one, or a component file to compare with (--config)",
-        log.name));
-  }
+  element::refuseIf(
+      log.force.empty(),
+      "{} has no measured force; accepted: a log with one, or a component file to compare with (--config)", log.name);
   return {"the force measured in " + log.name, log.force};
 }
 
@@ -133,9 +129,8 @@ std::string testReportXml(const std::string& suite, const std::vector<TestCase>&
 
 std::string testReportPath(const std::string& gtest_output) {
   const std::string format = "xml:";
-  if (gtest_output.compare(0, format.size(), format) != 0 || gtest_output.size() == format.size()) {
-    throw std::invalid_argument(fmt::format("--gtest_output={}; accepted: xml:FILE", gtest_output));
-  }
+  element::refuseIf(gtest_output.compare(0, format.size(), format) != 0 || gtest_output.size() == format.size(),
+                    "--gtest_output={}; accepted: xml:FILE", gtest_output);
   return gtest_output.substr(format.size());
 }
 

@@ -15,6 +15,7 @@
 #include "io/progress.h"
 #include "log/text.h"
 #include "ros_interface/connection.h"
+#include "ros_interface/pose_messages.h"
 #include "rubber_suspension/gap/pose_replay.h"
 
 namespace rubber_suspension::ros_interface {
@@ -35,10 +36,10 @@ void keep(const Force& force, std::size_t sample, PlayResult& result) {
 }
 
 void keep(const geometry_msgs::WrenchStamped& answer, std::size_t sample, PlayResult& result) {
-  const geometry_msgs::Wrench& of = answer.wrench;
-  const double numbers[] = {of.force.x, of.force.y, of.force.z, of.torque.x, of.torque.y, of.torque.z};
-  for (std::size_t i = 0; i < result.wrench.size(); ++i) {
-    result.wrench[i][sample] = numbers[i];
+  const component::Wrench of = wrenchOf(answer.wrench);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    result.wrench[static_cast<std::size_t>(i)][sample] = of.force[i];
+    result.wrench[static_cast<std::size_t>(i + 3)][sample] = of.moment[i];
   }
 }
 
@@ -220,29 +221,17 @@ void LogPlayer::send() {
 }
 
 void LogPlayer::sendPose(std::size_t sample) {
-  const auto number = [sample](const std::vector<double>& list) { return list[sample]; };
-  const auto& q = poses_->coordinate;
-  const Eigen::Quaterniond rotation = gap::rotationAt(*poses_, *options_.rotation, sample);
+  const auto vector = [sample](const auto& lists, std::size_t first) {
+    return Eigen::Vector3d(lists[first][sample], lists[first + 1][sample], lists[first + 2][sample]);
+  };
   geometry_msgs::PoseStamped pose;
   pose.header.stamp = bag::toRosTime(log_->stamp[sample] + shift_);
-  pose.pose.position.x = number(q[0]);
-  pose.pose.position.y = number(q[1]);
-  pose.pose.position.z = number(q[2]);
-  pose.pose.orientation.w = rotation.w();
-  pose.pose.orientation.x = rotation.x();
-  pose.pose.orientation.y = rotation.y();
-  pose.pose.orientation.z = rotation.z();
+  pose.pose = messageOf(vector(poses_->coordinate, 0), gap::rotationAt(*poses_, *options_.rotation, sample));
   displacement_publisher_.publish(pose);
-  const auto& w = poses_->wrench;
-  if (!w[0].empty()) {
+  if (!poses_->wrench[0].empty()) {
     geometry_msgs::WrenchStamped measured;
     measured.header = pose.header;
-    measured.wrench.force.x = number(w[0]);
-    measured.wrench.force.y = number(w[1]);
-    measured.wrench.force.z = number(w[2]);
-    measured.wrench.torque.x = number(w[3]);
-    measured.wrench.torque.y = number(w[4]);
-    measured.wrench.torque.z = number(w[5]);
+    measured.wrench = messageOf(component::Wrench{vector(poses_->wrench, 0), vector(poses_->wrench, 3)});
     measured_force_publisher_.publish(measured);
   }
 }

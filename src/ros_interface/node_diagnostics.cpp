@@ -154,15 +154,16 @@ rubber_suspension::Gap gapMessage(const node::LiveGap& gap, const node::GapSetti
   message.share_mean = share(gap::Quantity::mean);
   message.share_drift = share(gap::Quantity::drift);
   for (std::size_t i = 0; i < std::min(gap.cells.size(), kMostCells); ++i) {
-    const auto& cell = gap.cells[i];
-    message.cells.emplace_back();
-    message.cells.back().quantity = gap::toString(cell.quantity);
-    message.cells.back().frequency_low = cell.frequency[0];
-    message.cells.back().frequency_high = cell.frequency[1];
-    message.cells.back().amplitude_low = cell.amplitude[0];
-    message.cells.back().amplitude_high = cell.amplitude[1];
-    message.cells.back().share = cell.share;
-    message.cells.back().noise_ratio = cell.noise_ratio;
+    const gap::GapCell& cell = gap.cells[i];
+    GapShare entry;
+    entry.quantity = gap::toString(cell.quantity);
+    entry.frequency_low = cell.frequency[0];
+    entry.frequency_high = cell.frequency[1];
+    entry.amplitude_low = cell.amplitude[0];
+    entry.amplitude_high = cell.amplitude[1];
+    entry.share = cell.share;
+    entry.noise_ratio = cell.noise_ratio;
+    message.cells.push_back(entry);
   }
   return message;
 }

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "io/cancellation.h"
 #include "node/regular_file.h"
@@ -157,9 +158,8 @@ std::string NodeServices::load() {
 
 std::string NodeServices::reload() const {
   constexpr double kLimit = 1.0;  // [s]; the parameters are asked for without a limit, and hold up all services
-  if (!roscpp_fixes::masterAnswers(kLimit)) {
-    throw std::runtime_error(fmt::format("the master, which holds the parameters, did not answer in {} s", kLimit));
-  }
+  element::refuseIf<std::runtime_error>(!roscpp_fixes::masterAnswers(kLimit),
+                                        "the master, which holds the parameters, did not answer in {} s", kLimit);
   const io::Cancellable cancellable(isEnding);
   const std::vector<io::ComponentDescription> described = readComponents(private_handle_);
   std::vector<std::shared_ptr<node::ComponentChannel::Model>> models;
@@ -177,10 +177,8 @@ std::string NodeServices::reload() const {
 std::string NodeServices::promote(node::ComponentChannel& channel) const {
   std::string source = settings_.promote_file;
   io::ComponentDescription model;
-  if (source.empty() && live_ == nullptr) {
-    throw std::invalid_argument(fmt::format(
-        "{}: nothing to promote: neither the parameter ~promote_file nor ~diagnose is set", channel.name()));
-  }
+  element::refuseIf(source.empty() && live_ == nullptr,
+                    "{}: nothing to promote: neither the parameter ~promote_file nor ~diagnose is set", channel.name());
   if (source.empty()) {
     source = "what the live diagnosis found";
     model = live_->found(channel.name());

@@ -1,12 +1,12 @@
 // Parameters of the parameter server as YAML text.
 #include "ros_interface/parameter_yaml.h"
 
-#include <fmt/format.h>
-
 #include <cerrno>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "element/refuse.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -29,9 +29,7 @@ json ofText(const std::string& text) {
 }
 
 json toJson(const XmlRpcValue& value, int depth) {
-  if (depth > kDeepest) {
-    throw std::invalid_argument(fmt::format("nested deeper than {} levels", kDeepest));
-  }
+  element::refuseIf(depth > kDeepest, "nested deeper than {} levels", kDeepest);
   json result;
   switch (value.getType()) {
     case XmlRpcValue::TypeBoolean:

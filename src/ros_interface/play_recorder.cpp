@@ -5,8 +5,6 @@
 #include <rubber_suspension/Gap.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 #include "bag/bag_writer.h"
@@ -16,10 +14,10 @@ namespace {
 
 constexpr const char* kGapHeader =
     "time_s,level,window_s,samples,gap,noise_floor,beyond_noise,trend_per_s,share_stiffness,share_loss,"
-    "share_harmonics,share_mean,share_drift\n";
+    "share_harmonics,share_mean,share_drift";
 
 std::string gapRow(std::int64_t stamp, const Gap& gap) {
-  return fmt::format("{:.9f},{},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
+  return fmt::format("{:.9f},{},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}",
                      1e-9 * static_cast<double>(stamp), static_cast<int>(gap.level), gap.window, gap.samples, gap.gap,
                      gap.noise_floor, gap.beyond_noise, gap.trend, gap.share_stiffness, gap.share_loss,
                      gap.share_harmonics, gap.share_mean, gap.share_drift);
@@ -39,9 +37,8 @@ PlayRecorder::PlayRecorder(const RecordPaths& paths, const std::string& componen
     forces_ = std::make_unique<log::LogCsvWriter>(paths.forces, true);
   }
   if (!paths.gaps.empty()) {
-    gap_file_ = std::make_unique<log::NewFile>(paths.gaps);
-    gaps_.open(gap_file_->writingPath(), std::ios::binary);
-    gaps_ << kGapHeader;
+    gaps_ = std::make_unique<io::LineFile>(paths.gaps);
+    gaps_->line(kGapHeader);
   }
   if (!paths.bag.empty()) {
     bag_ = std::make_unique<bag::BagWriter>(paths.bag, component);
@@ -56,8 +53,8 @@ void PlayRecorder::add(const log::Log& log, const PlayResult& result) {
       forces_->append(log.stamp[i], log.displacement[i], result.force[i].total);
     }
   }
-  for (std::size_t i = 0; gap_file_ && i < result.gaps.size(); ++i) {
-    gaps_ << gapRow(result.gap_stamps[i], *result.gaps[i]);
+  for (std::size_t i = 0; gaps_ && i < result.gaps.size(); ++i) {
+    gaps_->line(gapRow(result.gap_stamps[i], *result.gaps[i]));
   }
   if (bag_) {
     addToBag(log, result);
@@ -84,12 +81,8 @@ void PlayRecorder::close() {
   if (forces_) {
     forces_->close();
   }
-  if (gap_file_) {
-    gaps_.close();
-    if (!gaps_) {
-      throw log::LogError(fmt::format("{}: cannot be written: {}", gap_file_->writingPath(), std::strerror(errno)));
-    }
-    gap_file_->commit();
+  if (gaps_) {
+    gaps_->close();
   }
   if (bag_) {
     bag_->close();

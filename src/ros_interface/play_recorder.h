@@ -1,12 +1,11 @@
 // Records what a playback brought, pass by pass: forces and gap as CSV, all topics of the component as a bag.
 #pragma once
 
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "log/new_file.h"
+#include "io/line_file.h"
 #include "ros_interface/log_player.h"
 #include "rubber_suspension/log/log.h"
 
@@ -42,8 +41,7 @@ class PlayRecorder {
   void addToBag(const log::Log& log, const PlayResult& result);
 
   std::unique_ptr<log::LogCsvWriter> forces_;
-  std::unique_ptr<log::NewFile> gap_file_;
-  std::ofstream gaps_;
+  std::unique_ptr<io::LineFile> gaps_;
   std::unique_ptr<bag::BagWriter> bag_;
 };
 

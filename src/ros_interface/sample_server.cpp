@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "ros_interface/pose_messages.h"
 #include "roscpp_fixes/checked_subscription.h"
 
 namespace rubber_suspension::ros_interface {
@@ -29,7 +30,7 @@ bool answerSample(node::ComponentChannel& channel, const Displacement& sample, F
 bool answerSample(node::ComponentChannel& channel, const geometry_msgs::PoseStamped& sample,
                   geometry_msgs::WrenchStamped& answer) {
   component::Wrench wrench;
-  if (!channel.push(stampOf(sample.header), positionOf(sample.pose), rotationOf(sample.pose), wrench)) {
+  if (!channel.push(stampOf(sample.header), vectorOf(sample.pose.position), rotationOf(sample.pose), wrench)) {
     return false;
   }
   answer.header = sample.header;
@@ -37,28 +38,7 @@ bool answerSample(node::ComponentChannel& channel, const geometry_msgs::PoseStam
   return true;
 }
 
-Eigen::Vector3d vectorOf(const geometry_msgs::Vector3& vector) { return {vector.x, vector.y, vector.z}; }
-
 }  // namespace
-
-Eigen::Vector3d positionOf(const geometry_msgs::Pose& pose) {
-  return {pose.position.x, pose.position.y, pose.position.z};
-}
-
-Eigen::Quaterniond rotationOf(const geometry_msgs::Pose& pose) {
-  return {pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z};
-}
-
-geometry_msgs::Wrench messageOf(const component::Wrench& wrench) {
-  geometry_msgs::Wrench message;
-  for (const auto& [to, from] :
-       {std::pair(&message.force, &wrench.force), std::pair(&message.torque, &wrench.moment)}) {
-    to->x = from->x();
-    to->y = from->y();
-    to->z = from->z();
-  }
-  return message;
-}
 
 // More than what may wait on the input, so that what has been accepted is not lost on its way out.
 std::uint32_t answerQueueSize(int queue_size) {
@@ -107,8 +87,7 @@ SampleServer::SampleServer(ros::NodeHandle& handle, node::ComponentChannel& chan
         handle, channel.name() + "/measured_wrench", node::isStamped<node::kWrenchNumbers>,
         [&channel](const ros::MessageEvent<const geometry_msgs::WrenchStamped>& event) {
           const geometry_msgs::WrenchStamped& measured = *event.getConstMessage();
-          channel.addMeasured(stampOf(measured.header),
-                              {vectorOf(measured.wrench.force), vectorOf(measured.wrench.torque)});
+          channel.addMeasured(stampOf(measured.header), wrenchOf(measured.wrench));
         });
   } else {
     serve<Displacement, Force>(handle, "/displacement", "/force", node::isStamped<1>);

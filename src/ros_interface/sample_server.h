@@ -1,8 +1,6 @@
 // The topics of one component: a force for every displacement that its channel accepts, or a wrench for every pose.
 #pragma once
 
-#include <geometry_msgs/Pose.h>
-#include <geometry_msgs/Wrench.h>
 #include <ros/node_handle.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
@@ -30,11 +28,6 @@ std::int64_t timeSinceArrival(const ros::Time& receipt, std::chrono::steady_cloc
 
 /// Write the answer to a displacement.
 void fillForce(const Displacement& displacement, const element::ComponentForce& force, Force& message);
-
-/// A pose or a wrench of a message.
-Eigen::Vector3d positionOf(const geometry_msgs::Pose& pose);
-Eigen::Quaterniond rotationOf(const geometry_msgs::Pose& pose);
-geometry_msgs::Wrench messageOf(const component::Wrench& wrench);
 
 /// Answers in the thread that serves the handle's callback queue; never blocks and, once its messages are in use,
 /// allocates nothing of its own.

@@ -28,7 +28,7 @@ class BushedVehicle::BushForces final : public SimTK::Force::Custom::Implementat
                  SimTK::Vector_<Vec3>& /*particle_forces*/, SimTK::Vector& /*mobility_forces*/) const override {
     for (std::size_t i = 0; i < vehicle_.mounts_.size(); ++i) {
       const Eigen::Isometry3d pose = vehicle_.motion(state, vehicle_.mounts_[i]);
-      const component::Wrench wrench = law_.wrench(i, state.getTime(), pose);
+      const component::Wrench wrench = law_.load(i, state.getTime(), pose);
       vehicle_.apply(state, vehicle_.mounts_[i], component::SixDirections::reactions(pose, wrench), body_forces);
     }
   }

@@ -12,15 +12,8 @@
 
 namespace rubber_suspension::vehicle {
 
-/// Where the vehicle gets the wrenches of its components from.
-class WrenchLaw {
- public:
-  virtual ~WrenchLaw() = default;
-
-  /// The wrench of a component as it is to be applied to its body B, at a time [s] and pose of B in A. Called for trial
-  /// steps that may be taken back.
-  virtual component::Wrench wrench(std::size_t bush, double time, const Eigen::Isometry3d& pose) = 0;
-};
+/// The wrench of a component as it is to be applied to its body B, at a pose of B in A.
+using WrenchLaw = LoadLaw<Eigen::Isometry3d, component::Wrench>;
 
 /// Motion about the equilibrium, so without gravity and preload. Axes as in REP 103: x forward, z up. The bodies'
 /// frames lie at their centres of gravity, A of a component on the track in that frame as well: where the bush sits is

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "element/refuse.h"
 #include "rubber_suspension/io/component_file.h"
 #include "vehicle/parameters.h"
 
@@ -25,10 +26,8 @@ PerBush<component::SixDirections> loadBushes(BushedKind kind, const std::string&
   PerBush<component::SixDirections> components;
   for (const std::string& name : bushNames(kind)) {
     const io::ComponentDescription& description = io::selectComponent(file, name, path);
-    if (!description.six) {
-      throw io::ComponentFileError(
-          fmt::format("{}: component {} has one direction; accepted: six, with the key `directions`", path, name));
-    }
+    element::refuseIf<io::ComponentFileError>(
+        !description.six, "{}: component {} has one direction; accepted: six, with the key `directions`", path, name);
     components.push_back(description.six->makeComponent());
   }
   return components;

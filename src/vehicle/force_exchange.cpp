@@ -1,9 +1,7 @@
 // Loads of the components of a vehicle that steps at fixed times.
 #include "vehicle/force_exchange.h"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
+#include "element/refuse.h"
 
 namespace rubber_suspension::vehicle {
 namespace {
@@ -29,9 +27,8 @@ void StreamExchange<Stream, Motions, Loads>::send(std::int64_t stamp, const Moti
   Answer answer{stamp, {}};
   for (std::size_t i = 0; i < streams_.size(); ++i) {
     const auto result = pushInto(streams_[i], stamp, motions[i]);
-    if (!component::isAccepted(result.acceptance)) {
-      throw std::runtime_error(fmt::format("the motion of component {} at {} ns was not accepted", i + 1, stamp));
-    }
+    element::refuseIf<std::runtime_error>(!component::isAccepted(result.acceptance),
+                                          "the motion of component {} at {} ns was not accepted", i + 1, stamp);
     take(result, i, answer.loads);
   }
   answers_.push_back(answer);
@@ -42,9 +39,8 @@ Loads StreamExchange<Stream, Motions, Loads>::receive(std::int64_t stamp) {
   while (!answers_.empty() && answers_.front().stamp < stamp) {
     answers_.pop_front();
   }
-  if (answers_.empty() || answers_.front().stamp != stamp) {
-    throw std::runtime_error(fmt::format("no displacement was sent at {} ns", stamp));
-  }
+  element::refuseIf<std::runtime_error>(answers_.empty() || answers_.front().stamp != stamp,
+                                        "no displacement was sent at {} ns", stamp);
   return answers_.front().loads;
 }
 

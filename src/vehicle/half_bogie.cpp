@@ -31,7 +31,7 @@ class HalfBogie::StrutForces final : public SimTK::Force::Custom::Implementation
                  SimTK::Vector_<Vec3>& /*particle_forces*/, SimTK::Vector& /*mobility_forces*/) const override {
     const PerStrut compression = bogie_.compressions(state);
     for (std::size_t i = 0; i < kStruts; ++i) {
-      bogie_.apply(state, i, law_.force(i, state.getTime(), compression[i]), body_forces);
+      bogie_.apply(state, i, law_.load(i, state.getTime(), compression[i]), body_forces);
     }
   }
 

@@ -9,14 +9,8 @@
 
 namespace rubber_suspension::vehicle {
 
-/// Where the vehicle gets the forces of its rubber components from.
-class StrutLaw {
- public:
-  virtual ~StrutLaw() = default;
-
-  /// The force of a component [N] at a time [s] and compression [m]. Called for trial steps that may be taken back.
-  virtual double force(std::size_t strut, double time, double compression) = 0;
-};
+/// Force [N] of a component at its compression [m].
+using StrutLaw = LoadLaw<double, double>;
 
 /// Motion about the equilibrium, so without gravity and preload.
 class HalfBogie {

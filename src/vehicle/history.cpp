@@ -6,16 +6,23 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "log/new_file.h"
 
 namespace rubber_suspension::vehicle {
 namespace {
 
-void checkSizes(std::size_t size, std::size_t reference) {
-  if (size != reference || size == 0) {
-    throw std::invalid_argument(
-        fmt::format("runs of {} and {} samples; accepted: as many, at least one", size, reference));
+// RMS of the difference over the RMS of what is expected. `compare` gets a sample and adds the squares of both.
+template <class Compare>
+double relativeDifference(std::size_t size, std::size_t reference, Compare compare) {
+  element::refuseIf(size != reference || size == 0, "runs of {} and {} samples; accepted: as many, at least one", size,
+                    reference);
+  double difference = 0.0;
+  double expected = 0.0;
+  for (std::size_t n = 0; n < size; ++n) {
+    compare(n, difference, expected);
   }
+  return std::sqrt(difference / expected);
 }
 
 // Behind others, to the last bit.
@@ -31,33 +38,29 @@ std::string numbersText(const Numbers& numbers) {
 }  // namespace
 
 PerStrut displacementDifference(const History& history, const History& reference) {
-  checkSizes(history.size(), reference.size());
   PerStrut result{};
   for (std::size_t i = 0; i < kStruts; ++i) {
-    double difference = 0.0;
-    double size = 0.0;
-    for (std::size_t n = 0; n < history.size(); ++n) {
-      difference += std::pow(history.compression[n][i] - reference.compression[n][i], 2);
-      size += std::pow(reference.compression[n][i], 2);
-    }
-    result[i] = std::sqrt(difference / size);
+    result[i] =
+        relativeDifference(history.size(), reference.size(), [&](std::size_t n, double& difference, double& expected) {
+          difference += std::pow(history.compression[n][i] - reference.compression[n][i], 2);
+          expected += std::pow(reference.compression[n][i], 2);
+        });
   }
   return result;
 }
 
 PerBush<double> displacementDifference(const PerBush<component::SixDirections>& components,
                                        const BushedHistory& history, const BushedHistory& reference) {
-  checkSizes(history.size(), reference.size());
   PerBush<double> result;
   for (std::size_t i = 0; i < components.size(); ++i) {
-    double difference = 0.0;
-    double size = 0.0;
-    for (std::size_t n = 0; n < history.size(); ++n) {
-      const Eigen::Vector3d expected = components[i].coordinates(reference.pose[n][i]).head<3>();
-      difference += (components[i].coordinates(history.pose[n][i]).head<3>() - expected).squaredNorm();
-      size += expected.squaredNorm();
-    }
-    result.push_back(std::sqrt(difference / size));
+    const auto translation = [&](const BushedHistory& of, std::size_t n) -> Eigen::Vector3d {
+      return components[i].coordinates(of.pose[n][i]).head<3>();
+    };
+    result.push_back(
+        relativeDifference(history.size(), reference.size(), [&](std::size_t n, double& difference, double& expected) {
+          difference += (translation(history, n) - translation(reference, n)).squaredNorm();
+          expected += translation(reference, n).squaredNorm();
+        }));
   }
   return result;
 }

@@ -44,6 +44,16 @@ struct VehicleParameters {
   HungBody hung;
 };
 
+/// Where a vehicle gets the loads of its components from.
+template <class Motion, class Load>
+class LoadLaw {
+ public:
+  virtual ~LoadLaw() = default;
+
+  /// The load of a component at a time [s] and motion. Called for trial steps that may be taken back.
+  virtual Load load(std::size_t component, double time, const Motion& motion) = 0;
+};
+
 /// Height of the frame [m], its pitch [rad] (positive lifts the front), height of the body [m].
 constexpr std::size_t kCoordinates = 3;
 using Coordinates = std::array<double, kCoordinates>;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "rubber_suspension/component/trial_stepper.h"
 #include "vehicle/bushed_vehicle.h"
 #include "vehicle/half_bogie.h"
@@ -29,7 +30,7 @@ class TrialLaw final : public StrutLaw {
     }
   }
 
-  double force(std::size_t strut, double time, double compression) override {
+  double load(std::size_t strut, double time, const double& compression) override {
     return steppers_[strut].attempt(time, compression).total;
   }
 
@@ -66,7 +67,7 @@ class BushTrials final : public WrenchLaw {
     wrenches_.resize(components.size());
   }
 
-  component::Wrench wrench(std::size_t bush, double time, const Eigen::Isometry3d& pose) override {
+  component::Wrench load(std::size_t bush, double time, const Eigen::Isometry3d& pose) override {
     if (time <= time_) {
       return wrenches_[bush];
     }
@@ -83,10 +84,9 @@ class BushTrials final : public WrenchLaw {
 
   const PerBush<component::Wrench>& accept(double time, const PerBush<Eigen::Isometry3d>& poses) {
     for (std::size_t i = 0; i < components_.size() && time > time_; ++i) {
-      if (!components_[i].holds(components_[i].coordinates(poses[i]))) {
-        throw std::runtime_error(
-            fmt::format("component {} at {:.6g} s: a rotation beyond the end of its measure", i + 1, time));
-      }
+      element::refuseIf<std::runtime_error>(!components_[i].holds(components_[i].coordinates(poses[i])),
+                                            "component {} at {:.6g} s: a rotation beyond the end of its measure", i + 1,
+                                            time);
       wrenches_[i] = components_[i].step(accepted_[i], time - time_, poses[i]).wrench;
     }
     time_ = time;
@@ -101,21 +101,15 @@ class BushTrials final : public WrenchLaw {
   double time_ = 0.0;
 };
 
-// Forces that somebody else has set.
-class HeldLaw final : public StrutLaw {
+// Loads that somebody else has set.
+template <class Motion, class Loads>
+class HeldLoads final : public LoadLaw<Motion, typename Loads::value_type> {
  public:
-  double force(std::size_t strut, double /*time*/, double /*compression*/) override { return held[strut]; }
-
-  PerStrut held{};
-};
-
-class HeldWrenches final : public WrenchLaw {
- public:
-  component::Wrench wrench(std::size_t bush, double /*time*/, const Eigen::Isometry3d& /*pose*/) override {
-    return held[bush];
+  typename Loads::value_type load(std::size_t component, double /*time*/, const Motion& /*motion*/) override {
+    return held[component];
   }
 
-  PerBush<component::Wrench> held;
+  Loads held{};
 };
 
 PerStrut motionsOf(const HalfBogie& bogie, const State& state) { return bogie.compressions(state); }
@@ -244,9 +238,8 @@ class Newmark {
 void stepTo(
     SimTK::Integrator& integrator, double time, const std::function<void()>& accepted = [] {}) {
   while (integrator.getTime() < time) {
-    if (integrator.stepTo(time) == SimTK::Integrator::EndOfSimulation) {
-      throw std::runtime_error(fmt::format("the integrator ends at {:.6g} s", integrator.getTime()));
-    }
+    element::refuseIf<std::runtime_error>(integrator.stepTo(time) == SimTK::Integrator::EndOfSimulation,
+                                          "the integrator ends at {:.6g} s", integrator.getTime());
     accepted();
   }
 }
@@ -335,7 +328,7 @@ History runImplicit(const Scene& scene, const std::vector<component::Component>&
 }
 
 History runExchange(const Scene& scene, ForceExchange& exchange, int delay, double stop_at) {
-  HeldLaw law;
+  HeldLoads<double, PerStrut> law;
   const HalfBogie bogie(scene.parameters, scene.track, law);
   const State start = startOf(scene, bogie);
   exchange.send(0, bogie.compressions(start));
@@ -345,7 +338,7 @@ History runExchange(const Scene& scene, ForceExchange& exchange, int delay, doub
 
 BushedHistory runExchange(const Scene& scene, BushedKind kind, WrenchExchange& exchange, int delay) {
   constexpr double kNoBound = 1e9;
-  HeldWrenches law;
+  HeldLoads<Eigen::Isometry3d, PerBush<component::Wrench>> law;
   const BushedVehicle vehicle(kind, scene.parameters, scene.track, law);
   State start = vehicle.restState();
   exchange.send(0, vehicle.motions(start));

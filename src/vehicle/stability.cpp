@@ -10,6 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::vehicle {
@@ -119,9 +120,7 @@ DelayMargin delayMargin(const VehicleParameters& parameters, const std::vector<c
       takeCrossing(vehicle, low, low * ratio, roots[j], margin);
     }
   }
-  if (!std::isfinite(margin.delay)) {
-    throw std::invalid_argument("no delay makes this vehicle oscillate between 0.05 and 500 Hz");
-  }
+  element::refuseIf(!std::isfinite(margin.delay), "no delay makes this vehicle oscillate between 0.05 and 500 Hz");
   return margin;
 }
 

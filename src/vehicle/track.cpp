@@ -3,6 +3,8 @@
 
 #include <Simbody.h>
 
+#include "element/refuse.h"
+
 namespace rubber_suspension::vehicle {
 namespace {
 
@@ -17,9 +19,8 @@ struct Track::Spline {
 
 Track::Track(const log::Log& log) {
   log::checkLog(log);
-  if (log.size() < kFewest) {
-    throw log::LogError(log.name + ": too short for a track; accepted: at least four samples");
-  }
+  element::refuseIf<log::LogError>(log.size() < kFewest, "{}: too short for a track; accepted: at least four samples",
+                                   log.name);
   SimTK::Vector time(static_cast<int>(log.size()));
   SimTK::Vector height(static_cast<int>(log.size()));
   for (std::size_t i = 0; i < log.size(); ++i) {

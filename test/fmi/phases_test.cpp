@@ -315,12 +315,12 @@ TEST_P(Phases, AStateWithAPlaceBeyondAListIsRefused) {
   importer->start(0.0);
   double time = 0.0;
   someSteps(*importer, time, 40);
-  std::vector<char> bytes = savedBytes(*importer);
+  const std::vector<char> bytes = savedBytes(*importer);
   SavedState changed = deserialise(bytes.data(), bytes.size());
   changed.memory.at(1) = 2e9;
-  serialise(changed, bytes.data());
+  const std::string written = serialise(changed);
   void* state = nullptr;
-  ASSERT_EQ(importer->deserialise(bytes.data(), bytes.size(), &state), kOk);
+  ASSERT_EQ(importer->deserialise(written.data(), written.size(), &state), kOk);
   EXPECT_EQ(importer->restore(state), kError);
   importer->free(&state);
   someSteps(*importer, time, 40);

@@ -9,7 +9,7 @@ import re
 import sys
 
 SAID = re.compile(r"\b[Tt]hrows?\b")
-THROWN = re.compile(r"\bthrow \w|\brefuseValue\(")
+THROWN = re.compile(r"\bthrow \w|\brefuseValue\(|\brefuseIf[<(]")
 
 
 def source_of(root, header):

@@ -179,7 +179,7 @@ TEST(GapTracker, TellsAGapThatGrows) {
     monitor.addSimulated(stamp, displacement, force);
     monitor.addMeasured(stamp, force * (1.0 + 0.01 * time));
     if (i % 1000 == 999) {
-      gap = tracker.update(monitor);
+      gap = tracker.update(monitor.window(settings.window));
     }
   }
   ASSERT_TRUE(gap.known);

@@ -31,7 +31,7 @@ TEST_P(VehicleBushes, GiveTheWrenchesOfTheLibraryToTheLastBit) {
   const auto components = loadBushes(BushedKind::body, ros::NodeHandle("~").param<std::string>("config_file", ""));
   LibraryWrenchExchange library(components);
   const BushedHistory expected = runExchange(someTrack(), BushedKind::body, library, GetParam());
-  TopicWrenchExchange topics(ros::NodeHandle(), BushedKind::body, "/simulate/reset");
+  TopicWrenchExchange topics(ros::NodeHandle(), bushNames(BushedKind::body), "/simulate/reset");
   const BushedHistory loop = runExchange(someTrack(), BushedKind::body, topics, GetParam());
   ASSERT_EQ(loop.size(), expected.size());
   ASSERT_EQ(loop.size(), 2001U);

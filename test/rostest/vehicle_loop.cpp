@@ -39,7 +39,7 @@ class VehicleLoop : public testing::TestWithParam<int> {
   static const History& overTopics(int delay) {
     static std::map<int, History> runs;
     if (runs.count(delay) == 0) {
-      TopicExchange exchange(ros::NodeHandle(), "/simulate/reset");
+      TopicExchange exchange(ros::NodeHandle(), {strutNames().begin(), strutNames().end()}, "/simulate/reset");
       runs[delay] = runExchange(scene(), exchange, delay);
     }
     return runs[delay];

@@ -12,7 +12,7 @@ namespace {
 
 class NoForce final : public StrutLaw {
  public:
-  double force(std::size_t, double, double) override { return 0.0; }
+  double load(std::size_t, double, const double&) override { return 0.0; }
 };
 
 // The same forces whatever the displacements.

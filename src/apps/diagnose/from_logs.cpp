@@ -10,6 +10,7 @@
 #include "apps/diagnose/run.h"
 #include "command_line/command.h"
 #include "command_line/warnings.h"
+#include "element/refuse.h"
 #include "fit/parallel.h"
 #include "io/folder_lock.h"
 #include "log/text.h"
@@ -118,16 +119,10 @@ void warnOfSomeTemperatures(const OpenedLogs& logs, const OpenedLogs& hold_out) 
 diagnosis::ExperimentLimits limitsOf(const std::vector<std::string>& assignments) {
   diagnosis::ExperimentLimits limits;
   std::set<std::string> keys;
-  try {
-    for (const std::string& assignment : assignments) {
-      const std::string key = log::trimmed(assignment.substr(0, assignment.find('=')));
-      if (!keys.insert(key).second) {
-        throw std::invalid_argument(key + " is given twice; accepted: once");
-      }
-      diagnosis::setExperimentLimit(limits, assignment);
-    }
-  } catch (const std::invalid_argument& error) {
-    throw UsageError("--limits: " + std::string(error.what()));
+  for (const std::string& assignment : assignments) {
+    const std::string key = log::trimmed(assignment.substr(0, assignment.find('=')));
+    element::refuseIf<UsageError>(!keys.insert(key).second, "--limits: {} is given twice; accepted: once", key);
+    asUsage("--limits: ", [&] { diagnosis::setExperimentLimit(limits, assignment); });
   }
   return limits;
 }
@@ -180,11 +175,8 @@ std::vector<log::PoseLog> readPoseLogs(const std::vector<std::string>& paths, co
 io::ComponentDescription oneDirection(const DiagnoseOptions& options) {
   io::ComponentDescription component = options.component.readAny("diagnose");
   if (component.six) {
-    try {
-      diagnosis::requireDirections(component, {});
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(fmt::format("{}: component '{}' {}", options.component.config, component.name, error.what()));
-    }
+    asUsage(fmt::format("{}: component '{}' ", options.component.config, component.name),
+            [&] { diagnosis::requireDirections(component, {}); });
   }
   setTolerances(options.rig, component);
   return component;
@@ -196,9 +188,8 @@ int runDirections(const DiagnoseOptions& options) {
   std::vector<component::Direction> directions;
   for (const std::string& name : options.directions) {
     const component::Direction direction = *component::directionFromString(name);
-    if (std::find(directions.begin(), directions.end(), direction) != directions.end()) {
-      throw UsageError("--direction: " + name + " is given twice; accepted: once");
-    }
+    element::refuseIf<UsageError>(std::find(directions.begin(), directions.end(), direction) != directions.end(),
+                                  "--direction: {} is given twice; accepted: once", name);
     directions.push_back(direction);
   }
   const diagnosis::DiagnosisOptions settings = settingsOf(options);

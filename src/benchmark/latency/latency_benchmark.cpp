@@ -10,6 +10,7 @@
 
 #include "benchmark/latency/benchmark_node.h"
 #include "benchmark/spread.h"
+#include "element/refuse.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
@@ -45,9 +46,8 @@ void measureLatency(RoundTripMeter& echo, RoundTripMeter& node, const BenchmarkO
     const RoundTrips before = echo.atRate(row.rate, options.duration);
     const RoundTrips trips = node.atRate(row.rate, options.duration);
     const RoundTrips after = echo.atRate(row.rate, options.duration);
-    if (before.durations.empty() || trips.durations.empty() || after.durations.empty()) {
-      throw std::runtime_error("no answers in a run");
-    }
+    element::refuseIf<std::runtime_error>(
+        before.durations.empty() || trips.durations.empty() || after.durations.empty(), "no answers in a run");
     median.add(before, trips, after);
     late.add(before, trips, after);
     row.lost += before.lost() + trips.lost() + after.lost();

@@ -21,7 +21,6 @@ struct RoundTrips {
   std::size_t surplus = 0;  ///< answers to nothing that was sent, or answered already
   double elapsed = 0.0;     ///< [s]
 
-  double median() const { return quantile(0.5); }
   double quantile(double fraction) const;  ///< 0 without any
   std::size_t lost() const { return sent - durations.size(); }
 };

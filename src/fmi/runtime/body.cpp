@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "element/refuse.h"
+
 namespace rubber_suspension::fmi {
 namespace {
 
@@ -36,9 +38,7 @@ void Body::setTemperature(const std::optional<double>& temperature) {
 }
 
 Numbers Body::initialise(const Numbers& inputs) {
-  if (!holds(inputs)) {
-    throw std::invalid_argument("a rotation beyond the end of its measure");
-  }
+  element::refuseIf(!holds(inputs), "a rotation beyond the end of its measure");
   const Numbers outputs = six_ ? numbersOf(six_->initialise(six_state_, pose(inputs)).wrench)
                                : numbersOf(one_->initialise(*state_, inputs[0]));
   if (!areFinite(outputs)) {

@@ -1,6 +1,27 @@
-// The calls of FMI 2.0.4 and FMI 3.0 for co-simulation that act on an instance (chapters 2 and 4 of both standards),
-// one a row: status, name, parameters, and what `instance` does. fmi.h declares them by these rows, fmi.cpp defines
-// them. FMI_CALL is to be defined before. No include guard.
+// The calls of FMI 2.0.4 and FMI 3.0 for co-simulation (chapters 2 and 4 of both standards), one a row: what it
+// returns, name, parameters, and what it does: FMI_CALL on an `instance`, FMI_PLAIN without one. fmi.h declares them by
+// these rows, fmi.cpp defines them. Both are to be defined before. No include guard.
+
+FMI_PLAIN(fmiString, fmi2GetTypesPlatform, (), "default")
+FMI_PLAIN(fmiString, fmi2GetVersion, (), "2.0")
+FMI_PLAIN(fmiString, fmi3GetVersion, (), "3.0")
+FMI_PLAIN(void*, fmi2Instantiate,
+          (fmiString name, fmi2Type type, fmiString guid, fmiString, const fmi2CallbackFunctions* functions,
+           fmi2Boolean, fmi2Boolean logging_on),
+          instantiate(guid, logging_on != 0, type == fmi2CoSimulation ? nullptr : "model exchange", functions, name))
+FMI_PLAIN(void*, fmi3InstantiateCoSimulation,
+          (fmiString, fmiString token, fmiString, bool, bool logging_on, bool event_mode_used, bool,
+           const fmiReference[], std::size_t, void* environment, fmi3LogMessageCallback callback, fmi3Callback),
+          instantiate(token, logging_on, event_mode_used ? "event mode" : nullptr, environment, callback))
+FMI_PLAIN(void*, fmi3InstantiateModelExchange,
+          (fmiString, fmiString, fmiString, bool, bool, void* environment, fmi3LogMessageCallback callback),
+          instantiate(nullptr, false, "model exchange", environment, callback))
+FMI_PLAIN(void*, fmi3InstantiateScheduledExecution,
+          (fmiString, fmiString, fmiString, bool, bool, void* environment, fmi3LogMessageCallback callback,
+           fmi3Callback, fmi3Callback, fmi3Callback),
+          instantiate(nullptr, false, "scheduled execution", environment, callback))
+FMI_PLAIN(void, fmi2FreeInstance, (void* c), delete static_cast<Instance*>(c))
+FMI_PLAIN(void, fmi3FreeInstance, (void* c), delete static_cast<Instance*>(c))
 
 #define FMI_BOTH(name, parameters, ...)                     \
   FMI_CALL(fmi2Status, fmi2##name, parameters, __VA_ARGS__) \

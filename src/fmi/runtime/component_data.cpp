@@ -3,8 +3,8 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
+#include "element/refuse.h"
 #include "rubber_suspension/element/catalogue.h"
 
 template <>
@@ -53,10 +53,7 @@ std::string toJson(const ComponentData& data) {
     return content.dump();
   }
   content["model"] = estimation::toString(data.model);
-  content["specification"] = std::map<std::string, double>();
-  for (const auto& [name, value] : data.specification.values()) {
-    content["specification"][name] = value;
-  }
+  content["specification"] = data.specification.values();
   content["elements"] = data.elements;
   content["add"] = data.add;
   content["temperature"] = data.temperature;
@@ -73,9 +70,7 @@ ComponentData fromJson(const std::string& text) {
     return data;
   }
   const auto model = estimation::modelFromString(content.at("model").get<std::string>());
-  if (!model) {
-    throw std::invalid_argument("model: unknown");
-  }
+  element::refuseIf(!model, "model: unknown");
   data.model = *model;
   data.specification.describe(estimation::Describes::base);  // the whole was taken apart when the FMU was made
   for (const auto& [name, value] : content.at("specification").items()) {

@@ -193,16 +193,16 @@ Status freeState(void** held) {
 }
 
 Status sizeOfState(const void* held, std::size_t* size) {
-  at(size, "size of a state") = serialisedSize(stateIn(held, "size of a state"));
+  at(size, "size of a state") = serialise(stateIn(held, "size of a state")).size();
   return Status::ok;
 }
 
 Status writeState(const void* held, void* bytes, std::size_t size) {
-  const SavedState& state = stateIn(held, "serialisation of a state");
-  if (size < serialisedSize(state)) {
+  const std::string written = serialise(stateIn(held, "serialisation of a state"));
+  if (size < written.size()) {
     throw std::invalid_argument("serialisation of a state: too few bytes");
   }
-  serialise(state, &at(static_cast<char*>(bytes), "serialisation of a state"));
+  written.copy(&at(static_cast<char*>(bytes), "serialisation of a state"), written.size());
   return Status::ok;
 }
 
@@ -217,37 +217,12 @@ Status readState(const void* bytes, std::size_t size, void** held) {
 
 }  // namespace
 
+#define FMI_PLAIN(Result, name, parameters, ...) \
+  Result name parameters { return __VA_ARGS__; }
 #define FMI_CALL(Result, name, parameters, ...)                                                  \
   Result name parameters {                                                                       \
     return guarded<Result>(c, [&]([[maybe_unused]] Instance& instance) { return __VA_ARGS__; }); \
   }
 #include "fmi/runtime/calls.h"
 #undef FMI_CALL
-
-fmiString fmi2GetTypesPlatform() { return "default"; }
-fmiString fmi2GetVersion() { return "2.0"; }
-fmiString fmi3GetVersion() { return "3.0"; }
-void fmi2FreeInstance(void* c) { delete static_cast<Instance*>(c); }
-void fmi3FreeInstance(void* c) { delete static_cast<Instance*>(c); }
-
-void* fmi2Instantiate(fmiString name, fmi2Type type, fmiString guid, fmiString /*resources*/,
-                      const fmi2CallbackFunctions* functions, fmi2Boolean /*visible*/, fmi2Boolean logging_on) {
-  return instantiate(guid, logging_on != 0, type == fmi2CoSimulation ? nullptr : "model exchange", functions, name);
-}
-
-void* fmi3InstantiateModelExchange(fmiString, fmiString, fmiString, bool, bool, void* environment,
-                                   fmi3LogMessageCallback callback) {
-  return instantiate(nullptr, false, "model exchange", environment, callback);
-}
-
-void* fmi3InstantiateScheduledExecution(fmiString, fmiString, fmiString, bool, bool, void* environment,
-                                        fmi3LogMessageCallback callback, fmi3Callback, fmi3Callback, fmi3Callback) {
-  return instantiate(nullptr, false, "scheduled execution", environment, callback);
-}
-
-void* fmi3InstantiateCoSimulation(fmiString /*name*/, fmiString token, fmiString /*resources*/, bool /*visible*/,
-                                  bool logging_on, bool event_mode_used, bool /*early_return_allowed*/,
-                                  const fmiReference[], std::size_t, void* environment, fmi3LogMessageCallback callback,
-                                  fmi3Callback) {
-  return instantiate(token, logging_on, event_mode_used ? "event mode" : nullptr, environment, callback);
-}
+#undef FMI_PLAIN

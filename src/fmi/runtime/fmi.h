@@ -31,26 +31,11 @@ struct fmi2CallbackFunctions {
 typedef void (*fmi3LogMessageCallback)(void* environment, fmi3Status, fmiString category, fmiString message);
 typedef void (*fmi3Callback)();  // of whatever arguments: this package calls none
 
-fmiString fmi2GetTypesPlatform();
-fmiString fmi2GetVersion();
-void* fmi2Instantiate(fmiString name, fmi2Type, fmiString guid, fmiString resources, const fmi2CallbackFunctions*,
-                      fmi2Boolean visible, fmi2Boolean logging_on);
-void fmi2FreeInstance(void*);
-
-fmiString fmi3GetVersion();
-void* fmi3InstantiateModelExchange(fmiString name, fmiString token, fmiString resources, bool visible, bool logging_on,
-                                   void* environment, fmi3LogMessageCallback);
-void* fmi3InstantiateCoSimulation(fmiString name, fmiString token, fmiString resources, bool visible, bool logging_on,
-                                  bool event_mode_used, bool early_return_allowed, const fmiReference intermediate[],
-                                  std::size_t, void* environment, fmi3LogMessageCallback, fmi3Callback update);
-void* fmi3InstantiateScheduledExecution(fmiString name, fmiString token, fmiString resources, bool visible,
-                                        bool logging_on, void* environment, fmi3LogMessageCallback,
-                                        fmi3Callback clock_update, fmi3Callback lock, fmi3Callback unlock);
-void fmi3FreeInstance(void*);
-
+#define FMI_PLAIN(Result, name, parameters, ...) Result name parameters;
 #define FMI_CALL(Status, name, parameters, ...) Status name parameters;
 #include "fmi/runtime/calls.h"
 #undef FMI_CALL
+#undef FMI_PLAIN
 
 }  // extern "C"
 #pragma GCC visibility pop

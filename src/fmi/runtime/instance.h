@@ -51,18 +51,18 @@ class Instance {
   Status reset();
 
   Status set(const Reference* references, std::size_t count, const double* values) {
-    if (count == 1 && phase_ == Phase::stepping && references != nullptr && values != nullptr &&
+    if (count == 1 && now_.phase == Phase::stepping && references != nullptr && values != nullptr &&
         references[0] == reference::kDisplacement && std::isfinite(values[0])) {
-      inputs_[0] = values[0];
+      now_.inputs[0] = values[0];
       return Status::ok;
     }
     return setAll(references, count, values);
   }
 
   Status get(const Reference* references, std::size_t count, double* values) {
-    if (count == 1 && phase_ == Phase::stepping && references != nullptr && values != nullptr &&
+    if (count == 1 && now_.phase == Phase::stepping && references != nullptr && values != nullptr &&
         references[0] == table_.firstOutput()) {
-      values[0] = outputs_[0];
+      values[0] = now_.outputs[0];
       return Status::ok;
     }
     return getAll(references, count, values);
@@ -73,17 +73,17 @@ class Instance {
 
   /// Advance by a step [s] that begins at a time [s] and does not end after the stop time. Allocates nothing.
   Status step(double time, double size) {
-    if (phase_ != Phase::stepping || !(size > 0.0) || !std::isfinite(size) || !isInTime(time, size)) {
+    if (now_.phase != Phase::stepping || !(size > 0.0) || !std::isfinite(size) || !isInTime(time, size)) {
       return refuseStep(time, size);
     }
     if (has_derivatives_ || body_->isSix()) {
       return stepInFull(time, size);
     }
-    time_ = time + size;
-    return body_->stepOne(size, inputs_[0], outputs_) ? Status::ok : fail();
+    now_.time = time + size;
+    return body_->stepOne(size, now_.inputs[0], now_.outputs) ? Status::ok : fail();
   }
 
-  double time() const { return time_; }
+  double time() const { return now_.time; }
 
   /// Into a state of this instance, without allocation where it was filled before.
   Status save(SavedState& state);
@@ -120,20 +120,10 @@ class Instance {
   bool log_events_ = false;
   std::uint64_t fingerprint_;
 
-  Phase phase_ = Phase::instantiated;
-  double start_time_ = 0.0;  // [s]
-  double time_ = 0.0;        // [s]
-  double stop_time_ = kNoStop;
-  Numbers inputs_ = {};
-  Numbers outputs_ = {};
-  std::optional<double> temperature_;  // [degC]; before it was set, the component is as specified
-  std::array<double, kMostDerivatives> derivative_ = {};
+  Standing now_;
   bool has_derivatives_ = false;
-
-  std::vector<double> parameters_;  // that can be set
-  std::vector<double> calculated_;  // those that follow from them
+  std::vector<double> calculated_;  // parameters that follow from those that can be set
   std::optional<Body> body_;        // none: parameters have changed
-  bool initialised_ = false;        // the body is at rest at the inputs, or has been stepped since
 };
 
 }  // namespace rubber_suspension::fmi

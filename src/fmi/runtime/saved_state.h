@@ -24,8 +24,8 @@ constexpr double kNoStop = std::numeric_limits<double>::max();
 /// [m, rad] and a wrench [N, N m].
 using Numbers = std::array<double, 6>;
 
-struct SavedState {
-  std::uint64_t fingerprint = 0;  ///< of the FMU
+/// What calls change of an instance, apart from its component.
+struct Standing {
   Phase phase = Phase::instantiated;
   double time = 0.0;           ///< [s]
   double stop_time = kNoStop;  ///< [s]
@@ -34,17 +34,20 @@ struct SavedState {
   std::array<double, kMostDerivatives> derivative = {};  ///< of the input, the first at [0] [m/s, m/s^2, ...]
   std::optional<double> temperature;                     ///< the input [degC], once it was set
   std::vector<double> parameters;                        ///< those that can be set
-  bool settled = false;                                  ///< the component has been built and initialised
-  double component_displacement = 0.0;                   ///< where the component stands [m]
-  std::vector<double> memory;                            ///< of the component
+  bool settled = false;  ///< the component has been built and initialised; it may have been stepped since
 };
 
-std::size_t serialisedSize(const SavedState& state);
+struct SavedState {
+  std::uint64_t fingerprint = 0;  ///< of the FMU
+  Standing standing;
+  double component_displacement = 0.0;  ///< where the component stands [m]
+  std::vector<double> memory;           ///< of the component
+};
 
-/// Writes serialisedSize() bytes, the same on every machine of this byte order.
-void serialise(const SavedState& state, char* bytes);
+/// Bytes that keep every number bit by bit, the same on every machine of this byte order.
+std::string serialise(const SavedState& state);
 
-/// Throws std::invalid_argument where the bytes are no state.
+/// Throws std::exception where the bytes are no state.
 SavedState deserialise(const char* bytes, std::size_t size);
 
 /// A number that tells FMUs apart by their GUID (FNV-1a).

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/catalogue.h"
 
@@ -159,11 +160,9 @@ std::vector<double> VariableTable::calculatedValues(
       const auto found = model_elements[place.entry].values.find(place.key);
       list = found == model_elements[place.entry].values.end() ? nullptr : &found->second;
     }
-    if (list == nullptr || place.position >= list->size()) {
-      throw std::invalid_argument(
-          "the specification leads to other elements than that of the FMU; accepted: one that changes their numbers "
-          "alone");
-    }
+    element::refuseIf(list == nullptr || place.position >= list->size(),
+                      "the specification leads to other elements than that of the FMU; accepted: one that changes "
+                      "their numbers alone");
     values.push_back((*list)[place.position]);
   }
   return values;

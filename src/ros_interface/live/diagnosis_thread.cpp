@@ -10,8 +10,8 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <stdexcept>
 
+#include "element/refuse.h"
 #include "io/cancellation.h"
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -138,10 +138,8 @@ void DiagnosisThread::tell(Watched& watched) {
 io::ComponentDescription DiagnosisThread::found(const std::string& component) const {
   const Watched& watched = watched_.at(component);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!watched.found) {
-    throw std::invalid_argument(fmt::format("{}: nothing to promote: the live diagnosis says `{}`: {}", component,
-                                            toString(watched.findings.now), watched.findings.sentence));
-  }
+  element::refuseIf(!watched.found, "{}: nothing to promote: the live diagnosis says `{}`: {}", component,
+                    toString(watched.findings.now), watched.findings.sentence);
   return *watched.found;
 }
 

@@ -9,7 +9,7 @@
 
 #include "log/new_file.h"
 
-namespace rubber_suspension::campaign {
+namespace rubber_suspension::io {
 
 class LineFile {
  public:
@@ -33,4 +33,4 @@ class LineFile {
   std::ofstream stream_;
 };
 
-}  // namespace rubber_suspension::campaign
+}  // namespace rubber_suspension::io

@@ -1,0 +1,44 @@
+// Roots of functions of one number.
+#pragma once
+
+#include <boost/math/tools/roots.hpp>
+#include <optional>
+
+namespace rubber_suspension::estimation {
+
+/// The root between two numbers at which a function has these values, one of each sign, to so many bits.
+template <class Function>
+double rootBetween(Function function, double low, double high, double at_low, double at_high, int bits = 50) {
+  boost::uintmax_t iterations = 200;
+  const auto bracket = boost::math::tools::toms748_solve(function, low, high, at_low, at_high,
+                                                         boost::math::tools::eps_tolerance<double>(bits), iterations);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+/// The lowest root that so many even steps show. Where the function is not a number, there is none.
+template <class Function>
+std::optional<double> lowestRoot(Function function, double low, double high, int steps, int bits = 50) {
+  double before = low;
+  double at_before = function(before);
+  for (int i = 1; i <= steps; ++i) {
+    const double now = low + (high - low) * i / steps;
+    const double at_now = function(now);
+    if (at_before * at_now <= 0.0) {
+      return rootBetween(function, before, now, at_before, at_now, bits);
+    }
+    before = now;
+    at_before = at_now;
+  }
+  return std::nullopt;
+}
+
+/// The root of an increasing function of a positive number, which may lie decades from 1.
+template <class Function>
+double increasingRoot(Function function) {
+  boost::uintmax_t iterations = 200;
+  const auto bracket = boost::math::tools::bracket_and_solve_root(
+      function, 1.0, 8.0, true, boost::math::tools::eps_tolerance<double>(50), iterations);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+}  // namespace rubber_suspension::estimation
