@@ -50,8 +50,7 @@ class PointFit {
       const numerics::Optimum found = numerics::searchLeast(misfit, start(i), limits());
       best = found.cost < best.cost ? found : best;
     }
-    element::refuseIf(!std::isfinite(best.cost),
-                      "points: no model comes near them; accepted: points of one component");
+    element::refuseIf(!std::isfinite(best.cost), "points: no model comes near them; accepted: points of one component");
     return result(best.search);
   }
 
