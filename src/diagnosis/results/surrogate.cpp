@@ -120,8 +120,9 @@ std::string describeRest(const Surrogate& surrogate) {
     return "Only part of the rest is a function of the motion: " + prediction +
            ". The other part takes other logs to learn, or the motion does not cause it (hum, cross-talk, a plug).";
   }
-  return "No surrogate predicts the rest in parts of the logs that it was not fitted to: whether the motion causes it "
-         "stays open.";
+  return "No surrogate predicts the rest in parts of the logs that it was not fitted to: these logs do not tell "
+         "whether "
+         "the motion causes it.";
 }
 
 }  // namespace rubber_suspension::diagnosis
