@@ -135,24 +135,18 @@ bool InertiaTrack::isIn(int piece, double deflection) const {
   return piece == 0 ? std::abs(deflection) <= free_travel_ : piece * deflection >= free_travel_;
 }
 
-// The first time at which the motion turns or ends. While the velocity of the deflection obeys a linear oscillator,
-// half a period holds one turn at most.
+// When a motion turns that has turned at dt. While the velocity of the deflection obeys a linear oscillator, half a
+// period holds one turn at most.
 double InertiaTrack::timeOfTurn(int piece, Flow flow, double dt, double velocity) const {
   const auto speed = [&](double t) { return velocity - along(piece, flow, t, velocity).rate; };
-  const double first = velocity - flow.rate;
-  const double last = speed(dt);
-  if (!(first * last < 0.0)) {
-    return dt;
-  }
   std::uintmax_t steps = kMostSteps;
   const boost::math::tools::eps_tolerance<double> near(kTurnBits);
-  return boost::math::tools::toms748_solve(speed, 0.0, dt, first, last, near, steps).second;
+  return boost::math::tools::toms748_solve(speed, 0.0, dt, velocity - flow.rate, speed(dt), near, steps).second;
 }
 
-// When the motion leaves a piece that it is out of at dt, without a turn between: Newton's steps from there, halves
-// where they leave the interval.
-double InertiaTrack::timeOfEdge(int piece, Flow flow, double dt, double velocity) const {
-  const double edge = std::copysign(free_travel_, piece == 0 ? along(piece, flow, dt, velocity).deflection : piece);
+// When a motion passes an edge that is passed at dt, without a turn between: Newton's steps from there, halves where
+// they leave the interval.
+double InertiaTrack::timeOfEdge(int piece, double edge, Flow flow, double dt, double velocity) const {
   double before = 0.0;
   double after = dt;
   double at = dt;
@@ -173,12 +167,16 @@ double InertiaTrack::timeOfEdge(int piece, Flow flow, double dt, double velocity
 void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const {
   for (int stop = 0; dt > 0.0; ++stop) {
     const int piece = pieceOf(flow, velocity);
-    double part = stop < kMostStops ? timeOfTurn(piece, flow, dt, velocity) : dt;
+    double part = dt;
     Flow end = along(piece, flow, part, velocity);
-    if (!isIn(piece, end.deflection) && stop < kMostStops) {
-      part = timeOfEdge(piece, flow, part, velocity);
+    if (stop < kMostStops && (velocity - flow.rate) * (velocity - end.rate) < 0.0) {
+      part = timeOfTurn(piece, flow, dt, velocity);
       end = along(piece, flow, part, velocity);
-      end.deflection = std::copysign(free_travel_, piece == 0 ? end.deflection : piece);
+    }
+    if (stop < kMostStops && !isIn(piece, end.deflection)) {
+      const double edge = std::copysign(free_travel_, piece == 0 ? end.deflection : piece);
+      part = timeOfEdge(piece, edge, flow, part, velocity);
+      end = {edge, along(piece, flow, part, velocity).rate};
     }
     flow = end;
     dt -= part;

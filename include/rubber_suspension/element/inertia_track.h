@@ -47,7 +47,7 @@ class InertiaTrack final : public ParallelElement {
   int pieceOf(Flow flow, double velocity) const;
   bool isIn(int piece, double deflection) const;
   double timeOfTurn(int piece, Flow flow, double dt, double velocity) const;
-  double timeOfEdge(int piece, Flow flow, double dt, double velocity) const;
+  double timeOfEdge(int piece, double edge, Flow flow, double dt, double velocity) const;
   void followDecoupled(Flow& flow, double dt, double velocity) const;
 
   double mass_;
