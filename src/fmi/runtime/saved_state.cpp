@@ -1,32 +1,21 @@
-// A saved state in bytes: a magic number, a checksum of what follows, and CBOR.
+// A saved state as a row of 8-byte words: a magic number, a checksum and the FMU, then numbers: a fixed head, the
+// parameters, the memory of the component. Flat, so that bytes of any kind can be read without recursion.
 #include "fmi/runtime/saved_state.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <tuple>
 
 #include "element/refuse.h"
 
-template <>
-struct nlohmann::adl_serializer<std::optional<double>> {
-  static void to_json(json& value, const std::optional<double>& number) { value = number ? json(*number) : json(); }
-  static void from_json(const json& value, std::optional<double>& number) {
-    number = value.is_null() ? std::nullopt : std::make_optional(value.get<double>());
-  }
-};
-
 namespace rubber_suspension::fmi {
-
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Standing, phase, time, stop_time, inputs, outputs, derivative, temperature,
-                                   parameters, settled)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SavedState, fingerprint, standing, component_displacement, memory)
-
 namespace {
 
-constexpr std::uint64_t kMagic = 0x3530544154535352;  // "RSSTAT05", lowest byte first
-constexpr std::size_t kHead = 16;                     // bytes of magic number and checksum
+constexpr std::uint64_t kMagic = 0x3430544154535352;  // "RSSTAT04", lowest byte first
+constexpr std::size_t kWords = 3;                     // magic number, checksum, FMU
+constexpr std::size_t kSingle = 8;                    // numbers before those in rows
+constexpr std::size_t kHead = kSingle + 2 * std::tuple_size_v<Numbers> + kMostDerivatives;
 
 // FNV-1a.
 std::uint64_t hashOf(const char* bytes, std::size_t size) {
@@ -37,33 +26,74 @@ std::uint64_t hashOf(const char* bytes, std::size_t size) {
   return hash;
 }
 
-bool areFinite(const nlohmann::json& content) {
-  const nlohmann::json all = content.flatten();
-  return std::all_of(all.begin(), all.end(), [](const nlohmann::json& value) {
-    return !value.is_number_float() || std::isfinite(value.get<double>());
-  });
-}
+// Of all that stands behind it.
+std::uint64_t checksumOf(const char* bytes, std::size_t size) { return hashOf(bytes + 16, size - 16); }
 
 }  // namespace
 
 std::string serialise(const SavedState& state) {
-  std::string bytes(kHead, '\0');
-  nlohmann::json::to_cbor(state, bytes);
-  const std::uint64_t head[] = {kMagic, hashOf(bytes.data() + kHead, bytes.size() - kHead)};
-  std::memcpy(bytes.data(), head, kHead);
+  const Standing& now = state.standing;
+  std::vector<double> numbers = {static_cast<double>(now.phase),
+                                 now.settled ? 1.0 : 0.0,
+                                 static_cast<double>(now.parameters.size()),
+                                 now.time,
+                                 now.stop_time,
+                                 state.component_displacement,
+                                 now.temperature ? 1.0 : 0.0,
+                                 now.temperature.value_or(0.0)};
+  const auto append = [&numbers](const auto& row) { numbers.insert(numbers.end(), row.begin(), row.end()); };
+  append(now.inputs);
+  append(now.outputs);
+  append(now.derivative);
+  append(now.parameters);
+  append(state.memory);
+  std::uint64_t words[kWords] = {kMagic, 0, state.fingerprint};
+  std::string bytes(sizeof words + 8 * numbers.size(), '\0');
+  std::memcpy(bytes.data(), words, sizeof words);
+  std::memcpy(bytes.data() + sizeof words, numbers.data(), 8 * numbers.size());
+  words[1] = checksumOf(bytes.data(), bytes.size());
+  std::memcpy(bytes.data(), words, sizeof words);
   return bytes;
 }
 
 SavedState deserialise(const char* bytes, std::size_t size) {
-  std::uint64_t head[2] = {};
-  std::memcpy(head, bytes, std::min(size, kHead));
+  std::uint64_t words[kWords] = {};
+  std::vector<double> numbers(size / 8 < kWords ? 0 : size / 8 - kWords);
+  if (size % 8 == 0 && numbers.size() >= kHead) {
+    std::memcpy(words, bytes, sizeof words);
+    std::memcpy(numbers.data(), bytes + sizeof words, 8 * numbers.size());
+  }
   // The memory of a component holds places in lists, too, so nothing may be taken from bytes that were changed.
-  element::refuseIf(size < kHead || head[0] != kMagic || head[1] != hashOf(bytes + kHead, size - kHead),
+  element::refuseIf(words[0] != kMagic || words[1] != checksumOf(bytes, size),
                     "the bytes are no serialised state, or were changed");
-  const nlohmann::json content = nlohmann::json::from_cbor(bytes + kHead, bytes + size);
-  auto state = content.get<SavedState>();
-  element::refuseIf(!areFinite(content) || state.standing.phase > Phase::terminated,
+  const double phase = numbers[0];
+  const double parameters = numbers[2];
+  element::refuseIf(!std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }) ||
+                        !(phase >= 0.0 && phase <= static_cast<double>(Phase::terminated)) ||
+                        !(parameters >= 0.0 && parameters <= static_cast<double>(numbers.size() - kHead)),
                     "the serialised state holds a number that none has");
+  SavedState state;
+  Standing& now = state.standing;
+  state.fingerprint = words[2];
+  now.phase = static_cast<Phase>(phase);
+  now.settled = numbers[1] != 0.0;
+  now.time = numbers[3];
+  now.stop_time = numbers[4];
+  state.component_displacement = numbers[5];
+  if (numbers[6] != 0.0) {
+    now.temperature = numbers[7];
+  }
+  auto next = numbers.begin() + kSingle;
+  const auto take = [&next](auto& row) {
+    std::copy_n(next, row.size(), row.begin());
+    next += static_cast<std::ptrdiff_t>(row.size());
+  };
+  now.parameters.resize(static_cast<std::size_t>(parameters));
+  take(now.inputs);
+  take(now.outputs);
+  take(now.derivative);
+  take(now.parameters);
+  state.memory.assign(next, numbers.end());
   return state;
 }
 
