@@ -91,11 +91,13 @@ double floorUncertainty(const log::Record& record, const Eigen::VectorXd& residu
   return std::sqrt((values - values.mean()).square().sum() / (kParts * (kParts - 1.0)));
 }
 
-// Shares of octaves in what forces leave of a log beyond what a hypothesis has free in it.
+// Shares of octaves in what forces leave of a log beyond a trend or a gain of its own.
 std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const log::Record& record,
                                  const Eigen::VectorXd& simulated) {
-  const log::Record freed = fit::withFreeInLog(hypothesis.free_in_log, record, simulated);
-  return octaveShares(freed.withoutRig(record.force - simulated), record.dt);
+  const fit::FreeInLog free{hypothesis.free_in_log.trend, hypothesis.free_in_log.gain};
+  const Eigen::VectorXd left = record.force - simulated;
+  return octaveShares(
+      free.any() ? fit::withFreeInLog(free, record, simulated).withoutRig(left) : record.withoutRig(left), record.dt);
 }
 
 // A band counts by the force that the model has there and by what the model leaves there, half each: a rest outside the
