@@ -205,6 +205,26 @@ RC_GTEST_PROP(AnEffectThatExplainsTheGap, IsNamed, ()) {
 }
 
 // An effect whose force is twice that of something that the list lacks: four fifths of the square of the gap are its.
+// A rest in an octave of its own does not hide what an effect removes of the others.
+RC_GTEST_PROP(AListedEffectBesideARestInAnotherOctave, KeepsItsName, ()) {
+  const auto logs = static_cast<std::size_t>(*rc::gen::inRange(2, 7));
+  const double removed = anyGap(90, 200);  // well above the size below which an effect is improbable
+  const double rest = anyGap(90, 200);
+  Evidence evidence = unexplained(logs, 3, std::hypot(removed, rest), 10 * logs);
+  explain(evidence, 0, rest);
+  for (std::size_t l = 0; l < logs; ++l) {
+    evidence.logs[l].octaves = {0.7, 0.3};
+  }
+  const double beside = rest * rest / (rest * rest + removed * removed);
+  for (HypothesisEvidence& hypothesis : evidence.hypotheses) {
+    hypothesis.shares.assign(logs, {1.0 - beside, beside});
+  }
+  evidence.hypotheses[Evidence::kFirstSingle].shares.assign(logs, {0.0, 1.0});
+  const Answer answer = diagnosis::answer(evidence);
+  RC_ASSERT(answer.verdict == Verdict::partly);
+  RC_ASSERT(answer.effects == std::vector<int>{0});
+}
+
 RC_GTEST_PROP(AListedEffectBesideAnUnlistedOne, KeepsItsName, ()) {
   const double left = anyGap(150, 400);
   Evidence evidence = unexplained(5, *rc::gen::inRange(2, 20), left);

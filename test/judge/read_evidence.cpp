@@ -12,8 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/4";
-constexpr const char* kOlderSchema = "rubber_suspension/evidence/3";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/5";
 
 // JSON has no infinity: what a hypothesis leaves that no model run follows is null.
 double numberOf(const ordered_json& value) {
@@ -27,8 +26,9 @@ std::vector<double> numbersOf(const ordered_json& list) {
 }
 
 LogEvidence logOf(const ordered_json& value) {
-  return {numberOf(value.at("floor")), numberOf(value.at("floor_uncertainty")), numberOf(value.at("weight")),
-          value.at("unseen").get<bool>(), value.value("blocks", std::size_t{0})};
+  return {numberOf(value.at("floor")),           numberOf(value.at("floor_uncertainty")),
+          numberOf(value.at("weight")),          value.at("unseen").get<bool>(),
+          value.at("blocks").get<std::size_t>(), value.at("octaves").get<std::vector<double>>()};
 }
 
 HypothesisEvidence hypothesisOf(const ordered_json& value) {
@@ -42,25 +42,14 @@ HypothesisEvidence hypothesisOf(const ordered_json& value) {
   for (const ordered_json& member : value.at("sizes")) {
     hypothesis.sizes.push_back(numbersOf(member));
   }
+  for (const ordered_json& log : value.at("shares")) {
+    hypothesis.shares.push_back(numbersOf(log));
+  }
   return hypothesis;
 }
 
-// Schema 3 lists the log of each block, and parts of unseen logs by hypothesis.
-void countBlocks(const ordered_json& value, std::vector<LogEvidence>& logs) {
-  for (const ordered_json& log : value.at("block_logs")) {
-    ++logs.at(log.get<std::size_t>()).blocks;
-  }
-  const auto fitted = static_cast<std::size_t>(
-      std::count_if(logs.begin(), logs.end(), [](const LogEvidence& log) { return !log.unseen; }));
-  const ordered_json& re_estimated = value.at("hypotheses").at(Evidence::kReEstimated);
-  for (const ordered_json& part :
-       re_estimated.value("unseen", ordered_json{{"parts", ordered_json::array()}}).at("parts")) {
-    ++logs.at(fitted + part.at(2).get<std::size_t>()).blocks;
-  }
-}
-
 Evidence evidenceOf(const ordered_json& value) {
-  if (value.at("schema") != kEvidenceSchema && value.at("schema") != kOlderSchema) {
+  if (value.at("schema") != kEvidenceSchema) {
     throw std::invalid_argument(std::string("not evidence of a diagnosis: its schema is not ") + kEvidenceSchema);
   }
   Evidence evidence;
@@ -72,9 +61,6 @@ Evidence evidenceOf(const ordered_json& value) {
   for (const ordered_json& log : value.at("logs")) {
     evidence.logs.push_back(logOf(log));
   }
-  if (value.at("schema") == kOlderSchema) {
-    countBlocks(value, evidence.logs);
-  }
   return evidence;
 }
 
@@ -85,8 +71,6 @@ Evidence parseEvidence(const std::string& text) {
     return evidenceOf(ordered_json::parse(text));
   } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument(std::string("not evidence of a diagnosis: ") + error.what());
-  } catch (const std::out_of_range&) {
-    throw std::invalid_argument("not evidence of a diagnosis: a block of a log that it does not have");
   }
 }
 

@@ -49,6 +49,13 @@ TEST(LogWeights, AreThoseOfTheEquations) {
   EXPECT_NEAR(weights.alone[Evidence::kFirstSingle], -3.0 * (std::log(s2) + 4.0 * std::log1p(r2 / (3.0 * s2))) + prior,
               1e-9);
   EXPECT_NEAR(weights.beside[Evidence::kFirstSingle], -3.0 * (std::log(std::max(r2, s2)) + 1.0) - 2.0 + prior, 1e-9);
+
+  // The same where a quarter of the log's force, and all that is left, is in its second octave.
+  evidence.logs.front().octaves = {0.75, 0.25};
+  evidence.hypotheses.back().shares = {{0.0, 1.0}};
+  const double in_octaves = 0.75 * std::log(s2) + 0.25 * std::log(std::max(r2 / 0.25, s2)) + 1.0;
+  EXPECT_NEAR(logWeights(scoreTable(evidence), numbers).beside[Evidence::kFirstSingle], -3.0 * in_octaves - 2.0 + prior,
+              1e-9);
 }
 
 // A file of evidence holds all that the judgement takes, what no model run follows included.
@@ -56,7 +63,9 @@ TEST(EvidenceJson, IsReadAsItWasWritten) {
   Evidence evidence = unexplained(3, 2, 0.1);
   explain(evidence, 1, 0.01);
   evidence.logs.back().unseen = true;
+  evidence.logs.front().octaves = {0.25, 0.75};
   evidence.hypotheses.back().free_gains = true;
+  evidence.hypotheses.back().shares = {{0.5, 0.5}, {1.0}, {1.0}};
   evidence.hypotheses[2].log_errors[1] = std::numeric_limits<double>::infinity();
   const Evidence read = diagnosis::parseEvidence(toJson(evidence));
   EXPECT_EQ(toJson(read), toJson(evidence));

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "diagnosis/hypotheses/fitted_component.h"
+#include "diagnosis/hypotheses/octaves.h"
 #include "fit/free_in_log.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
@@ -90,6 +91,29 @@ double floorUncertainty(const log::Record& record, const Eigen::VectorXd& residu
   return std::sqrt((values - values.mean()).square().sum() / (kParts * (kParts - 1.0)));
 }
 
+// Shares of octaves in what forces leave of a log beyond a trend or a gain of its own.
+std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const log::Record& record,
+                                 const Eigen::VectorXd& simulated) {
+  const fit::FreeInLog free{hypothesis.free_in_log.trend, hypothesis.free_in_log.gain};
+  const Eigen::VectorXd left = record.force - simulated;
+  return octaveShares(
+      free.any() ? fit::withFreeInLog(free, record, simulated).withoutRig(left) : record.withoutRig(left), record.dt);
+}
+
+// A band counts by the force that the model has there and by what the model leaves there, half each: a rest outside the
+// motion's frequencies is to be explained, too. Of both the bands are those of `left`.
+std::vector<double> octavesOf(const log::Record& record, const Eigen::VectorXd& modelled,
+                              const std::vector<double>& left) {
+  std::vector<double> octaves = octaveShares(modelled.array() - modelled.mean(), record.dt);
+  if (octaves.empty() || left.empty()) {
+    return {1.0};
+  }
+  for (std::size_t octave = 0; octave < octaves.size(); ++octave) {
+    octaves[octave] = 0.5 * (octaves[octave] + left[octave]);
+  }
+  return octaves;
+}
+
 class LogTable {
  public:
   LogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen, int threads,
@@ -101,7 +125,9 @@ class LogTable {
     fit::parallelFor(evidence_.hypotheses.size(), threads_, [&](std::size_t h) {
       addErrorsOf(static_cast<int>(h), evidence_.hypotheses[h]);
       addSizesOf(static_cast<int>(h), evidence_.hypotheses[h]);
+      addSharesOf(static_cast<int>(h), evidence_.hypotheses[h]);
     });
+    addOctaves();
   }
 
  private:
@@ -164,6 +190,24 @@ class LogTable {
       for (std::size_t m = 0; m < sizes.size(); ++m) {
         hypothesis.sizes[m].push_back(sizes[m].front());
       }
+    }
+  }
+
+  // Of the logs of the fit; of unseen ones octaves are not told apart.
+  void addSharesOf(int place, HypothesisEvidence& hypothesis) const {
+    const FittedHypothesis& fitted = search_.at(place);
+    const auto forces = prepared_.fitter.forces().at(fitted.hypothesis, fitted.fit.parameters);
+    for (std::size_t r = 0; forces && r < forces->size(); ++r) {
+      hypothesis.shares.push_back(sharesOfLeft(fitted.hypothesis, prepared_.training[r], (*forces)[r]));
+    }
+  }
+
+  void addOctaves() {
+    const std::vector<std::vector<double>>& left = evidence_.at(Evidence::kReEstimated).shares;
+    const FittedHypothesis& model = search_.re_estimated;
+    const auto forces = prepared_.fitter.forces().at(model.hypothesis, model.fit.parameters);
+    for (std::size_t r = 0; r < left.size(); ++r) {
+      evidence_.logs[r].octaves = octavesOf(prepared_.training[r], (*forces)[r], left[r]);
     }
   }
 

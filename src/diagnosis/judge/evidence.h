@@ -18,6 +18,8 @@ struct HypothesisEvidence {
   std::vector<double> log_errors;  ///< error on each log, on blocks that took no part in the fit
   /// Of each member the size of the force that it adds to each log.
   std::vector<std::vector<double>> sizes;
+  /// Of each log the shares of its octaves in what is left; none: spread as the force of the model.
+  std::vector<std::vector<double>> shares;
 };
 
 /// A log that hypotheses are judged on, or a row of a table.
@@ -27,6 +29,8 @@ struct LogEvidence {
   double weight = 1.0;             ///< of the log (Record::weight)
   bool unseen = false;             ///< took no part in the fit
   std::size_t blocks = 0;          ///< of which errors are known
+  /// Shares of octaves of frequency in the force of the re-estimated model; one where they are not told apart.
+  std::vector<double> octaves = {1.0};
 };
 
 /// All of it. The first two hypotheses add no effect; then follow the single effects in their order, then pairs and

@@ -8,24 +8,19 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/4";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/5";
 
 ordered_json logJson(const LogEvidence& log) {
-  return {{"floor", log.floor},
-          {"floor_uncertainty", log.floor_uncertainty},
-          {"weight", log.weight},
-          {"unseen", log.unseen},
-          {"blocks", log.blocks}};
+  return {{"floor", log.floor},   {"floor_uncertainty", log.floor_uncertainty},
+          {"weight", log.weight}, {"unseen", log.unseen},
+          {"blocks", log.blocks}, {"octaves", log.octaves}};
 }
 
 ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
-  return {{"members", hypothesis.members},
-          {"terms", hypothesis.terms},
-          {"free_trends", hypothesis.free_trends},
-          {"free_gains", hypothesis.free_gains},
-          {"penalty", hypothesis.penalty},
-          {"log_errors", hypothesis.log_errors},
-          {"sizes", hypothesis.sizes}};
+  return {
+      {"members", hypothesis.members},       {"terms", hypothesis.terms},     {"free_trends", hypothesis.free_trends},
+      {"free_gains", hypothesis.free_gains}, {"penalty", hypothesis.penalty}, {"log_errors", hypothesis.log_errors},
+      {"sizes", hypothesis.sizes},           {"shares", hypothesis.shares}};
 }
 
 }  // namespace

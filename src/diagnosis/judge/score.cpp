@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace rubber_suspension::diagnosis {
@@ -16,6 +17,7 @@ using Eigen::Index;
 
 constexpr double kLeastSquare = 1e-8;    // of the force: below it a size is no size
 constexpr double kTypicalBlocks = 50.0;  // of which the sharpness is told
+constexpr double kLeastShare = 1e-3;     // of the force of a log: a band with less does not move the score
 
 void requireLogs(const Evidence& evidence) {
   const auto lacks = [&](const HypothesisEvidence& hypothesis) {
@@ -41,6 +43,30 @@ void fillLogs(const Evidence& evidence, ScoreTable& table) {
     table.blocks += static_cast<double>(log.blocks);
   }
   table.weight /= table.weight.sum();
+}
+
+void fillBands(const Evidence& evidence, ScoreTable& table) {
+  for (std::size_t l = 0; l < evidence.logs.size(); ++l) {
+    const std::vector<double>& octaves = evidence.logs[l].octaves;
+    const auto counts = [&](double sum, double share) { return share >= kLeastShare ? sum + share : sum; };
+    const double counted = std::accumulate(octaves.begin(), octaves.end(), 0.0, counts);
+    for (std::size_t octave = 0; octave < octaves.size(); ++octave) {
+      if (octaves[octave] >= kLeastShare) {
+        table.bands.push_back({static_cast<Index>(l), octave, octaves[octave] / counted});
+      }
+    }
+  }
+}
+
+// A rest whose shares are not known is spread as the force of the model.
+void fillInBands(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
+  for (std::size_t b = 0; b < table.bands.size(); ++b) {
+    const Band& band = table.bands[b];
+    const auto log = static_cast<std::size_t>(band.log);
+    const bool known = log < hypothesis.shares.size() && band.octave < hypothesis.shares[log].size();
+    const double share = known ? hypothesis.shares[log][band.octave] : band.share;
+    table.in_bands(row, static_cast<Index>(b)) = table.left(row, band.log) * share / band.share;
+  }
 }
 
 void fillErrors(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
@@ -125,13 +151,16 @@ ScoreTable scoreTable(const Evidence& evidence) {
   ScoreTable table;
   table.effects = evidence.effects;
   fillLogs(evidence, table);
+  fillBands(evidence, table);
   const auto rows = static_cast<Index>(evidence.hypotheses.size());
   table.left = table.added = table.added_rig = ArrayXXd::Zero(rows, table.weight.size());
+  table.in_bands = ArrayXXd::Zero(rows, static_cast<Index>(table.bands.size()));
   table.moved = table.numbers = table.trends = table.gains = ArrayXd::Zero(rows);
   for (Index row = 0; row < rows; ++row) {
     const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
     table.members.push_back(hypothesis.members);
     fillErrors(hypothesis, row, table);
+    fillInBands(hypothesis, row, table);
     fillMembers(evidence, hypothesis, row, table);
   }
   fillSizeOfWrongValues(table);
@@ -145,6 +174,17 @@ ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& numbers) {
   const ArrayXd others = numbers.floor_known * numbers.floor_known * table.floor + numbers.accepted * numbers.accepted;
   squares.rowwise() += others.transpose();
   return squares;
+}
+
+// Sum over logs and their bands of w p (ln max(r^2 q/p, s^2) + 1).
+ArrayXd lossBeside(const ScoreTable& table, const ArrayXXd& s2) {
+  ArrayXd loss = ArrayXd::Zero(s2.rows());
+  for (std::size_t b = 0; b < table.bands.size(); ++b) {
+    const Band& band = table.bands[b];
+    loss += table.weight[band.log] * band.share *
+            (table.in_bands.col(static_cast<Index>(b)).max(s2.col(band.log)).log() + 1.0);
+  }
+  return loss;
 }
 
 double priorOfCount(std::size_t effects, const JudgeNumbers& numbers) {
@@ -167,12 +207,9 @@ double lossOf(double left, double expected, const JudgeNumbers& numbers) {
 LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
   const double sharpness = sharpnessOf(table, numbers);
   const ArrayXXd s2 = expectedSquares(table, numbers);
-  const ArrayXXd& r2 = table.left;
-  const ArrayXXd student = r2.binaryExpr(s2, [&](double left, double s) { return lossOf(left, s, numbers); });
-  const auto sumOverLogs = [&](const ArrayXXd& values) -> ArrayXd {
-    return -0.5 * sharpness * (values.matrix() * table.weight.matrix()).array();
-  };
-  LogWeights weights{sumOverLogs(student), sumOverLogs(r2.max(s2).log() + 1.0) + numbers.rest};
+  const ArrayXXd student = table.left.binaryExpr(s2, [&](double left, double s) { return lossOf(left, s, numbers); });
+  LogWeights weights{-0.5 * sharpness * (student.matrix() * table.weight.matrix()).array(),
+                     -0.5 * sharpness * lossBeside(table, s2) + numbers.rest};
   for (std::size_t h = 0; h < table.members.size(); ++h) {
     const double prior = priorOf(table, numbers, h) + priorOfValues(table, numbers, h);
     weights.alone[static_cast<Index>(h)] += prior;

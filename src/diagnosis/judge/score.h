@@ -10,6 +10,13 @@
 
 namespace rubber_suspension::diagnosis {
 
+/// An octave of a log.
+struct Band {
+  Eigen::Index log;
+  std::size_t octave;  ///< of LogEvidence::bands
+  double share;        ///< of the force of the model in that log; those of a log add up to 1
+};
+
 /// The part of the evidence that the score takes, a row for each hypothesis, a column for each log. Squares are mean
 /// squares in units of the variance of the force.
 struct ScoreTable {
@@ -18,15 +25,17 @@ struct ScoreTable {
   Eigen::ArrayXXd left;       ///< squares beyond the noise floor
   Eigen::ArrayXXd added;      ///< squares of the forces of the members that belong to the rubber
   Eigen::ArrayXXd added_rig;  ///< of those that belong to the rig
+  Eigen::ArrayXXd in_bands;   ///< squares beyond the noise floor over those of the model's force, by band of a log
   Eigen::ArrayXd moved;       ///< square of the penalty of moved model parameters
   Eigen::ArrayXd numbers;     ///< that the members add
   Eigen::ArrayXd trends;      ///< of logs, that are free
   Eigen::ArrayXd gains;       ///< likewise
   std::vector<std::vector<double>>
-      sizes;              ///< logarithm of the size of each member over all logs; of wrong values, alone
-  Eigen::ArrayXd floor;   ///< of each log, squared
-  Eigen::ArrayXd weight;  ///< of each log; they add up to 1
-  double blocks = 0.0;    ///< of the logs that errors are known of
+      sizes;                ///< logarithm of the size of each member over all logs; of wrong values, alone
+  Eigen::ArrayXd floor;     ///< of each log, squared
+  Eigen::ArrayXd weight;    ///< of each log; they add up to 1
+  std::vector<Band> bands;  ///< the columns of `in_bands`
+  double blocks = 0.0;      ///< of the logs that errors are known of
 };
 
 /// Throws std::invalid_argument where the evidence has no logs or a hypothesis no errors by log.
@@ -52,9 +61,11 @@ struct LogWeights {
 
 /// With s^2 = (b sigma)^2 + delta^2 + sum of (eta A)^2, what a hypothesis is expected to leave of a log, and r^2, what
 /// it leaves beyond the floor sigma, its weight alone is that of Student's t,
-/// -kappa/2 sum over logs of w (ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2))), and beside a rest of free size
-/// -kappa/2 sum of w (ln max(r^2, s^2) + 1); each with the prior of the set, of the sizes of its members, of the
-/// numbers that it frees and of how far it moves the values of the model.
+/// -kappa/2 sum over logs of w (ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2))), and beside a rest of free size and spectrum
+/// -kappa/2 sum over logs and bands of w p (ln max(r^2 q/p, s^2) + 1), p and q being the shares of a band in the force
+/// of the model and in what is left (Whittle's likelihood of a rest whose spectrum is not known); each with the prior
+/// of the set, of the sizes of its members, of the numbers that it frees and of how far it moves the values of the
+/// model.
 LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers);
 
 }  // namespace rubber_suspension::diagnosis
