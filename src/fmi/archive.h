@@ -15,7 +15,4 @@ struct ArchiveEntry {
 /// The bytes of a zip archive; the same for the same entries. Throws std::runtime_error.
 std::string toZip(const std::vector<ArchiveEntry>& entries);
 
-/// The files in a zip archive, folders left out. Throws std::runtime_error that begins with `source`, its name.
-std::vector<ArchiveEntry> fromZip(const std::string& bytes, const std::string& source);
-
 }  // namespace rubber_suspension::fmi

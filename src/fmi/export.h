@@ -12,7 +12,7 @@ namespace rubber_suspension::fmi {
 /// The files of an FMU that are the same for all components.
 struct FmuParts {
   std::string binary;   ///< path of the shared library without a component
-  std::string sources;  ///< path of the archive of its sources
+  std::string sources;  ///< path of the folder of its sources
 };
 
 /// Those that were built with the program that calls this: they lie beside it.

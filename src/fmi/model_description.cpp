@@ -8,7 +8,6 @@
 #include <functional>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "fmi/runtime/instance.h"
 #include "fmi/units.h"
@@ -16,29 +15,11 @@
 namespace rubber_suspension::fmi {
 namespace {
 
-using Attributes = std::vector<std::pair<const char*, std::string>>;
+using Attributes = std::vector<std::pair<std::string, std::string>>;
 
-// Elements of XML, one inside the other.
-class Writer {
- public:
-  Writer() { printer_.PushHeader(false, true); }
-
-  void element(const char* name, const Attributes& attributes, const std::function<void()>& content = {}) {
-    printer_.OpenElement(name);
-    for (const auto& [key, value] : attributes) {
-      printer_.PushAttribute(key, value.c_str());
-    }
-    if (content) {
-      content();
-    }
-    printer_.CloseElement();
-  }
-
-  std::string text() const { return printer_.CStr(); }
-
- private:
-  tinyxml2::XMLPrinter printer_;
-};
+void append(Attributes& attributes, const Attributes& more) {
+  attributes.insert(attributes.end(), more.begin(), more.end());
+}
 
 std::string number(double value) { return fmt::format("{}", value); }
 
@@ -65,7 +46,8 @@ Attributes commonAttributes(const Variable& variable, Reference reference) {
 }
 
 // Unit, range and start value, alike in both versions.
-void addValue(Attributes& attributes, const Variable& variable) {
+Attributes valueAttributes(const Variable& variable) {
+  Attributes attributes;
   if (variable.unit != "1") {
     attributes.emplace_back("unit", variable.unit);
   }
@@ -77,58 +59,65 @@ void addValue(Attributes& attributes, const Variable& variable) {
   if (variable.start) {
     attributes.emplace_back("start", number(*variable.start));
   }
+  return attributes;
 }
 
 class Description {
  public:
-  Description(const ComponentData& data, Version version, std::string tool)
-      : data_(data),
-        variables_(VariableTable(data).variables()),
-        second_(version == Version::fmi2),
-        tool_(std::move(tool)) {}
-
-  std::string text() {
-    xml_.element("fmiModelDescription", rootAttributes(), [&] {
-      Attributes interface = {{"modelIdentifier", data_.name}, {"canHandleVariableCommunicationStepSize", "true"}};
-      if (second_ && !data_.six) {
-        interface.emplace_back("canInterpolateInputs", "true");
-      }
-      interface.emplace_back(second_ ? "canGetAndSetFMUstate" : "canGetAndSetFMUState", "true");
-      interface.emplace_back(second_ ? "canSerializeFMUstate" : "canSerializeFMUState", "true");
-      xml_.element("CoSimulation", interface);
-      xml_.element("UnitDefinitions", {}, [&] { writeUnits(); });
-      xml_.element("LogCategories", {}, [&] {
-        xml_.element("Category", {{"name", category::kEvents}, {"description", "changes of the phase"}});
-        xml_.element("Category", {{"name", category::kDiscard}, {"description", "values that are refused"}});
-        xml_.element("Category", {{"name", category::kError}, {"description", "errors"}});
-      });
-      xml_.element("DefaultExperiment", {{"startTime", "0"}, {"stepSize", "0.001"}});
-      xml_.element("ModelVariables", {}, [&] { writeVariables(); });
-      // At a communication point the outputs are those of the step before, whatever the input is set to; only in the
-      // initialisation do they follow it.
-      xml_.element("ModelStructure", {}, [&] {
-        writeUnknowns("Outputs", "Output", isOutput, {{"dependencies", ""}});
-        writeUnknowns("InitialUnknowns", "InitialUnknown", isCalculated, {});
-      });
-    });
-    return xml_.text();
+  Description(const ComponentData& data, Version version, const std::string& tool)
+      : data_(data), variables_(VariableTable(data).variables()), second_(version == Version::fmi2) {
+    printer_.PushHeader(false, true);
+    const std::string what = data.six ? ", six directions: pose to wrench"
+                                      : ", model " + estimation::toString(data.model) + ": displacement to force";
+    Attributes root = {{"fmiVersion", second_ ? "2.0" : "3.0"},
+                       {"modelName", data.name},
+                       {second_ ? "guid" : "instantiationToken", data.guid},
+                       {"description", "rubber component " + data.name + what},
+                       {"generationTool", tool},
+                       {"variableNamingConvention", "structured"}};
+    if (second_) {
+      root.emplace_back("numberOfEventIndicators", "0");
+    }
+    element("fmiModelDescription", root, [this] { writeContent(); });
   }
 
+  std::string text() const { return printer_.CStr(); }
+
  private:
-  Attributes rootAttributes() const {
-    Attributes attributes = {
-        {"fmiVersion", second_ ? "2.0" : "3.0"},
-        {"modelName", data_.name},
-        {second_ ? "guid" : "instantiationToken", data_.guid},
-        {"description", "rubber component " + data_.name +
-                            (data_.six ? ", six directions: pose to wrench"
-                                       : ", model " + estimation::toString(data_.model) + ": displacement to force")},
-        {"generationTool", tool_},
-        {"variableNamingConvention", "structured"}};
-    if (second_) {
-      attributes.emplace_back("numberOfEventIndicators", "0");
+  // Elements of XML, one inside the other.
+  void element(const char* name, const Attributes& attributes, const std::function<void()>& content = {}) {
+    printer_.OpenElement(name);
+    for (const auto& [key, value] : attributes) {
+      printer_.PushAttribute(key.c_str(), value.c_str());
     }
-    return attributes;
+    if (content) {
+      content();
+    }
+    printer_.CloseElement();
+  }
+
+  void writeContent() {
+    const std::string state = second_ ? "FMUstate" : "FMUState";
+    Attributes interface = {{"modelIdentifier", data_.name}, {"canHandleVariableCommunicationStepSize", "true"}};
+    if (second_ && !data_.six) {
+      interface.emplace_back("canInterpolateInputs", "true");
+    }
+    append(interface, {{"canGetAndSet" + state, "true"}, {"canSerialize" + state, "true"}});
+    element("CoSimulation", interface);
+    element("UnitDefinitions", {}, [this] { writeUnits(); });
+    element("LogCategories", {}, [this] {
+      for (const LogCategory& category : kLogCategories) {
+        element("Category", {{"name", category.name}, {"description", category.description}});
+      }
+    });
+    element("DefaultExperiment", {{"startTime", "0"}, {"stepSize", "0.001"}});
+    element("ModelVariables", {}, [this] { writeVariables(); });
+    // At a communication point the outputs are those of the step before, whatever the input is set to; only in the
+    // initialisation do they follow it.
+    element("ModelStructure", {}, [this] {
+      writeUnknowns("Output", isOutput, {{"dependencies", ""}});
+      writeUnknowns("InitialUnknown", isCalculated, {});
+    });
   }
 
   void writeUnits() {
@@ -138,47 +127,43 @@ class Description {
     }
     units.erase("1");
     for (const std::string& unit : units) {
-      xml_.element("Unit", {{"name", unit}}, [&] {
-        Attributes exponents;
-        const BaseUnit base = baseUnitOf(unit);
-        for (const auto& [name, exponent] : base) {
-          exponents.emplace_back(name.c_str(), std::to_string(exponent));
-        }
-        if (offsetOf(unit) != 0.0) {
-          exponents.emplace_back("offset", number(offsetOf(unit)));
-        }
-        xml_.element("BaseUnit", exponents);
-      });
+      Attributes base;
+      for (const auto& [name, exponent] : baseUnitOf(unit)) {
+        base.emplace_back(name, std::to_string(exponent));
+      }
+      if (offsetOf(unit) != 0.0) {
+        base.emplace_back("offset", number(offsetOf(unit)));
+      }
+      element("Unit", {{"name", unit}}, [&] { element("BaseUnit", base); });
     }
   }
 
   void writeVariables() {
     for (Reference i = 0; i < variables_.size(); ++i) {
       Attributes attributes = commonAttributes(variables_[i], i);
+      const Attributes value = valueAttributes(variables_[i]);
       if (second_) {
-        Attributes value;
-        addValue(value, variables_[i]);
-        xml_.element("ScalarVariable", attributes, [&] { xml_.element("Real", value); });
+        element("ScalarVariable", attributes, [&] { element("Real", value); });
       } else {
-        addValue(attributes, variables_[i]);
-        xml_.element("Float64", attributes);
+        append(attributes, value);
+        element("Float64", attributes);
       }
     }
   }
 
   // FMI 2.0 has a list of them and counts the variables from 1, FMI 3.0 names their references.
-  void writeUnknowns(const char* list, const char* element, bool (*chosen)(const Variable&), const Attributes& more) {
+  void writeUnknowns(const std::string& kind, bool (*chosen)(const Variable&), const Attributes& more) {
     const auto write = [&] {
       for (Reference i = 0; i < variables_.size(); ++i) {
         if (chosen(variables_[i])) {
           Attributes attributes = {{second_ ? "index" : "valueReference", std::to_string(second_ ? i + 1 : i)}};
-          attributes.insert(attributes.end(), more.begin(), more.end());
-          xml_.element(second_ ? "Unknown" : element, attributes);
+          append(attributes, more);
+          element(second_ ? "Unknown" : kind.c_str(), attributes);
         }
       }
     };
     if (second_) {
-      xml_.element(list, {}, write);
+      element((kind + "s").c_str(), {}, write);
     } else {
       write();
     }
@@ -187,8 +172,7 @@ class Description {
   const ComponentData& data_;
   std::vector<Variable> variables_;
   bool second_;
-  std::string tool_;
-  Writer xml_;
+  tinyxml2::XMLPrinter printer_;
 };
 
 }  // namespace

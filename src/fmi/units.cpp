@@ -9,25 +9,10 @@
 namespace rubber_suspension::fmi {
 namespace {
 
-const std::map<std::string, BaseUnit>& symbols() {
-  static const std::map<std::string, BaseUnit> table = {
-      {"1", {}},
-      {"kg", {{"kg", 1}}},
-      {"m", {{"m", 1}}},
-      {"s", {{"s", 1}}},
-      {"A", {{"A", 1}}},
-      {"K", {{"K", 1}}},
-      {"rad", {{"rad", 1}}},
-      {"mol", {{"mol", 1}}},
-      {"degC", {{"K", 1}}},
-      {"Hz", {{"s", -1}}},
-      {"N", {{"kg", 1}, {"m", 1}, {"s", -2}}},
-      {"Pa", {{"kg", 1}, {"m", -1}, {"s", -2}}},
-      {"J", {{"kg", 1}, {"m", 2}, {"s", -2}}},
-      {"W", {{"kg", 1}, {"m", 2}, {"s", -3}}},
-  };
-  return table;
-}
+// What symbols stand for; base units for themselves.
+const std::map<std::string, std::string> kSymbols = {
+    {"kg", ""}, {"m", ""},     {"s", ""},         {"A", ""},       {"K", ""},    {"rad", ""},  {"mol", ""},
+    {"1", "1"}, {"Hz", "1/s"}, {"N", "kg m/s^2"}, {"Pa", "N/m^2"}, {"J", "N m"}, {"W", "J/s"}, {"degC", "K"}};
 
 }  // namespace
 
@@ -38,12 +23,15 @@ BaseUnit baseUnitOf(const std::string& unit) {
     const std::size_t end = std::min(unit.find_first_of(" /", begin), unit.size());
     const std::string factor = unit.substr(begin, end - begin);  // "m^3": three times those of the metre
     const std::size_t caret = factor.find('^');
-    const auto symbol = symbols().find(factor.substr(0, caret));
+    const auto symbol = kSymbols.find(factor.substr(0, caret));
     const std::string power = caret == std::string::npos ? "1" : factor.substr(caret + 1);
     element::refuseIf(
-        symbol == symbols().end() || power.empty() || power.find_first_not_of("0123456789") != std::string::npos,
+        symbol == kSymbols.end() || power.empty() || power.find_first_not_of("0123456789") != std::string::npos,
         "unit '{}': '{}' has no base units here", unit, factor);
-    for (const auto& [base, exponent] : symbol->second) {
+    const auto& [name, meaning] = *symbol;
+    for (const auto& [base, exponent] : meaning.empty()  ? BaseUnit{{name, 1}}
+                                        : meaning == "1" ? BaseUnit{}
+                                                         : baseUnitOf(meaning)) {
       if ((sum[base] += sign * std::stoi(power) * exponent) == 0) {
         sum.erase(base);
       }

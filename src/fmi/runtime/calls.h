@@ -1,6 +1,6 @@
-// The calls of FMI 2.0.4 and FMI 3.0 for co-simulation (chapters 2 and 4 of both standards), one a row: what it
-// returns, name, parameters, and what it does: FMI_CALL on an `instance`, FMI_PLAIN without one. fmi.h declares them by
-// these rows, fmi.cpp defines them. Both are to be defined before. No include guard.
+// The calls of FMI 2.0.4 and FMI 3.0 for co-simulation (chapters 2 and 4 of both standards), one a row. FMI_PLAIN has
+// what it returns, name, parameters and value; FMI_CALL has the version, name, parameters and what it does to an
+// `instance`. fmi.h declares them by these rows, fmi.cpp defines them. Both are to be defined before. No include guard.
 
 FMI_PLAIN(fmiString, fmi2GetTypesPlatform, (), "default")
 FMI_PLAIN(fmiString, fmi2GetVersion, (), "2.0")
@@ -23,77 +23,72 @@ FMI_PLAIN(void*, fmi3InstantiateScheduledExecution,
 FMI_PLAIN(void, fmi2FreeInstance, (void* c), delete static_cast<Instance*>(c))
 FMI_PLAIN(void, fmi3FreeInstance, (void* c), delete static_cast<Instance*>(c))
 
-#define FMI_BOTH(name, parameters, ...)                     \
-  FMI_CALL(fmi2Status, fmi2##name, parameters, __VA_ARGS__) \
-  FMI_CALL(fmi3Status, fmi3##name, parameters, __VA_ARGS__)
-FMI_BOTH(ExitInitializationMode, (void* c), instance.exitInitialisation())
-FMI_BOTH(Terminate, (void* c), instance.terminate())
+#define FMI_BOTH(name, parameters, ...)      \
+  FMI_CALL(2, name, parameters, __VA_ARGS__) \
+  FMI_CALL(3, name, parameters, __VA_ARGS__)
+FMI_BOTH(ExitInitializationMode, (void* c), instance.pass(Phase::initialising, Phase::stepping, "exit initialisation"))
+FMI_BOTH(Terminate, (void* c), instance.pass(Phase::stepping, Phase::terminated, "terminate"))
 FMI_BOTH(Reset, (void* c), instance.reset())
 #undef FMI_BOTH
 
-FMI_CALL(fmi2Status, fmi2SetDebugLogging, (void* c, fmi2Boolean on, std::size_t count, const fmiString categories[]),
+FMI_CALL(2, SetDebugLogging, (void* c, fmi2Boolean on, std::size_t count, const fmiString categories[]),
          setLogging(instance, on != 0, count, categories))
-FMI_CALL(fmi3Status, fmi3SetDebugLogging, (void* c, bool on, std::size_t count, const fmiString categories[]),
+FMI_CALL(3, SetDebugLogging, (void* c, bool on, std::size_t count, const fmiString categories[]),
          setLogging(instance, on, count, categories))
-FMI_CALL(fmi2Status, fmi2SetupExperiment,
-         (void* c, fmi2Boolean, double, double start, fmi2Boolean stop_defined, double stop),
+FMI_CALL(2, SetupExperiment, (void* c, fmi2Boolean, double, double start, fmi2Boolean stop_defined, double stop),
          instance.setTimes(start, stop_defined != 0, stop))
-FMI_CALL(fmi2Status, fmi2EnterInitializationMode, (void* c), instance.enterInitialisation())
-FMI_CALL(fmi3Status, fmi3EnterInitializationMode, (void* c, bool, double, double start, bool stop_defined, double stop),
-         enterInitialisation(instance, start, stop_defined, stop))
+FMI_CALL(2, EnterInitializationMode, (void* c), enterInitialisation(instance))
+FMI_CALL(3, EnterInitializationMode, (void* c, bool, double, double start, bool stop_defined, double stop),
+         instance.setTimes(start, stop_defined, stop), enterInitialisation(instance))
 
-FMI_CALL(fmi2Status, fmi2GetReal, (void* c, const fmiReference vr[], std::size_t count, double value[]),
+FMI_CALL(2, GetReal, (void* c, const fmiReference vr[], std::size_t count, double value[]),
          instance.get(vr, count, value))
-FMI_CALL(fmi2Status, fmi2SetReal, (void* c, const fmiReference vr[], std::size_t count, const double value[]),
+FMI_CALL(2, SetReal, (void* c, const fmiReference vr[], std::size_t count, const double value[]),
          instance.set(vr, count, value))
-FMI_CALL(fmi3Status, fmi3GetFloat64,
-         (void* c, const fmiReference vr[], std::size_t count, double value[], std::size_t values),
-         values == count ? instance.get(vr, count, value) : refuseCounts(instance))
-FMI_CALL(fmi3Status, fmi3SetFloat64,
-         (void* c, const fmiReference vr[], std::size_t count, const double value[], std::size_t values),
-         values == count ? instance.set(vr, count, value) : refuseCounts(instance))
+FMI_CALL(3, GetFloat64, (void* c, const fmiReference vr[], std::size_t count, double value[], std::size_t values),
+         requireAsMany(count, values), instance.get(vr, count, value))
+FMI_CALL(3, SetFloat64, (void* c, const fmiReference vr[], std::size_t count, const double value[], std::size_t values),
+         requireAsMany(count, values), instance.set(vr, count, value))
 
-FMI_CALL(fmi2Status, fmi2DoStep, (void* c, double time, double size, fmi2Boolean), instance.step(time, size))
-FMI_CALL(fmi3Status, fmi3DoStep,
+FMI_CALL(2, DoStep, (void* c, double time, double size, fmi2Boolean), instance.step(time, size))
+FMI_CALL(3, DoStep,
          (void* c, double time, double size, bool, bool* event_needed, bool* terminate, bool* early_return,
           double* last_successful_time),
          step(instance, time, size, {event_needed, terminate, early_return}, last_successful_time))
-FMI_CALL(fmi2Status, fmi2SetRealInputDerivatives,
+FMI_CALL(2, SetRealInputDerivatives,
          (void* c, const fmiReference vr[], std::size_t count, const int order[], const double value[]),
-         setDerivatives(instance, vr, count, order, value))
+         instance.setDerivatives(vr, count, order, value))
 
-#define FMI_STATES(V, State, Deserialize, Byte)                                                                       \
-  FMI_CALL(fmi##V##Status, fmi##V##Get##State, (void* c, void** state), saveTo(instance, state))                      \
-  FMI_CALL(fmi##V##Status, fmi##V##Set##State, (void* c, void* state),                                                \
-           instance.restore(stateIn(state, "restore of a state")))                                                    \
-  FMI_CALL(fmi##V##Status, fmi##V##Free##State, (void* c, void** state), freeState(state))                            \
-  FMI_CALL(fmi##V##Status, fmi##V##Serialized##State##Size, (void* c, void* state, std::size_t* size),                \
-           sizeOfState(state, size))                                                                                  \
-  FMI_CALL(fmi##V##Status, fmi##V##Serialize##State, (void* c, void* state, Byte bytes[], std::size_t size),          \
-           writeState(state, bytes, size))                                                                            \
-  FMI_CALL(fmi##V##Status, fmi##V##Deserialize##State, (void* c, const Byte bytes[], std::size_t size, void** state), \
+#define FMI_STATES(V, State, Deserialize, Byte)                                                             \
+  FMI_CALL(V, Get##State, (void* c, void** state), saveTo(instance, state))                                 \
+  FMI_CALL(V, Set##State, (void* c, void* state), instance.restore(stateIn(state, "restore of a state")))   \
+  FMI_CALL(V, Free##State, (void* c, void** state), freeState(state))                                       \
+  FMI_CALL(V, Serialized##State##Size, (void* c, void* state, std::size_t* size), sizeOfState(state, size)) \
+  FMI_CALL(V, Serialize##State, (void* c, void* state, Byte bytes[], std::size_t size),                     \
+           writeState(state, bytes, size))                                                                  \
+  FMI_CALL(V, Deserialize##State, (void* c, const Byte bytes[], std::size_t size, void** state),            \
            readState(bytes, size, state))
 FMI_STATES(2, FMUstate, DeSerialize, char)
 FMI_STATES(3, FMUState, Deserialize, std::uint8_t)
 #undef FMI_STATES
 
 // No step is ever under way when one of these is called.
-FMI_CALL(fmi2Status, fmi2GetRealStatus, (void* c, fmi2StatusKind kind, double* value),
-         getStatus(instance, kind == fmi2LastSuccessfulTime, "not a real number; accepted: the last successful time",
-                   value, instance.time()))
-FMI_CALL(fmi2Status, fmi2GetBooleanStatus, (void* c, fmi2StatusKind kind, fmi2Boolean* value),
-         getStatus(instance, kind == fmi2Terminated, "not a boolean; accepted: terminated", value, 0))
+FMI_CALL(2, GetRealStatus, (void* c, fmi2StatusKind kind, double* value),
+         getStatus(kind == fmi2LastSuccessfulTime, "not a real number; accepted: the last successful time", value,
+                   instance.time()))
+FMI_CALL(2, GetBooleanStatus, (void* c, fmi2StatusKind kind, fmi2Boolean* value),
+         getStatus(kind == fmi2Terminated, "not a boolean; accepted: terminated", value, 0))
 #define FMI_NO_STATUS(name, Value) \
-  FMI_CALL(fmi2Status, name, (void* c, fmi2StatusKind, Value*), instance.discard("status: no step is under way"))
-FMI_NO_STATUS(fmi2GetStatus, fmi2Status)
-FMI_NO_STATUS(fmi2GetIntegerStatus, int)
-FMI_NO_STATUS(fmi2GetStringStatus, fmiString)
+  FMI_CALL(2, name, (void* c, fmi2StatusKind, Value*), throw Discarded("status: no step is under way"))
+FMI_NO_STATUS(GetStatus, fmi2Status)
+FMI_NO_STATUS(GetIntegerStatus, int)
+FMI_NO_STATUS(GetStringStatus, fmiString)
 #undef FMI_NO_STATUS
 
 // All variables are real numbers; the standards want the calls for all other types none the less.
-#define FMI_NO_TYPE(V, Type, get, set)                                                 \
-  FMI_CALL(fmi##V##Status, fmi##V##Get##Type, get, refuseType(instance, count, #Type)) \
-  FMI_CALL(fmi##V##Status, fmi##V##Set##Type, set, refuseType(instance, count, #Type))
+#define FMI_NO_TYPE(V, Type, get, set)                  \
+  FMI_CALL(V, Get##Type, get, refuseType(count, #Type)) \
+  FMI_CALL(V, Set##Type, set, refuseType(count, #Type))
 #define FMI_LIST void *c, const fmiReference[], std::size_t count
 #define FMI_NO_SIMPLE(V, Type, Value) FMI_NO_TYPE(V, Type, (FMI_LIST, Value[]), (FMI_LIST, const Value[]))
 #define FMI_NO_COUNTED(Type, Value) \
@@ -122,7 +117,7 @@ FMI_NO_SIMPLE(3, Clock, bool)
 
 // What this package offers in neither version.
 #define FMI_REFUSED(V, name, what, parameters) \
-  FMI_CALL(fmi##V##Status, fmi##V##name, parameters, instance.error(what ": not supported by this FMU"))
+  FMI_CALL(V, name, parameters, throw std::runtime_error(what ": not supported by this FMU"))
 #define FMI_LIST void *c, const fmiReference[], std::size_t
 #define FMI_DERIVATIVE void *c, const fmiReference[], std::size_t, const fmiReference[], std::size_t, const double[]
 FMI_REFUSED(2, GetDirectionalDerivative, "directional derivatives", (FMI_DERIVATIVE, double[]))

@@ -50,13 +50,13 @@ std::string toJson(const ComponentData& data) {
   nlohmann::json content = {{"name", data.name}, {"guid", data.guid}};
   if (data.six) {
     content["six"] = *data.six;
-    return content.dump();
+  } else {
+    content.update({{"model", estimation::toString(data.model)},
+                    {"specification", data.specification.values()},
+                    {"elements", data.elements},
+                    {"add", data.add},
+                    {"temperature", data.temperature}});
   }
-  content["model"] = estimation::toString(data.model);
-  content["specification"] = data.specification.values();
-  content["elements"] = data.elements;
-  content["add"] = data.add;
-  content["temperature"] = data.temperature;
   return content.dump();
 }
 

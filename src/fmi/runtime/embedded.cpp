@@ -10,25 +10,16 @@
 #endif
 
 namespace rubber_suspension::fmi {
-namespace {
 
 static_assert(sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) <= kCapacity, "more text than the block holds");
 
-// Volatile: what the compiler sees here is not what the binary will hold. Not constant: so it lies in a section that
-// the file holds as it is.
-volatile EmbeddedBlock block = {RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) - 1,
-                                RUBBER_SUSPENSION_COMPONENT_TEXT};
-
-}  // namespace
-
 std::string embeddedText() {
+  // Volatile: what the compiler sees here is not what the binary will hold. Not constant: so it lies in a section that
+  // the file holds as it is.
+  static volatile EmbeddedBlock block = {RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) - 1,
+                                         RUBBER_SUSPENSION_COMPONENT_TEXT};
   const std::uint64_t written = block.size;
-  const std::size_t size = std::min<std::size_t>(written, kCapacity);
-  std::string text(size, '\0');
-  for (std::size_t i = 0; i < size; ++i) {
-    text[i] = block.text[i];
-  }
-  return text;
+  return {block.text, block.text + std::min<std::uint64_t>(written, kCapacity)};
 }
 
 }  // namespace rubber_suspension::fmi

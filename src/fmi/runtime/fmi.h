@@ -32,7 +32,7 @@ typedef void (*fmi3LogMessageCallback)(void* environment, fmi3Status, fmiString 
 typedef void (*fmi3Callback)();  // of whatever arguments: this package calls none
 
 #define FMI_PLAIN(Result, name, parameters, ...) Result name parameters;
-#define FMI_CALL(Status, name, parameters, ...) Status name parameters;
+#define FMI_CALL(V, name, parameters, ...) fmi##V##Status fmi##V##name parameters;
 #include "fmi/runtime/calls.h"
 #undef FMI_CALL
 #undef FMI_PLAIN

@@ -33,23 +33,26 @@ enum class Causality {
   calculated_parameter,  ///< of an element that the model estimates from the specification
 };
 
+/// Where in the data of a component the value of a parameter stands.
+struct Place {
+  std::vector<element::ElementDescription> ComponentData::*list = nullptr;  ///< nullptr: the specification
+  std::size_t entry = 0;                                                    ///< of the list
+  std::string key = {};                                                     ///< name of the parameter
+  std::size_t position = 0;  ///< in a list of numbers; 0 for a single one
+
+  /// Not for parameters that are calculated.
+  void put(ComponentData& data, double value) const;
+};
+
 /// One variable; all are real numbers.
 struct Variable {
   std::string name;
   std::string unit;  ///< in UDUNITS spelling, "1" for none
   std::string description;
   Causality causality = Causality::parameter;
-  std::optional<double> start;  ///< of inputs and parameters
-  element::Range range;         ///< an open end is one by the description alone, FMI has no word for it
-};
-
-/// Where in the data of a component the value of a parameter stands.
-struct Place {
-  enum class List { specification, model, add, temperature };
-  List list;
-  std::size_t entry;     ///< of model, add or temperature
-  std::string key;       ///< name of the parameter
-  std::size_t position;  ///< in a list of numbers; 0 for a single one
+  std::optional<double> start = {};  ///< of inputs and parameters
+  element::Range range = {};         ///< an open end is one by the description alone, FMI has no word for it
+  Place place = {};                  ///< of parameters
 };
 
 /// All variables of one component. Those of its parameters come in the order: specification, elements of the model
@@ -62,13 +65,13 @@ class VariableTable {
   const std::vector<Variable>& variables() const { return variables_; }
 
   /// The reference of the temperature; one that no variable has where the component has no shift with temperature.
-  Reference temperature() const { return temperature_.value_or(static_cast<Reference>(variables_.size())); }
+  Reference temperature() const { return temperature_; }
 
   Reference firstOutput() const { return first_output_; }
   Reference firstParameter() const { return first_parameter_; }
 
   /// Of the parameter with the reference firstParameter() + parameter.
-  const Place& place(std::size_t parameter) const { return places_[parameter]; }
+  const Place& place(std::size_t parameter) const { return variables_[first_parameter_ + parameter].place; }
 
   /// Values of the parameters that can be set, as the data has them.
   std::vector<double> startValues() const;
@@ -80,24 +83,16 @@ class VariableTable {
  private:
   void addOne(const ComponentData& data);
   void addSix(const ComponentData& data);
-  void addSpecification(const ComponentData& data);
-  void addElements(const std::vector<element::ElementDescription>& elements, Place::List list, Causality causality);
+  void addElements(const std::string& group, const std::vector<element::ElementDescription>& elements,
+                   std::vector<element::ElementDescription> ComponentData::*list, Causality causality);
   template <class Component>
   void addTemperature(const std::string& name, const Component& component,
                       const std::vector<element::ElementDescription>& elements);
-  void addParameter(const Variable& variable, const Place& place);
-
-  void add(const std::string& name, const std::string& unit, const std::string& description, Causality causality);
 
   std::vector<Variable> variables_;
-  std::vector<Place> places_;
   Reference first_output_ = 0;
   Reference first_parameter_ = 0;
-  std::optional<Reference> temperature_;
-  std::size_t free_count_ = 0;  // of the parameters, those that can be set
+  Reference temperature_ = 0;
 };
-
-/// Put a value at its place. Only for places of parameters that can be set.
-void setValue(ComponentData& data, const Place& place, double value);
 
 }  // namespace rubber_suspension::fmi
