@@ -15,7 +15,6 @@
 #include "element/typical_elements.h"
 #include "fmi/description_check.h"
 #include "fmi/runtime/embedded.h"
-#include "fmi/units.h"
 #include "fmi/zip_reader.h"
 
 namespace rubber_suspension::fmi::test {
@@ -27,6 +26,10 @@ using testing::IsEmpty;
 using testing::ThrowsMessage;
 
 FmuParts parts() { return {FMU_BINARY, FMU_SOURCES}; }
+
+std::string makeFmu(const io::ComponentDescription& description, Version version, const FmuParts& from) {
+  return toZip(fmuFiles(description, version, from));
+}
 
 // All models of the example, and a component of all laws.
 std::vector<io::ComponentDescription> components() {

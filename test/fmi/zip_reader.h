@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fmi/archive.h"
+#include "fmi/export.h"
 
 namespace rubber_suspension::fmi::test {
 

@@ -1,16 +1,12 @@
 // A component of one direction or of six behind the same calls.
 #include "fmi/runtime/body.h"
 
-#include <algorithm>
-
 #include "element/refuse.h"
 
 namespace rubber_suspension::fmi {
 namespace {
 
-bool areFinite(const Numbers& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
-}
+bool areFinite(const Numbers& numbers) { return Eigen::Map<const component::SixNumbers>(numbers.data()).allFinite(); }
 
 Numbers numbersOf(const component::Wrench& wrench) {
   return {wrench.force.x(),  wrench.force.y(),  wrench.force.z(),
@@ -30,11 +26,6 @@ Body::Body(const ComponentData& data, std::vector<double> calculated) : calculat
 }
 
 Numbers Body::initialise(const Numbers& inputs, const std::optional<double>& temperature) {
-  if (six_) {
-    six_state_ = six_->makeState();
-  } else {
-    one_state_ = one_->makeState();
-  }
   if (temperature) {
     setTemperature(*temperature);
   }

@@ -26,8 +26,8 @@ class Body {
     six_ ? six_->setTemperature(six_state_, temperature) : one_->setTemperature(one_state_, temperature);
   }
 
-  /// As new and at rest, at a temperature [degC] or as specified; gives the outputs. Throws std::invalid_argument where
-  /// there are none.
+  /// At rest and never moved before, at a temperature [degC] or as specified; gives the outputs. Throws
+  /// std::invalid_argument where there are none.
   Numbers initialise(const Numbers& inputs, const std::optional<double>& temperature);
 
   /// Gives the outputs; false where they are not finite. Allocates nothing. Throws std::invalid_argument, and leaves

@@ -5,12 +5,20 @@
 #include <initializer_list>
 #include <iterator>
 #include <memory>
+#include <regex>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "element/refuse.h"
 #include "fmi/runtime/embedded.h"
 #include "fmi/runtime/instance.h"
+
+#ifdef RUBBER_SUSPENSION_BUILT_IN  // from its sources
+#include "component_text.h"
+#else
+#define RUBBER_SUSPENSION_COMPONENT_TEXT ""
+#endif
 
 namespace {
 
@@ -19,6 +27,20 @@ using rubber_suspension::element::refuseIf;
 
 static_assert(static_cast<int>(Status::discard) == fmi2Discard && static_cast<int>(Status::error) == fmi2Error);
 static_assert(static_cast<int>(Status::discard) == fmi3Discard && static_cast<int>(Status::error) == fmi3Error);
+
+static_assert(sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) <= kCapacity, "more text than the block holds");
+
+// The text in the block: none until the exporter writes to it.
+std::string embeddedText() {
+  // Volatile: what the compiler sees here is not what the binary will hold. Not constant: so it lies in a section that
+  // the file holds as it is.
+  static volatile EmbeddedBlock block = {RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) - 1,
+                                         RUBBER_SUSPENSION_COMPONENT_TEXT};
+  const std::uint64_t written = block.size;
+  std::string text(std::min<std::uint64_t>(written, kCapacity), '\0');
+  std::copy_n(block.text, text.size(), text.begin());
+  return text;
+}
 
 // Call `body` with the instance behind a handle. What it throws becomes a message and a status.
 template <class Body>
@@ -47,21 +69,14 @@ const char* categoryOf(Status status) {
       ->name;
 }
 
-// The logger of FMI 2.0 reads its message as a format of printf, and # as a reference to a variable.
-std::string escaped(const std::string& message) {
-  std::string result;
-  for (const char c : message) {
-    result.append(c == '%' || c == '#' ? 2 : 1, c);
-  }
-  return result;
-}
-
 Log logTo(const fmi2CallbackFunctions* functions, fmiString name) {
   return [functions = functions == nullptr ? fmi2CallbackFunctions{} : *functions,
           instance = std::string(name == nullptr ? "" : name)](Status status, const std::string& message) {
     if (functions.logger != nullptr) {
+      // It reads the message as a format of printf, and # as a reference to a variable.
+      const std::string text = std::regex_replace(message, std::regex("[%#]"), "$&$&");
       functions.logger(functions.componentEnvironment, instance.c_str(), static_cast<fmi2Status>(status),
-                       categoryOf(status), escaped(message).c_str());
+                       categoryOf(status), text.c_str());
     }
   };
 }
@@ -117,10 +132,6 @@ void setLogging(Instance& instance, bool on, std::size_t count, const fmiString*
   }
 }
 
-void enterInitialisation(Instance& instance) {
-  instance.pass(Phase::instantiated, Phase::initialising, "enter initialisation");
-}
-
 void requireAsMany(std::size_t count, std::size_t values) {
   refuseIf(values != count, "the number of values is not that of the variables; accepted: one value each");
 }
@@ -129,6 +140,8 @@ void requireAsMany(std::size_t count, std::size_t values) {
 void refuseType(std::size_t count, const char* type) {
   refuseIf(count > 0, "no variable is of the type {}; accepted: real numbers", type);
 }
+
+void refuse(const char* call) { refuseIf(true, "{}: not supported by this FMU", call); }
 
 void step(Instance& instance, double time, double size, std::initializer_list<bool*> flags, double* last_time) {
   for (bool* flag : flags) {
@@ -153,21 +166,16 @@ void getStatus(bool known, const char* accepted, Value* value, Value found) {
 // Save into the state that the importer holds, or into a new one where it holds none.
 void saveTo(const Instance& instance, void** state) {
   void*& held = at(state, "save of the state");
-  if (held != nullptr) {
-    instance.save(*static_cast<SavedState*>(held));
-    return;
-  }
-  auto saved = std::make_unique<SavedState>();
-  instance.save(*saved);
-  held = saved.release();
+  auto fresh = held == nullptr ? std::make_unique<SavedState>() : nullptr;
+  instance.save(fresh ? *fresh : *static_cast<SavedState*>(held));
+  held = fresh ? fresh.release() : held;
 }
 
 const SavedState& stateIn(const void* held, const char* call) { return at(static_cast<const SavedState*>(held), call); }
 
 void freeState(void** held) {
   if (held != nullptr) {
-    delete static_cast<SavedState*>(*held);
-    *held = nullptr;
+    delete static_cast<SavedState*>(std::exchange(*held, nullptr));
   }
 }
 

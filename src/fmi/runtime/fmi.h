@@ -1,7 +1,7 @@
-// The C interfaces of FMI 2.0 and FMI 3.0 for co-simulation, as the standards describe them (FMI 2.0.4 and FMI 3.0,
-// chapters 2 and 4).
+// The C interfaces of FMI 2.0.4 and FMI 3.0 for co-simulation.
 #pragma once
 
+#include <boost/preprocessor/seq/for_each.hpp>
 #include <cstddef>
 #include <cstdint>
 

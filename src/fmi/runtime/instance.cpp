@@ -100,10 +100,11 @@ void Instance::assign(Reference reference, double value) {
   }
   now_.settled = now_.settled && now_.phase == Phase::stepping;
   if (reference != table_.temperature()) {
-    now_.inputs[reference - reference::kFirstInput] = value;
+    now_.inputs[reference - reference::kDisplacement] = value;
     return;
   }
-  now_.temperature = value;
+  now_.has_temperature = true;
+  now_.degrees = value;
   if (now_.settled) {
     body_->setTemperature(value);
   }
@@ -126,13 +127,13 @@ double Instance::value(Reference reference) const {
     return now_.time;
   }
   if (reference < table_.firstOutput()) {
-    return now_.inputs[reference - reference::kFirstInput];
+    return now_.inputs[reference - reference::kDisplacement];
   }
   if (reference < table_.firstParameter()) {
     return now_.outputs[reference - table_.firstOutput()];
   }
   if (reference == table_.temperature()) {
-    return now_.temperature ? *now_.temperature : table_.variables()[reference].start.value();
+    return now_.temperature().value_or(table_.variables()[reference].start.value());
   }
   const std::size_t parameter = reference - table_.firstParameter();
   const std::size_t free = now_.parameters.size();
@@ -158,17 +159,15 @@ void Instance::setDerivatives(const Reference* references, std::size_t count, co
 Body Instance::build(const std::vector<double>& parameters) const {
   ComponentData changed = data_;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    table_.place(i).put(changed, parameters[i]);
+    table_.variables()[table_.firstParameter() + i].place.put(changed, parameters[i]);
   }
   return {changed, table_.calculatedValues(changed.modelElements())};
 }
 
 void Instance::settle() {
-  if (!body_) {
-    body_ = build(now_.parameters);
-  }
   if (!now_.settled) {
-    now_.outputs = body_->initialise(now_.inputs, now_.temperature);
+    body_ = build(now_.parameters);
+    now_.outputs = body_->initialise(now_.inputs, now_.temperature());
     now_.settled = true;
   }
 }
@@ -227,19 +226,17 @@ void Instance::restore(const SavedState& state) {
   refuseIf(saved.phase == Phase::failed || (saved.phase > Phase::initialising && !saved.settled),
            "restore of a state: it is not one to continue from");
   // All that can fail comes first: an instance is changed as a whole or not at all.
-  const bool same = body_ && saved.parameters == now_.parameters;
-  if (same && saved.settled) {
+  if (!saved.settled) {
+    body_.reset();
+  } else if (body_ && saved.parameters == now_.parameters) {
     body_->restore(state);
-  } else if (saved.settled) {
+  } else {
     Body rebuilt = build(saved.parameters);
     rebuilt.restore(state);
     body_ = std::move(rebuilt);
-  } else if (!same) {
-    body_.reset();
   }
   now_ = saved;
-  has_derivatives_ =
-      std::any_of(now_.derivative.begin(), now_.derivative.end(), [](double value) { return value != 0.0; });
+  has_derivatives_ = now_.derivative != Standing().derivative;
 }
 
 }  // namespace rubber_suspension::fmi

@@ -10,8 +10,6 @@
 namespace rubber_suspension::fmi {
 namespace {
 
-using Elements = std::vector<element::ElementDescription>;
-
 std::string describe(const element::ParameterInfo& parameter) {
   const element::Range& range = parameter.range;
   const bool open = range.open_lower || range.open_upper;
@@ -47,20 +45,15 @@ void VariableTable::addOne(const ComponentData& data) {
   first_parameter_ = static_cast<Reference>(variables_.size());
   for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
     if (const auto value = data.specification.find(parameter.name)) {
-      variables_.push_back({"specification." + parameter.name,
-                            parameter.unit,
-                            describe(parameter),
-                            Causality::parameter,
-                            value,
-                            settableRange(parameter, *value),
-                            {nullptr, 0, parameter.name}});
+      const Place place = {nullptr, 0, parameter.name};
+      variables_.push_back({"specification." + parameter.name, parameter.unit, describe(parameter),
+                            Causality::parameter, value, settableRange(parameter, *value), place});
     }
   }
-  const bool listed = data.model == estimation::Model::elements;
   addElements("elements", data.elements, &ComponentData::elements, Causality::parameter);
   addElements("add", data.add, &ComponentData::add, Causality::parameter);
   addElements("temperature", data.temperature, &ComponentData::temperature, Causality::parameter);
-  if (!listed) {
+  if (data.model != estimation::Model::elements) {
     addElements("elements", data.modelElements(), nullptr, Causality::calculated_parameter);
   }
   addTemperature(data.name, component::Component(data.allElements()), data.allElements());
@@ -116,43 +109,37 @@ void VariableTable::addElements(const std::string& group, const Elements& elemen
       for (std::size_t k = 0; k < values.size(); ++k) {
         const std::string index = parameter.is_list ? fmt::format("[{}]", k + 1) : "";
         const auto start = causality == Causality::parameter ? std::optional<double>(values[k]) : std::nullopt;
-        variables_.push_back({fmt::format("{}[{}].{}.{}{}", group, i + 1, type->name, parameter.name, index),
-                              parameter.unit,
-                              describe(parameter),
-                              causality,
-                              start,
-                              parameter.range,
-                              {list, i, parameter.name, k}});
+        const std::string name = fmt::format("{}[{}].{}.{}{}", group, i + 1, type->name, parameter.name, index);
+        const Place place = {list, i, parameter.name, k};
+        variables_.push_back({name, parameter.unit, describe(parameter), causality, start, parameter.range, place});
       }
     }
   }
+}
+
+template <class Value>
+std::vector<double> VariableTable::collect(Causality causality, Value value) const {
+  std::vector<double> values;
+  for (const Variable& variable : variables_) {
+    if (variable.causality == causality) {
+      values.push_back(value(variable));
+    }
+  }
+  return values;
 }
 
 std::vector<double> VariableTable::startValues() const {
-  std::vector<double> values;
-  for (const Variable& variable : variables_) {
-    if (variable.causality == Causality::parameter) {
-      values.push_back(variable.start.value());
-    }
-  }
-  return values;
+  return collect(Causality::parameter, [](const Variable& variable) { return variable.start.value(); });
 }
 
-std::vector<double> VariableTable::calculatedValues(const Elements& model_elements) const {
-  std::vector<double> values;
-  for (const Variable& variable : variables_) {
-    if (variable.causality == Causality::calculated_parameter) {
-      const Place& place = variable.place;
-      try {
-        values.push_back(model_elements.at(place.entry).list(place.key).at(place.position));
-      } catch (const std::out_of_range&) {
-        throw std::invalid_argument(
-            "the specification leads to other elements than that of the FMU; accepted: one that changes their numbers "
-            "alone");
-      }
-    }
-  }
-  return values;
+std::vector<double> VariableTable::calculatedValues(const Elements& model_elements) const try {
+  return collect(Causality::calculated_parameter, [&](const Variable& variable) {
+    const Place& place = variable.place;
+    return model_elements.at(place.entry).list(place.key).at(place.position);
+  });
+} catch (const std::out_of_range&) {
+  throw std::invalid_argument(
+      "the specification leads to other elements than that of the FMU; accepted: one that changes their numbers alone");
 }
 
 void Place::put(ComponentData& data, double value) const {

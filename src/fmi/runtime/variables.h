@@ -19,10 +19,6 @@ namespace reference {
 constexpr Reference kTime = 0;
 constexpr Reference kDisplacement = 1;
 constexpr Reference kForce = 2;
-constexpr Reference kElastic = 3;
-constexpr Reference kViscous = 4;
-constexpr Reference kFriction = 5;
-constexpr Reference kFirstInput = 1;
 }  // namespace reference
 
 enum class Causality {
@@ -35,10 +31,10 @@ enum class Causality {
 
 /// Where in the data of a component the value of a parameter stands.
 struct Place {
-  std::vector<element::ElementDescription> ComponentData::*list = nullptr;  ///< nullptr: the specification
-  std::size_t entry = 0;                                                    ///< of the list
-  std::string key = {};                                                     ///< name of the parameter
-  std::size_t position = 0;  ///< in a list of numbers; 0 for a single one
+  Elements ComponentData::*list = nullptr;  ///< nullptr: the specification
+  std::size_t entry = 0;                    ///< of the list
+  std::string key = {};                     ///< name of the parameter
+  std::size_t position = 0;                 ///< in a list of numbers; 0 for a single one
 
   /// Not for parameters that are calculated.
   void put(ComponentData& data, double value) const;
@@ -70,24 +66,22 @@ class VariableTable {
   Reference firstOutput() const { return first_output_; }
   Reference firstParameter() const { return first_parameter_; }
 
-  /// Of the parameter with the reference firstParameter() + parameter.
-  const Place& place(std::size_t parameter) const { return variables_[first_parameter_ + parameter].place; }
-
   /// Values of the parameters that can be set, as the data has them.
   std::vector<double> startValues() const;
 
   /// Values of the calculated parameters that these elements have. Throws std::invalid_argument where they are other
   /// elements than those of the table.
-  std::vector<double> calculatedValues(const std::vector<element::ElementDescription>& model_elements) const;
+  std::vector<double> calculatedValues(const Elements& model_elements) const;
 
  private:
   void addOne(const ComponentData& data);
   void addSix(const ComponentData& data);
-  void addElements(const std::string& group, const std::vector<element::ElementDescription>& elements,
-                   std::vector<element::ElementDescription> ComponentData::*list, Causality causality);
+  void addElements(const std::string& group, const Elements& elements, Elements ComponentData::*list,
+                   Causality causality);
+  template <class Value>
+  std::vector<double> collect(Causality causality, Value value) const;
   template <class Component>
-  void addTemperature(const std::string& name, const Component& component,
-                      const std::vector<element::ElementDescription>& elements);
+  void addTemperature(const std::string& name, const Component& component, const Elements& elements);
 
   std::vector<Variable> variables_;
   Reference first_output_ = 0;
