@@ -17,6 +17,9 @@ struct BareParameters {
   std::vector<double> break_frequency;    ///< [Hz]
   double maximum_force = 5000.0;          ///< F_max [N]
   double friction_displacement = 2.2e-3;  ///< z2 [m]
+
+  /// With stiffnesses and friction force times these factors.
+  BareParameters scaled(double by_stiffness, double by_force) const;
 };
 
 /// That many Maxwell elements of 1.9 MN/m together, break frequencies from 0.03 Hz to the highest [Hz].

@@ -2,10 +2,6 @@
 #include "benchmark/latency/benchmark_node.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <fstream>
-#include <stdexcept>
 
 namespace rubber_suspension::benchmark {
 namespace {
@@ -48,23 +44,8 @@ std::string benchmarkComponents(int count) {
   return text;
 }
 
-TemporaryFile::TemporaryFile(const std::string& text, const std::string& mark)
-    : path_(std::filesystem::temp_directory_path() /
-            fmt::format("rubber_suspension_benchmark_{}{}.yaml", getpid(), mark)) {
-  std::ofstream file(path_);
-  file << text;
-  if (!file.flush()) {
-    throw std::runtime_error(path_.string() + " cannot be written");
-  }
-}
-
-TemporaryFile::~TemporaryFile() {
-  std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
-}
-
 BenchmarkNode::BenchmarkNode(NodeKind kind, int components, bool bundled, bool measured)
-    : file_(benchmarkComponents(components), "_" + spaceOf(kind)),
+    : file_(benchmarkComponents(components), spaceOf(kind) + ".yaml"),
       process_(commandOf(kind, components, file_.path())),
       meter_("/" + spaceOf(kind), benchmarkNames(components), bundled, measured) {
   meter_.connect();

@@ -1,11 +1,11 @@
 // The nodes as a benchmark runs them: a process of its own, with components made for the purpose.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "benchmark/latency/round_trip.h"
+#include "benchmark/temporary_file.h"
 #include "ros_interface/child_process.h"
 
 namespace rubber_suspension::benchmark {
@@ -16,20 +16,9 @@ std::string benchmarkComponents(int count);
 /// Names of these components, in the order of the file.
 std::vector<std::string> benchmarkNames(int count);
 
-/// A file with this text that goes with this object, one of each mark. Throws std::runtime_error where it cannot be
-/// written.
-class TemporaryFile {
- public:
-  TemporaryFile(const std::string& text, const std::string& mark);
-  ~TemporaryFile();
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
+/// Answers every displacement at once, as long as the subscribers are held: the floor that the transport sets to any
+/// node's latency. Same topics and messages as the node `simulate`, single and bundled, but no component behind them.
+std::vector<ros::Subscriber> echo(ros::NodeHandle& handle, const std::vector<std::string>& components);
 
 /// What is run: an echo node, or `simulate` without or with ~diagnose.
 enum class NodeKind { echo, plain, diagnosing };

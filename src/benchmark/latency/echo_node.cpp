@@ -1,22 +1,22 @@
 // A node that answers every displacement at once.
-#include "benchmark/latency/echo_node.h"
-
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/DisplacementArray.h>
 #include <rubber_suspension/Force.h>
 #include <rubber_suspension/ForceArray.h>
 
+#include "benchmark/latency/benchmark_node.h"
+
 namespace rubber_suspension::benchmark {
 namespace {
 
-Force echo(const Displacement& displacement) {
+Force answerTo(const Displacement& displacement) {
   Force force;
   force.header = displacement.header;
   force.displacement = displacement.displacement;
   return force;
 }
 
-ForceArray echo(const DisplacementArray& bundle) {
+ForceArray answerTo(const DisplacementArray& bundle) {
   ForceArray forces;
   forces.header = bundle.header;
   forces.components = bundle.components;
@@ -25,26 +25,24 @@ ForceArray echo(const DisplacementArray& bundle) {
 }
 
 template <class In, class Out>
-void connect(ros::NodeHandle& handle, const std::string& in, const std::string& out, std::uint32_t queue_size,
-             std::vector<ros::Publisher>& publishers, std::vector<ros::Subscriber>& subscribers) {
-  publishers.push_back(handle.advertise<Out>(out, queue_size));
+ros::Subscriber connect(ros::NodeHandle& handle, const std::string& in, const std::string& out) {
+  constexpr std::uint32_t kQueueSize = 10000;  // that of the node
   const boost::function<void(const boost::shared_ptr<const In>&)> answer =
-      [publisher = publishers.back()](const boost::shared_ptr<const In>& message) {
-        publisher.publish(echo(*message));
+      [publisher = handle.advertise<Out>(out, kQueueSize)](const boost::shared_ptr<const In>& message) {
+        publisher.publish(answerTo(*message));
       };
-  subscribers.push_back(
-      handle.subscribe<In>(in, queue_size, answer, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+  return handle.subscribe<In>(in, kQueueSize, answer, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
 }
 
 }  // namespace
 
-EchoNode::EchoNode(ros::NodeHandle& handle, const std::vector<std::string>& components, int queue_size) {
-  const auto size = static_cast<std::uint32_t>(queue_size);
+std::vector<ros::Subscriber> echo(ros::NodeHandle& handle, const std::vector<std::string>& components) {
+  std::vector<ros::Subscriber> subscribers = {
+      connect<DisplacementArray, ForceArray>(handle, "displacements", "forces")};
   for (const std::string& component : components) {
-    connect<Displacement, Force>(handle, component + "/displacement", component + "/force", size, publishers_,
-                                 subscribers_);
+    subscribers.push_back(connect<Displacement, Force>(handle, component + "/displacement", component + "/force"));
   }
-  connect<DisplacementArray, ForceArray>(handle, "displacements", "forces", size, publishers_, subscribers_);
+  return subscribers;
 }
 
 }  // namespace rubber_suspension::benchmark

@@ -20,18 +20,21 @@ struct BenchmarkOptions {
   bool diagnose = false;        ///< compare a node that diagnoses with one that does not, in the echo node's place
 };
 
+/// A quantile of the round trips over the runs.
+struct LatencyQuantile {
+  double echo = 0.0;  ///< of the echo node, median over the runs [s]
+  io::Spread node;    ///< node to echo node
+  io::Spread again;   ///< echo node to itself: what the machine does to such a ratio
+};
+
 /// One row of the table.
 struct LatencyRow {
   int components = 0;
   bool bundled = false;
-  bool diagnose = false;      ///< the node diagnoses, and the echo node is a node that does not
-  double rate = 0.0;          ///< of each component [Hz]
-  double echo_median = 0.0;   ///< round trip, median over the runs [s]
-  double echo_99 = 0.0;       ///< 99th percentile, median over the runs [s]
-  io::Spread median;          ///< of the medians, node to echo node
-  io::Spread percentile_99;   ///< of the 99th percentiles, node to echo node
-  io::Spread again_median;    ///< of the medians, echo node to itself: what the machine does to such a ratio
-  io::Spread again_99;        ///< of the 99th percentiles, echo node to itself
+  bool diagnose = false;  ///< the node diagnoses, and the echo node is a node that does not
+  double rate = 0.0;      ///< of each component [Hz]
+  LatencyQuantile median;
+  LatencyQuantile late;       ///< the 99th percentile
   std::size_t lost = 0;       ///< samples without answer, both nodes
   double echo_highest = 0.0;  ///< highest rate without loss, all components together [samples/s]
   double node_highest = 0.0;

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 
@@ -44,30 +46,23 @@ double measuredForceOf(std::uint64_t tick) {
 
 }  // namespace
 
-double RoundTrips::quantile(double fraction) const {
-  if (durations.empty()) {
-    return 0.0;
-  }
-  const auto index = static_cast<std::size_t>(fraction * static_cast<double>(durations.size()));
-  return durations[std::min(index, durations.size() - 1)];
-}
-
 // One pair of topics: a component's, or the bundled ones.
 class RoundTripMeter::Link {
  public:
-  Link(ros::NodeHandle& handle, const std::string& component, bool measured) : measured_(measured) {
+  Link(ros::NodeHandle& handle, const std::string& component, bool measured) {
     if (measured) {
       force_publisher_ = handle.advertise<MeasuredForce>(component + "/measured_force", kQueueSize);
     }
-    publisher_ = handle.advertise<Displacement>(component + "/displacement", kQueueSize);
-    subscribe<Force>(handle, component + "/force");
+    serve<Force>(handle, component + "/displacement", component + "/force", Displacement(),
+                 [](Displacement& message, double displacement) { message.displacement = displacement; });
   }
 
-  Link(ros::NodeHandle& handle, const std::vector<std::string>& components) : bundle_(true) {
-    array_.components = components;
-    array_.displacement.resize(components.size());
-    publisher_ = handle.advertise<DisplacementArray>("displacements", kQueueSize);
-    subscribe<ForceArray>(handle, "forces");
+  Link(ros::NodeHandle& handle, const std::vector<std::string>& components) {
+    DisplacementArray bundle;
+    bundle.components = components;
+    serve<ForceArray>(handle, "displacements", "forces", bundle, [](DisplacementArray& message, double displacement) {
+      message.displacement.assign(message.components.size(), displacement);
+    });
   }
 
   void connect() {
@@ -93,21 +88,12 @@ class RoundTripMeter::Link {
   }
 
   void send(std::uint64_t tick) {
-    if (bundle_) {
-      array_.header.stamp = stampOf(tick);
-      std::fill(array_.displacement.begin(), array_.displacement.end(), displacementOf(tick));
-      sent_[tick - first_] = nanoseconds();
-      publisher_.publish(array_);
-    } else {
-      single_.header.stamp = stampOf(tick);
-      single_.displacement = displacementOf(tick);
-      sent_[tick - first_] = nanoseconds();
-      publisher_.publish(single_);
-    }
-    if (measured_) {
-      force_.header.stamp = stampOf(tick);
-      force_.force = measuredForceOf(tick);
-      force_publisher_.publish(force_);
+    publish_(tick);
+    if (force_publisher_) {
+      MeasuredForce force;
+      force.header.stamp = stampOf(tick);
+      force.force = measuredForceOf(tick);
+      force_publisher_.publish(force);
     }
   }
 
@@ -116,12 +102,19 @@ class RoundTripMeter::Link {
   const std::vector<double>& trips() const { return trips_; }
 
  private:
-  template <class Answer>
-  void subscribe(ros::NodeHandle& handle, const std::string& topic) {
+  template <class Answer, class Message, class Fill>
+  void serve(ros::NodeHandle& handle, const std::string& in, const std::string& out, Message message, Fill fill) {
+    publisher_ = handle.advertise<Message>(in, kQueueSize);
+    publish_ = [this, message, fill](std::uint64_t tick) mutable {
+      message.header.stamp = stampOf(tick);
+      fill(message, displacementOf(tick));
+      sent_[tick - first_] = nanoseconds();
+      publisher_.publish(message);
+    };
     const boost::function<void(const boost::shared_ptr<const Answer>&)> callback =
         [this](const boost::shared_ptr<const Answer>& answer) { take(answer->header.stamp); };
     subscriber_ =
-        handle.subscribe<Answer>(topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+        handle.subscribe<Answer>(out, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   }
 
   void take(const ros::Time& stamp) {
@@ -136,13 +129,9 @@ class RoundTripMeter::Link {
     answered_.fetch_add(1, std::memory_order_release);
   }
 
-  bool bundle_ = false;
-  bool measured_ = false;
-  MeasuredForce force_;
-  ros::Publisher force_publisher_;
-  Displacement single_;
-  DisplacementArray array_;
+  ros::Publisher force_publisher_;  // where forces are measured
   ros::Publisher publisher_;
+  std::function<void(std::uint64_t tick)> publish_;
   ros::Subscriber subscriber_;
   static constexpr std::int64_t kAnswered = -1;
   std::uint64_t first_ = 0;
@@ -174,30 +163,27 @@ void RoundTripMeter::connect() {
   }
 }
 
-void RoundTripMeter::begin(std::size_t capacity) {
-  for (auto& link : links_) {
-    link->begin(next_, capacity);
-  }
-}
-
-void RoundTripMeter::sendAll() {
-  for (auto& link : links_) {
-    link->send(next_);
-  }
-  ++next_;
-}
-
 std::size_t RoundTripMeter::answered() const {
-  std::size_t count = 0;
-  for (const auto& link : links_) {
-    count += link->answered();
-  }
-  return count;
+  return std::accumulate(links_.begin(), links_.end(), std::size_t{0},
+                         [](std::size_t sum, const auto& link) { return sum + link->answered(); });
 }
 
-RoundTrips RoundTripMeter::finish(std::uint64_t ticks, Clock::time_point start) {
+template <class Due>
+RoundTrips RoundTripMeter::run(std::uint64_t most, Due isDue) {
+  for (auto& link : links_) {
+    link->begin(next_, most);
+  }
+  const auto start = Clock::now();
+  std::uint64_t tick = 0;
+  while (tick < most && ros::ok() && isDue(tick, Clock::now() - start)) {
+    for (auto& link : links_) {
+      link->send(next_);
+    }
+    ++next_;
+    ++tick;
+  }
   RoundTrips result;
-  result.sent = ticks * links_.size();
+  result.sent = tick * links_.size();
   const auto end = Clock::now() + std::chrono::duration<double>(kLastAnswers);
   while (answered() < result.sent && Clock::now() < end) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
@@ -214,31 +200,22 @@ RoundTrips RoundTripMeter::finish(std::uint64_t ticks, Clock::time_point start) 
 }
 
 RoundTrips RoundTripMeter::atRate(double rate, double duration) {
-  const auto ticks = static_cast<std::uint64_t>(std::llround(rate * duration));
-  begin(ticks);
-  const auto start = Clock::now();
   const std::chrono::duration<double> period(1.0 / rate);
-  for (std::uint64_t tick = 0; tick < ticks && ros::ok(); ++tick) {
-    std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(tick * period));
-    sendAll();
-  }
-  return finish(ticks, start);
+  return run(static_cast<std::uint64_t>(std::llround(rate * duration)), [=](std::uint64_t tick, auto elapsed) {
+    std::this_thread::sleep_for(tick * period - elapsed);
+    return true;
+  });
 }
 
 RoundTrips RoundTripMeter::flood(double duration, std::size_t under_way, std::uint64_t most) {
-  begin(most);
-  const auto start = Clock::now();
-  const auto end = start + std::chrono::duration<double>(duration);
-  std::uint64_t tick = 0;
-  while (tick < most && Clock::now() < end && ros::ok()) {
-    if (tick * links_.size() < answered() + under_way * links_.size()) {
-      sendAll();
-      ++tick;
-    } else {
+  const std::chrono::duration<double> long_enough(duration);
+  return run(most, [&](std::uint64_t tick, Clock::duration elapsed) {
+    const auto start = Clock::now() - elapsed;
+    while (tick * links_.size() >= answered() + under_way * links_.size() && Clock::now() - start < long_enough) {
       std::this_thread::sleep_for(std::chrono::microseconds(20));
     }
-  }
-  return finish(tick, start);
+    return Clock::now() - start < long_enough;
+  });
 }
 
 }  // namespace rubber_suspension::benchmark

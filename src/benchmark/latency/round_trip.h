@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "numerics/quantile.h"
 #include "ros_interface/serving_thread.h"
 
 namespace rubber_suspension::benchmark {
@@ -21,7 +22,8 @@ struct RoundTrips {
   std::size_t surplus = 0;  ///< answers to nothing that was sent, or answered already
   double elapsed = 0.0;     ///< [s]
 
-  double quantile(double fraction) const;  ///< 0 without any
+  /// 0 without any.
+  double quantile(double fraction) const { return durations.empty() ? 0.0 : numerics::quantileOf(durations, fraction); }
   std::size_t lost() const { return sent - durations.size(); }
 };
 
@@ -48,9 +50,9 @@ class RoundTripMeter {
  private:
   class Link;
 
-  void sendAll();
-  void begin(std::size_t capacity);
-  RoundTrips finish(std::uint64_t ticks, std::chrono::steady_clock::time_point start);
+  // Sends sample after sample as long as isDue(number in this run, time since its start) holds.
+  template <class Due>
+  RoundTrips run(std::uint64_t most, Due isDue);
   std::size_t answered() const;
 
   ros_interface::ServingThread receiver_;

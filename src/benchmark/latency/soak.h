@@ -11,11 +11,6 @@
 
 namespace rubber_suspension::benchmark {
 
-struct SoakOptions {
-  std::uint64_t samples = 1000000;  ///< of all components together
-  int components = 10;
-};
-
 struct SoakResult {
   int components = 0;
   std::uint64_t sent = 0;
@@ -24,13 +19,12 @@ struct SoakResult {
   double elapsed = 0.0;        ///< [s]
   std::vector<long> memory;    ///< resident memory of the node after each hundredth of the samples [bytes]
 
-  long highestMemory() const;
   bool exact() const { return answered == sent && surplus == 0; }
 };
 
-/// Soak the node that lies beside the running program. Needs a master. `progress` is told of every tenth part.
-/// Throws std::runtime_error.
-SoakResult soak(const SoakOptions& options, const std::function<void(const std::string&)>& progress);
+/// Soak the node that lies beside the running program, with so many samples of all components together. Needs a master.
+/// `progress` is told of every tenth part. Throws std::runtime_error.
+SoakResult soak(std::uint64_t samples, int components, const std::function<void(const std::string&)>& progress);
 
 /// The result as a Markdown table.
 void printMarkdown(const SoakResult& result, std::ostream& out);

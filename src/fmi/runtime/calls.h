@@ -89,27 +89,30 @@ FMI_NO_STATUS(GetStringStatus, fmiString)
 #define FMI_NO_SIMPLE(V, Type, Value) FMI_NO_TYPE(V, Type, (FMI_LIST, Value[]), (FMI_LIST, const Value[]))
 #define FMI_NO_COUNTED(Type, Value) \
   FMI_NO_TYPE(3, Type, (FMI_LIST, Value[], std::size_t), (FMI_LIST, const Value[], std::size_t))
-#define FMI_NO_INTEGERS(r, none, Bits)          \
-  FMI_NO_COUNTED(Int##Bits, std::int##Bits##_t) \
-  FMI_NO_COUNTED(UInt##Bits, std::uint##Bits##_t)
 FMI_NO_SIMPLE(2, Integer, int)
 FMI_NO_SIMPLE(2, Boolean, fmi2Boolean)
 FMI_NO_SIMPLE(2, String, fmiString)
 FMI_NO_COUNTED(Float32, float)
-BOOST_PP_SEQ_FOR_EACH(FMI_NO_INTEGERS, , (8)(16)(32)(64))
+FMI_NO_COUNTED(Int8, std::int8_t)
+FMI_NO_COUNTED(UInt8, std::uint8_t)
+FMI_NO_COUNTED(Int16, std::int16_t)
+FMI_NO_COUNTED(UInt16, std::uint16_t)
+FMI_NO_COUNTED(Int32, std::int32_t)
+FMI_NO_COUNTED(UInt32, std::uint32_t)
+FMI_NO_COUNTED(Int64, std::int64_t)
+FMI_NO_COUNTED(UInt64, std::uint64_t)
 FMI_NO_COUNTED(Boolean, bool)
 FMI_NO_COUNTED(String, fmiString)
 FMI_NO_TYPE(3, Binary, (FMI_LIST, std::size_t[], fmi3Binary[], std::size_t),
             (FMI_LIST, const std::size_t[], const fmi3Binary[], std::size_t))
 FMI_NO_SIMPLE(3, Clock, bool)
-#undef FMI_NO_INTEGERS
 #undef FMI_NO_COUNTED
 #undef FMI_NO_SIMPLE
 #undef FMI_NO_TYPE
 
 // What this package offers in neither version; in FMI 3.0 by the parameters of the calls.
 #define FMI_DERIVATIVE FMI_LIST, const fmiReference[], std::size_t, const double[]
-#define FMI_REFUSE(r, parameters, name) FMI_CALL(3, name, parameters, refuse(#name))
+#define FMI_REFUSE(r, parameters, name) FMI_CALL(3, name, parameters, refuse(BOOST_PP_STRINGIZE(name)))
 #define FMI_REFUSED(parameters, names) BOOST_PP_SEQ_FOR_EACH(FMI_REFUSE, parameters, names)
 FMI_CALL(2, CancelStep, (void* c), refuse("CancelStep"))
 FMI_CALL(2, GetDirectionalDerivative, (FMI_DERIVATIVE, double[]), refuse("GetDirectionalDerivative"))

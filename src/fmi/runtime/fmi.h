@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/preprocessor/seq/for_each.hpp>
+#include <boost/preprocessor/stringize.hpp>
 #include <cstddef>
 #include <cstdint>
 
