@@ -10,7 +10,6 @@
 
 #include "benchmark/latency/benchmark_node.h"
 #include "benchmark/latency/latency_benchmark.h"
-#include "benchmark/latency/soak.h"
 #include "command_line/command.h"
 #include "command_line/plot_option.h"
 #include "element/refuse.h"

@@ -1,4 +1,5 @@
-// The baseline: spring, Maxwell elements and Berg friction as a plain scalar loop, written by hand for this alone.
+// What the library is compared with: spring, Maxwell elements and Berg friction as a plain scalar loop, written by hand
+// for this alone, and general solvers.
 #pragma once
 
 #include <array>
@@ -118,5 +119,14 @@ class BareComponent {
   std::array<double, n> force_{};
   BareFriction friction_;
 };
+
+/// A general solver of ordinary differential equations: gives the sum of the forces [N] of five Maxwell elements under
+/// displacements [m], linear between the samples at each kStep.
+using PeerSolver = void (*)(const BareMaxwells<5>& maxwells, const std::vector<double>& displacement,
+                            std::vector<double>& force);
+
+/// Simbody, Runge-Kutta-Merson with control of the step; the dashpots are auxiliary states of a force.
+void simbodyMerson(const BareMaxwells<5>& maxwells, const std::vector<double>& displacement,
+                   std::vector<double>& force);
 
 }  // namespace rubber_suspension::benchmark

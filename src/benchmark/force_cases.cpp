@@ -8,7 +8,6 @@
 
 #include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
-#include "benchmark/peer/peers.h"
 #include "benchmark/test_signal.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/gap/replay.h"
@@ -22,17 +21,18 @@ struct Bench {
   BareParameters parameters;
   component::Component component;
   log::Log log;
-  std::vector<double> steps;       // that end at each sample
+  std::vector<double> steps;       // that end at each sample; the first is 0
   std::vector<double> bare_steps;  // one where it holds throughout
   std::vector<double> bare;
   std::vector<double> library;
 
   Bench(const BareParameters& given, Stamps kind, std::size_t samples)
-      : parameters(given), component(elementsOf(given)), bare(samples), library(samples) {
+      : parameters(given), component(elementsOf(given)), steps(samples), bare(samples), library(samples) {
     log.name = "benchmark";
     log.stamp = stampsOf(kind, samples);
     log.displacement = benchmarkDisplacement(samples);
-    steps = stepsOf(log.stamp);
+    std::adjacent_difference(log.stamp.begin(), log.stamp.end(), steps.begin(),
+                             [](auto end, auto begin) { return static_cast<double>(end - begin) / 1e9; });
     bare_steps = kind == Stamps::even ? std::vector<double>{kStep} : steps;
   }
 };
@@ -129,15 +129,6 @@ Case peerCase(std::size_t samples, const std::string& name, PeerSolver solve) {
   return result;
 }
 
-void addPeers(std::vector<Case>& cases, std::size_t samples) {
-  const std::size_t most = std::min<std::size_t>(20000, samples);
-  cases.push_back(peerCase(most, "Boost.odeint, Dormand-Prince", odeintDormandPrince));
-#ifdef RUBBER_SUSPENSION_WITH_SIMBODY
-  // It takes microseconds for a sample.
-  cases.push_back(peerCase(std::min<std::size_t>(2000, samples), "Simbody, Runge-Kutta-Merson", simbodyMerson));
-#endif
-}
-
 // Components that differ in all stiffnesses and forces by up to a factor of two.
 struct ManyBench {
   std::vector<BareComponent<kElements>> members;
@@ -194,7 +185,11 @@ std::vector<Case> forceCases(const BenchmarkSize& size) {
   std::vector<Case> cases;
   addSteps(cases, size.samples);
   cases.push_back(manyCase(size.components, std::min(kMostTicks, size.samples)));
-  addPeers(cases, size.samples);
+  cases.push_back(
+      peerCase(std::min<std::size_t>(20000, size.samples), "Boost.odeint, Dormand-Prince", odeintDormandPrince));
+#ifdef RUBBER_SUSPENSION_WITH_SIMBODY  // which takes microseconds for a sample
+  cases.push_back(peerCase(std::min<std::size_t>(2000, size.samples), "Simbody, Runge-Kutta-Merson", simbodyMerson));
+#endif
   return cases;
 }
 

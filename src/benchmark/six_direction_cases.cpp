@@ -117,12 +117,13 @@ struct SixDirectionBench {
   double error() const {
     double worst = 0.0;
     for (std::size_t k = 0; k < kDirections; ++k) {
-      const auto totals = [k](const Forces& forces) {
-        std::vector<double> totals(forces.size());
-        std::transform(forces.begin(), forces.end(), totals.begin(), [k](const auto& force) { return force[k].total; });
-        return totals;
-      };
-      worst = std::max(worst, relativeDifference(totals(expected), totals(found)));
+      std::vector<double> right;
+      std::vector<double> actual;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        right.push_back(expected[i][k].total);
+        actual.push_back(found[i][k].total);
+      }
+      worst = std::max(worst, relativeDifference(right, actual));
     }
     return worst;
   }

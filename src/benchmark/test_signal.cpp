@@ -2,7 +2,6 @@
 #include "benchmark/test_signal.h"
 
 #include <cmath>
-#include <numeric>
 #include <random>
 
 #include "rubber_suspension/element/constants.h"
@@ -29,13 +28,6 @@ std::vector<std::int64_t> stampsOf(Stamps kind, std::size_t samples) {
     stamps[i] = stamps[i - 1] + (kind == Stamps::even ? 1000000 : 700000 + jitter);
   }
   return stamps;
-}
-
-std::vector<double> stepsOf(const std::vector<std::int64_t>& stamps) {
-  std::vector<double> steps(stamps.size());
-  std::adjacent_difference(stamps.begin(), stamps.end(), steps.begin(),
-                           [](auto end, auto begin) { return static_cast<double>(end - begin) / 1e9; });
-  return steps;
 }
 
 }  // namespace rubber_suspension::benchmark

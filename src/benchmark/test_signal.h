@@ -16,7 +16,4 @@ std::vector<double> benchmarkDisplacement(std::size_t samples);
 enum class Stamps { even, uneven };
 std::vector<std::int64_t> stampsOf(Stamps kind, std::size_t samples);
 
-/// Steps [s] that end at each sample; the first is 0.
-std::vector<double> stepsOf(const std::vector<std::int64_t>& stamps);
-
 }  // namespace rubber_suspension::benchmark

@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "benchmark/latency/benchmark_node.h"
-#include "benchmark/latency/soak.h"
 #include "benchmark/measurement.h"
 #include "rubber_suspension/io/component_file.h"
 

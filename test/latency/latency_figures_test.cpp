@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include "benchmark/latency/latency_benchmark.h"
-#include "benchmark/latency/soak.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,5 +1,5 @@
 // A short soak: 400,000 samples as fast as the node answers; exactly one force each, and memory that does not grow.
-#include "benchmark/latency/soak.h"
+#include "benchmark/latency/latency_benchmark.h"
 
 #include "bench.h"
 

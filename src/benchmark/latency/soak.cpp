@@ -1,6 +1,4 @@
 // Millions of samples through the node.
-#include "benchmark/latency/soak.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,6 +8,7 @@
 #include <ostream>
 
 #include "benchmark/latency/benchmark_node.h"
+#include "benchmark/latency/latency_benchmark.h"
 
 namespace rubber_suspension::benchmark {
 namespace {

@@ -1,7 +1,7 @@
 // Simbody on the library's work: the displacements of the dashpots are auxiliary states of a force.
 #include <Simbody.h>
 
-#include "benchmark/peer/peers.h"
+#include "benchmark/bare_loop.h"
 #include "benchmark/test_signal.h"
 
 namespace rubber_suspension::benchmark {
