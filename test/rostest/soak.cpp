@@ -1,7 +1,6 @@
 // A short soak: 400,000 samples as fast as the node answers; exactly one force each, and memory that does not grow.
-#include "benchmark/latency/latency_benchmark.h"
-
 #include "bench.h"
+#include "benchmark/latency/latency_benchmark.h"
 
 namespace rubber_suspension {
 namespace {
