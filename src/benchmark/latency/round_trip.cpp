@@ -22,7 +22,7 @@
 namespace rubber_suspension::benchmark {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Steady = std::chrono::steady_clock;
 
 constexpr std::uint32_t kQueueSize = 100000;
 constexpr double kConnectTimeout = 60.0;  // [s]
@@ -94,7 +94,7 @@ struct RoundTripMeter::Link {
     publish = [this, message, fill](std::uint64_t tick) mutable {
       message.header.stamp = stampOf(tick);
       fill(message, displacementOf(tick));
-      sent[tick - first] = Clock::now();
+      sent[tick - first] = Steady::now();
       publisher.publish(message);
     };
     const boost::function<void(const boost::shared_ptr<const Answer>&)> callback =
@@ -104,7 +104,7 @@ struct RoundTripMeter::Link {
   }
 
   void take(const ros::Time& stamp) {
-    const auto now = Clock::now();
+    const auto now = Steady::now();
     const std::uint64_t index = tickOf(stamp) - first;
     if (index >= sent.size() || sent[index] == kAnswered) {
       ++surplus;
@@ -119,10 +119,10 @@ struct RoundTripMeter::Link {
   ros::Publisher publisher;
   std::function<void(std::uint64_t tick)> publish;
   ros::Subscriber subscriber;
-  static constexpr Clock::time_point kAnswered{};
+  static constexpr Steady::time_point kAnswered{};
   std::uint64_t first = 0;
-  std::vector<Clock::time_point> sent;  // by tick since the first
-  std::vector<double> trips;            // written by the receiving thread
+  std::vector<Steady::time_point> sent;  // by tick since the first
+  std::vector<double> trips;             // written by the receiving thread
   std::atomic<std::size_t> answered{0};
   std::atomic<std::size_t> surplus{0};
 };
@@ -157,9 +157,9 @@ RoundTrips RoundTripMeter::run(std::uint64_t most, Due isDue) {
   for (auto& link : links_) {
     link->begin(next_, most);
   }
-  const auto start = Clock::now();
+  const auto start = Steady::now();
   std::uint64_t tick = 0;
-  while (tick < most && ros::ok() && isDue(tick, Clock::now() - start)) {
+  while (tick < most && ros::ok() && isDue(tick, Steady::now() - start)) {
     for (auto& link : links_) {
       link->send(next_);
     }
@@ -168,11 +168,11 @@ RoundTrips RoundTripMeter::run(std::uint64_t most, Due isDue) {
   }
   RoundTrips result;
   result.sent = tick * links_.size();
-  const auto end = Clock::now() + std::chrono::duration<double>(kLastAnswers);
-  while (answered() < result.sent && Clock::now() < end) {
+  const auto end = Steady::now() + std::chrono::duration<double>(kLastAnswers);
+  while (answered() < result.sent && Steady::now() < end) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
-  result.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+  result.elapsed = std::chrono::duration<double>(Steady::now() - start).count();
   for (const auto& link : links_) {
     result.surplus += link->surplus.load();
     // Only as many as were counted: a straggler may still be at work.
@@ -193,12 +193,12 @@ RoundTrips RoundTripMeter::atRate(double rate, double duration) {
 
 RoundTrips RoundTripMeter::flood(double duration, std::size_t under_way, std::uint64_t most) {
   const std::chrono::duration<double> long_enough(duration);
-  return run(most, [&](std::uint64_t tick, Clock::duration elapsed) {
-    const auto start = Clock::now() - elapsed;
-    while (tick * links_.size() >= answered() + under_way * links_.size() && Clock::now() - start < long_enough) {
+  return run(most, [&](std::uint64_t tick, Steady::duration elapsed) {
+    const auto start = Steady::now() - elapsed;
+    while (tick * links_.size() >= answered() + under_way * links_.size() && Steady::now() - start < long_enough) {
       std::this_thread::sleep_for(std::chrono::microseconds(20));
     }
-    return Clock::now() - start < long_enough;
+    return Steady::now() - start < long_enough;
   });
 }
 
