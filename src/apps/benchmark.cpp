@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "benchmark/cases.h"
-#include "benchmark/single_work.h"
 #include "command_line/command.h"
 #include "command_line/plot_option.h"
 #include "element/refuse.h"

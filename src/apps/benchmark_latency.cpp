@@ -9,9 +9,7 @@
 #include <thread>
 
 #include "benchmark/latency/benchmark_node.h"
-#include "benchmark/latency/echo_node.h"
 #include "benchmark/latency/latency_benchmark.h"
-#include "benchmark/latency/soak.h"
 #include "command_line/command.h"
 #include "command_line/plot_option.h"
 #include "element/refuse.h"
@@ -33,10 +31,9 @@ struct Options {
 };
 
 int serveEcho(ros_interface::RosCommandLine& line, int components) {
-  constexpr int kQueueSize = 10000;  // that of the node
   line.initialise("echo");
   ros::NodeHandle handle;
-  const benchmark::EchoNode node(handle, benchmark::benchmarkNames(components), kQueueSize);
+  const std::vector<ros::Subscriber> answering = benchmark::echo(handle, benchmark::benchmarkNames(components));
   ros::spin();
   return kSuccess;
 }
@@ -70,10 +67,7 @@ int measureLatency(const Options& options) {
 }
 
 int measureSoak(const Options& options) {
-  benchmark::SoakOptions soak_options;
-  soak_options.samples = options.soak;
-  soak_options.components = options.benchmark.components.front();
-  const benchmark::SoakResult result = benchmark::soak(soak_options, tell);
+  const benchmark::SoakResult result = benchmark::soak(options.soak, options.benchmark.components.front(), tell);
   benchmark::printMarkdown(result, std::cout);
   drawPlot(options.plot, [&] { return benchmark::soakFigure(result); });
   element::refuseIf<std::runtime_error>(!result.exact(), "not every sample had exactly one force");

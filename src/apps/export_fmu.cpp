@@ -25,7 +25,7 @@ struct Options {
 int run(const Options& options) {
   const io::ComponentDescription description = options.component.readAny("export_fmu");
   const fmi::Version version = options.fmi == 2 ? fmi::Version::fmi2 : fmi::Version::fmi3;
-  const std::string fmu = fmi::makeFmu(description, version, fmi::installedParts());
+  const std::string fmu = fmi::toZip(fmi::fmuFiles(description, version, fmi::installedParts()));
   log::writeNewFile(options.output, fmu);
   std::cout << fmt::format("{}: FMI {}.0 for co-simulation, {} bytes\n{}\n", description.name, options.fmi, fmu.size(),
                            options.output);

@@ -1,11 +1,16 @@
 // The plain loop. It repeats the laws of src/element on purpose: the error column compares the two.
 #include "benchmark/bare_loop.h"
 
-#include <cmath>
-#include <stdexcept>
+#include <algorithm>
+#include <map>
+
+#include "element/refuse.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
+
+using Loop = void (*)(const BareParameters& parameters, const std::vector<double>& step,
+                      const std::vector<double>& displacement, std::vector<double>& force);
 
 template <int n, bool steps_differ>
 void run(const BareParameters& parameters, const std::vector<double>& step, const std::vector<double>& displacement,
@@ -22,13 +27,22 @@ void run(const BareParameters& parameters, const std::vector<double>& step, cons
   }
 }
 
-template <int n>
-void runFor(const BareParameters& parameters, const std::vector<double>& step, const std::vector<double>& displacement,
-            std::vector<double>& force) {
-  (step.size() == 1 ? run<n, false> : run<n, true>)(parameters, step, displacement, force);
-}
+// Of one step and of several, by the number of Maxwell elements.
+const std::map<std::size_t, std::array<Loop, 2>> kLoops = {{1, {run<1, false>, run<1, true>}},
+                                                           {5, {run<5, false>, run<5, true>}},
+                                                           {10, {run<10, false>, run<10, true>}},
+                                                           {20, {run<20, false>, run<20, true>}}};
 
 }  // namespace
+
+BareParameters BareParameters::scaled(double by_stiffness, double by_force) const {
+  BareParameters result = *this;
+  result.spring *= by_stiffness;
+  result.maximum_force *= by_force;
+  result.friction_displacement *= by_force / by_stiffness;
+  std::for_each(result.stiffness.begin(), result.stiffness.end(), [=](double& each) { each *= by_stiffness; });
+  return result;
+}
 
 BareParameters bareParameters(int maxwell_elements, double highest) {
   constexpr double kTotal = 1.9e6;  // [N/m]
@@ -55,18 +69,9 @@ std::vector<element::ElementDescription> elementsOf(const BareParameters& parame
 
 void bareLoop(const BareParameters& parameters, const std::vector<double>& step,
               const std::vector<double>& displacement, std::vector<double>& force) {
-  switch (parameters.stiffness.size()) {
-    case 1:
-      return runFor<1>(parameters, step, displacement, force);
-    case 5:
-      return runFor<5>(parameters, step, displacement, force);
-    case 10:
-      return runFor<10>(parameters, step, displacement, force);
-    case 20:
-      return runFor<20>(parameters, step, displacement, force);
-    default:
-      throw std::invalid_argument("the plain loop is there for 1, 5, 10 and 20 Maxwell elements");
-  }
+  const auto loop = kLoops.find(parameters.stiffness.size());
+  element::refuseIf(loop == kLoops.end(), "the plain loop is there for 1, 5, 10 and 20 Maxwell elements");
+  loop->second[step.size() == 1 ? 0 : 1](parameters, step, displacement, force);
 }
 
 }  // namespace rubber_suspension::benchmark

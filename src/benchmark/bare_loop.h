@@ -1,4 +1,5 @@
-// The baseline: spring, Maxwell elements and Berg friction as a plain scalar loop, written by hand for this alone.
+// What the library is compared with: spring, Maxwell elements and Berg friction as a plain scalar loop, written by hand
+// for this alone, and general solvers.
 #pragma once
 
 #include <array>
@@ -17,6 +18,9 @@ struct BareParameters {
   std::vector<double> break_frequency;    ///< [Hz]
   double maximum_force = 5000.0;          ///< F_max [N]
   double friction_displacement = 2.2e-3;  ///< z2 [m]
+
+  /// With stiffnesses and friction force times these factors.
+  BareParameters scaled(double by_stiffness, double by_force) const;
 };
 
 /// That many Maxwell elements of 1.9 MN/m together, break frequencies from 0.03 Hz to the highest [Hz].
@@ -115,5 +119,14 @@ class BareComponent {
   std::array<double, n> force_{};
   BareFriction friction_;
 };
+
+/// A general solver of ordinary differential equations: gives the sum of the forces [N] of five Maxwell elements under
+/// displacements [m], linear between the samples at each kStep.
+using PeerSolver = void (*)(const BareMaxwells<5>& maxwells, const std::vector<double>& displacement,
+                            std::vector<double>& force);
+
+/// Simbody, Runge-Kutta-Merson with control of the step; the dashpots are auxiliary states of a force.
+void simbodyMerson(const BareMaxwells<5>& maxwells, const std::vector<double>& displacement,
+                   std::vector<double>& force);
 
 }  // namespace rubber_suspension::benchmark

@@ -3,7 +3,7 @@
 
 #include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
-#include "benchmark/force_case.h"
+#include "benchmark/test_signal.h"
 #include "node/channel_group.h"
 
 namespace rubber_suspension::benchmark {
@@ -21,7 +21,7 @@ struct BundleBench {
 
   BundleBench(std::size_t components, std::size_t samples)
       : displacement(benchmarkDisplacement(std::max<std::size_t>(2, samples / components))),
-        stamps(evenStamps(displacement.size())),
+        stamps(stampsOf(Stamps::even, displacement.size())),
         library(displacement.size() * components),
         bare(library.size()) {
     constexpr double kMaxGap = 0.5;  // [s], that of the node
@@ -34,26 +34,17 @@ struct BundleBench {
     group = std::make_unique<node::ChannelGroup>(pointers);
   }
 
-  void push(std::size_t sample, std::vector<double>& forces) const {
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-      element::ComponentForce parts;
-      channels[i]->push(stamps[sample], displacement[sample], parts);
-      forces[sample * channels.size() + i] = parts.total;
-    }
-  }
-
-  void pushLocked() {
+  template <bool locked>
+  void push() {
     group->reset();
+    std::vector<double>& forces = locked ? library : bare;
     for (std::size_t sample = 0; sample < stamps.size(); ++sample) {
-      const auto lock = group->bundle();
-      push(sample, library);
-    }
-  }
-
-  void pushBare() {
-    group->reset();
-    for (std::size_t sample = 0; sample < stamps.size(); ++sample) {
-      push(sample, bare);
+      const auto lock = locked ? group->bundle() : std::shared_lock<std::shared_mutex>();
+      for (std::size_t i = 0; i < channels.size(); ++i) {
+        element::ComponentForce parts;
+        channels[i]->push(stamps[sample], displacement[sample], parts);
+        forces[sample * channels.size() + i] = parts.total;
+      }
     }
   }
 
@@ -73,7 +64,7 @@ Case lockCase(std::size_t components, std::size_t samples, double most) {
   const auto bench = std::make_shared<BundleBench>(components, samples);
   const std::string of = components == 1 ? "one component" : fmt::format("{} components", components);
   Case result = forceCase(bench, fmt::format("the node's bundle of {}, under the lock that a save takes alone", of),
-                          &BundleBench::pushLocked, "the same without that lock", &BundleBench::pushBare);
+                          &BundleBench::push<true>, "the same without that lock", &BundleBench::push<false>);
   result.unit = "bundle";
   result.count = result.baseline_count = static_cast<double>(bench->displacement.size());
   result.tolerance = 0.0;
@@ -84,7 +75,7 @@ Case lockCase(std::size_t components, std::size_t samples, double most) {
 Case saveCase(std::size_t components, std::size_t samples) {
   const auto bench = std::make_shared<BundleBench>(components, samples);
   Case result = forceCase(bench, fmt::format("the node's states of {} components copied at one instant", components),
-                          &BundleBench::save, "one bundle of theirs, under the lock", &BundleBench::pushLocked);
+                          &BundleBench::save, "one bundle of theirs, under the lock", &BundleBench::push<true>);
   result.unit = "save";
   result.count = BundleBench::kSaves;
   result.baseline_count = static_cast<double>(bench->displacement.size());

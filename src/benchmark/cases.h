@@ -1,7 +1,8 @@
-// What is measured: one function per part of the table.
+// What is measured: the parts of the table, and single pieces of work.
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "benchmark/measurement.h"
@@ -14,24 +15,23 @@ struct BenchmarkSize {
   int components = 1000;         ///< at one tick
 };
 
-/// One component sample by sample, with constant and varying steps, by Component and by SampleStream; growth with the
-/// number of Maxwell elements; a log offline; many components at each tick; a general solver of differential equations
-/// and a multibody program.
+// The parts of the table; their files say what they measure.
 std::vector<Case> forceCases(const BenchmarkSize& size);
-
-/// A component of six directions against six components of one.
 std::vector<Case> sixDirectionCases(const BenchmarkSize& size);
-
-/// Estimation from five inputs.
 std::vector<Case> estimationCases(const BenchmarkSize& size);
-
-/// Reading a log from text, in the form that this package writes and in another dialect.
 std::vector<Case> logCases(const BenchmarkSize& size);
-
-/// Bundles of the node under the lock that makes a saved state one instant, against bundles without it; a save.
 std::vector<Case> bundleCases(const BenchmarkSize& size);
-
-/// Fit and diagnosis of logs, in one thread and in two.
 std::vector<Case> diagnosisCases(const BenchmarkSize& size);
+
+/// Time `simulate` (the force of a log, median of some runs) or `fit` (of the only component of the file to the log,
+/// from one start), in seconds of the thread, for scripts that time others by turns with it. Returns JSON: seconds, and
+/// of a fit its cost, the sum of squared residuals [N^2]. Throws ComponentFileError, LogError and
+/// std::invalid_argument.
+std::string singleWork(const std::string& work, const std::string& component_file, const std::string& log);
+
+/// Diagnoses a log of so many seconds [s] at 1 kHz that is made as it is read, of a component that hides friction, with
+/// two threads. Returns JSON: samples, seconds of the clock, the largest resident memory of the process [bytes], and
+/// the verdict.
+std::string diagnoseLongLog(double duration);
 
 }  // namespace rubber_suspension::benchmark

@@ -4,13 +4,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
 #include <cmath>
-#include <memory>
-#include <random>
 
 #include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
-#include "benchmark/single_work.h"
 #include "benchmark/test_signal.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/element/constants.h"
@@ -34,36 +33,22 @@ component::Component testPiece() {
 // The test piece with noise of the force, the same with every compiler.
 class MeasuringRig {
  public:
-  explicit MeasuringRig(unsigned seed) : test_piece_(testPiece()), state_(test_piece_.makeState()), random_(seed) {}
+  explicit MeasuringRig(unsigned seed) : random_(seed) {}
 
-  // The force measured at the next displacement [m], a step later [N].
-  double force(double displacement) {
-    constexpr double kNoise = 50.0;  // standard deviation [N]
-    double noise = 0.0;              // twelve uniform numbers make a normal one
-    for (int i = 0; i < 12; ++i) {
-      noise += static_cast<double>(random_() >> 11) * 0x1p-53;
-    }
-    return test_piece_.step(state_, kStep, displacement).total + kNoise * (noise - 6.0);
+  // The sample a step later, at the next displacement [m].
+  void measure(double displacement, log::Log& log) {
+    log.stamp.push_back(1000000 * next_++);
+    log.displacement.push_back(displacement);
+    log.force.push_back(test_piece_.step(state_, kStep, displacement).total + noise_(random_));
   }
 
  private:
-  component::Component test_piece_;
-  component::ComponentState state_;
-  std::mt19937_64 random_;
+  const component::Component test_piece_ = testPiece();
+  component::ComponentState state_ = test_piece_.makeState();
+  boost::random::mt19937_64 random_;
+  boost::random::normal_distribution<> noise_{0.0, 50.0};  // [N]
+  std::int64_t next_ = 0;
 };
-
-log::Log measuredLog(const std::string& name, std::size_t samples, double scale, unsigned seed) {
-  MeasuringRig rig(seed);
-  log::Log log;
-  log.name = name;
-  log.stamp = evenStamps(samples);
-  log.displacement = benchmarkDisplacement(samples);
-  for (double& z : log.displacement) {
-    z *= scale;
-    log.force.push_back(rig.force(z));
-  }
-  return log;
-}
 
 // Logs of several amplitudes, and what became of diagnosing them.
 struct DiagnosisBench {
@@ -73,7 +58,11 @@ struct DiagnosisBench {
   explicit DiagnosisBench(std::size_t samples, std::size_t count) {
     constexpr double kScales[] = {1.0, 0.3, 0.6, 0.15, 0.8, 0.45};
     for (std::size_t i = 0; i < count; ++i) {
-      logs.push_back(measuredLog(fmt::format("log {}", i + 1), samples, kScales[i], static_cast<unsigned>(i) + 1));
+      MeasuringRig rig(static_cast<unsigned>(i) + 1);
+      logs.emplace_back().name = fmt::format("log {}", i + 1);
+      for (const double z : benchmarkDisplacement(samples)) {
+        rig.measure(kScales[i] * z, logs.back());
+      }
     }
   }
 
@@ -87,16 +76,12 @@ struct DiagnosisBench {
 };
 
 // A diagnosis against whatever else; the error is that of the diagnosis.
+template <class Bare>
 Case diagnosisCase(const std::shared_ptr<DiagnosisBench>& bench, const std::string& name, const std::string& baseline,
-                   double baseline_count, const std::function<void()>& bare) {
-  Case result;
-  result.name = "fit and diagnosis of " + name + " at 1 kHz, 2 threads";
-  result.baseline = baseline;
-  result.baseline_count = baseline_count;
-  result.bare = bare;
-  result.unit = "sample";
-  result.count = bench->samples();
-  result.library = [bench] { bench->run(2); };
+                   Bare bare) {
+  const auto run = [](DiagnosisBench& work) { work.run(2); };
+  Case result = caseOf(bench, "fit and diagnosis of " + name + " at 1 kHz, 2 threads", run, baseline, bare, "sample",
+                       bench->samples());
   result.error = [bench] { return bench->diagnosis.gap.augmented - bench->diagnosis.gap.noise_floor; };
   result.error_meaning = "gap left above the noise floor";
   // The friction left out is a gap of 15 %; the fit's own share of the noise is a tenth of this.
@@ -124,9 +109,7 @@ class LongLog : public log::LogSource {
       block.name = name();
       for (std::size_t i = first; i < std::min(first + log::kLogBlock, samples_); ++i) {
         const double scale = 0.55 + 0.45 * std::sin(kSlowly * static_cast<double>(i));
-        block.stamp.push_back(static_cast<std::int64_t>(i) * 1000000);
-        block.displacement.push_back(scale * motion[i % kPeriod]);
-        block.force.push_back(rig.force(block.displacement.back()));
+        rig.measure(scale * motion[i % kPeriod], block);
       }
       more = take(block, first);
     }
@@ -142,25 +125,28 @@ class LongLog : public log::LogSource {
 std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
   constexpr int kPasses = 100;  // so that one run is long against what interrupts it
   const auto six = std::make_shared<DiagnosisBench>(static_cast<std::size_t>(size.log_duration / kStep), 6);
-  const auto force = std::make_shared<std::vector<double>>(six->logs.front().size());
-  const std::string six_logs = fmt::format("six logs of {:g} s", size.log_duration);
-  return {diagnosisCase(six, six_logs, "one pass of the plain loop, 1 Maxwell", kPasses * six->samples(),
-                        [six, force] {
-                          for (int i = 0; i < kPasses; ++i) {
-                            for (const log::Log& log : six->logs) {
-                              bareLoop(bareParameters(1), {kStep}, log.displacement, *force);
-                            }
-                          }
-                        }),
-          diagnosisCase(six, six_logs, "the same in 1 thread", six->samples(), [six] { six->run(1); })};
+  const std::string name = fmt::format("six logs of {:g} s", size.log_duration);
+  const auto passes = [force = std::vector<double>(six->logs.front().size())](const DiagnosisBench& work) mutable {
+    for (int i = 0; i < kPasses; ++i) {
+      for (const log::Log& log : work.logs) {
+        bareLoop(bareParameters(1), {kStep}, log.displacement, force);
+      }
+    }
+  };
+  std::vector<Case> cases = {
+      diagnosisCase(six, name, "one pass of the plain loop, 1 Maxwell", passes),
+      diagnosisCase(six, name, "the same in 1 thread", [](DiagnosisBench& work) { work.run(1); })};
+  cases[0].baseline_count *= kPasses;
+  return cases;
 }
 
 std::string diagnoseLongLog(double duration) {
   const auto samples = static_cast<std::size_t>(duration / kStep);
-  const double start = now(Clock::wall);
-  const diagnosis::Diagnosis diagnosis =
-      diagnosis::diagnose(describedComponent(), log::LogSources{std::make_shared<LongLog>(samples)}, {});
-  const double seconds = now(Clock::wall) - start;
+  diagnosis::Diagnosis diagnosis;
+  const auto diagnose = [&] {
+    diagnosis = diagnosis::diagnose(describedComponent(), log::LogSources{std::make_shared<LongLog>(samples)}, {});
+  };
+  const double seconds = secondsOf(diagnose, Clock::wall);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return fmt::format("{{\"samples\": {}, \"seconds\": {:.3g}, \"peak_bytes\": {}, \"verdict\": \"{}\"}}", samples,

@@ -22,7 +22,6 @@ constexpr double kHighFrequency = 25.0;      // [Hz]
 constexpr int kElements = 5;
 
 struct FiveInputs {
-  double alpha = 0.0;
   double break_frequency[kElements] = {};
   double stiffness[kElements] = {};
 };
@@ -55,8 +54,7 @@ void solveByHand(FiveInputs& result) {
   boost::uintmax_t iterations = 100;
   const auto bracket =
       boost::math::tools::toms748_solve(weigh, 0.1, 10.0, boost::math::tools::eps_tolerance<double>(50), iterations);
-  result.alpha = 0.5 * (bracket.first + bracket.second);
-  weigh(result.alpha);
+  weigh(0.5 * (bracket.first + bracket.second));
 }
 
 // K* of the estimated elements against that of the solution by hand, over frequency.
@@ -74,42 +72,40 @@ double estimationError(const FiveInputs& bare, const std::vector<element::Elemen
   return error;
 }
 
-Case estimationCase() {
-  constexpr int kRuns = 100;  // so that one run is long against the clock's resolution
-  struct Bench {
-    estimation::Specification specification;
-    FiveInputs bare;
-    std::vector<element::ElementDescription> library;
-  };
+struct Bench {
+  static constexpr int kRuns = 100;  // so that one run is long against the clock's resolution
+  estimation::Specification specification;
+  FiveInputs bare;
+  std::vector<element::ElementDescription> library;
+
+  void byHand() {
+    for (int i = 0; i < kRuns; ++i) {
+      solveByHand(bare);
+    }
+  }
+
+  void estimate() {
+    for (int i = 0; i < kRuns; ++i) {
+      library = estimation::estimate(estimation::Model::multi_maxwell, specification);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<Case> estimationCases(const BenchmarkSize& /*size*/) {
   const auto bench = std::make_shared<Bench>();
   bench->specification.set("static_stiffness", kStaticStiffness);
   bench->specification.set("dynamic_stiffness", kDynamicStiffness);
   bench->specification.set("nominal_frequency", kNominalFrequency);
   bench->specification.set("maximum_stiffness", kMaximumStiffness);
   bench->specification.set("high_frequency", kHighFrequency);
-  Case result;
-  result.name = "estimation from five inputs, checks included";
-  result.baseline = "TOMS 748 alone";
-  result.unit = "estimation";
-  result.count = result.baseline_count = kRuns;
-  result.bare = [bench] {
-    for (int i = 0; i < kRuns; ++i) {
-      solveByHand(bench->bare);
-    }
-  };
-  result.library = [bench] {
-    for (int i = 0; i < kRuns; ++i) {
-      bench->library = estimation::estimate(estimation::Model::multi_maxwell, bench->specification);
-    }
-  };
+  Case result = caseOf(bench, "estimation from five inputs, checks included", &Bench::estimate, "TOMS 748 alone",
+                       &Bench::byHand, "estimation", Bench::kRuns);
   result.error = [bench] { return estimationError(bench->bare, bench->library); };
   result.error_meaning = "of K*";
   result.tolerance = 1e-12;  // both roots are good to 50 bits
-  return result;
+  return {result};
 }
-
-}  // namespace
-
-std::vector<Case> estimationCases(const BenchmarkSize& /*size*/) { return {estimationCase()}; }
 
 }  // namespace rubber_suspension::benchmark

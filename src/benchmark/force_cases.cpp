@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
+#include <boost/numeric/odeint.hpp>
+#include <numeric>
 
 #include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
-#include "benchmark/force_case.h"
-#include "benchmark/peer/peers.h"
 #include "benchmark/test_signal.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/gap/replay.h"
@@ -22,24 +21,23 @@ struct Bench {
   BareParameters parameters;
   component::Component component;
   log::Log log;
-  std::vector<double> steps;
+  std::vector<double> steps;       // that end at each sample; the first is 0
+  std::vector<double> bare_steps;  // one where it holds throughout
   std::vector<double> bare;
   std::vector<double> library;
 
-  Bench(const BareParameters& given, const std::vector<std::int64_t>& stamps)
-      : parameters(given),
-        component(elementsOf(given)),
-        steps(stepsOf(stamps)),
-        bare(stamps.size()),
-        library(stamps.size()) {
+  Bench(const BareParameters& given, Stamps kind, std::size_t samples)
+      : parameters(given), component(elementsOf(given)), steps(samples), bare(samples), library(samples) {
     log.name = "benchmark";
-    log.stamp = stamps;
-    log.displacement = benchmarkDisplacement(stamps.size());
+    log.stamp = stampsOf(kind, samples);
+    log.displacement = benchmarkDisplacement(samples);
+    std::adjacent_difference(log.stamp.begin(), log.stamp.end(), steps.begin(),
+                             [](auto end, auto begin) { return static_cast<double>(end - begin) / 1e9; });
+    bare_steps = kind == Stamps::even ? std::vector<double>{kStep} : steps;
   }
 };
 
-void plainLoop(Bench& bench) { bareLoop(bench.parameters, {kStep}, bench.log.displacement, bench.bare); }
-void plainLoopOfEachStep(Bench& bench) { bareLoop(bench.parameters, bench.steps, bench.log.displacement, bench.bare); }
+void plainLoop(Bench& bench) { bareLoop(bench.parameters, bench.bare_steps, bench.log.displacement, bench.bare); }
 
 void stepThrough(Bench& bench) {
   component::ComponentState state = bench.component.makeState();
@@ -66,55 +64,69 @@ void simulate(Bench& bench) {
 void simulateWholeLog(Bench& bench) { bench.library = gap::simulateLog(bench.component, bench.log); }
 
 void addSteps(std::vector<Case>& cases, std::size_t samples) {
-  const auto even = std::make_shared<Bench>(bareParameters(kElements), evenStamps(samples));
-  const auto uneven = std::make_shared<Bench>(bareParameters(kElements), unevenStamps(samples));
-  const std::string constant = "plain loop, constant dt";
-  cases.push_back(forceCase(even, "`SampleStream::push`, constant dt", pushThrough, constant, plainLoop));
-  for (const auto& [name, side] :
-       {std::pair("`Component::step`", &stepThrough), std::pair("`SampleStream::push`", &pushThrough)}) {
-    cases.push_back(forceCase(uneven, std::string(name) + ", every dt another", side, "plain loop, every dt its own",
-                              plainLoopOfEachStep));
-  }
+  const auto even = std::make_shared<Bench>(bareParameters(kElements), Stamps::even, samples);
+  const auto uneven = std::make_shared<Bench>(bareParameters(kElements), Stamps::uneven, samples);
+  const auto add = [&](const std::shared_ptr<Bench>& bench, const std::string& name, void (*side)(Bench&)) {
+    const std::string loop = bench == uneven ? "plain loop, every dt its own" : "plain loop, constant dt";
+    cases.push_back(forceCase(bench, name, side, loop, plainLoop));
+  };
+  add(even, "`SampleStream::push`, constant dt", pushThrough);
+  add(uneven, "`Component::step`, every dt another", stepThrough);
+  add(uneven, "`SampleStream::push`, every dt another", pushThrough);
   for (const int count : {1, 5, 10, 20}) {
-    const auto bench = std::make_shared<Bench>(bareParameters(count), evenStamps(samples));
-    cases.push_back(forceCase(bench, fmt::format("`Component::step`, constant dt, {} Maxwell", count), stepThrough,
-                              constant, plainLoop));
+    add(std::make_shared<Bench>(bareParameters(count), Stamps::even, samples),
+        fmt::format("`Component::step`, constant dt, {} Maxwell", count), stepThrough);
   }
-  cases.push_back(forceCase(even, "a log offline, `Component::simulate`", simulate, constant, plainLoop));
-  cases.push_back(forceCase(even, "a log offline, `simulateLog`", simulateWholeLog, constant, plainLoop));
+  add(even, "a log offline, `Component::simulate`", simulate);
+  add(even, "a log offline, `simulateLog`", simulateWholeLog);
+}
+
+// The sum of the Maxwell forces [N] at each sample: their forces are the states, dF/dt = k v - F/tau.
+void odeintDormandPrince(const BareMaxwells<kElements>& maxwells, const std::vector<double>& displacement,
+                         std::vector<double>& force) {
+  namespace odeint = boost::numeric::odeint;
+  using State = std::array<double, kElements>;
+  constexpr double kRelativeTolerance = 1e-6;
+  constexpr double kAbsoluteTolerance = 1e-2;  // [N]; the forces are some kN
+  auto stepper = odeint::make_controlled(kAbsoluteTolerance, kRelativeTolerance, odeint::runge_kutta_dopri5<State>());
+  State release;  // 1/tau
+  std::transform(maxwells.relaxation_time.begin(), maxwells.relaxation_time.end(), release.begin(),
+                 [](double time) { return 1.0 / time; });
+  State state{};
+  for (std::size_t i = 1; i < displacement.size(); ++i) {
+    const double velocity = (displacement[i] - displacement[i - 1]) / kStep;
+    const auto system = [&](const State& forces, State& rate, double /*time*/) {
+      for (std::size_t k = 0; k < rate.size(); ++k) {
+        rate[k] = maxwells.stiffness[k] * velocity - release[k] * forces[k];
+      }
+    };
+    odeint::integrate_adaptive(stepper, system, state, 0.0, kStep, 0.5 * kStep);
+    force[i] = std::accumulate(state.begin(), state.end(), 0.0);
+  }
 }
 
 // The displacement is linear between samples for a solver, too: the error is its own. Spring and friction are added
 // alike.
-Case peerCase(std::size_t samples, const std::string& name, void (*solve)(const PeerWork&, std::vector<double>&)) {
+Case peerCase(std::size_t samples, const std::string& name, PeerSolver solve) {
   constexpr double kHighest = 1000.0;     // break frequency [Hz]; relaxes six times over within a sampling interval
   constexpr double kErrorOfPeers = 1e-2;  // a general solver is good to its own tolerance only
-  const auto bench = std::make_shared<Bench>(bareParameters(kElements, kHighest), evenStamps(samples));
-  const auto work = std::make_shared<PeerWork>(bench->parameters, kStep, bench->log.displacement);
-  Case result = forceCase(bench, "a log with break frequencies up to 1 kHz, `Component::simulate`", simulate, name,
-                          [work, solve](Bench& sides) {
-                            solve(*work, sides.bare);
-                            sides.bare[0] = 0.0;
-                            const BareParameters& given = sides.parameters;
-                            BareFriction friction{work->displacement[0], work->displacement[0]};
-                            for (std::size_t i = 0; i < sides.bare.size(); ++i) {
-                              const double z = work->displacement[i];
-                              sides.bare[i] += given.spring * z +
-                                               friction.advance(z, given.maximum_force, given.friction_displacement);
-                            }
-                          });
+  const auto bench = std::make_shared<Bench>(bareParameters(kElements, kHighest), Stamps::even, samples);
+  const auto bare = [solve](Bench& sides) {
+    const BareParameters& given = sides.parameters;
+    const std::vector<double>& displacement = sides.log.displacement;
+    solve(BareMaxwells<kElements>(given), displacement, sides.bare);
+    sides.bare[0] = 0.0;
+    BareFriction friction{displacement[0], displacement[0]};
+    for (std::size_t i = 0; i < displacement.size(); ++i) {
+      sides.bare[i] += given.spring * displacement[i] +
+                       friction.advance(displacement[i], given.maximum_force, given.friction_displacement);
+    }
+  };
+  Case result =
+      forceCase(bench, "a log with break frequencies up to 1 kHz, `Component::simulate`", simulate, name, bare);
   result.tolerance = kErrorOfPeers;
   result.most_repetitions = 15;
   return result;
-}
-
-void addPeers(std::vector<Case>& cases, std::size_t samples) {
-  const std::size_t most = std::min<std::size_t>(20000, samples);
-  cases.push_back(peerCase(most, "Boost.odeint, Dormand-Prince", odeintDormandPrince));
-#ifdef RUBBER_SUSPENSION_WITH_SIMBODY
-  // It takes microseconds for a sample.
-  cases.push_back(peerCase(std::min<std::size_t>(2000, samples), "Simbody, Runge-Kutta-Merson", simbodyMerson));
-#endif
 }
 
 // Components that differ in all stiffnesses and forces by up to a factor of two.
@@ -130,12 +142,7 @@ struct ManyBench {
   ManyBench(int count, std::size_t ticks) : displacement(benchmarkDisplacement(ticks)), bare(count), library(count) {
     for (int i = 0; i < count; ++i) {
       const double factor = 1.0 + static_cast<double>(i) / count;
-      BareParameters parameters = bareParameters(kElements);
-      parameters.spring *= factor;
-      parameters.maximum_force *= factor;
-      for (double& stiffness : parameters.stiffness) {
-        stiffness *= factor;
-      }
+      const BareParameters parameters = bareParameters(kElements).scaled(factor, factor);
       members.emplace_back(parameters);
       members.back().setStep(BareMaxwells<kElements>(parameters), kStep);
       components.emplace_back(elementsOf(parameters));
@@ -178,7 +185,11 @@ std::vector<Case> forceCases(const BenchmarkSize& size) {
   std::vector<Case> cases;
   addSteps(cases, size.samples);
   cases.push_back(manyCase(size.components, std::min(kMostTicks, size.samples)));
-  addPeers(cases, size.samples);
+  cases.push_back(
+      peerCase(std::min<std::size_t>(20000, size.samples), "Boost.odeint, Dormand-Prince", odeintDormandPrince));
+#ifdef RUBBER_SUSPENSION_WITH_SIMBODY  // which takes microseconds for a sample
+  cases.push_back(peerCase(std::min<std::size_t>(2000, size.samples), "Simbody, Runge-Kutta-Merson", simbodyMerson));
+#endif
   return cases;
 }
 

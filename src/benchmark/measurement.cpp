@@ -3,47 +3,41 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <Eigen/Core>
+#include <boost/algorithm/string/erase.hpp>
 #include <ctime>
-
-#include "benchmark/spread.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
 
-double secondsOf(const std::function<void()>& run, Clock clock) {
-  const double start = now(clock);
-  run();
-  return now(clock) - start;
+double now(Clock clock) {
+  timespec time{};
+  clock_gettime(clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 std::string readable(double seconds) {
-  const double magnitudes[] = {1e-9, 1e-6, 1e-3, 1.0};
-  const char* const units[] = {"ns", "us", "ms", "s"};
-  std::size_t i = 0;
-  while (i < 3 && seconds >= magnitudes[i + 1]) {
-    ++i;
-  }
-  return fmt::format("{:.3g} {}", seconds / magnitudes[i], units[i]);
+  const std::pair<double, const char*> units[] = {{1.0, "s"}, {1e-3, "ms"}, {1e-6, "us"}, {1e-9, "ns"}};
+  const auto* unit = std::find_if(units, units + 3, [&](const auto& one) { return seconds >= one.first; });
+  return fmt::format("{:.3g} {}", seconds / unit->first, unit->second);
 }
 
 std::string readableRatio(double ratio) {
   return fmt::format(ratio < 0.1 ? "{:.2g}" : ratio < 100.0 ? "{:.2f}" : "{:.0f}", ratio);
 }
 
-// Code is set off by backticks in the table, which a figure does not know.
-std::string rowName(const Result& result) {
-  std::string name = result.name + "\nagainst " + result.baseline;
-  name.erase(std::remove(name.begin(), name.end(), '`'), name.end());
-  return name;
-}
-
 }  // namespace
 
-double now(Clock clock) {
-  timespec time{};
-  clock_gettime(clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+double relativeDifference(const std::vector<double>& expected, const std::vector<double>& actual) {
+  const Eigen::Map<const Eigen::ArrayXd> right(expected.data(), static_cast<Eigen::Index>(expected.size()));
+  const Eigen::Map<const Eigen::ArrayXd> found(actual.data(), right.size());
+  return (found - right).abs().maxCoeff<Eigen::PropagateNaN>() / right.abs().maxCoeff();
+}
+
+double secondsOf(const std::function<void()>& run, Clock clock) {
+  const double start = now(clock);
+  run();
+  return now(clock) - start;
 }
 
 Result measure(const Case& work, int pairs) {
@@ -56,10 +50,10 @@ Result measure(const Case& work, int pairs) {
   const int repetitions = std::min(pairs, work.most_repetitions);
   for (int i = 0; i < repetitions; ++i) {
     const bool bare_first = i % 2 == 0;
-    const double first = secondsOf(bare_first ? work.bare : work.library, work.clock);
-    const double second = secondsOf(bare_first ? work.library : work.bare, work.clock);
-    bare.push_back((bare_first ? first : second) / work.baseline_count);
-    library.push_back((bare_first ? second : first) / work.count);
+    for (const bool is_bare : {bare_first, !bare_first}) {
+      const double seconds = secondsOf(is_bare ? work.bare : work.library, work.clock);
+      (is_bare ? bare : library).push_back(seconds / (is_bare ? work.baseline_count : work.count));
+    }
     ratio.push_back(library.back() / bare.back());
   }
   Result result{work.name, work.baseline, "", spreadOf(ratio), error <= work.tolerance, false};  // no NaN is accurate
@@ -86,7 +80,8 @@ io::Figure ratioFigure(const std::vector<Result>& results) {
   io::Axes axes{"", "time of the library / time of the other [-]", "", true};
   std::vector<io::Spread> ratios;
   for (const Result& result : results) {
-    axes.rows.push_back(rowName(result));
+    // Code is set off by backticks in the table, which a figure does not know.
+    axes.rows.push_back(boost::erase_all_copy(result.name + "\nagainst " + result.baseline, "`"));
     ratios.push_back(result.ratio);
   }
   axes.curves.push_back({"", {1.0, 1.0}, {-0.5, static_cast<double>(results.size()) - 0.5}, ":", 7});

@@ -2,11 +2,14 @@
 // whole machine.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "numerics/quantile.h"
 #include "rubber_suspension/io/figure.h"
 
 namespace rubber_suspension::benchmark {
@@ -32,6 +35,36 @@ struct Case {
   int most_repetitions = 1000000;  ///< of a case that takes long
 };
 
+/// Largest difference over the largest expected value.
+double relativeDifference(const std::vector<double>& expected, const std::vector<double>& actual);
+
+/// A row whose two sides work on a bench, of which each run does so many units of work.
+template <class Bench, class Library, class Bare>
+Case caseOf(const std::shared_ptr<Bench>& bench, const std::string& name, Library library, const std::string& baseline,
+            Bare bare, const std::string& unit, double count) {
+  Case result;
+  result.name = name;
+  result.baseline = baseline;
+  result.unit = unit;
+  result.count = result.baseline_count = count;
+  result.bare = [bench, bare]() mutable { std::invoke(bare, *bench); };
+  result.library = [bench, library] { std::invoke(library, *bench); };
+  return result;
+}
+
+/// One whose sides leave series of forces [N] in the bench's members `library` and `bare`, which have to be the same;
+/// each step is one of them.
+template <class Bench, class Library, class Bare>
+Case forceCase(const std::shared_ptr<Bench>& bench, const std::string& name, Library library,
+               const std::string& baseline, Bare bare) {
+  Case result = caseOf(bench, name, library, baseline, bare, "step", static_cast<double>(bench->library.size()));
+  result.error = [bench] { return relativeDifference(bench->bare, bench->library); };
+  result.error_meaning = "of the largest force";
+  // Both sum the same products in another order: some roundings per step, which relaxation and friction forget.
+  result.tolerance = 1e-11;
+  return result;
+}
+
 /// The same afterwards.
 struct Result {
   std::string name;
@@ -42,8 +75,14 @@ struct Result {
   bool slow = false;      ///< the ratio is beyond the largest accepted
 };
 
-/// Time of the clock [s].
-double now(Clock clock);
+/// Median and quartiles of repeated measurements, linear between the ranks. The list must not be empty.
+inline io::Spread spreadOf(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return {numerics::quantileOf(values, 0.5), numerics::quantileOf(values, 0.25), numerics::quantileOf(values, 0.75)};
+}
+
+/// What a run takes by the clock [s].
+double secondsOf(const std::function<void()>& run, Clock clock);
 
 /// Run the case once unmeasured, then in that many pairs; which of the two runs first alternates.
 Result measure(const Case& work, int pairs);

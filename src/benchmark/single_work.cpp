@@ -1,10 +1,7 @@
 // One piece of work of the library alone.
-#include "benchmark/single_work.h"
-
 #include <fmt/format.h>
 
-#include "benchmark/measurement.h"
-#include "benchmark/spread.h"
+#include "benchmark/cases.h"
 #include "rubber_suspension/fit/identification.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
@@ -16,9 +13,7 @@ double medianSeconds(const std::function<void()>& work) {
   constexpr int kRuns = 5;
   std::vector<double> seconds;
   for (int i = 0; i < kRuns; ++i) {
-    const double start = now(Clock::thread);
-    work();
-    seconds.push_back(now(Clock::thread) - start);
+    seconds.push_back(secondsOf(work, Clock::thread));
   }
   return spreadOf(seconds).median;
 }

@@ -1,7 +1,6 @@
 // Test signals of the benchmark.
 #include "benchmark/test_signal.h"
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -20,43 +19,15 @@ std::vector<double> benchmarkDisplacement(std::size_t samples) {
   return displacement;
 }
 
-std::vector<std::int64_t> evenStamps(std::size_t samples) {
-  std::vector<std::int64_t> stamps(samples);
-  for (std::size_t i = 0; i < samples; ++i) {
-    stamps[i] = static_cast<std::int64_t>(i) * 1000000;
-  }
-  return stamps;
-}
-
-std::vector<std::int64_t> unevenStamps(std::size_t samples) {
+std::vector<std::int64_t> stampsOf(Stamps kind, std::size_t samples) {
   std::mt19937_64 random(1);
   std::vector<std::int64_t> stamps(samples);
   for (std::size_t i = 1; i < samples; ++i) {
     // Odd after even, so that no step is that before it.
     const auto jitter = static_cast<std::int64_t>(random() % 300000) * 2 + static_cast<std::int64_t>(i % 2);
-    stamps[i] = stamps[i - 1] + 700000 + jitter;
+    stamps[i] = stamps[i - 1] + (kind == Stamps::even ? 1000000 : 700000 + jitter);
   }
   return stamps;
-}
-
-std::vector<double> stepsOf(const std::vector<std::int64_t>& stamps) {
-  std::vector<double> steps(stamps.size());
-  for (std::size_t i = 1; i < stamps.size(); ++i) {
-    steps[i] = static_cast<double>(stamps[i] - stamps[i - 1]) / 1e9;
-  }
-  return steps;
-}
-
-double relativeDifference(const std::vector<double>& expected, const std::vector<double>& actual) {
-  double largest = 0.0;
-  double difference = 0.0;
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    largest = std::max(largest, std::abs(expected[i]));
-    // Not std::max: it would pass over what is not a number.
-    const double here = std::abs(actual[i] - expected[i]);
-    difference = here <= difference ? difference : here;
-  }
-  return difference / largest;
 }
 
 }  // namespace rubber_suspension::benchmark

@@ -1,4 +1,4 @@
-// Displacements and stamps that all cases share, and the error between two series of forces.
+// Displacements and stamps that all cases share.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,7 @@ constexpr double kStep = 1e-3;  ///< sampling interval [s]
 std::vector<double> benchmarkDisplacement(std::size_t samples);
 
 /// Stamps [ns] every millisecond, or with steps between 0.7 and 1.3 ms of which no two in a row are equal (fixed seed).
-std::vector<std::int64_t> evenStamps(std::size_t samples);
-std::vector<std::int64_t> unevenStamps(std::size_t samples);
-
-/// Steps [s] that end at each sample; the first is 0.
-std::vector<double> stepsOf(const std::vector<std::int64_t>& stamps);
-
-/// Largest difference over the largest force.
-double relativeDifference(const std::vector<double>& expected, const std::vector<double>& actual);
+enum class Stamps { even, uneven };
+std::vector<std::int64_t> stampsOf(Stamps kind, std::size_t samples);
 
 }  // namespace rubber_suspension::benchmark

@@ -3,13 +3,14 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <zip.h>
 
-#include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
-#include <vector>
+#include <memory>
+#include <set>
 
 #include "element/refuse.h"
 #include "fmi/runtime/embedded.h"
@@ -19,12 +20,19 @@ namespace rubber_suspension::fmi {
 namespace {
 
 constexpr const char* kTool = "rubber_suspension " RUBBER_SUSPENSION_VERSION;
+constexpr const char kUnreadable[] = "{}: cannot be read; accepted: what was built and installed with this program";
+
+// 2 January 1980, since zip has no earlier year and keeps local time: the same bytes today and tomorrow.
+constexpr time_t kTimeOfFiles = 315619200;
+
+void require(bool done, const std::string& name, const char* reason) {
+  element::refuseIf<std::runtime_error>(!done, "{}: {}", name, reason);
+}
 
 std::string readFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  element::refuseIf<std::runtime_error>(
-      content.empty(), "{}: cannot be read; accepted: the file that was built and installed with this one", path);
+  element::refuseIf<std::runtime_error>(content.empty(), kUnreadable, path);
   return content;
 }
 
@@ -63,33 +71,59 @@ std::string componentHeader(const std::string& text) {
   return header + "\n";
 }
 
-std::string binaryFolder(Version version) { return version == Version::fmi2 ? "linux64" : "x86_64-linux"; }
-
-// Sorted, since an archive has its files in the order of a folder; below the one folder that it packs.
-void addSources(std::vector<ArchiveEntry>& entries, const ComponentData& data, const std::string& archive) {
-  std::vector<ArchiveEntry> sources = fromZip(readFile(archive), archive);
-  std::sort(sources.begin(), sources.end(),
-            [](const ArchiveEntry& one, const ArchiveEntry& other) { return one.path < other.path; });
-  for (ArchiveEntry& entry : sources) {
-    const std::string path = entry.path.substr(entry.path.find('/') + 1);
-    if (path == "CMakeLists.txt") {
-      entry.content = "set(model_identifier " + data.name + ")\n" + entry.content;
+// Sorted, since a folder has its files in any order.
+void addSources(std::vector<ArchiveEntry>& entries, const ComponentData& data, const std::string& folder) {
+  std::set<std::string> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error)) {
+    if (entry.is_regular_file()) {
+      files.insert(entry.path().lexically_relative(folder).generic_string());
     }
-    entries.push_back({"sources/" + path, std::move(entry.content)});
+  }
+  element::refuseIf<std::runtime_error>(files.empty(), kUnreadable, folder);
+  for (const std::string& file : files) {
+    const std::string head = file == "CMakeLists.txt" ? "set(model_identifier " + data.name + ")\n" : "";
+    entries.push_back({"sources/" + file, head + readFile(folder + "/" + file)});
   }
   entries.push_back({"sources/component_text.h", componentHeader(toJson(data))});
 }
 
 }  // namespace
 
+std::string toZip(const std::vector<ArchiveEntry>& entries) {
+  const std::string name = "zip archive";
+  const std::unique_ptr<zip_source_t, void (*)(zip_source_t*)> whole(zip_source_buffer_create(nullptr, 0, 0, nullptr),
+                                                                     zip_source_free);
+  std::unique_ptr<zip_t, void (*)(zip_t*)> archive(
+      zip_open_from_source(whole.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr), zip_discard);
+  require(archive != nullptr, name, "cannot be begun");
+  zip_source_keep(whole.get());  // which is the archive's, too
+  for (const ArchiveEntry& entry : entries) {
+    zip_source_t* const content = zip_source_buffer(archive.get(), entry.content.data(), entry.content.size(), 0);
+    const zip_int64_t index = zip_file_add(archive.get(), entry.path.c_str(), content, ZIP_FL_ENC_UTF_8);
+    if (index < 0) {  // else it is the archive's
+      zip_source_free(content);
+    }
+    require(index >= 0, entry.path, zip_strerror(archive.get()));
+    zip_file_set_mtime(archive.get(), static_cast<zip_uint64_t>(index), kTimeOfFiles, 0);
+  }
+  require(zip_close(archive.get()) == 0, name, zip_strerror(archive.get()));
+  static_cast<void>(archive.release());  // closed
+  zip_stat_t status;
+  require(zip_source_stat(whole.get(), &status) == 0 && zip_source_open(whole.get()) == 0, name, "no bytes");
+  std::string bytes(status.size, '\0');
+  const zip_int64_t count = zip_source_read(whole.get(), bytes.data(), bytes.size());
+  zip_source_close(whole.get());
+  require(count == static_cast<zip_int64_t>(bytes.size()), name, "cannot be read back");
+  return bytes;
+}
+
 FmuParts installedParts() {
   Dl_info info{};
   element::refuseIf<std::runtime_error>(dladdr(reinterpret_cast<const void*>(&installedParts), &info) == 0,
                                         "the program's own place is unknown");
-  const std::string program = info.dli_fname;
-  const std::size_t slash = program.find_last_of('/');
-  const std::string folder = slash == std::string::npos ? "." : program.substr(0, slash);
-  return {folder + "/rubber_suspension_fmu.so", folder + "/rubber_suspension_fmu_sources.zip"};
+  const std::filesystem::path folder = std::filesystem::path(info.dli_fname).parent_path();
+  return {folder / "rubber_suspension_fmu.so", folder / "rubber_suspension_fmu_sources"};
 }
 
 ComponentData dataOf(const io::ComponentDescription& description) {
@@ -100,16 +134,11 @@ ComponentData dataOf(const io::ComponentDescription& description) {
     for (auto& elements : data.six->elements) {
       elements = completed(elements);
     }
-    data.guid = guidOf(toJson(data) + kTool);
-    return data;
-  }
-  data.model = description.model();
-  data.specification = description.specification();
-  if (data.specification.curve() != nullptr) {  // which no variable of the FMU changes
-    data.model = estimation::Model::elements;
-    data.specification = {};
-  }
-  if (data.model == estimation::Model::elements) {
+  } else if (description.specification().curve() == nullptr) {
+    data.model = description.model();
+    data.specification = description.specification();
+  }  // else the elements that the curve leads to, which no variable of the FMU changes
+  if (!description.six && data.model == estimation::Model::elements) {
     data.elements = completed(description.elements());
   }
   data.add = completed(description.add);
@@ -123,16 +152,12 @@ ComponentData dataOf(const io::ComponentDescription& description) {
 std::vector<ArchiveEntry> fmuFiles(const io::ComponentDescription& description, Version version,
                                    const FmuParts& parts) {
   const ComponentData data = dataOf(description);
-  std::vector<ArchiveEntry> files = {
-      {"modelDescription.xml", modelDescription(data, version, kTool)},
-      {"binaries/" + binaryFolder(version) + "/" + data.name + ".so", binaryWith(toJson(data), parts.binary)},
-      {"resources/component.yaml", io::toYaml({description})}};
+  const std::string folder = version == Version::fmi2 ? "binaries/linux64" : "binaries/x86_64-linux";
+  std::vector<ArchiveEntry> files = {{"modelDescription.xml", modelDescription(data, version, kTool)},
+                                     {folder + "/" + data.name + ".so", binaryWith(toJson(data), parts.binary)},
+                                     {"resources/component.yaml", io::toYaml({description})}};
   addSources(files, data, parts.sources);
   return files;
-}
-
-std::string makeFmu(const io::ComponentDescription& description, Version version, const FmuParts& parts) {
-  return toZip(fmuFiles(description, version, parts));
 }
 
 }  // namespace rubber_suspension::fmi

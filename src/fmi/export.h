@@ -2,17 +2,26 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "fmi/archive.h"
 #include "fmi/model_description.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension::fmi {
 
+/// A file in an archive: its path, with slashes, and its content.
+struct ArchiveEntry {
+  std::string path;
+  std::string content;
+};
+
+/// The bytes of a zip archive; the same for the same entries. Throws std::runtime_error.
+std::string toZip(const std::vector<ArchiveEntry>& entries);
+
 /// The files of an FMU that are the same for all components.
 struct FmuParts {
   std::string binary;   ///< path of the shared library without a component
-  std::string sources;  ///< path of the archive of its sources
+  std::string sources;  ///< path of the folder of its sources
 };
 
 /// Those that were built with the program that calls this: they lie beside it.
@@ -25,8 +34,5 @@ ComponentData dataOf(const io::ComponentDescription& description);
 /// The files in the FMU, the same for the same component. Throws std::runtime_error that names the file where a part is
 /// missing or is no such part, and where the component is too large for it.
 std::vector<ArchiveEntry> fmuFiles(const io::ComponentDescription& description, Version version, const FmuParts& parts);
-
-/// The bytes of the FMU: an archive of these files. Throws as fmuFiles().
-std::string makeFmu(const io::ComponentDescription& description, Version version, const FmuParts& parts);
 
 }  // namespace rubber_suspension::fmi

@@ -4,41 +4,21 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <set>
 #include <utility>
-#include <vector>
 
+#include "element/refuse.h"
 #include "fmi/runtime/instance.h"
-#include "fmi/units.h"
+#include "rubber_suspension/element/temperature_shift.h"
 
 namespace rubber_suspension::fmi {
 namespace {
 
-using Attributes = std::vector<std::pair<const char*, std::string>>;
-
-// Elements of XML, one inside the other.
-class Writer {
- public:
-  Writer() { printer_.PushHeader(false, true); }
-
-  void element(const char* name, const Attributes& attributes, const std::function<void()>& content = {}) {
-    printer_.OpenElement(name);
-    for (const auto& [key, value] : attributes) {
-      printer_.PushAttribute(key, value.c_str());
-    }
-    if (content) {
-      content();
-    }
-    printer_.CloseElement();
-  }
-
-  std::string text() const { return printer_.CStr(); }
-
- private:
-  tinyxml2::XMLPrinter printer_;
-};
+// Names and values; what has no name is left out.
+using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 std::string number(double value) { return fmt::format("{}", value); }
 
@@ -53,82 +33,82 @@ bool isCalculated(const Variable& variable) {
 Attributes commonAttributes(const Variable& variable, Reference reference) {
   static const char* const causalities[] = {"independent", "input", "output", "parameter", "calculatedParameter"};
   const bool is_parameter = variable.causality >= Causality::parameter;
-  Attributes attributes = {{"name", variable.name},
-                           {"valueReference", std::to_string(reference)},
-                           {"description", variable.description},
-                           {"causality", causalities[static_cast<std::size_t>(variable.causality)]},
-                           {"variability", is_parameter ? "fixed" : "continuous"}};
-  if (is_parameter || isOutput(variable)) {
-    attributes.emplace_back("initial", isCalculated(variable) ? "calculated" : "exact");
-  }
-  return attributes;
+  return {{"name", variable.name},
+          {"valueReference", std::to_string(reference)},
+          {"description", variable.description},
+          {"causality", causalities[static_cast<std::size_t>(variable.causality)]},
+          {"variability", is_parameter ? "fixed" : "continuous"},
+          {is_parameter || isOutput(variable) ? "initial" : "", isCalculated(variable) ? "calculated" : "exact"}};
 }
 
 // Unit, range and start value, alike in both versions.
-void addValue(Attributes& attributes, const Variable& variable) {
-  if (variable.unit != "1") {
-    attributes.emplace_back("unit", variable.unit);
-  }
-  for (const auto& [key, bound] : {std::pair("min", variable.range.lower), std::pair("max", variable.range.upper)}) {
-    if (std::isfinite(bound)) {
-      attributes.emplace_back(key, number(bound));
-    }
-  }
-  if (variable.start) {
-    attributes.emplace_back("start", number(*variable.start));
-  }
+Attributes valueAttributes(const Variable& variable) {
+  return {{variable.unit == "1" ? "" : "unit", variable.unit},
+          {std::isfinite(variable.range.lower) ? "min" : "", number(variable.range.lower)},
+          {std::isfinite(variable.range.upper) ? "max" : "", number(variable.range.upper)},
+          {variable.start ? "start" : "", number(variable.start.value_or(0.0))}};
 }
+
+// What symbols stand for; base units for themselves.
+const std::map<std::string, std::string> kSymbols = {
+    {"kg", ""}, {"m", ""},     {"s", ""},         {"A", ""},       {"K", ""},    {"rad", ""},  {"mol", ""},
+    {"1", "1"}, {"Hz", "1/s"}, {"N", "kg m/s^2"}, {"Pa", "N/m^2"}, {"J", "N m"}, {"W", "J/s"}, {"degC", "K"}};
 
 class Description {
  public:
-  Description(const ComponentData& data, Version version, std::string tool)
-      : data_(data),
-        variables_(VariableTable(data).variables()),
-        second_(version == Version::fmi2),
-        tool_(std::move(tool)) {}
-
-  std::string text() {
-    xml_.element("fmiModelDescription", rootAttributes(), [&] {
-      Attributes interface = {{"modelIdentifier", data_.name}, {"canHandleVariableCommunicationStepSize", "true"}};
-      if (second_ && !data_.six) {
-        interface.emplace_back("canInterpolateInputs", "true");
-      }
-      interface.emplace_back(second_ ? "canGetAndSetFMUstate" : "canGetAndSetFMUState", "true");
-      interface.emplace_back(second_ ? "canSerializeFMUstate" : "canSerializeFMUState", "true");
-      xml_.element("CoSimulation", interface);
-      xml_.element("UnitDefinitions", {}, [&] { writeUnits(); });
-      xml_.element("LogCategories", {}, [&] {
-        xml_.element("Category", {{"name", category::kEvents}, {"description", "changes of the phase"}});
-        xml_.element("Category", {{"name", category::kDiscard}, {"description", "values that are refused"}});
-        xml_.element("Category", {{"name", category::kError}, {"description", "errors"}});
-      });
-      xml_.element("DefaultExperiment", {{"startTime", "0"}, {"stepSize", "0.001"}});
-      xml_.element("ModelVariables", {}, [&] { writeVariables(); });
-      // At a communication point the outputs are those of the step before, whatever the input is set to; only in the
-      // initialisation do they follow it.
-      xml_.element("ModelStructure", {}, [&] {
-        writeUnknowns("Outputs", "Output", isOutput, {{"dependencies", ""}});
-        writeUnknowns("InitialUnknowns", "InitialUnknown", isCalculated, {});
-      });
-    });
-    return xml_.text();
+  Description(const ComponentData& data, Version version, const std::string& tool)
+      : data_(data), variables_(VariableTable(data).variables()), second_(version == Version::fmi2) {
+    printer_.PushHeader(false, true);
+    const std::string what = data.six ? ", six directions: pose to wrench"
+                                      : ", model " + estimation::toString(data.model) + ": displacement to force";
+    const Attributes root = {{"fmiVersion", second_ ? "2.0" : "3.0"},
+                             {"modelName", data.name},
+                             {second_ ? "guid" : "instantiationToken", data.guid},
+                             {"description", "rubber component " + data.name + what},
+                             {"generationTool", tool},
+                             {"variableNamingConvention", "structured"},
+                             {second_ ? "numberOfEventIndicators" : "", "0"}};
+    element("fmiModelDescription", root, [this] { writeContent(); });
   }
 
+  std::string text() const { return printer_.CStr(); }
+
  private:
-  Attributes rootAttributes() const {
-    Attributes attributes = {
-        {"fmiVersion", second_ ? "2.0" : "3.0"},
-        {"modelName", data_.name},
-        {second_ ? "guid" : "instantiationToken", data_.guid},
-        {"description", "rubber component " + data_.name +
-                            (data_.six ? ", six directions: pose to wrench"
-                                       : ", model " + estimation::toString(data_.model) + ": displacement to force")},
-        {"generationTool", tool_},
-        {"variableNamingConvention", "structured"}};
-    if (second_) {
-      attributes.emplace_back("numberOfEventIndicators", "0");
+  // Elements of XML, one inside the other.
+  void element(const char* name, const Attributes& attributes, const std::function<void()>& content = {}) {
+    printer_.OpenElement(name);
+    for (const auto& [key, value] : attributes) {
+      if (!key.empty()) {
+        printer_.PushAttribute(key.c_str(), value.c_str());
+      }
     }
-    return attributes;
+    if (content) {
+      content();
+    }
+    printer_.CloseElement();
+  }
+
+  void writeContent() {
+    const std::string state = second_ ? "FMUstate" : "FMUState";
+    element("CoSimulation", {{"modelIdentifier", data_.name},
+                             {"canHandleVariableCommunicationStepSize", "true"},
+                             {second_ && !data_.six ? "canInterpolateInputs" : "", "true"},
+                             {"canGetAndSet" + state, "true"},
+                             {"canSerialize" + state, "true"}});
+    element("UnitDefinitions", {}, [this] { writeUnits(); });
+    element("LogCategories", {}, [this] {
+      for (const LogCategory& category : kLogCategories) {
+        element("Category", {{"name", category.name}, {"description", category.description}});
+      }
+    });
+    element("DefaultExperiment", {{"startTime", "0"}, {"stepSize", "0.001"}});
+    element("ModelVariables", {}, [this] { writeVariables(); });
+    // At a communication point the outputs are those of the step before, whatever the input is set to; only in the
+    // initialisation do they follow it.
+    element("ModelStructure", {}, [this] {
+      writeUnknowns("Output", isOutput, "dependencies");
+      writeUnknowns("InitialUnknown", isCalculated, "");
+    });
   }
 
   void writeUnits() {
@@ -138,47 +118,40 @@ class Description {
     }
     units.erase("1");
     for (const std::string& unit : units) {
-      xml_.element("Unit", {{"name", unit}}, [&] {
-        Attributes exponents;
-        const BaseUnit base = baseUnitOf(unit);
-        for (const auto& [name, exponent] : base) {
-          exponents.emplace_back(name.c_str(), std::to_string(exponent));
-        }
-        if (offsetOf(unit) != 0.0) {
-          exponents.emplace_back("offset", number(offsetOf(unit)));
-        }
-        xml_.element("BaseUnit", exponents);
-      });
+      Attributes base;
+      for (const auto& [name, exponent] : baseUnitOf(unit)) {
+        base.emplace_back(name, std::to_string(exponent));
+      }
+      base.emplace_back(offsetOf(unit) == 0.0 ? "" : "offset", number(offsetOf(unit)));
+      element("Unit", {{"name", unit}}, [&] { element("BaseUnit", base); });
     }
   }
 
   void writeVariables() {
     for (Reference i = 0; i < variables_.size(); ++i) {
       Attributes attributes = commonAttributes(variables_[i], i);
+      const Attributes value = valueAttributes(variables_[i]);
       if (second_) {
-        Attributes value;
-        addValue(value, variables_[i]);
-        xml_.element("ScalarVariable", attributes, [&] { xml_.element("Real", value); });
+        element("ScalarVariable", attributes, [&] { element("Real", value); });
       } else {
-        addValue(attributes, variables_[i]);
-        xml_.element("Float64", attributes);
+        attributes.insert(attributes.end(), value.begin(), value.end());
+        element("Float64", attributes);
       }
     }
   }
 
   // FMI 2.0 has a list of them and counts the variables from 1, FMI 3.0 names their references.
-  void writeUnknowns(const char* list, const char* element, bool (*chosen)(const Variable&), const Attributes& more) {
+  void writeUnknowns(const std::string& kind, bool (*chosen)(const Variable&), const char* dependencies) {
     const auto write = [&] {
       for (Reference i = 0; i < variables_.size(); ++i) {
         if (chosen(variables_[i])) {
-          Attributes attributes = {{second_ ? "index" : "valueReference", std::to_string(second_ ? i + 1 : i)}};
-          attributes.insert(attributes.end(), more.begin(), more.end());
-          xml_.element(second_ ? "Unknown" : element, attributes);
+          element(second_ ? "Unknown" : kind.c_str(),
+                  {{second_ ? "index" : "valueReference", std::to_string(second_ ? i + 1 : i)}, {dependencies, ""}});
         }
       }
     };
     if (second_) {
-      xml_.element(list, {}, write);
+      element((kind + "s").c_str(), {}, write);
     } else {
       write();
     }
@@ -187,11 +160,39 @@ class Description {
   const ComponentData& data_;
   std::vector<Variable> variables_;
   bool second_;
-  std::string tool_;
-  Writer xml_;
+  tinyxml2::XMLPrinter printer_;
 };
 
 }  // namespace
+
+// Symbols with exponents, multiplied by blanks and divided by slashes.
+BaseUnit baseUnitOf(const std::string& unit) {
+  BaseUnit sum;
+  int sign = 1;
+  for (std::size_t begin = 0; begin <= unit.size();) {
+    const std::size_t end = std::min(unit.find_first_of(" /", begin), unit.size());
+    const std::string factor = unit.substr(begin, end - begin);  // "m^3": three times those of the metre
+    const std::size_t caret = factor.find('^');
+    const auto symbol = kSymbols.find(factor.substr(0, caret));
+    const std::string power = caret == std::string::npos ? "1" : factor.substr(caret + 1);
+    element::refuseIf(
+        symbol == kSymbols.end() || power.empty() || power.find_first_not_of("0123456789") != std::string::npos,
+        "unit '{}': '{}' has no base units here", unit, factor);
+    const auto& [name, meaning] = *symbol;
+    for (const auto& [base, exponent] : meaning.empty()  ? BaseUnit{{name, 1}}
+                                        : meaning == "1" ? BaseUnit{}
+                                                         : baseUnitOf(meaning)) {
+      if ((sum[base] += sign * std::stoi(power) * exponent) == 0) {
+        sum.erase(base);
+      }
+    }
+    sign = end < unit.size() && unit[end] == '/' ? -1 : 1;
+    begin = end + 1;
+  }
+  return sum;
+}
+
+double offsetOf(const std::string& unit) { return unit == "degC" ? element::kZeroCelsius : 0.0; }
 
 std::string modelDescription(const ComponentData& data, Version version, const std::string& tool) {
   return Description(data, version, tool).text();

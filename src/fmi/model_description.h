@@ -1,6 +1,7 @@
 // modelDescription.xml: what an importer knows of an FMU before it loads the binary.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "fmi/runtime/variables.h"
@@ -12,5 +13,15 @@ enum class Version { fmi2, fmi3 };
 
 /// The text of modelDescription.xml, in UTF-8. `tool` is the name and version of the exporter.
 std::string modelDescription(const ComponentData& data, Version version, const std::string& tool);
+
+/// Exponents of kg, m, s, A, K, rad, mol; those that are 0 are left out.
+using BaseUnit = std::map<std::string, int>;
+
+/// The base units of a unit such as "N s/m" or "N/m^3". Factors are not needed: all units inside are SI, but
+/// for degC. Throws std::invalid_argument on a symbol that it does not know.
+BaseUnit baseUnitOf(const std::string& unit);
+
+/// What is added to a value in this unit for one in its base units.
+double offsetOf(const std::string& unit);
 
 }  // namespace rubber_suspension::fmi

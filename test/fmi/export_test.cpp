@@ -13,10 +13,9 @@
 #include <sstream>
 
 #include "element/typical_elements.h"
-#include "fmi/archive.h"
 #include "fmi/description_check.h"
 #include "fmi/runtime/embedded.h"
-#include "fmi/units.h"
+#include "fmi/zip_reader.h"
 
 namespace rubber_suspension::fmi::test {
 namespace {
@@ -27,6 +26,10 @@ using testing::IsEmpty;
 using testing::ThrowsMessage;
 
 FmuParts parts() { return {FMU_BINARY, FMU_SOURCES}; }
+
+std::string makeFmu(const io::ComponentDescription& description, Version version, const FmuParts& from) {
+  return toZip(fmuFiles(description, version, from));
+}
 
 // All models of the example, and a component of all laws.
 std::vector<io::ComponentDescription> components() {
@@ -175,8 +178,8 @@ TEST(Archive, WithoutItsPartsIsRefused) {
   const io::ComponentDescription bush("bush", {{"spring", {{"stiffness", {3e6}}}}});
   const auto make = [&](const FmuParts& wrong) { return [&, wrong] { makeFmu(bush, Version::fmi2, wrong); }; };
   EXPECT_THAT(make({"/nowhere.so", FMU_SOURCES}), ThrowsMessage<std::runtime_error>(HasSubstr("/nowhere.so")));
-  EXPECT_THAT(make({FMU_BINARY, "/nowhere.zip"}), ThrowsMessage<std::runtime_error>(HasSubstr("/nowhere.zip")));
-  EXPECT_THAT(make({FMU_SOURCES, FMU_SOURCES}), ThrowsMessage<std::runtime_error>(HasSubstr("no block")));
+  EXPECT_THAT(make({FMU_BINARY, "/nowhere"}), ThrowsMessage<std::runtime_error>(HasSubstr("/nowhere")));
+  EXPECT_THAT(make({TEST_DIR "/../LICENSE", FMU_SOURCES}), ThrowsMessage<std::runtime_error>(HasSubstr("no block")));
   EXPECT_THAT(make({FMU_BINARY, FMU_BINARY}), ThrowsMessage<std::runtime_error>(HasSubstr(".so")));
 }
 

@@ -12,6 +12,14 @@
 
 namespace rubber_suspension::fmi::test {
 
+/// Those of one direction.
+namespace reference {
+using namespace fmi::reference;
+constexpr Reference kElastic = 3;
+constexpr Reference kViscous = 4;
+constexpr Reference kFriction = 5;
+}  // namespace reference
+
 /// What the functions return, in both versions.
 enum Result { kOk = 0, kWarning = 1, kDiscard = 2, kError = 3, kFatal = 4 };
 

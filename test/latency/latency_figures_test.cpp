@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include "benchmark/latency/latency_benchmark.h"
-#include "benchmark/latency/soak.h"
 
 namespace rubber_suspension {
 namespace {
@@ -13,17 +12,17 @@ std::vector<benchmark::LatencyRow> exampleRows() {
   benchmark::LatencyRow one;
   one.components = 1;
   one.rate = 1000.0;
-  one.echo_median = 1e-4;
-  one.echo_99 = 2e-4;
-  one.median = {1.1, 1.0, 1.3};
-  one.again_median = {0.9, 0.8, 1.2};
-  one.percentile_99 = {2.0, 1.5, 2.5};
+  one.median.echo = 1e-4;
+  one.late.echo = 2e-4;
+  one.median.node = {1.1, 1.0, 1.3};
+  one.median.again = {0.9, 0.8, 1.2};
+  one.late.node = {2.0, 1.5, 2.5};
   one.node_highest = 50000.0;
   one.echo_highest = 60000.0;
   benchmark::LatencyRow bundled = one;
   bundled.components = 50;
   bundled.bundled = true;
-  bundled.median = {1.4, 1.2, 1.5};
+  bundled.median.node = {1.4, 1.2, 1.5};
   return {one, bundled};
 }
 

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "bench.h"
-#include "benchmark/latency/soak.h"
+#include "benchmark/latency/latency_benchmark.h"
 #include "node_process.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/element/constants.h"

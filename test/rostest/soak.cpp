@@ -1,17 +1,14 @@
 // A short soak: 400,000 samples as fast as the node answers; exactly one force each, and memory that does not grow.
-#include "benchmark/latency/soak.h"
-
 #include "bench.h"
+#include "benchmark/latency/latency_benchmark.h"
 
 namespace rubber_suspension {
 namespace {
 
 TEST(Soak, EverySampleHasItsForceAndMemoryStays) {
-  benchmark::SoakOptions options;
-  options.samples = 400000;
-  options.components = 4;
-  const benchmark::SoakResult result = benchmark::soak(options, [](const std::string&) {});
-  EXPECT_EQ(result.sent, options.samples);
+  constexpr std::uint64_t kSamples = 400000;
+  const benchmark::SoakResult result = benchmark::soak(kSamples, 4, [](const std::string&) {});
+  EXPECT_EQ(result.sent, kSamples);
   EXPECT_EQ(result.answered, result.sent);
   EXPECT_EQ(result.surplus, 0U);
   // The first tenth is for buffers and queues to find their size. Eight bytes kept of every later sample would be

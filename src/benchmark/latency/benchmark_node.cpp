@@ -1,11 +1,11 @@
-// The node as a benchmark runs it.
+// The nodes as a benchmark runs them.
 #include "benchmark/latency/benchmark_node.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <fstream>
-#include <stdexcept>
+#include <rubber_suspension/Displacement.h>
+#include <rubber_suspension/DisplacementArray.h>
+#include <rubber_suspension/Force.h>
+#include <rubber_suspension/ForceArray.h>
 
 namespace rubber_suspension::benchmark {
 namespace {
@@ -21,6 +21,31 @@ std::vector<std::string> commandOf(NodeKind kind, int components, const std::str
   }
   return {ros_interface::siblingProgram("simulate"), space, "_config_file:=" + config,
           fmt::format("_diagnose:={}", kind == NodeKind::diagnosing)};
+}
+
+Force answerTo(const Displacement& displacement) {
+  Force force;
+  force.header = displacement.header;
+  force.displacement = displacement.displacement;
+  return force;
+}
+
+ForceArray answerTo(const DisplacementArray& bundle) {
+  ForceArray forces;
+  forces.header = bundle.header;
+  forces.components = bundle.components;
+  forces.displacement = forces.force = forces.elastic = forces.viscous = forces.friction = bundle.displacement;
+  return forces;
+}
+
+template <class In, class Out>
+ros::Subscriber connect(ros::NodeHandle& handle, const std::string& in, const std::string& out) {
+  constexpr std::uint32_t kQueueSize = 10000;  // that of the node
+  const boost::function<void(const boost::shared_ptr<const In>&)> answer =
+      [publisher = handle.advertise<Out>(out, kQueueSize)](const boost::shared_ptr<const In>& message) {
+        publisher.publish(answerTo(*message));
+      };
+  return handle.subscribe<In>(in, kQueueSize, answer, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
 }
 
 }  // namespace
@@ -48,26 +73,18 @@ std::string benchmarkComponents(int count) {
   return text;
 }
 
-TemporaryFile::TemporaryFile(const std::string& text, const std::string& mark)
-    : path_(std::filesystem::temp_directory_path() /
-            fmt::format("rubber_suspension_benchmark_{}{}.yaml", getpid(), mark)) {
-  std::ofstream file(path_);
-  file << text;
-  if (!file.flush()) {
-    throw std::runtime_error(path_.string() + " cannot be written");
+std::vector<ros::Subscriber> echo(ros::NodeHandle& handle, const std::vector<std::string>& components) {
+  std::vector<ros::Subscriber> subscribers = {
+      connect<DisplacementArray, ForceArray>(handle, "displacements", "forces")};
+  for (const std::string& component : components) {
+    subscribers.push_back(connect<Displacement, Force>(handle, component + "/displacement", component + "/force"));
   }
-}
-
-TemporaryFile::~TemporaryFile() {
-  std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
+  return subscribers;
 }
 
 BenchmarkNode::BenchmarkNode(NodeKind kind, int components, bool bundled, bool measured)
-    : file_(benchmarkComponents(components), "_" + spaceOf(kind)),
+    : file_(benchmarkComponents(components), spaceOf(kind) + ".yaml"),
       process_(commandOf(kind, components, file_.path())),
-      meter_("/" + spaceOf(kind), benchmarkNames(components), bundled, measured) {
-  meter_.connect();
-}
+      meter_("/" + spaceOf(kind), benchmarkNames(components), bundled, measured) {}
 
 }  // namespace rubber_suspension::benchmark

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ostream>
-#include <stdexcept>
 
 #include "benchmark/latency/benchmark_node.h"
-#include "benchmark/spread.h"
+#include "benchmark/measurement.h"
 #include "element/refuse.h"
 
 namespace rubber_suspension::benchmark {
@@ -19,52 +19,43 @@ constexpr std::size_t kUnderWay = 100;           // samples of each component in
 constexpr std::uint64_t kMostInFlood = 2000000;  // more than any machine answers in some seconds
 constexpr double kWarmUp = 0.5;                  // [s], before the runs that count
 
-double medianOf(std::vector<double> values) { return spreadOf(std::move(values)).median; }
+using Runs = std::array<RoundTrips, 3>;  // echo node, node, echo node again
 
-// A quantile of the round trips in runs of echo node, node and echo node again.
-struct Quantile {
-  double fraction;
-  std::vector<double> echo = {};
-  std::vector<double> node = {};   // over that of the echo node
-  std::vector<double> again = {};  // of the echo node over itself
-
-  void add(const RoundTrips& before, const RoundTrips& trips, const RoundTrips& after) {
+LatencyQuantile quantileOf(const std::vector<Runs>& all, double fraction) {
+  std::vector<double> echo;
+  std::vector<double> node;
+  std::vector<double> again;
+  for (const auto& [before, trips, after] : all) {
     echo.push_back(std::sqrt(before.quantile(fraction) * after.quantile(fraction)));
     node.push_back(trips.quantile(fraction) / echo.back());
     again.push_back(after.quantile(fraction) / before.quantile(fraction));
   }
-};
+  return {spreadOf(echo).median, spreadOf(node), spreadOf(again)};
+}
 
 // Both nodes run at once, each in its namespace; the one that has nothing to do sleeps.
 void measureLatency(RoundTripMeter& echo, RoundTripMeter& node, const BenchmarkOptions& options, LatencyRow& row) {
-  Quantile median{0.5};
-  Quantile late{0.99};
+  std::vector<Runs> all;
   echo.atRate(row.rate, kWarmUp);
   node.atRate(row.rate, kWarmUp);
   for (int pair = 0; pair < options.pairs; ++pair) {
     // Before and after the node, so that a drift of the machine's speed favours neither.
-    const RoundTrips before = echo.atRate(row.rate, options.duration);
-    const RoundTrips trips = node.atRate(row.rate, options.duration);
-    const RoundTrips after = echo.atRate(row.rate, options.duration);
-    element::refuseIf<std::runtime_error>(
-        before.durations.empty() || trips.durations.empty() || after.durations.empty(), "no answers in a run");
-    median.add(before, trips, after);
-    late.add(before, trips, after);
-    row.lost += before.lost() + trips.lost() + after.lost();
+    all.push_back({echo.atRate(row.rate, options.duration), node.atRate(row.rate, options.duration),
+                   echo.atRate(row.rate, options.duration)});
+    for (const RoundTrips& trips : all.back()) {
+      element::refuseIf<std::runtime_error>(trips.durations.empty(), "no answers in a run");
+      row.lost += trips.lost();
+    }
   }
-  row.echo_median = medianOf(median.echo);
-  row.echo_99 = medianOf(late.echo);
-  row.median = spreadOf(median.node);
-  row.percentile_99 = spreadOf(late.node);
-  row.again_median = spreadOf(median.again);
-  row.again_99 = spreadOf(late.again);
+  row.median = quantileOf(all, 0.5);
+  row.late = quantileOf(all, 0.99);
 }
 
-double highestRate(RoundTripMeter& meter, double duration, int per_answer, LatencyRow& row) {
-  const RoundTrips trips =
-      meter.flood(duration, kUnderWay, kMostInFlood / static_cast<std::uint64_t>(row.bundled ? 1 : row.components));
+double highestRate(RoundTripMeter& meter, double duration, LatencyRow& row) {
+  const int links = row.bundled ? 1 : row.components;
+  const RoundTrips trips = meter.flood(duration, kUnderWay, kMostInFlood / static_cast<std::uint64_t>(links));
   row.lost += trips.lost();
-  return static_cast<double>(trips.durations.size()) * per_answer / trips.elapsed;
+  return static_cast<double>(trips.durations.size()) * row.components / links / trips.elapsed;
 }
 
 LatencyRow measureRow(int components, bool bundled, const BenchmarkOptions& options) {
@@ -77,15 +68,14 @@ LatencyRow measureRow(int components, bool bundled, const BenchmarkOptions& opti
   BenchmarkNode node(row.diagnose ? NodeKind::diagnosing : NodeKind::plain, components, bundled, row.diagnose);
   BenchmarkNode echo(row.diagnose ? NodeKind::plain : NodeKind::echo, components, bundled, row.diagnose);
   measureLatency(echo.meter(), node.meter(), options, row);
-  const int per_answer = bundled ? components : 1;
   std::vector<double> echo_highest;
   std::vector<double> node_highest;
   for (int i = 0; i < 3; ++i) {
-    echo_highest.push_back(highestRate(echo.meter(), options.flood_duration, per_answer, row));
-    node_highest.push_back(highestRate(node.meter(), options.flood_duration, per_answer, row));
+    echo_highest.push_back(highestRate(echo.meter(), options.flood_duration, row));
+    node_highest.push_back(highestRate(node.meter(), options.flood_duration, row));
   }
-  row.echo_highest = medianOf(echo_highest);
-  row.node_highest = medianOf(node_highest);
+  row.echo_highest = spreadOf(echo_highest).median;
+  row.node_highest = spreadOf(node_highest).median;
   return row;
 }
 
@@ -110,26 +100,16 @@ io::Axes axesOf(const std::vector<LatencyRow>& rows, const std::string& x_label,
   return axes;
 }
 
-io::Axes ratioAxes(const std::vector<LatencyRow>& rows, const std::string& of, io::Spread LatencyRow::*node,
-                   io::Spread LatencyRow::*again) {
-  io::Axes axes = axesOf(rows, "ratio of the " + of + " [-]", {{"node / echo", node}, {"echo / itself", again}});
+io::Axes ratioAxes(const std::vector<LatencyRow>& rows, const std::string& of, LatencyQuantile LatencyRow::*quantile) {
+  io::Axes axes = axesOf(rows, "ratio of the " + of + " [-]",
+                         {{"node / echo", [=](const LatencyRow& row) { return (row.*quantile).node; }},
+                          {"echo / itself", [=](const LatencyRow& row) { return (row.*quantile).again; }}});
   axes.curves.push_back({"", {1.0, 1.0}, {-0.5, static_cast<double>(rows.size()) - 0.5}, ":", 7});
   return axes;
 }
 
-// Of values without quartiles.
-io::Axes valueAxes(const std::vector<LatencyRow>& rows, const std::string& x_label, double factor,
-                   const std::vector<std::pair<std::string, double LatencyRow::*>>& all) {
-  std::vector<Series> series;
-  for (const auto& [label, member] : all) {
-    series.push_back({label, [factor, value = member](const LatencyRow& row) {
-                        return io::Spread{factor * row.*value, factor * row.*value, factor * row.*value};
-                      }});
-  }
-  io::Axes axes = axesOf(rows, x_label, series);
-  axes.log_x = true;
-  return axes;
-}
+// Without quartiles.
+io::Spread single(double value) { return {value, value, value}; }
 
 }  // namespace
 
@@ -164,21 +144,24 @@ void printMarkdown(const std::vector<LatencyRow>& rows, std::ostream& out) {
       base, node);
   for (const LatencyRow& row : rows) {
     out << fmt::format("| {}{} | {:.0f} | {:.0f}, {:.0f} | {} | {} | {} | {} | {} | {:.0f} | {:.0f} |\n",
-                       row.components, row.bundled ? " in one message" : "", row.rate, 1e6 * row.echo_median,
-                       1e6 * row.echo_99, show(row.median, 3), show(row.again_median, 3), show(row.percentile_99, 2),
-                       show(row.again_99, 2), row.lost, row.echo_highest, row.node_highest);
+                       row.components, row.bundled ? " in one message" : "", row.rate, 1e6 * row.median.echo,
+                       1e6 * row.late.echo, show(row.median.node, 3), show(row.median.again, 3), show(row.late.node, 2),
+                       show(row.late.again, 2), row.lost, row.echo_highest, row.node_highest);
   }
 }
 
 io::Figure latencyFigure(const std::vector<LatencyRow>& rows) {
-  return {"Round trips through the node and an empty echo node",
-          {ratioAxes(rows, "medians", &LatencyRow::median, &LatencyRow::again_median),
-           ratioAxes(rows, "99th percentiles", &LatencyRow::percentile_99, &LatencyRow::again_99),
-           valueAxes(rows, "round trip through the echo node [ms]", 1e3,
-                     {{"median", &LatencyRow::echo_median}, {"99 %", &LatencyRow::echo_99}}),
-           valueAxes(rows, "highest rate, all components [1000 samples/s]", 1e-3,
-                     {{"node", &LatencyRow::node_highest}, {"echo", &LatencyRow::echo_highest}})},
-          2};
+  io::Figure figure{
+      "Round trips through the node and an empty echo node",
+      {ratioAxes(rows, "medians", &LatencyRow::median), ratioAxes(rows, "99th percentiles", &LatencyRow::late),
+       axesOf(rows, "round trip through the echo node [ms]",
+              {{"median", [](const LatencyRow& row) { return single(1e3 * row.median.echo); }},
+               {"99 %", [](const LatencyRow& row) { return single(1e3 * row.late.echo); }}}),
+       axesOf(rows, "highest rate, all components [1000 samples/s]",
+              {{"node", [](const LatencyRow& row) { return single(1e-3 * row.node_highest); }},
+               {"echo", [](const LatencyRow& row) { return single(1e-3 * row.echo_highest); }}})}};
+  figure.axes[2].log_x = figure.axes[3].log_x = true;
+  return figure;
 }
 
 }  // namespace rubber_suspension::benchmark

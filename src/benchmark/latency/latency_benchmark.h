@@ -1,6 +1,7 @@
 // Compares the latency of the node with that of an empty echo node, in alternating runs on this machine.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -20,18 +21,21 @@ struct BenchmarkOptions {
   bool diagnose = false;        ///< compare a node that diagnoses with one that does not, in the echo node's place
 };
 
+/// A quantile of the round trips over the runs.
+struct LatencyQuantile {
+  double echo = 0.0;  ///< of the echo node, median over the runs [s]
+  io::Spread node;    ///< node to echo node
+  io::Spread again;   ///< echo node to itself: what the machine does to such a ratio
+};
+
 /// One row of the table.
 struct LatencyRow {
   int components = 0;
   bool bundled = false;
-  bool diagnose = false;      ///< the node diagnoses, and the echo node is a node that does not
-  double rate = 0.0;          ///< of each component [Hz]
-  double echo_median = 0.0;   ///< round trip, median over the runs [s]
-  double echo_99 = 0.0;       ///< 99th percentile, median over the runs [s]
-  io::Spread median;          ///< of the medians, node to echo node
-  io::Spread percentile_99;   ///< of the 99th percentiles, node to echo node
-  io::Spread again_median;    ///< of the medians, echo node to itself: what the machine does to such a ratio
-  io::Spread again_99;        ///< of the 99th percentiles, echo node to itself
+  bool diagnose = false;  ///< the node diagnoses, and the echo node is a node that does not
+  double rate = 0.0;      ///< of each component [Hz]
+  LatencyQuantile median;
+  LatencyQuantile late;       ///< the 99th percentile
   std::size_t lost = 0;       ///< samples without answer, both nodes
   double echo_highest = 0.0;  ///< highest rate without loss, all components together [samples/s]
   double node_highest = 0.0;
@@ -47,5 +51,31 @@ void printMarkdown(const std::vector<LatencyRow>& rows, std::ostream& out);
 
 /// Round trips, the ratios of the node to the echo node and of the echo node to itself, and the highest rates.
 io::Figure latencyFigure(const std::vector<LatencyRow>& rows);
+
+// Millions of samples through the node, as fast as it answers: every one has its force, and the memory does not grow.
+
+struct SoakResult {
+  int components = 0;
+  std::uint64_t sent = 0;
+  std::uint64_t answered = 0;  ///< samples with exactly one force
+  std::uint64_t surplus = 0;   ///< forces that belong to no sample, or to one that had its force
+  double elapsed = 0.0;        ///< [s]
+  std::vector<long> memory;    ///< resident memory of the node after each hundredth of the samples [bytes]
+
+  bool exact() const { return answered == sent && surplus == 0; }
+};
+
+/// Soak the node that lies beside the running program, with so many samples of all components together. Needs a master.
+/// `progress` is told of every tenth part. Throws std::runtime_error.
+SoakResult soak(std::uint64_t samples, int components, const std::function<void(const std::string&)>& progress);
+
+/// The result as a Markdown table.
+void printMarkdown(const SoakResult& result, std::ostream& out);
+
+/// Resident memory over the samples served.
+io::Figure soakFigure(const SoakResult& result);
+
+/// Memory of a process that is resident [bytes]; 0 where there is no such process.
+long residentMemory(int process);
 
 }  // namespace rubber_suspension::benchmark

@@ -1,7 +1,6 @@
 // Measures round trips through a node.
-#include "benchmark/latency/round_trip.h"
-
 #include <fmt/format.h>
+#include <ros/callback_queue.h>
 #include <ros/init.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/DisplacementArray.h>
@@ -12,23 +11,22 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <stdexcept>
+#include <functional>
+#include <numeric>
 #include <thread>
 
+#include "benchmark/latency/benchmark_node.h"
+#include "element/refuse.h"
 #include "ros_interface/connection.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Steady = std::chrono::steady_clock;
 
 constexpr std::uint32_t kQueueSize = 100000;
 constexpr double kConnectTimeout = 60.0;  // [s]
 constexpr double kLastAnswers = 5.0;      // time that answers under way may take at the end [s]
-
-std::int64_t nanoseconds() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
-}
 
 // Sample number `tick` of a run: stamps 1 ms apart, a slow motion of some millimetres.
 ros::Time stampOf(std::uint64_t tick) {
@@ -44,112 +42,89 @@ double measuredForceOf(std::uint64_t tick) {
 
 }  // namespace
 
-double RoundTrips::quantile(double fraction) const {
-  if (durations.empty()) {
-    return 0.0;
-  }
-  const auto index = static_cast<std::size_t>(fraction * static_cast<double>(durations.size()));
-  return durations[std::min(index, durations.size() - 1)];
-}
-
 // One pair of topics: a component's, or the bundled ones.
-class RoundTripMeter::Link {
- public:
-  Link(ros::NodeHandle& handle, const std::string& component, bool measured) : measured_(measured) {
+struct RoundTripMeter::Link {
+  Link(ros::NodeHandle& handle, const std::string& component, bool measured) {
     if (measured) {
-      force_publisher_ = handle.advertise<MeasuredForce>(component + "/measured_force", kQueueSize);
+      force_publisher = handle.advertise<MeasuredForce>(component + "/measured_force", kQueueSize);
     }
-    publisher_ = handle.advertise<Displacement>(component + "/displacement", kQueueSize);
-    subscribe<Force>(handle, component + "/force");
+    serve<Force>(handle, component + "/displacement", component + "/force", Displacement(),
+                 [](Displacement& message, double displacement) { message.displacement = displacement; });
   }
 
-  Link(ros::NodeHandle& handle, const std::vector<std::string>& components) : bundle_(true) {
-    array_.components = components;
-    array_.displacement.resize(components.size());
-    publisher_ = handle.advertise<DisplacementArray>("displacements", kQueueSize);
-    subscribe<ForceArray>(handle, "forces");
+  Link(ros::NodeHandle& handle, const std::vector<std::string>& components) {
+    DisplacementArray bundle;
+    bundle.components = components;
+    serve<ForceArray>(handle, "displacements", "forces", bundle, [](DisplacementArray& message, double displacement) {
+      message.displacement.assign(message.components.size(), displacement);
+    });
   }
 
   void connect() {
-    const auto end = Clock::now() + std::chrono::duration<double>(kConnectTimeout);
-    bool connected = ros_interface::waitForPublishers(subscriber_.getTopic(), kConnectTimeout);
-    while (connected && publisher_.getNumSubscribers() == 0) {
-      connected = Clock::now() < end && ros::ok();
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    if (!connected) {
-      throw std::runtime_error(fmt::format("no node serves {}", publisher_.getTopic()));
-    }
+    const auto heard = [this] { return publisher.getNumSubscribers() > 0; };
+    element::refuseIf<std::runtime_error>(
+        !ros_interface::waitForPublishers(subscriber.getTopic(), kConnectTimeout) ||
+            !ros_interface::waitFor(*ros::getGlobalCallbackQueue(), kConnectTimeout, heard),
+        "no node serves {}", publisher.getTopic());
   }
 
   // For a run of that many samples, of which this is the first. Not while answers may come.
-  void begin(std::uint64_t first, std::size_t capacity) {
-    first_ = first;
-    sent_.assign(capacity, kAnswered);
-    trips_.clear();
-    trips_.reserve(capacity);
-    answered_ = 0;
-    surplus_ = 0;
+  void begin(std::uint64_t number, std::size_t capacity) {
+    first = number;
+    sent.assign(capacity, kAnswered);
+    trips.clear();
+    trips.reserve(capacity);
+    answered = 0;
+    surplus = 0;
   }
 
   void send(std::uint64_t tick) {
-    if (bundle_) {
-      array_.header.stamp = stampOf(tick);
-      std::fill(array_.displacement.begin(), array_.displacement.end(), displacementOf(tick));
-      sent_[tick - first_] = nanoseconds();
-      publisher_.publish(array_);
-    } else {
-      single_.header.stamp = stampOf(tick);
-      single_.displacement = displacementOf(tick);
-      sent_[tick - first_] = nanoseconds();
-      publisher_.publish(single_);
-    }
-    if (measured_) {
-      force_.header.stamp = stampOf(tick);
-      force_.force = measuredForceOf(tick);
-      force_publisher_.publish(force_);
+    publish(tick);
+    if (force_publisher) {
+      MeasuredForce force;
+      force.header.stamp = stampOf(tick);
+      force.force = measuredForceOf(tick);
+      force_publisher.publish(force);
     }
   }
 
-  std::size_t answered() const { return answered_.load(std::memory_order_acquire); }
-  std::size_t surplus() const { return surplus_; }
-  const std::vector<double>& trips() const { return trips_; }
-
- private:
-  template <class Answer>
-  void subscribe(ros::NodeHandle& handle, const std::string& topic) {
+  template <class Answer, class Message, class Fill>
+  void serve(ros::NodeHandle& handle, const std::string& in, const std::string& out, Message message, Fill fill) {
+    publisher = handle.advertise<Message>(in, kQueueSize);
+    publish = [this, message, fill](std::uint64_t tick) mutable {
+      message.header.stamp = stampOf(tick);
+      fill(message, displacementOf(tick));
+      sent[tick - first] = Steady::now();
+      publisher.publish(message);
+    };
     const boost::function<void(const boost::shared_ptr<const Answer>&)> callback =
         [this](const boost::shared_ptr<const Answer>& answer) { take(answer->header.stamp); };
-    subscriber_ =
-        handle.subscribe<Answer>(topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+    subscriber =
+        handle.subscribe<Answer>(out, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   }
 
   void take(const ros::Time& stamp) {
-    const std::int64_t now = nanoseconds();
-    const std::uint64_t index = tickOf(stamp) - first_;
-    if (index >= sent_.size() || sent_[index] == kAnswered) {
-      ++surplus_;
+    const auto now = Steady::now();
+    const std::uint64_t index = tickOf(stamp) - first;
+    if (index >= sent.size() || sent[index] == kAnswered) {
+      ++surplus;
       return;
     }
-    trips_.push_back(1e-9 * static_cast<double>(now - sent_[index]));
-    sent_[index] = kAnswered;
-    answered_.fetch_add(1, std::memory_order_release);
+    trips.push_back(std::chrono::duration<double>(now - sent[index]).count());
+    sent[index] = kAnswered;
+    answered.fetch_add(1, std::memory_order_release);
   }
 
-  bool bundle_ = false;
-  bool measured_ = false;
-  MeasuredForce force_;
-  ros::Publisher force_publisher_;
-  Displacement single_;
-  DisplacementArray array_;
-  ros::Publisher publisher_;
-  ros::Subscriber subscriber_;
-  static constexpr std::int64_t kAnswered = -1;
-  std::uint64_t first_ = 0;
-  std::vector<std::int64_t> sent_;  // when, by tick since the first [ns]
-  std::vector<double> trips_;       // written by the receiving thread
-  std::atomic<std::size_t> answered_{0};
-  std::atomic<std::size_t> surplus_{0};
+  ros::Publisher force_publisher;  // where forces are measured
+  ros::Publisher publisher;
+  std::function<void(std::uint64_t tick)> publish;
+  ros::Subscriber subscriber;
+  static constexpr Steady::time_point kAnswered{};
+  std::uint64_t first = 0;
+  std::vector<Steady::time_point> sent;  // by tick since the first
+  std::vector<double> trips;             // written by the receiving thread
+  std::atomic<std::size_t> answered{0};
+  std::atomic<std::size_t> surplus{0};
 };
 
 RoundTripMeter::RoundTripMeter(const std::string& space, const std::vector<std::string>& components, bool bundled,
@@ -163,82 +138,68 @@ RoundTripMeter::RoundTripMeter(const std::string& space, const std::vector<std::
       links_.push_back(std::make_unique<Link>(handle, component, measured));
     }
   }
+  for (auto& link : links_) {
+    link->connect();
+  }
   receiver_.start("receiver", 0);
 }
 
 RoundTripMeter::~RoundTripMeter() { receiver_.stop(); }
 
-void RoundTripMeter::connect() {
-  for (auto& link : links_) {
-    link->connect();
-  }
-}
-
-void RoundTripMeter::begin(std::size_t capacity) {
-  for (auto& link : links_) {
-    link->begin(next_, capacity);
-  }
-}
-
-void RoundTripMeter::sendAll() {
-  for (auto& link : links_) {
-    link->send(next_);
-  }
-  ++next_;
-}
-
 std::size_t RoundTripMeter::answered() const {
-  std::size_t count = 0;
-  for (const auto& link : links_) {
-    count += link->answered();
-  }
-  return count;
+  return std::accumulate(links_.begin(), links_.end(), std::size_t{0}, [](std::size_t sum, const auto& link) {
+    return sum + link->answered.load(std::memory_order_acquire);
+  });
 }
 
-RoundTrips RoundTripMeter::finish(std::uint64_t ticks, Clock::time_point start) {
+template <class Due>
+RoundTrips RoundTripMeter::run(std::uint64_t most, Due isDue) {
+  for (auto& link : links_) {
+    link->begin(next_, most);
+  }
+  const auto start = Steady::now();
+  std::uint64_t tick = 0;
+  while (tick < most && ros::ok() && isDue(tick, Steady::now() - start)) {
+    for (auto& link : links_) {
+      link->send(next_);
+    }
+    ++next_;
+    ++tick;
+  }
   RoundTrips result;
-  result.sent = ticks * links_.size();
-  const auto end = Clock::now() + std::chrono::duration<double>(kLastAnswers);
-  while (answered() < result.sent && Clock::now() < end) {
+  result.sent = tick * links_.size();
+  const auto end = Steady::now() + std::chrono::duration<double>(kLastAnswers);
+  while (answered() < result.sent && Steady::now() < end) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
-  result.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+  result.elapsed = std::chrono::duration<double>(Steady::now() - start).count();
   for (const auto& link : links_) {
-    result.surplus += link->surplus();
+    result.surplus += link->surplus.load();
     // Only as many as were counted: a straggler may still be at work.
-    const auto count = static_cast<std::ptrdiff_t>(link->answered());
-    result.durations.insert(result.durations.end(), link->trips().begin(), link->trips().begin() + count);
+    const auto count = static_cast<std::ptrdiff_t>(link->answered.load(std::memory_order_acquire));
+    result.durations.insert(result.durations.end(), link->trips.begin(), link->trips.begin() + count);
   }
   std::sort(result.durations.begin(), result.durations.end());
   return result;
 }
 
 RoundTrips RoundTripMeter::atRate(double rate, double duration) {
-  const auto ticks = static_cast<std::uint64_t>(std::llround(rate * duration));
-  begin(ticks);
-  const auto start = Clock::now();
   const std::chrono::duration<double> period(1.0 / rate);
-  for (std::uint64_t tick = 0; tick < ticks && ros::ok(); ++tick) {
-    std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(tick * period));
-    sendAll();
-  }
-  return finish(ticks, start);
+  return run(static_cast<std::uint64_t>(std::llround(rate * duration)), [=](std::uint64_t tick, auto elapsed) {
+    std::this_thread::sleep_for(tick * period - elapsed);
+    return true;
+  });
 }
 
 RoundTrips RoundTripMeter::flood(double duration, std::size_t under_way, std::uint64_t most) {
-  begin(most);
-  const auto start = Clock::now();
-  const auto end = start + std::chrono::duration<double>(duration);
-  std::uint64_t tick = 0;
-  while (tick < most && Clock::now() < end && ros::ok()) {
-    if (tick * links_.size() < answered() + under_way * links_.size()) {
-      sendAll();
-      ++tick;
-    } else {
+  const std::chrono::duration<double> long_enough(duration);
+  return run(most, [&](std::uint64_t tick, Steady::duration elapsed) {
+    const auto start = Steady::now() - elapsed;
+    while (tick * links_.size() >= answered() + under_way * links_.size() && Steady::now() - start < long_enough) {
       std::this_thread::sleep_for(std::chrono::microseconds(20));
     }
-  }
-  return finish(tick, start);
+    return Steady::now() - start < long_enough;
+  });
 }
 
 }  // namespace rubber_suspension::benchmark

@@ -1,6 +1,4 @@
 // Millions of samples through the node.
-#include "benchmark/latency/soak.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,6 +8,7 @@
 #include <ostream>
 
 #include "benchmark/latency/benchmark_node.h"
+#include "benchmark/latency/latency_benchmark.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
@@ -29,14 +28,11 @@ long residentMemory(int process) {
   return resident * sysconf(_SC_PAGESIZE);
 }
 
-long SoakResult::highestMemory() const { return *std::max_element(memory.begin(), memory.end()); }
-
-SoakResult soak(const SoakOptions& options, const std::function<void(const std::string&)>& progress) {
+SoakResult soak(std::uint64_t samples, int components, const std::function<void(const std::string&)>& progress) {
   SoakResult result;
-  result.components = options.components;
-  BenchmarkNode node(NodeKind::plain, options.components);
-  const auto per_piece =
-      std::max<std::uint64_t>(1, options.samples / (kPieces * static_cast<std::uint64_t>(options.components)));
+  result.components = components;
+  BenchmarkNode node(NodeKind::plain, components);
+  const auto per_piece = std::max<std::uint64_t>(1, samples / (kPieces * static_cast<std::uint64_t>(components)));
   for (int piece = 0; piece < kPieces; ++piece) {
     const RoundTrips trips = node.meter().flood(std::numeric_limits<int>::max(), kSamplesUnderWay, per_piece);
     result.sent += trips.sent;
@@ -59,7 +55,7 @@ void printMarkdown(const SoakResult& result, std::ostream& out) {
       << fmt::format("| {} | {} | {} | {} | {:.0f} | {:.2f}, {:.2f}, {:.2f} |\n", result.components, result.sent,
                      result.answered, result.surplus, static_cast<double>(result.answered) / result.elapsed,
                      mebibytes(result.memory.front()), mebibytes(result.memory.back()),
-                     mebibytes(result.highestMemory()));
+                     mebibytes(*std::max_element(result.memory.begin(), result.memory.end())));
 }
 
 io::Figure soakFigure(const SoakResult& result) {

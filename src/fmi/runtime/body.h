@@ -1,10 +1,10 @@
 // What an instance moves: a component of one direction or of six, behind the same calls.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <cmath>
-#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "fmi/runtime/component_data.h"
 #include "fmi/runtime/saved_state.h"
@@ -15,29 +15,28 @@ namespace rubber_suspension::fmi {
 
 class Body {
  public:
-  /// Throws std::exception where there is no such component.
-  explicit Body(const ComponentData& data);
+  /// With the parameters that follow from those of the data. Throws std::exception where there is no such component.
+  Body(const ComponentData& data, std::vector<double> calculated);
+
+  const std::vector<double>& calculated() const { return calculated_; }
 
   /// The temperatures [degC] at which its shifts hold.
   element::Range temperatures() const { return six_ ? six_->temperatures() : one_->temperatures(); }
+  void setTemperature(double temperature) {
+    six_ ? six_->setTemperature(six_state_, temperature) : one_->setTemperature(one_state_, temperature);
+  }
 
-  /// As specified without one [degC].
-  void setTemperature(const std::optional<double>& temperature);
+  /// At rest and never moved before, at a temperature [degC] or as specified; gives the outputs. Throws
+  /// std::invalid_argument where there are none.
+  Numbers initialise(const Numbers& inputs, const std::optional<double>& temperature);
 
-  /// False for a rotation beyond the end of its measure.
-  bool holds(const Numbers& inputs) const { return !six_ || six_->holds(six_->coordinates(pose(inputs))); }
-
-  /// At rest; gives the outputs. Throws std::invalid_argument where there are none.
-  Numbers initialise(const Numbers& inputs);
-
-  bool isSix() const { return six_ != nullptr; }
-
-  /// Gives the outputs; false where they are not finite. Allocates nothing.
-  bool step(double size, const Numbers& inputs, Numbers& outputs);
-
-  /// The same of one direction, faster.
-  bool stepOne(double size, double displacement, Numbers& outputs) {
-    const element::ComponentForce force = one_->step(*state_, size, displacement);
+  /// Gives the outputs; false where they are not finite. Allocates nothing. Throws std::invalid_argument, and leaves
+  /// all as it was, for a rotation beyond the end of its measure.
+  bool step(double size, const Numbers& inputs, Numbers& outputs) {
+    if (six_) {
+      return stepSix(size, inputs, outputs);
+    }
+    const element::ComponentForce force = one_->step(one_state_, size, inputs[0]);
     outputs[0] = force.total;
     outputs[1] = force.elastic;
     outputs[2] = force.viscous;
@@ -51,15 +50,13 @@ class Body {
   void restore(const SavedState& state);
 
  private:
-  static Numbers numbersOf(const element::ComponentForce& force) {
-    return {force.total, force.elastic, force.viscous, force.friction};
-  }
-  static Numbers numbersOf(const component::Wrench& wrench);
+  bool stepSix(double size, const Numbers& inputs, Numbers& outputs);
   Eigen::Isometry3d pose(const Numbers& inputs) const;
 
-  std::unique_ptr<const component::Component> one_;
-  std::optional<component::ComponentState> state_;
-  std::unique_ptr<const component::SixDirections> six_;
+  std::vector<double> calculated_;
+  std::optional<component::Component> one_;
+  component::ComponentState one_state_;
+  std::optional<component::SixDirections> six_;
   component::SixDirectionsState six_state_;
 };
 

@@ -28,19 +28,19 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SixDirectionsLaws, elements, translation, rot
 
 namespace rubber_suspension::fmi {
 
-std::vector<element::ElementDescription> completed(std::vector<element::ElementDescription> entries) {
+Elements completed(Elements entries) {
   for (element::ElementDescription& entry : entries) {
     entry = element::complete(entry);
   }
   return entries;
 }
 
-std::vector<element::ElementDescription> ComponentData::modelElements() const {
+Elements ComponentData::modelElements() const {
   return model == estimation::Model::elements ? elements : completed(estimation::estimate(model, specification));
 }
 
-std::vector<element::ElementDescription> ComponentData::allElements() const {
-  std::vector<element::ElementDescription> all = modelElements();
+Elements ComponentData::allElements() const {
+  Elements all = modelElements();
   all.insert(all.end(), add.begin(), add.end());
   all.insert(all.end(), temperature.begin(), temperature.end());
   return all;
@@ -50,13 +50,13 @@ std::string toJson(const ComponentData& data) {
   nlohmann::json content = {{"name", data.name}, {"guid", data.guid}};
   if (data.six) {
     content["six"] = *data.six;
-    return content.dump();
+  } else {
+    content.update({{"model", estimation::toString(data.model)},
+                    {"specification", data.specification.values()},
+                    {"elements", data.elements},
+                    {"add", data.add},
+                    {"temperature", data.temperature}});
   }
-  content["model"] = estimation::toString(data.model);
-  content["specification"] = data.specification.values();
-  content["elements"] = data.elements;
-  content["add"] = data.add;
-  content["temperature"] = data.temperature;
   return content.dump();
 }
 

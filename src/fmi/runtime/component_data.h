@@ -12,28 +12,30 @@
 
 namespace rubber_suspension::fmi {
 
+using Elements = std::vector<element::ElementDescription>;
+
 struct ComponentData {
   std::string name;  ///< of the component
   std::string guid;  ///< by which an importer says that modelDescription.xml and binary belong together
   estimation::Model model = estimation::Model::elements;
-  estimation::Specification specification;            ///< empty for the model `elements`
-  std::vector<element::ElementDescription> elements;  ///< of the model `elements`, complete; empty for all others
-  std::vector<element::ElementDescription> add;       ///< complete
+  estimation::Specification specification;  ///< empty for the model `elements`
+  Elements elements;                        ///< of the model `elements`, complete; empty for all others
+  Elements add;                             ///< complete
   /// Shifts with temperature, complete: those of the key `temperature`.
-  std::vector<element::ElementDescription> temperature;
+  Elements temperature;
   /// Of a component of six directions, with elements that are complete; it has none of the above but name and GUID.
   std::optional<component::SixDirectionsLaws> six;
 
   /// Those that the model estimates from the specification, or lists. Throws std::invalid_argument where there is no
   /// solution.
-  std::vector<element::ElementDescription> modelElements() const;
+  Elements modelElements() const;
 
   /// Those of the model, those added and those of the temperature, in the order of the component file.
-  std::vector<element::ElementDescription> allElements() const;
+  Elements allElements() const;
 };
 
 /// With all parameters.
-std::vector<element::ElementDescription> completed(std::vector<element::ElementDescription> entries);
+Elements completed(Elements entries);
 
 /// Text that fromJson() reads back to the same numbers, bit by bit.
 std::string toJson(const ComponentData& data);

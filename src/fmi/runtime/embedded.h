@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
 /// Begins the block; once in the whole binary.
 #define RUBBER_SUSPENSION_BLOCK_MARKER "rubber_suspension:component:001"
@@ -20,8 +19,5 @@ struct EmbeddedBlock {
   std::uint64_t size;  // of the text [bytes]
   char text[kCapacity];
 };
-
-/// The text in the binary that this function is in; empty in one that no exporter wrote to.
-std::string embeddedText();
 
 }  // namespace rubber_suspension::fmi

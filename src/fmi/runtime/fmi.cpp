@@ -1,68 +1,91 @@
 // FMI 2.0 and FMI 3.0 for co-simulation on an instance. No null pointer gets in, no exception gets out.
 #include "fmi/runtime/fmi.h"
 
-#include <exception>
+#include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <memory>
+#include <regex>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "element/refuse.h"
 #include "fmi/runtime/embedded.h"
 #include "fmi/runtime/instance.h"
+
+#ifdef RUBBER_SUSPENSION_BUILT_IN  // from its sources
+#include "component_text.h"
+#else
+#define RUBBER_SUSPENSION_COMPONENT_TEXT ""
+#endif
 
 namespace {
 
 using namespace rubber_suspension::fmi;
+using rubber_suspension::element::refuseIf;
 
 static_assert(static_cast<int>(Status::discard) == fmi2Discard && static_cast<int>(Status::error) == fmi2Error);
 static_assert(static_cast<int>(Status::discard) == fmi3Discard && static_cast<int>(Status::error) == fmi3Error);
 
-// Call `body` with the instance behind a handle. What it throws becomes a message and Status::error.
-template <class Result, class Body>
-Result guarded(void* handle, Body body) noexcept {
+static_assert(sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) <= kCapacity, "more text than the block holds");
+
+// The text in the block: none until the exporter writes to it.
+std::string embeddedText() {
+  // Volatile: what the compiler sees here is not what the binary will hold. Not constant: so it lies in a section that
+  // the file holds as it is.
+  static volatile EmbeddedBlock block = {RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) - 1,
+                                         RUBBER_SUSPENSION_COMPONENT_TEXT};
+  const std::uint64_t written = block.size;
+  std::string text(std::min<std::uint64_t>(written, kCapacity), '\0');
+  std::copy_n(block.text, text.size(), text.begin());
+  return text;
+}
+
+// Call `body` with the instance behind a handle. What it throws becomes a message and a status.
+template <class Body>
+Status guarded(void* handle, Body body) noexcept {
   if (handle == nullptr) {
-    return static_cast<Result>(Status::error);
+    return Status::error;
   }
   auto& instance = *static_cast<Instance*>(handle);
   try {
     try {
-      return static_cast<Result>(body(instance));
+      body(instance);
+      return Status::ok;
+    } catch (const Discarded& refused) {
+      return instance.tell(Status::discard, refused.what());
     } catch (const std::exception& error) {
-      return static_cast<Result>(instance.error(error.what()));
+      return instance.tell(Status::error, error.what());
     }
   } catch (...) {  // where even the message fails, there is only the status left
-    return static_cast<Result>(Status::error);
+    return Status::error;
   }
 }
 
-void logNothing(Status /*status*/, const char* /*category*/, const std::string& /*message*/) {}
-
-// The logger of FMI 2.0 reads its message as a format of printf, and # as a reference to a variable.
-std::string escaped(const std::string& message) {
-  std::string result;
-  for (const char c : message) {
-    result.append(c == '%' || c == '#' ? 2 : 1, c);
-  }
-  return result;
+const char* categoryOf(Status status) {
+  return std::find_if(std::begin(kLogCategories), std::end(kLogCategories),
+                      [&](const LogCategory& category) { return category.status == status; })
+      ->name;
 }
 
 Log logTo(const fmi2CallbackFunctions* functions, fmiString name) {
-  if (functions == nullptr || functions->logger == nullptr) {
-    return logNothing;
-  }
-  return [logger = functions->logger, environment = functions->componentEnvironment,
-          instance = std::string(name == nullptr ? "" : name)](Status status, const char* category,
-                                                               const std::string& message) {
-    logger(environment, instance.c_str(), static_cast<fmi2Status>(status), category, escaped(message).c_str());
+  return [functions = functions == nullptr ? fmi2CallbackFunctions{} : *functions,
+          instance = std::string(name == nullptr ? "" : name)](Status status, const std::string& message) {
+    if (functions.logger != nullptr) {
+      // It reads the message as a format of printf, and # as a reference to a variable.
+      const std::string text = std::regex_replace(message, std::regex("[%#]"), "$&$&");
+      functions.logger(functions.componentEnvironment, instance.c_str(), static_cast<fmi2Status>(status),
+                       categoryOf(status), text.c_str());
+    }
   };
 }
 
 Log logTo(void* environment, fmi3LogMessageCallback callback) {
-  if (callback == nullptr) {
-    return logNothing;
-  }
-  return [=](Status status, const char* category, const std::string& message) {
-    callback(environment, static_cast<fmi3Status>(status), category, message.c_str());
+  return [=](Status status, const std::string& message) {
+    if (callback != nullptr) {
+      callback(environment, static_cast<fmi3Status>(status), categoryOf(status), message.c_str());
+    }
   };
 }
 
@@ -72,27 +95,19 @@ template <class... Logger>
 void* instantiate(const char* token, bool logging_on, const char* refused, Logger... logger) noexcept {
   try {
     const Log log = logTo(logger...);
-    const auto refuse = [&log](const std::string& reason) {
-      log(Status::error, category::kError, reason);
-      return nullptr;
-    };
     try {
-      if (refused != nullptr) {
-        return refuse(std::string(refused) + "; accepted: co-simulation without event mode");
-      }
+      refuseIf(refused != nullptr, "{}; accepted: co-simulation without event mode", refused);
       ComponentData data = fromJson(embeddedText());
-      if (token == nullptr || data.guid != token) {
-        return refuse("the GUID is not that of this binary, " + data.guid);
-      }
+      refuseIf(token == nullptr || data.guid != token, "the GUID is not that of this binary, {}", data.guid);
       auto instance = std::make_unique<Instance>(std::move(data), log);
       instance->logEvents(logging_on);
       return instance.release();
     } catch (const std::exception& error) {
-      return refuse(std::string("no instance: ") + error.what());
+      log(Status::error, std::string("no instance: ") + error.what());
     }
-  } catch (...) {
-    return nullptr;
+  } catch (...) {  // where even the message fails
   }
+  return nullptr;
 }
 
 // What a pointer of the importer points to. Throws for none, which becomes an error.
@@ -102,126 +117,93 @@ Value& at(Value* pointer, const char* call) {
 }
 
 // Switch debugging on or off, for all categories or for those listed.
-Status setLogging(Instance& instance, bool on, std::size_t count, const fmiString* categories) {
+void setLogging(Instance& instance, bool on, std::size_t count, const fmiString* categories) {
   bool events = count == 0;
   for (std::size_t i = 0; i < count; ++i) {
     const fmiString given = (&at(categories, "debug logging"))[i];
     const std::string name = given == nullptr ? "" : given;
-    if (name != category::kEvents && name != category::kError && name != category::kDiscard) {
-      return instance.error("debug logging: '" + name + "' is no category; accepted: logEvents, logStatusDiscard, " +
-                            "logStatusError");
-    }
-    events = events || name == category::kEvents;
+    refuseIf(std::none_of(std::begin(kLogCategories), std::end(kLogCategories),
+                          [&](const LogCategory& category) { return category.name == name; }),
+             "debug logging: '{}' is no category; accepted: logEvents, logStatusDiscard, logStatusError", name);
+    events = events || name == categoryOf(Status::ok);
   }
   if (events) {
     instance.logEvents(on);
   }
-  return Status::ok;
 }
 
-Status enterInitialisation(Instance& instance, double start, bool stop_defined, double stop) {
-  const Status status = instance.setTimes(start, stop_defined, stop);
-  return status == Status::ok ? instance.enterInitialisation() : status;
-}
-
-Status refuseCounts(Instance& instance) {
-  return instance.error("the number of values is not that of the variables; accepted: one value each");
+void requireAsMany(std::size_t count, std::size_t values) {
+  refuseIf(values != count, "the number of values is not that of the variables; accepted: one value each");
 }
 
 // For variables of a type that no FMU of this package has: fine as long as none is asked for.
-Status refuseType(Instance& instance, std::size_t count, const char* type) {
-  return count == 0 ? Status::ok
-                    : instance.error(std::string("no variable is of the type ") + type + "; accepted: real numbers");
+void refuseType(std::size_t count, const char* type) {
+  refuseIf(count > 0, "no variable is of the type {}; accepted: real numbers", type);
 }
 
-Status step(Instance& instance, double time, double size, std::initializer_list<bool*> flags, double* last_time) {
-  const Status status = instance.step(time, size);
+void refuse(const char* call) { refuseIf(true, "{}: not supported by this FMU", call); }
+
+void step(Instance& instance, double time, double size, std::initializer_list<bool*> flags, double* last_time) {
   for (bool* flag : flags) {
     if (flag != nullptr) {
       *flag = false;
     }
   }
-  if (last_time != nullptr) {
-    *last_time = instance.time();
-  }
-  return status;
-}
-
-Status setDerivatives(Instance& instance, const fmiReference* vr, std::size_t count, const int* order,
-                      const double* value) {
-  if (count > 0 && (vr == nullptr || order == nullptr || value == nullptr)) {
-    return instance.error("set of a derivative: a null pointer");
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (const Status status = instance.setDerivative(vr[i], order[i], value[i]); status != Status::ok) {
-      return status;
-    }
-  }
-  return Status::ok;
+  double ignored = 0.0;
+  double& reached = last_time == nullptr ? ignored : *last_time;
+  reached = instance.time();  // where the step is refused
+  instance.step(time, size);
+  reached = instance.time();
 }
 
 // Of a step that went before, since none is ever under way.
 template <class Value>
-Status getStatus(Instance& instance, bool known, const char* accepted, Value* value, Value found) {
-  if (!known || value == nullptr) {
-    return instance.discard(std::string("status: ") + accepted);
-  }
+void getStatus(bool known, const char* accepted, Value* value, Value found) {
+  refuseIf<Discarded>(!known || value == nullptr, "status: {}", accepted);
   *value = found;
-  return Status::ok;
 }
 
 // Save into the state that the importer holds, or into a new one where it holds none.
-Status saveTo(Instance& instance, void** state) {
+void saveTo(const Instance& instance, void** state) {
   void*& held = at(state, "save of the state");
-  if (held != nullptr) {
-    return instance.save(*static_cast<SavedState*>(held));
-  }
-  auto saved = std::make_unique<SavedState>();
-  const Status status = instance.save(*saved);
-  held = status == Status::ok ? saved.release() : nullptr;
-  return status;
+  auto fresh = held == nullptr ? std::make_unique<SavedState>() : nullptr;
+  instance.save(fresh ? *fresh : *static_cast<SavedState*>(held));
+  held = fresh ? fresh.release() : held;
 }
 
 const SavedState& stateIn(const void* held, const char* call) { return at(static_cast<const SavedState*>(held), call); }
 
-Status freeState(void** held) {
+void freeState(void** held) {
   if (held != nullptr) {
-    delete static_cast<SavedState*>(*held);
-    *held = nullptr;
+    delete static_cast<SavedState*>(std::exchange(*held, nullptr));
   }
-  return Status::ok;
 }
 
-Status sizeOfState(const void* held, std::size_t* size) {
+void sizeOfState(const void* held, std::size_t* size) {
   at(size, "size of a state") = serialise(stateIn(held, "size of a state")).size();
-  return Status::ok;
 }
 
-Status writeState(const void* held, void* bytes, std::size_t size) {
+void writeState(const void* held, void* bytes, std::size_t size) {
   const std::string written = serialise(stateIn(held, "serialisation of a state"));
-  if (size < written.size()) {
-    throw std::invalid_argument("serialisation of a state: too few bytes");
-  }
+  refuseIf(size < written.size(), "serialisation of a state: too few bytes");
   written.copy(&at(static_cast<char*>(bytes), "serialisation of a state"), written.size());
-  return Status::ok;
 }
 
-Status readState(const void* bytes, std::size_t size, void** held) {
+void readState(const void* bytes, std::size_t size, void** held) {
   void*& state = at(held, "deserialisation of a state");
   auto read = std::make_unique<SavedState>(
       deserialise(&at(static_cast<const char*>(bytes), "deserialisation of a state"), size));
   freeState(held);
   state = read.release();
-  return Status::ok;
 }
 
 }  // namespace
 
 #define FMI_PLAIN(Result, name, parameters, ...) \
   Result name parameters { return __VA_ARGS__; }
-#define FMI_CALL(Result, name, parameters, ...)                                                  \
-  Result name parameters {                                                                       \
-    return guarded<Result>(c, [&]([[maybe_unused]] Instance& instance) { return __VA_ARGS__; }); \
+#define FMI_CALL(V, name, parameters, ...)                                                                     \
+  fmi##V##Status fmi##V##name parameters {                                                                     \
+    return static_cast<fmi##V##Status>(guarded(c, [&]([[maybe_unused]] Instance& instance) { __VA_ARGS__; })); \
   }
 #include "fmi/runtime/calls.h"
 #undef FMI_CALL

@@ -1,7 +1,8 @@
-// The C interfaces of FMI 2.0 and FMI 3.0 for co-simulation, as the standards describe them (FMI 2.0.4 and FMI 3.0,
-// chapters 2 and 4).
+// The C interfaces of FMI 2.0.4 and FMI 3.0 for co-simulation.
 #pragma once
 
+#include <boost/preprocessor/seq/for_each.hpp>
+#include <boost/preprocessor/stringize.hpp>
 #include <cstddef>
 #include <cstdint>
 
@@ -32,7 +33,7 @@ typedef void (*fmi3LogMessageCallback)(void* environment, fmi3Status, fmiString 
 typedef void (*fmi3Callback)();  // of whatever arguments: this package calls none
 
 #define FMI_PLAIN(Result, name, parameters, ...) Result name parameters;
-#define FMI_CALL(Status, name, parameters, ...) Status name parameters;
+#define FMI_CALL(V, name, parameters, ...) fmi##V##Status fmi##V##name parameters;
 #include "fmi/runtime/calls.h"
 #undef FMI_CALL
 #undef FMI_PLAIN

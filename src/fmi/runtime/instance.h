@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,21 +16,26 @@
 namespace rubber_suspension::fmi {
 
 /// What a call came to; the numbers are those of fmi2Status and fmi3Status.
-enum class Status : int {
-  ok = 0,
-  discard = 2,  ///< refused, and nothing has happened: the importer may go on with something else
-  error = 3,
+enum class Status : int { ok = 0, discard = 2, error = 3 };
+
+/// Thrown by a call that is refused where nothing has happened and the importer may go on with something else. Whatever
+/// else is thrown makes the call an error.
+class Discarded : public std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
-/// Where messages go: what the call came to, the log category and the text.
-using Log = std::function<void(Status status, const char* category, const std::string& message)>;
+/// Where messages go: what the call came to and the text.
+using Log = std::function<void(Status status, const std::string& message)>;
 
-/// Categories of the log, as modelDescription.xml lists them.
-namespace category {
-constexpr const char* kError = "logStatusError";
-constexpr const char* kDiscard = "logStatusDiscard";
-constexpr const char* kEvents = "logEvents";
-}  // namespace category
+/// A category of the log.
+struct LogCategory {
+  Status status;  ///< of its messages
+  const char* name;
+  const char* description;
+};
+constexpr LogCategory kLogCategories[] = {{Status::ok, "logEvents", "changes of the phase"},
+                                          {Status::discard, "logStatusDiscard", "values that are refused"},
+                                          {Status::error, "logStatusError", "errors"}};
 
 /// A component of one direction or of six that an importer drives. A step takes the displacement, linear in time, from
 /// where it was to the input as it is set when the step is called, plus what its derivatives add over the step. So an
@@ -38,81 +44,80 @@ constexpr const char* kEvents = "logEvents";
 ///
 /// Calls in a wrong order, unknown references and wrong times are errors that leave the instance as it was; values that
 /// cannot be are discarded. Only a force that is not finite spoils an instance: then it takes a reset or a saved state.
-/// Instances share nothing, so each may be driven by a thread of its own.
+/// All of them throw. Instances share nothing, so each may be driven by a thread of its own.
 class Instance {
  public:
   /// Throws std::exception where the data is none.
   Instance(ComponentData data, Log log);
 
-  Status setTimes(double start, bool stop_defined, double stop);
-  Status enterInitialisation();
-  Status exitInitialisation();
-  Status terminate();
-  Status reset();
+  void setTimes(double start, bool stop_defined, double stop);
 
-  Status set(const Reference* references, std::size_t count, const double* values) {
+  /// From one phase to the next; before the first step the component is built and initialised.
+  void pass(Phase from, Phase to, const char* call);
+  void reset();
+
+  void set(const Reference* references, std::size_t count, const double* values) {
     if (count == 1 && now_.phase == Phase::stepping && references != nullptr && values != nullptr &&
         references[0] == reference::kDisplacement && std::isfinite(values[0])) {
       now_.inputs[0] = values[0];
-      return Status::ok;
+    } else {
+      setAll(references, count, values);
     }
-    return setAll(references, count, values);
   }
 
-  Status get(const Reference* references, std::size_t count, double* values) {
+  void get(const Reference* references, std::size_t count, double* values) {
     if (count == 1 && now_.phase == Phase::stepping && references != nullptr && values != nullptr &&
         references[0] == table_.firstOutput()) {
       values[0] = now_.outputs[0];
-      return Status::ok;
+    } else {
+      getAll(references, count, values);
     }
-    return getAll(references, count, values);
   }
 
-  /// Derivative of the displacement by time, of an order from 1 to kMostDerivatives; counts for the next step alone.
-  Status setDerivative(Reference reference, int order, double value);
+  /// Derivatives of the displacement by time, of orders from 1 to kMostDerivatives; they count for the next step alone.
+  void setDerivatives(const Reference* references, std::size_t count, const int* orders, const double* values);
 
   /// Advance by a step [s] that begins at a time [s] and does not end after the stop time. Allocates nothing.
-  Status step(double time, double size) {
+  void step(double time, double size) {
     if (now_.phase != Phase::stepping || !(size > 0.0) || !std::isfinite(size) || !isInTime(time, size)) {
-      return refuseStep(time, size);
+      refuseStep(time, size);
     }
-    if (has_derivatives_ || body_->isSix()) {
-      return stepInFull(time, size);
-    }
+    const bool finite = has_derivatives_ ? body_->step(size, extrapolated(size), now_.outputs)
+                                         : body_->step(size, now_.inputs, now_.outputs);
     now_.time = time + size;
-    return body_->stepOne(size, now_.inputs[0], now_.outputs) ? Status::ok : fail();
+    if (!finite) {
+      fail();
+    }
   }
 
   double time() const { return now_.time; }
 
   /// Into a state of this instance, without allocation where it was filled before.
-  Status save(SavedState& state);
-  Status restore(const SavedState& state);
+  void save(SavedState& state) const;
+  void restore(const SavedState& state);
 
   /// Log categories that are for debugging can be switched.
   void logEvents(bool on) { log_events_ = on; }
 
-  /// Log an error and return it.
-  Status error(const std::string& message);
-  Status discard(const std::string& message);
+  /// Log what a call came to, and return it.
+  Status tell(Status status, const std::string& message) const;
 
  private:
-  Status setAll(const Reference* references, std::size_t count, const double* values);
-  Status getAll(const Reference* references, std::size_t count, double* values);
-  Status checkSet(Reference reference, double value);
+  void setAll(const Reference* references, std::size_t count, const double* values);
+  void getAll(const Reference* references, std::size_t count, double* values);
+  void checkSet(Reference reference, double value) const;
   void assign(Reference reference, double value);
   double value(Reference reference) const;
 
-  Body build(const std::vector<double>& parameters, std::vector<double>& calculated) const;
+  Body build(const std::vector<double>& parameters) const;
   void settle();
   double roomFor(double size) const;
   bool isInTime(double time, double size) const;
   Numbers extrapolated(double size);
-  Status stepInFull(double time, double size);
-  Status refuseStep(double time, double size);
-  Status fail();
-  Status refuseOrder(const std::string& what);
-  Status enter(Phase phase);
+  [[noreturn]] void refuseStep(double time, double size) const;
+  [[noreturn]] void fail();
+  void require(bool in_phase, const char* call) const;
+  void enter(Phase phase);
 
   ComponentData data_;
   VariableTable table_;
@@ -122,8 +127,7 @@ class Instance {
 
   Standing now_;
   bool has_derivatives_ = false;
-  std::vector<double> calculated_;  // parameters that follow from those that can be set
-  std::optional<Body> body_;        // none: parameters have changed
+  std::optional<Body> body_;  // none: parameters have changed
 };
 
 }  // namespace rubber_suspension::fmi

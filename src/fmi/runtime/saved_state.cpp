@@ -14,8 +14,20 @@ namespace {
 
 constexpr std::uint64_t kMagic = 0x3430544154535352;  // "RSSTAT04", lowest byte first
 constexpr std::size_t kWords = 3;                     // magic number, checksum, FMU
-constexpr std::size_t kSingle = 8;                    // numbers before those in rows
-constexpr std::size_t kHead = kSingle + 2 * std::tuple_size_v<Numbers> + kMostDerivatives;
+
+// The numbers before those in rows, and the rows, in the order of the bytes.
+template <class State, class Count>
+auto singlesOf(State& state, Count& parameters) {
+  auto& now = state.standing;
+  return std::tie(now.phase, now.settled, parameters, now.time, now.stop_time, state.component_displacement,
+                  now.has_temperature, now.degrees);
+}
+template <class State>
+auto rowsOf(State& state) {
+  auto& now = state.standing;
+  return std::tie(now.inputs, now.outputs, now.derivative, now.parameters, state.memory);
+}
+constexpr std::size_t kHead = 8 + 2 * std::tuple_size_v<Numbers> + kMostDerivatives;
 
 // FNV-1a.
 std::uint64_t hashOf(const char* bytes, std::size_t size) {
@@ -32,28 +44,15 @@ std::uint64_t checksumOf(const char* bytes, std::size_t size) { return hashOf(by
 }  // namespace
 
 std::string serialise(const SavedState& state) {
-  const Standing& now = state.standing;
-  std::vector<double> numbers = {static_cast<double>(now.phase),
-                                 now.settled ? 1.0 : 0.0,
-                                 static_cast<double>(now.parameters.size()),
-                                 now.time,
-                                 now.stop_time,
-                                 state.component_displacement,
-                                 now.temperature ? 1.0 : 0.0,
-                                 now.temperature.value_or(0.0)};
-  const auto append = [&numbers](const auto& row) { numbers.insert(numbers.end(), row.begin(), row.end()); };
-  append(now.inputs);
-  append(now.outputs);
-  append(now.derivative);
-  append(now.parameters);
-  append(state.memory);
+  std::vector<double> numbers;
+  const std::size_t parameters = state.standing.parameters.size();
+  std::apply([&](const auto&... number) { numbers = {static_cast<double>(number)...}; }, singlesOf(state, parameters));
+  std::apply([&](const auto&... row) { (numbers.insert(numbers.end(), row.begin(), row.end()), ...); }, rowsOf(state));
   std::uint64_t words[kWords] = {kMagic, 0, state.fingerprint};
-  std::string bytes(sizeof words + 8 * numbers.size(), '\0');
-  std::memcpy(bytes.data(), words, sizeof words);
-  std::memcpy(bytes.data() + sizeof words, numbers.data(), 8 * numbers.size());
+  std::string bytes(reinterpret_cast<const char*>(words), sizeof words);
+  bytes.append(reinterpret_cast<const char*>(numbers.data()), 8 * numbers.size());
   words[1] = checksumOf(bytes.data(), bytes.size());
-  std::memcpy(bytes.data(), words, sizeof words);
-  return bytes;
+  return bytes.replace(0, sizeof words, reinterpret_cast<const char*>(words), sizeof words);
 }
 
 SavedState deserialise(const char* bytes, std::size_t size) {
@@ -73,27 +72,18 @@ SavedState deserialise(const char* bytes, std::size_t size) {
                         !(parameters >= 0.0 && parameters <= static_cast<double>(numbers.size() - kHead)),
                     "the serialised state holds a number that none has");
   SavedState state;
-  Standing& now = state.standing;
   state.fingerprint = words[2];
-  now.phase = static_cast<Phase>(phase);
-  now.settled = numbers[1] != 0.0;
-  now.time = numbers[3];
-  now.stop_time = numbers[4];
-  state.component_displacement = numbers[5];
-  if (numbers[6] != 0.0) {
-    now.temperature = numbers[7];
-  }
-  auto next = numbers.begin() + kSingle;
+  auto next = numbers.begin();
+  std::size_t count = 0;
+  std::apply([&](auto&... number) { ((number = static_cast<std::decay_t<decltype(number)>>(*next++)), ...); },
+             singlesOf(state, count));
+  state.standing.parameters.resize(count);
+  state.memory.resize(numbers.size() - kHead - count);
   const auto take = [&next](auto& row) {
     std::copy_n(next, row.size(), row.begin());
     next += static_cast<std::ptrdiff_t>(row.size());
   };
-  now.parameters.resize(static_cast<std::size_t>(parameters));
-  take(now.inputs);
-  take(now.outputs);
-  take(now.derivative);
-  take(now.parameters);
-  state.memory.assign(next, numbers.end());
+  std::apply([&](auto&... row) { (take(row), ...); }, rowsOf(state));
   return state;
 }
 

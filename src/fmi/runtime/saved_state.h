@@ -32,9 +32,12 @@ struct Standing {
   Numbers inputs = {};
   Numbers outputs = {};
   std::array<double, kMostDerivatives> derivative = {};  ///< of the input, the first at [0] [m/s, m/s^2, ...]
-  std::optional<double> temperature;                     ///< the input [degC], once it was set
+  bool has_temperature = false;                          ///< the input has been set
+  double degrees = 0.0;                                  ///< to that [degC]
   std::vector<double> parameters;                        ///< those that can be set
   bool settled = false;  ///< the component has been built and initialised; it may have been stepped since
+
+  std::optional<double> temperature() const { return has_temperature ? std::optional(degrees) : std::nullopt; }
 };
 
 struct SavedState {

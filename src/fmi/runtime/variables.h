@@ -19,10 +19,6 @@ namespace reference {
 constexpr Reference kTime = 0;
 constexpr Reference kDisplacement = 1;
 constexpr Reference kForce = 2;
-constexpr Reference kElastic = 3;
-constexpr Reference kViscous = 4;
-constexpr Reference kFriction = 5;
-constexpr Reference kFirstInput = 1;
 }  // namespace reference
 
 enum class Causality {
@@ -33,23 +29,26 @@ enum class Causality {
   calculated_parameter,  ///< of an element that the model estimates from the specification
 };
 
+/// Where in the data of a component the value of a parameter stands.
+struct Place {
+  Elements ComponentData::*list = nullptr;  ///< nullptr: the specification
+  std::size_t entry = 0;                    ///< of the list
+  std::string key = {};                     ///< name of the parameter
+  std::size_t position = 0;                 ///< in a list of numbers; 0 for a single one
+
+  /// Not for parameters that are calculated.
+  void put(ComponentData& data, double value) const;
+};
+
 /// One variable; all are real numbers.
 struct Variable {
   std::string name;
   std::string unit;  ///< in UDUNITS spelling, "1" for none
   std::string description;
   Causality causality = Causality::parameter;
-  std::optional<double> start;  ///< of inputs and parameters
-  element::Range range;         ///< an open end is one by the description alone, FMI has no word for it
-};
-
-/// Where in the data of a component the value of a parameter stands.
-struct Place {
-  enum class List { specification, model, add, temperature };
-  List list;
-  std::size_t entry;     ///< of model, add or temperature
-  std::string key;       ///< name of the parameter
-  std::size_t position;  ///< in a list of numbers; 0 for a single one
+  std::optional<double> start = {};  ///< of inputs and parameters
+  element::Range range = {};         ///< an open end is one by the description alone, FMI has no word for it
+  Place place = {};                  ///< of parameters
 };
 
 /// All variables of one component. Those of its parameters come in the order: specification, elements of the model
@@ -62,42 +61,32 @@ class VariableTable {
   const std::vector<Variable>& variables() const { return variables_; }
 
   /// The reference of the temperature; one that no variable has where the component has no shift with temperature.
-  Reference temperature() const { return temperature_.value_or(static_cast<Reference>(variables_.size())); }
+  Reference temperature() const { return temperature_; }
 
   Reference firstOutput() const { return first_output_; }
   Reference firstParameter() const { return first_parameter_; }
-
-  /// Of the parameter with the reference firstParameter() + parameter.
-  const Place& place(std::size_t parameter) const { return places_[parameter]; }
 
   /// Values of the parameters that can be set, as the data has them.
   std::vector<double> startValues() const;
 
   /// Values of the calculated parameters that these elements have. Throws std::invalid_argument where they are other
   /// elements than those of the table.
-  std::vector<double> calculatedValues(const std::vector<element::ElementDescription>& model_elements) const;
+  std::vector<double> calculatedValues(const Elements& model_elements) const;
 
  private:
   void addOne(const ComponentData& data);
   void addSix(const ComponentData& data);
-  void addSpecification(const ComponentData& data);
-  void addElements(const std::vector<element::ElementDescription>& elements, Place::List list, Causality causality);
+  void addElements(const std::string& group, const Elements& elements, Elements ComponentData::*list,
+                   Causality causality);
+  template <class Value>
+  std::vector<double> collect(Causality causality, Value value) const;
   template <class Component>
-  void addTemperature(const std::string& name, const Component& component,
-                      const std::vector<element::ElementDescription>& elements);
-  void addParameter(const Variable& variable, const Place& place);
-
-  void add(const std::string& name, const std::string& unit, const std::string& description, Causality causality);
+  void addTemperature(const std::string& name, const Component& component, const Elements& elements);
 
   std::vector<Variable> variables_;
-  std::vector<Place> places_;
   Reference first_output_ = 0;
   Reference first_parameter_ = 0;
-  std::optional<Reference> temperature_;
-  std::size_t free_count_ = 0;  // of the parameters, those that can be set
+  Reference temperature_ = 0;
 };
-
-/// Put a value at its place. Only for places of parameters that can be set.
-void setValue(ComponentData& data, const Place& place, double value);
 
 }  // namespace rubber_suspension::fmi
