@@ -33,12 +33,12 @@ int convert(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  return runCommand(argc, argv,
-                    {"bag_to_csv",
-                     "Writes one component's displacement and, if recorded, measured force of a bag as a CSV log.",
-                     {{"The only component of a bag", "--log run.bag --output run.csv"},
-                      {"One of several", "--log run.bag --component bush --output bush.csv"},
-                      {"For another program", "--log run.bag --output /dev/stdout | head"}}},
-                    options.table(), [&] { return convert(options); });
+  return runCommand<Options>(
+      argc, argv,
+      {"bag_to_csv",
+       "Writes one component's displacement and, if recorded, measured force of a bag as a CSV log.",
+       {{"The only component of a bag", "--log run.bag --output run.csv"},
+        {"One of several", "--log run.bag --component bush --output bush.csv"},
+        {"For another program", "--log run.bag --output /dev/stdout | head"}}},
+      convert);
 }

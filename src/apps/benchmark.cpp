@@ -73,6 +73,9 @@ int runSingle(const Options& options) {
 }
 
 int run(const Options& options) {
+  if (!options.work.empty()) {
+    return runSingle(options);
+  }
   benchmark::BenchmarkSize size;
   size.samples = options.samples > 0 ? options.samples : options.quick ? 20000 : 100000;
   size.log_duration = options.log_duration;
@@ -103,8 +106,7 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  return runCommand(
+  return runCommand<Options>(
       argc, argv,
       {"benchmark",
        "Times the library against hand-written loops and general solvers, taking turns in one process, and prints a "
@@ -114,5 +116,5 @@ int main(int argc, char** argv) {
        {{"In a minute", "--quick"},
         {"All of it, with a picture", "--plot ratios.svg"},
         {"One work alone", "--work simulate --config component.yaml --log log.csv"}}},
-      options.table(), [&] { return options.work.empty() ? run(options) : runSingle(options); });
+      run);
 }

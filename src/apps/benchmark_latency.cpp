@@ -114,8 +114,7 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
 
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
-  Options options;
-  return runCommand(
+  return runCommand<Options>(
       line.argc(), line.argv(),
       {"benchmark_latency",
        "Measures round trips through the node `simulate` against those through an empty echo node, in alternating runs "
@@ -124,5 +123,5 @@ int main(int argc, char** argv) {
        {{"One component", "--components 1 --pairs 11"},
         {"With and without the live diagnosis", "--components 10 --diagnose --plot latency.svg"},
         {"The node's memory over a million samples", "--soak 1000000"}}},
-      options.table(), [&] { return run(line, options); });
+      [&](Options& options) { return run(line, options); });
 }

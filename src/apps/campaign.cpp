@@ -6,7 +6,7 @@
 #include <map>
 
 #include "bag/bag_log.h"
-#include "campaign/collect.h"
+#include "campaign/fleet.h"
 #include "campaign/make.h"
 #include "campaign/run.h"
 #include "campaign/slurm.h"
@@ -194,13 +194,13 @@ int runTask(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  return runCommand(argc, argv,
-                    {"campaign",
-                     "Works off many diagnoses, estimates and replays: from a jobs file to a table of the results, on "
-                     "one machine, in shards on several, or as a job array of Slurm.",
-                     {{"From a jobs file to a campaign", "make --jobs jobs.yaml --output campaign"},
-                      {"Work it off, 4 jobs at a time", "run campaign --threads 4"},
-                      {"Tables and the fleet report", "collect campaign"}}},
-                    options.table(), [&] { return runTask(options); });
+  return runCommand<Options>(
+      argc, argv,
+      {"campaign",
+       "Works off many diagnoses, estimates and replays: from a jobs file to a table of the results, on "
+       "one machine, in shards on several, or as a job array of Slurm.",
+       {{"From a jobs file to a campaign", "make --jobs jobs.yaml --output campaign"},
+        {"Work it off, 4 jobs at a time", "run campaign --threads 4"},
+        {"Tables and the fleet report", "collect campaign"}}},
+      runTask);
 }

@@ -131,8 +131,7 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
 
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
-  Options options;
-  return runCommand(
+  return runCommand<Options>(
       line.argc(), line.argv(),
       {"check_force",
        "Plays a log through a bench and passes if its forces agree with the force measured in the log, or "
@@ -142,5 +141,5 @@ int main(int argc, char** argv) {
          "--component bush --log log.csv --config component.yaml --tolerance 0"},
         {"Without the first two seconds, with a picture",
          "--component bush --log log.csv --tolerance 0.05 --skip 2 --plot forces.svg"}}},
-      options.table(), [&] { return run(line, options); });
+      [&](Options& options) { return run(line, options); });
 }

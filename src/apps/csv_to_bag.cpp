@@ -38,16 +38,16 @@ int convert(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  return runCommand(argc, argv,
-                    {"csv_to_bag",
-                     "Writes a log as a bag with the topics <component>/displacement and "
-                     "<component>/measured_force.",
-                     {{"A log with a header", "--component bush --log log.csv --output run.bag"},
-                      {"Columns without names, in mm and kN",
-                       "--component bush --log raw.csv --columns time displacement force --unit displacement=mm "
-                       "force=kN --output raw.bag"},
-                      {"A log without times, at 2 kHz",
-                       "--component bush --log untimed.csv --sampling-rate '2 kHz' --output untimed.bag"}}},
-                    options.table(), [&] { return convert(options); });
+  return runCommand<Options>(
+      argc, argv,
+      {"csv_to_bag",
+       "Writes a log as a bag with the topics <component>/displacement and "
+       "<component>/measured_force.",
+       {{"A log with a header", "--component bush --log log.csv --output run.bag"},
+        {"Columns without names, in mm and kN",
+         "--component bush --log raw.csv --columns time displacement force --unit displacement=mm "
+         "force=kN --output raw.bag"},
+        {"A log without times, at 2 kHz",
+         "--component bush --log untimed.csv --sampling-rate '2 kHz' --output untimed.bag"}}},
+      convert);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -26,26 +27,17 @@ namespace {
 using namespace command_line;
 
 io::FileKind kindOf(const std::string& name) {
-  if (name == "plan.json") {
-    return io::FileKind::plan_json;
-  }
-  if (name == "plan.html") {
-    return io::FileKind::plan_html;
-  }
-  if (name == "report.json" || name == "evidence.json") {
-    return io::FileKind::report_json;
-  }
-  const std::string extension = std::filesystem::path(name).extension().string();
-  if (extension == ".html") {
-    return io::FileKind::report_html;
-  }
-  if (extension == ".yaml") {
-    return io::FileKind::component_file;
-  }
-  if (name == "missing_force.csv") {
-    return io::FileKind::force_map_csv;
-  }
-  return name == "next_experiment.csv" ? io::FileKind::force_csv : io::FileKind::figure_csv;
+  // By name, or by extension.
+  static const std::map<std::string, io::FileKind> kinds = {{"plan.json", io::FileKind::plan_json},
+                                                            {"plan.html", io::FileKind::plan_html},
+                                                            {"missing_force.csv", io::FileKind::force_map_csv},
+                                                            {"next_experiment.csv", io::FileKind::force_csv},
+                                                            {".json", io::FileKind::report_json},
+                                                            {".html", io::FileKind::report_html},
+                                                            {".yaml", io::FileKind::component_file},
+                                                            {".csv", io::FileKind::figure_csv}};
+  const auto found = kinds.find(name);
+  return found != kinds.end() ? found->second : kinds.at(std::filesystem::path(name).extension().string());
 }
 
 // The files of the report, and those that stand beside it where the diagnosis has reason to write them.

@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "command/data_sheet.h"
-#include "command/estimate_variants.h"
 #include "command/identify.h"
 #include "command/linear_part.h"
 #include "command/measured_table.h"
@@ -16,6 +15,7 @@
 #include "command_line/log_options.h"
 #include "command_line/plot_option.h"
 #include "command_line/warnings.h"
+#include "element/each.h"
 #include "element/refuse.h"
 #include "gap/odd_motion.h"
 #include "log/new_file.h"
@@ -154,12 +154,7 @@ std::vector<command::EstimateReport> smoothReports(const std::vector<io::Compone
                                                    command::SweepOptions sweeps, std::optional<double> sensitivity) {
   constexpr int kSmooth = 61;
   sweeps.points = std::max(sweeps.points, kSmooth);
-  std::vector<command::EstimateReport> reports;
-  reports.reserve(components.size());
-  for (const io::ComponentDescription& component : components) {
-    reports.push_back(reportOf(component, sweeps, sensitivity));
-  }
-  return reports;
+  return element::each(components, [&](const auto& component) { return reportOf(component, sweeps, sensitivity); });
 }
 
 int convertDataSheet(const Options& options) {
@@ -238,13 +233,11 @@ void writeFiles(const Options& options, const std::vector<io::ComponentDescripti
     for (const io::ComponentDescription& component : components) {
       parts.push_back(command::linearPartOf(component));
       const command::LinearPart& part = parts.back();
-      if (!part.tangents.empty()) {
-        printNote("estimate",
-                  fmt::format("{}: taken by their slope: {}", part.component, fmt::join(part.tangents, ", ")));
-      }
-      if (!part.left_out.empty()) {
-        printNote("estimate",
-                  fmt::format("{}: left out of the linear part: {}", part.component, fmt::join(part.left_out, ", ")));
+      for (const auto& [what, types] : {std::pair(": taken by their slope: ", part.tangents),
+                                        std::pair(": left out of the linear part: ", part.left_out)}) {
+        if (!types.empty()) {
+          printNote("estimate", part.component + what + log::join(types));
+        }
       }
     }
     command::writeLinearParts(parts, options.state_space);
@@ -253,12 +246,11 @@ void writeFiles(const Options& options, const std::vector<io::ComponentDescripti
 
 // Before any file is written.
 void checkStateSpace(const std::string& path, std::size_t components) {
-  if (!path.empty() && !log::endsWith(path, ".json") && !(log::endsWith(path, ".mat") && components == 1)) {
-    throw UsageError(
-        fmt::format("--state-space: {} for {} component{}; accepted: FILE.json, or FILE.mat for one "
-                    "(--component NAME, one of --models)",
-                    path, components, components == 1 ? "" : "s"));
-  }
+  element::refuseIf<UsageError>(
+      !path.empty() && !log::endsWith(path, ".json") && !(log::endsWith(path, ".mat") && components == 1),
+      "--state-space: {} for {} component{}; accepted: FILE.json, or FILE.mat for one (--component NAME, one of "
+      "--models)",
+      path, components, components == 1 ? "" : "s");
 }
 
 int estimateComponents(const Options& options) {
@@ -311,14 +303,14 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  return runCommand(argc, argv,
-                    {"estimate",
-                     "Estimates the parameters of rubber components from their specifications, from measured logs or "
-                     "tables or from data sheets, and prints them with stiffness and loss angle over frequency and "
-                     "amplitude.",
-                     {{"From the specification", "--config component.yaml"},
-                      {"From a measured log", "--config component.yaml --from-log log.csv --output found.yaml"},
-                      {"A component file from a data sheet", "--data-sheet sheet.yaml --output bush.yaml"}}},
-                    options.table(), [&] { return run(options); });
+  return runCommand<Options>(
+      argc, argv,
+      {"estimate",
+       "Estimates the parameters of rubber components from their specifications, from measured logs or "
+       "tables or from data sheets, and prints them with stiffness and loss angle over frequency and "
+       "amplitude.",
+       {{"From the specification", "--config component.yaml"},
+        {"From a measured log", "--config component.yaml --from-log log.csv --output found.yaml"},
+        {"A component file from a data sheet", "--data-sheet sheet.yaml --output bush.yaml"}}},
+      run);
 }

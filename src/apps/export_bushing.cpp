@@ -97,8 +97,7 @@ int run(Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  return runCommand(
+  return runCommand<Options>(
       argc, argv,
       {"export_bushing",
        "Writes a component of one direction or of six as a bushing property file of Adams (.bus) or Altair (.gbs): "
@@ -112,5 +111,5 @@ int main(int argc, char** argv) {
          "--config hung_body.yaml --component front_left --largest-displacement '5 mm' --largest-rotation '10 deg' "
          "--frequency 10 --amplitude "
          "'0.5 mm' --rotation-amplitude '1 deg' --output bush.gbs"}}},
-      options.table(), [&] { return run(options); });
+      run);
 }

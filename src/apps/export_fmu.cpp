@@ -35,8 +35,7 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  return runCommand(
+  return runCommand<Options>(
       argc, argv,
       {"export_fmu",
        "Writes a component as an FMU for co-simulation: displacement in, force out, all parameters settable; of six "
@@ -44,5 +43,5 @@ int main(int argc, char** argv) {
        {{"FMI 2.0", "--config component.yaml --output bush.fmu"},
         {"FMI 3.0", "--config component.yaml --fmi 3 --output bush.fmu"},
         {"One of several components", "--config example.yaml --component left_secondary --output left.fmu"}}},
-      options.table(), [&] { return run(options); });
+      run);
 }

@@ -42,8 +42,7 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  return runCommand(
+  return runCommand<Options>(
       argc, argv,
       {"export_table",
        "Writes dynamic stiffness and loss angle of a component over frequency, amplitude and preload, "
@@ -54,5 +53,5 @@ int main(int argc, char** argv) {
          "--config component.yaml --frequencies 4 --amplitudes '1 mm' --preloads 0 '2 kN' --output table.csv"},
         {"One of several components",
          "--config example.yaml --component left_secondary --frequencies 4 --amplitudes '1 mm' --output left.csv"}}},
-      options.table(), [&] { return run(options); });
+      run);
 }

@@ -220,15 +220,15 @@ OptionTable Options::table() {
 
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
-  Options options;
-  return runCommand(line.argc(), line.argv(),
-                    {"half_bogie",
-                     "Simulates a vehicle on rubber components with Simbody, their forces from the library or, over "
-                     "topics, from the node.",
-                     {{"The largest stable step", "--config half_bogie.yaml --stability"},
-                      {"With forces from the node, a step late",
-                       "--config half_bogie.yaml --track track.csv --forces topics --delay 1 --output vehicle.csv"},
-                      {"A body on four bushes of six directions",
-                       "--config hung_body.yaml --vehicle body --track track.csv --output vehicle.csv"}}},
-                    options.table(), [&] { return run(line, options); });
+  return runCommand<Options>(
+      line.argc(), line.argv(),
+      {"half_bogie",
+       "Simulates a vehicle on rubber components with Simbody, their forces from the library or, over "
+       "topics, from the node.",
+       {{"The largest stable step", "--config half_bogie.yaml --stability"},
+        {"With forces from the node, a step late",
+         "--config half_bogie.yaml --track track.csv --forces topics --delay 1 --output vehicle.csv"},
+        {"A body on four bushes of six directions",
+         "--config hung_body.yaml --vehicle body --track track.csv --output vehicle.csv"}}},
+      [&](Options& options) { return run(line, options); });
 }

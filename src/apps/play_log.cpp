@@ -239,8 +239,7 @@ int playAll(ros_interface::RosCommandLine& line, Options& options) {
 
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
-  Options options;
-  return runCommand(
+  return runCommand<Options>(
       line.argc(), line.argv(),
       {"play_log",
        "Plays logs through a running node and records the forces.\n\nThe node answers on <component>/force; see "
@@ -248,5 +247,5 @@ int main(int argc, char** argv) {
        {{"As fast as the node answers", "--component bush --log log.csv --output force.csv"},
         {"In real time, over and over", "--component bush --log log.csv --playback-speed 1 --loop 0 --folder runs/run"},
         {"Two components side by side", "--component left right --log left.csv right.csv --folder runs/run"}}},
-      options.table(), [&] { return playAll(line, options); });
+      [&](Options& options) { return playAll(line, options); });
 }

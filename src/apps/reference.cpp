@@ -11,6 +11,7 @@
 #include "command/help_page.h"
 #include "command_line/command.h"
 #include "diagnosis/report/effect_reference.h"
+#include "element/each.h"
 #include "element/refuse.h"
 #include "element/suggestion.h"
 #include "ros_interface/child_process.h"
@@ -27,13 +28,7 @@ HelpPage helpPage(const std::string& command) {
   return command::parseHelp(command, ros_interface::outputOf(command, "--help-all"));
 }
 
-std::vector<HelpPage> helpPages() {
-  std::vector<HelpPage> pages;
-  for (const std::string& name : commandNames()) {
-    pages.push_back(helpPage(name));
-  }
-  return pages;
-}
+std::vector<HelpPage> helpPages() { return element::each(commandNames(), helpPage); }
 
 std::string manPage(const std::string& command) {
   return command.empty() ? command::manPageOfAll(helpPages(), version())
@@ -81,8 +76,7 @@ int print(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  return runCommand(
+  return runCommand<Options>(
       argc, argv,
       {"reference",
        "Prints a reference page: in Markdown that of the component file, the node, the effects or the commands; the "
@@ -92,5 +86,5 @@ int main(int argc, char** argv) {
        {{"The page of the component file", "parameters > parameters.md"},
         {"A man page", "man replay | man -l -"},
         {"Completion for this shell", "completion > completion.bash && source completion.bash"}}},
-      options.table(), [&] { return print(options); });
+      print);
 }

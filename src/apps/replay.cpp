@@ -82,8 +82,7 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  return runCommand(
+  return runCommand<Options>(
       argc, argv,
       {"replay",
        "Simulates a component on a recorded log: the same forces as the node, to the last bit.",
@@ -92,5 +91,5 @@ int main(int argc, char** argv) {
         {"Columns without names, in mm and kN",
          "--config component.yaml --log raw.csv --columns time displacement force --unit displacement=mm force=kN "
          "--output force.csv"}}},
-      options.table(), [&] { return run(options); });
+      run);
 }

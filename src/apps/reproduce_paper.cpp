@@ -36,8 +36,7 @@ int draw(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  return runCommand(
+  return runCommand<Options>(
       argc, argv,
       {"reproduce_paper",
        "Draws figures 3, 4, 5, 6 and 8 of O. Polach, Modelling of rubber components using estimated parameters (IAVSD "
@@ -46,5 +45,5 @@ int main(int argc, char** argv) {
        {{"Into a folder", "--output figures"},
         {"Over files of other kinds, too", "--output figures --force"},
         {"And look at one of them", "--output figures && xdg-open figures/figure_3.svg"}}},
-      options.table(), [&] { return draw(options); });
+      draw);
 }

@@ -1,6 +1,7 @@
 // rubber-suspension: one command on PATH whose subcommands are the programs of lib/rubber_suspension.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -71,10 +72,8 @@ int run(int argc, char** argv) {
     return 0;
   }
   const std::vector<std::string> names = rubber_suspension::command_line::commandNames();
-  for (const std::string& name : names) {
-    if (name == command) {
-      return become(command, argv + 1);
-    }
+  if (std::find(names.begin(), names.end(), command) != names.end()) {
+    return become(command, argv + 1);
   }
   const std::string what = command.empty() ? "a command is missing"
                                            : "no command " + rubber_suspension::log::quoted(command) +

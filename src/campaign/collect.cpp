@@ -1,13 +1,13 @@
 // The results of a campaign as CSV, as JSON, and by the types of its components.
-#include "campaign/collect.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <boost/algorithm/string/replace.hpp>
 #include <filesystem>
 
+#include "campaign/fleet.h"
 #include "campaign/record.h"
+#include "element/each.h"
 #include "io/line_file.h"
 #include "log/new_file.h"
 
@@ -53,17 +53,16 @@ ordered_json valuesOf(const Job& job, const Record* record) {
 
 ordered_json headOf(const Manifest& manifest, std::size_t place, const char* status) {
   const Job& job = manifest.jobs[place];
-  std::vector<std::string> logs;
-  for (const std::size_t log : job.logs) {
-    logs.push_back(std::filesystem::path(manifest.inputs[log].path).stem().string());
-  }
+  const auto name_of = [&](std::size_t log) {
+    return std::filesystem::path(manifest.inputs[log].path).stem().string();
+  };
   return {{"id", job.id},
           {"group", job.group},
           {"type", job.type},
           {"test_piece", job.test_piece},
           {"command", toString(job.command)},
           {"component", job.component},
-          {"logs", fmt::format("{}", fmt::join(logs, " "))},
+          {"logs", element::joined(job.logs, " ", name_of)},
           {"status", status}};
 }
 
@@ -76,10 +75,7 @@ void writeCsv(const Manifest& manifest, const std::string& folder, const std::ve
   }
   file.line(header);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    std::vector<std::string> cells;
-    for (const ordered_json& value : headOf(manifest, i, rows[i].status)) {
-      cells.push_back(csvCell(value));
-    }
+    std::vector<std::string> cells = element::each(headOf(manifest, i, rows[i].status), csvCell);
     const ordered_json values = ordered_json::parse(rows[i].values);
     for (const auto& [name, value] : columns.items()) {
       cells.push_back(csvCell(values.value(name, ordered_json())));
@@ -102,10 +98,6 @@ void writeJson(const Manifest& manifest, const std::string& folder, const std::v
 }
 
 }  // namespace
-
-std::string tableCsvPath(const std::string& folder) { return folder + "/table.csv"; }
-
-std::string tableJsonPath(const std::string& folder) { return folder + "/table.json"; }
 
 CollectSummary collect(const Manifest& manifest, const std::string& folder) {
   CollectSummary summary;

@@ -5,13 +5,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <stdexcept>
 
 #include "command/identify.h"
 #include "diagnosis/results/rounding.h"
+#include "element/each.h"
 #include "element/refuse.h"
 #include "io/output_files.h"
 #include "io/sha256.h"
@@ -20,6 +24,7 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
+#include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension::campaign {
 namespace {
@@ -34,20 +39,12 @@ constexpr std::size_t kKeptConfigs = 16;
 
 // "friction | friction + creep": the sets of effects that the logs cannot tell apart.
 std::string setsText(const std::vector<std::vector<std::string>>& sets) {
-  std::vector<std::string> texts;
-  for (const std::vector<std::string>& set : sets) {
-    texts.push_back(fmt::format("{}", fmt::join(set, " + ")));
-  }
-  return fmt::format("{}", fmt::join(texts, " | "));
+  return element::joined(sets, " | ", [](const auto& set) { return fmt::format("{}", fmt::join(set, " + ")); });
 }
 
-// What else may be right: sets of effects, and the verdict of what is none.
-std::vector<std::vector<std::string>> alternativesOf(const diagnosis::Diagnosis& d) {
-  std::vector<std::vector<std::string>> others;
-  for (const diagnosis::Alternative& other : d.alternatives) {
-    others.push_back(other.effects.empty() ? std::vector<std::string>{toString(other.verdict)} : other.effects);
-  }
-  return others;
+// The effects of what else may be right, and the verdict of what has none.
+std::vector<std::string> effectsOf(const diagnosis::Alternative& other) {
+  return other.effects.empty() ? std::vector<std::string>{toString(other.verdict)} : other.effects;
 }
 
 // A number that is not finite is written as null.
@@ -55,7 +52,7 @@ ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
   ordered_json values = {{"verdict", toString(d.verdict)},
                          {"effects", log::join(d.effects)},
                          {"confounded", setsText(d.confounded)},
-                         {"alternatives", setsText(alternativesOf(d))},
+                         {"alternatives", setsText(element::each(d.alternatives, effectsOf))},
                          {"gap_as_configured", d.gap.as_configured},
                          {"gap_re_estimated", d.gap.re_estimated},
                          {"gap_augmented", d.gap.augmented},
@@ -132,162 +129,170 @@ std::map<std::string, std::uint64_t> filesIn(const std::string& folder) {
   return files;
 }
 
+// Keeps the logs and component files that it read last, because many jobs share them.
+class Executor {
+ public:
+  Executor(std::string folder, const Manifest& manifest, LogReader read_log)
+      : folder_(std::move(folder)), manifest_(manifest), read_log_(std::move(read_log)) {}
+
+  Record execute(const Job& job) {
+    const auto start = std::chrono::steady_clock::now();
+    Record record;
+    try {
+      work(job, record);
+    } catch (const std::exception& error) {
+      const std::string reason = log::oneLine(error.what());
+      record = {};
+      record.error = reason.empty() ? "failed without a reason" : reason;
+    }
+    record.id = job.id;
+    record.version = manifest_.version;
+    record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    writeRecord(record, folder_);
+    return record;
+  }
+
+ private:
+  void work(const Job& job, Record& record) {
+    constexpr std::array kWorks = {&Executor::diagnose, &Executor::estimate, &Executor::replay};
+    (this->*kWorks.at(static_cast<std::size_t>(job.command)))(job, record);
+    if (job.options.reports != Reports::none) {
+      record.files = filesIn(makeReportFolder(job));
+    }
+  }
+
+  void diagnose(const Job& job, Record& record) {
+    io::ComponentDescription description = componentOf(job);
+    for (const auto& [key, value] : job.options.rig) {
+      io::RigTolerances tolerances = description.rig.value_or(io::RigTolerances{});
+      io::setRigTolerance(tolerances, key + "=" + value);
+      description.rig = tolerances;
+    }
+    diagnosis::DiagnosisOptions settings;
+    settings.evidence = job.options.evidence;
+    settings.threads = 1;  // the jobs themselves run side by side
+    const diagnosis::Diagnosis result =
+        diagnosis::diagnose(description, logs(job, job.logs), logs(job, job.hold_out), settings);
+    record.values = diagnosisValues(result);
+    record.findings = findingsOf(result);
+    if (job.options.reports == Reports::full) {
+      diagnosis::writeReport(result, makeReportFolder(job));
+    } else if (job.options.reports == Reports::data) {
+      const std::string folder = makeReportFolder(job);
+      log::writeNewFile(folder + "/report.json", diagnosis::toJson(result));
+      if (result.workings) {
+        log::writeNewFile(folder + "/augmented.yaml", diagnosis::augmentedYaml(result));
+      }
+      if (const std::string evidence = diagnosis::evidenceJson(result); !evidence.empty()) {
+        log::writeNewFile(folder + "/evidence.json", evidence);
+      }
+    }
+  }
+
+  void estimate(const Job& job, Record& record) {
+    const io::ComponentDescription description = componentOf(job);
+    fit::IdentificationOptions settings;
+    settings.held = job.options.hold;
+    settings.starts = job.options.starts > 0 ? job.options.starts : settings.starts;
+    const fit::Identification result = command::identifyFromLogs(description, logs(job, job.logs), settings);
+    record.values = {{"residual_n", result.residual}, {"relative_residual", result.relative_residual}};
+    for (const fit::IdentifiedParameter& parameter : result.parameters) {
+      const std::string name = fmt::format("{}_{}.{}", parameter.element, parameter.index, parameter.name);
+      record.values[name] = parameter.value;
+      record.values[name + "_lower"] = parameter.lower;
+      record.values[name + "_upper"] = parameter.upper;
+      if (parameter.determined) {
+        addChange(name, parameter.value / parameter.given, record.findings);
+      }
+    }
+    if (job.options.reports != Reports::none) {
+      const std::string folder = makeReportFolder(job);
+      log::writeNewFile(folder + "/identification.json", command::toJson(description.name, result));
+      log::writeNewFile(folder + "/component.yaml", io::toYaml({command::identifiedComponent(description, result)}));
+    }
+  }
+
+  void replay(const Job& job, Record& record) {
+    const io::ComponentDescription description = componentOf(job);
+    const log::Log& log = keptLog(job, job.logs.front());
+    const gap::Replay result = gap::replay(description.makeComponent(), log);
+    record.values = replayValues(log, result);
+    if (job.options.reports != Reports::none) {
+      log::writeForceCsv(makeReportFolder(job) + "/force.csv", log, result.force);
+    }
+  }
+
+  io::ComponentDescription componentOf(const Job& job) {
+    auto kept = kept_configs_.find(job.config);
+    if (kept == kept_configs_.end()) {
+      if (kept_configs_.size() == kKeptConfigs) {
+        kept_configs_.clear();
+      }
+      kept = kept_configs_.emplace(job.config, io::loadComponentFile(unchangedPath(job.config))).first;
+    }
+    io::ComponentDescription description = io::selectComponent(kept->second, job.component);
+    if (!job.specification.empty()) {
+      estimation::Specification specification = description.written();
+      for (const auto& [name, value] : job.specification) {
+        specification.set(name, value);
+      }
+      description.specify(specification);
+    }
+    return description;
+  }
+
+  std::vector<log::Log> logs(const Job& job, const std::vector<std::size_t>& files) {
+    return element::each(files, [&](std::size_t file) { return keptLog(job, file); });
+  }
+
+  const log::Log& keptLog(const Job& job, std::size_t file) {
+    const std::string key = fmt::format("{}\n{}\n{}", file, job.component, readingKey(job.options));
+    const auto kept = kept_logs_.find(key);
+    if (kept != kept_logs_.end()) {
+      return kept->second;
+    }
+    log::Log log = read_log_(unchangedPath(file), job.component, logFormat(job.options));
+    if (kept_samples_ + log.size() > kKeptSamples) {
+      kept_logs_.clear();
+      kept_samples_ = 0;
+    }
+    kept_samples_ += log.size();
+    return kept_logs_.emplace(key, std::move(log)).first->second;
+  }
+
+  // Made if missing; what an earlier try left there has the same names and is replaced.
+  std::string makeReportFolder(const Job& job) const {
+    std::string folder = folder_ + "/" + reportFolder(job.id);
+    io::makeFolder(folder);
+    return folder;
+  }
+
+  // Of an input; throws std::runtime_error where it has changed.
+  std::string unchangedPath(std::size_t input) const {
+    const InputFile& file = manifest_.inputs[input];
+    const io::FileHash hash = io::hashFile(file.path);
+    element::refuseIf<std::runtime_error>(
+        hash.sha256 != file.content.sha256,
+        "{}: has changed since `campaign make` ({} bytes then, {} now); accepted: the file as it was, or `campaign "
+        "make` again",
+        file.path, file.content.size, hash.size);
+    return file.path;
+  }
+
+  std::string folder_;
+  const Manifest& manifest_;
+  LogReader read_log_;
+  std::map<std::string, log::Log> kept_logs_;
+  std::size_t kept_samples_ = 0;
+  std::map<std::size_t, std::vector<io::ComponentDescription>> kept_configs_;
+};
+
 }  // namespace
 
-Record Executor::execute(const Job& job) {
-  const auto start = std::chrono::steady_clock::now();
-  Record record;
-  try {
-    work(job, record);
-  } catch (const std::exception& error) {
-    const std::string reason = log::oneLine(error.what());
-    record = {};
-    record.error = reason.empty() ? "failed without a reason" : reason;
-  }
-  record.id = job.id;
-  record.version = manifest_.version;
-  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  writeRecord(record, folder_);
-  return record;
-}
-
-void Executor::work(const Job& job, Record& record) {
-  switch (job.command) {
-    case Command::diagnose:
-      diagnose(job, record);
-      break;
-    case Command::estimate:
-      estimate(job, record);
-      break;
-    case Command::replay:
-      replay(job, record);
-      break;
-  }
-  if (job.options.reports != Reports::none) {
-    record.files = filesIn(makeReportFolder(job));
-  }
-}
-
-void Executor::diagnose(const Job& job, Record& record) {
-  io::ComponentDescription description = componentOf(job);
-  for (const auto& [key, value] : job.options.rig) {
-    io::RigTolerances tolerances = description.rig.value_or(io::RigTolerances{});
-    io::setRigTolerance(tolerances, key + "=" + value);
-    description.rig = tolerances;
-  }
-  diagnosis::DiagnosisOptions settings;
-  settings.evidence = job.options.evidence;
-  settings.threads = 1;  // the jobs themselves run side by side
-  const diagnosis::Diagnosis result =
-      diagnosis::diagnose(description, logs(job, job.logs), logs(job, job.hold_out), settings);
-  record.values = diagnosisValues(result);
-  record.findings = findingsOf(result);
-  if (job.options.reports == Reports::full) {
-    diagnosis::writeReport(result, makeReportFolder(job));
-  } else if (job.options.reports == Reports::data) {
-    const std::string folder = makeReportFolder(job);
-    log::writeNewFile(folder + "/report.json", diagnosis::toJson(result));
-    if (result.workings) {
-      log::writeNewFile(folder + "/augmented.yaml", diagnosis::augmentedYaml(result));
-    }
-    if (const std::string evidence = diagnosis::evidenceJson(result); !evidence.empty()) {
-      log::writeNewFile(folder + "/evidence.json", evidence);
-    }
-  }
-}
-
-void Executor::estimate(const Job& job, Record& record) {
-  const io::ComponentDescription description = componentOf(job);
-  fit::IdentificationOptions settings;
-  settings.held = job.options.hold;
-  settings.starts = job.options.starts > 0 ? job.options.starts : settings.starts;
-  const fit::Identification result = command::identifyFromLogs(description, logs(job, job.logs), settings);
-  record.values = {{"residual_n", result.residual}, {"relative_residual", result.relative_residual}};
-  for (const fit::IdentifiedParameter& parameter : result.parameters) {
-    const std::string name = fmt::format("{}_{}.{}", parameter.element, parameter.index, parameter.name);
-    record.values[name] = parameter.value;
-    record.values[name + "_lower"] = parameter.lower;
-    record.values[name + "_upper"] = parameter.upper;
-    if (parameter.determined) {
-      addChange(name, parameter.value / parameter.given, record.findings);
-    }
-  }
-  if (job.options.reports != Reports::none) {
-    const std::string folder = makeReportFolder(job);
-    log::writeNewFile(folder + "/identification.json", command::toJson(description.name, result));
-    log::writeNewFile(folder + "/component.yaml", io::toYaml({command::identifiedComponent(description, result)}));
-  }
-}
-
-void Executor::replay(const Job& job, Record& record) {
-  const io::ComponentDescription description = componentOf(job);
-  const log::Log& log = keptLog(job, job.logs.front());
-  const gap::Replay result = gap::replay(description.makeComponent(), log);
-  record.values = replayValues(log, result);
-  if (job.options.reports != Reports::none) {
-    log::writeForceCsv(makeReportFolder(job) + "/force.csv", log, result.force);
-  }
-}
-
-io::ComponentDescription Executor::componentOf(const Job& job) {
-  auto kept = kept_configs_.find(job.config);
-  if (kept == kept_configs_.end()) {
-    if (kept_configs_.size() == kKeptConfigs) {
-      kept_configs_.clear();
-    }
-    kept = kept_configs_.emplace(job.config, io::loadComponentFile(unchangedPath(job.config))).first;
-  }
-  io::ComponentDescription description = io::selectComponent(kept->second, job.component);
-  if (!job.specification.empty()) {
-    estimation::Specification specification = description.written();
-    for (const auto& [name, value] : job.specification) {
-      specification.set(name, value);
-    }
-    description.specify(specification);
-  }
-  return description;
-}
-
-std::vector<log::Log> Executor::logs(const Job& job, const std::vector<std::size_t>& files) {
-  std::vector<log::Log> result;
-  for (const std::size_t file : files) {
-    result.push_back(keptLog(job, file));
-  }
-  return result;
-}
-
-const log::Log& Executor::keptLog(const Job& job, std::size_t file) {
-  const std::string key = fmt::format("{}\n{}\n{}", file, job.component, readingKey(job.options));
-  const auto kept = kept_logs_.find(key);
-  if (kept != kept_logs_.end()) {
-    return kept->second;
-  }
-  log::Log log = read_log_(unchangedPath(file), job.component, logFormat(job.options));
-  if (kept_samples_ + log.size() > kKeptSamples) {
-    kept_logs_.clear();
-    kept_samples_ = 0;
-  }
-  kept_samples_ += log.size();
-  return kept_logs_.emplace(key, std::move(log)).first->second;
-}
-
-// Made if missing; what an earlier try left there has the same names and is replaced.
-std::string Executor::makeReportFolder(const Job& job) const {
-  std::string folder = folder_ + "/" + reportFolder(job.id);
-  io::makeFolder(folder);
-  return folder;
-}
-
-// Of an input; throws std::runtime_error where it has changed.
-std::string Executor::unchangedPath(std::size_t input) const {
-  const InputFile& file = manifest_.inputs[input];
-  const io::FileHash hash = io::hashFile(file.path);
-  element::refuseIf<std::runtime_error>(
-      hash.sha256 != file.sha256,
-      "{}: has changed since `campaign make` ({} bytes then, {} now); accepted: the file as it was, or `campaign "
-      "make` again",
-      file.path, file.size, hash.size);
-  return file.path;
+std::function<Record(const Job&)> executorOf(const std::string& folder, const Manifest& manifest,
+                                             const LogReader& read_log) {
+  const auto executor = std::make_shared<Executor>(folder, manifest, read_log);
+  return [executor](const Job& job) { return executor->execute(job); };
 }
 
 }  // namespace rubber_suspension::campaign

@@ -5,8 +5,9 @@
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
-#include <set>
+#include <iterator>
 
+#include "element/each.h"
 #include "numerics/quantile.h"
 
 namespace rubber_suspension::campaign {
@@ -58,54 +59,45 @@ std::size_t rankOfInterval(std::size_t count) {
   return rank;
 }
 
-std::vector<ComponentValue> farOut(const std::vector<ComponentValue>& values, const Distribution& distribution) {
+bool isFarOut(double value, const Distribution& distribution) {
   constexpr double kFar = 4.0;  // distances of the quartiles: of normal values six standard deviations from the median
   const auto& [lower, upper] = distribution.quartiles;
-  std::vector<ComponentValue> result;
-  for (const ComponentValue& one : values) {
-    const double beyond = std::max(lower - one.value, one.value - upper);
-    if (values.size() >= kFewestComponents && beyond > kFar * (upper - lower) &&
-        std::abs(one.value - distribution.median) > kWorthSaying) {
-      result.push_back(one);
-    }
-  }
-  return result;
+  return distribution.components >= kFewestComponents &&
+         std::max(lower - value, value - upper) > kFar * (upper - lower) &&
+         std::abs(value - distribution.median) > kWorthSaying;
 }
 
-std::vector<FleetParameter> parametersOf(const std::vector<FleetComponent>& components) {
-  std::map<std::string, std::vector<double>> numbers;
+void describeParameters(FleetType& type) {
   std::map<std::string, std::vector<ComponentValue>> values;
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    for (const auto& [name, change] : components[i].findings.changes) {
-      numbers[name].push_back(change);
-      values[name].push_back({i, change});
+  for (std::size_t i = 0; i < type.components.size(); ++i) {
+    for (const auto& [name, change] : type.components[i].findings.changes) {
+      values[name].push_back({i, name, change});
     }
   }
-  std::vector<FleetParameter> parameters;
-  for (auto& [name, of_components] : numbers) {
-    const Distribution distribution = distributionOf(std::move(of_components));
-    parameters.push_back({name, distribution, farOut(values[name], distribution)});
+  for (const auto& [name, all] : values) {
+    type.parameters.push_back({"", type.name, name, distributionOf(element::each(all, &ComponentValue::value))});
+    std::copy_if(all.begin(), all.end(), std::back_inserter(type.far_out),
+                 [&](const ComponentValue& one) { return isFarOut(one.value, type.parameters.back().distribution); });
   }
-  return parameters;
 }
 
 // Of rigs that had one type alone there is nothing to compare.
-std::vector<RigParameter> rigsOf(const std::map<std::string, std::vector<FleetComponent>>& types) {
+std::vector<FleetParameter> rigsOf(const std::map<std::string, std::vector<FleetComponent>>& types) {
   std::map<std::array<std::string, 3>, std::vector<double>> values;
-  std::map<std::string, std::set<std::string>> types_of;
   for (const auto& [type, components] : types) {
     for (const FleetComponent& component : components) {
       for (const auto& [name, change] : component.findings.changes) {
         values[{component.test_rig, type, name}].push_back(change);
-        types_of[component.test_rig].insert(type);
       }
     }
   }
-  std::vector<RigParameter> rigs;
-  for (auto& [key, of_components] : values) {
-    const auto& [rig, type, parameter] = key;
-    if (types_of[rig].size() > 1) {
-      rigs.push_back({rig, type, parameter, distributionOf(std::move(of_components))});
+  std::vector<FleetParameter> rigs;
+  for (const auto& [key, of_components] : values) {
+    const std::string& rig = key[0];
+    const std::string& type = key[1];
+    const auto of_other_type = [&](const auto& one) { return one.first[0] == rig && one.first[1] != type; };
+    if (std::any_of(values.begin(), values.end(), of_other_type)) {
+      rigs.push_back({rig, type, key[2], distributionOf(of_components)});
     }
   }
   return rigs;
@@ -133,8 +125,9 @@ void Fleet::add(const Job& job, const Record& record) {
 FleetFindings Fleet::analyse() const {
   FleetFindings findings;
   for (const auto& [name, components] : types_) {
-    FleetType type{name, components, {}, {}, parametersOf(components)};
+    FleetType type{name, components, {}, {}, {}, {}};
     countVerdicts(type);
+    describeParameters(type);
     findings.types.push_back(std::move(type));
   }
   findings.rigs = rigsOf(types_);

@@ -1,4 +1,5 @@
-// What a fleet shows that a single component cannot: how often a verdict or an effect occurs, and how values scatter.
+// What is left of a campaign at its end: its results as one table, in the order of the manifest, and what a fleet shows
+// that a single component cannot: how often a verdict or an effect occurs, and how values scatter.
 #pragma once
 
 #include <array>
@@ -7,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/job.h"
+#include "campaign/manifest.h"
 #include "campaign/record.h"
 
 namespace rubber_suspension::campaign {
@@ -42,18 +43,19 @@ struct FleetComponent {
   Findings findings;
 };
 
-/// A component and its logarithm of re-estimated over configured value.
+/// A value of one component: logarithm of re-estimated over configured value.
 struct ComponentValue {
   std::size_t component;  ///< place in FleetType::components
+  std::string parameter;
   double value;
 };
 
-/// A parameter over the components of a type.
+/// A parameter over the components of a type, or those of them that were tested on one rig.
 struct FleetParameter {
-  std::string name;
+  std::string rig;  ///< "" where the jobs file names none, and for all rigs together
+  std::string type;
+  std::string parameter;
   Distribution distribution;
-  /// Farther from the quartiles than four times their distance, and from the median by more than a bench holds.
-  std::vector<ComponentValue> far_out;
 };
 
 struct FleetType {
@@ -62,21 +64,15 @@ struct FleetType {
   std::vector<Share> verdicts;
   std::vector<Share> effects;  ///< that are named, most frequent first
   std::vector<FleetParameter> parameters;
-};
-
-/// A parameter over the components of one type that were tested on one rig.
-struct RigParameter {
-  std::string rig;  ///< "" where the jobs file names none
-  std::string type;
-  std::string parameter;
-  Distribution distribution;
+  /// Farther from the quartiles than four times their distance, and from the median by more than a bench holds.
+  std::vector<ComponentValue> far_out;
 };
 
 struct FleetFindings {
   std::vector<FleetType> types;
   /// By rig, type and parameter, where a rig had several types: one that gives way takes more of a stiff type than of a
   /// soft one, a wrong gain takes the same of all.
-  std::vector<RigParameter> rigs;
+  std::vector<FleetParameter> rigs;
 };
 
 /// Less than this logarithm is within what a bench can hold: no value is far out for it.
@@ -97,5 +93,31 @@ class Fleet {
  private:
   std::map<std::string, std::vector<FleetComponent>> types_;
 };
+
+struct CollectSummary {
+  std::size_t done = 0;
+  std::size_t failed = 0;
+  std::size_t missing = 0;          ///< broken records among them
+  std::vector<std::string> broken;  ///< what is wrong with those
+};
+
+/// Write table.csv, table.json, fleet.json and fleet.html: the same bytes however the jobs were worked off, for nothing
+/// of time, place or order of the work stands in them. A job without a result has a row nevertheless. Throws
+/// std::runtime_error.
+CollectSummary collect(const Manifest& manifest, const std::string& folder);
+
+inline std::string tableCsvPath(const std::string& folder) { return folder + "/table.csv"; }
+inline std::string tableJsonPath(const std::string& folder) { return folder + "/table.json"; }
+inline std::string fleetJsonPath(const std::string& folder) { return folder + "/fleet.json"; }
+inline std::string fleetReportPath(const std::string& folder) { return folder + "/fleet.html"; }
+
+/// The fleet report for programs: schema rubber_suspension/fleet/3: types with verdicts, effects, parameters and values
+/// that are far out; parameters by rig and type. Values are logarithms of re-estimated over configured value. The same
+/// bytes for the same results.
+std::string toJson(const FleetFindings& fleet);
+
+/// The fleet report as a page for people without scripts or network, with links to the reports of components. The same
+/// bytes for the same results.
+std::string fleetHtml(const FleetFindings& fleet, const CollectSummary& summary);
 
 }  // namespace rubber_suspension::campaign

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "campaign/collect.h"
+#include "campaign/fleet.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/words/text.h"
+#include "element/each.h"
 #include "log/text.h"
 
 namespace rubber_suspension::campaign {
@@ -14,59 +15,56 @@ namespace {
 
 using diagnosis::escape;
 using diagnosis::percent;
+using diagnosis::Row;
+using element::each;
 using nlohmann::ordered_json;
-using Rows = std::vector<std::vector<std::string>>;
 
 constexpr std::size_t kMostRows = 500;  // of a table: more is for table.csv
 
-ordered_json sharesJson(const std::vector<Share>& shares) {
-  ordered_json list = ordered_json::array();
-  for (const auto& [name, components, share, interval] : shares) {
-    list.push_back({{"name", name}, {"components", components}, {"share", share}, {"interval_95", interval}});
-  }
-  return list;
+ordered_json shareJson(const Share& one) {
+  return {{"name", one.name}, {"components", one.components}, {"share", one.share}, {"interval_95", one.interval}};
 }
 
-void addDistribution(ordered_json& json, const Distribution& distribution) {
+ordered_json withDistribution(ordered_json json, const Distribution& distribution) {
   json["components"] = distribution.components;
   json["median"] = distribution.median;
   json["quartiles"] = distribution.quartiles;
   if (distribution.median_interval) {
     json["median_interval_95"] = *distribution.median_interval;
   }
+  return json;
+}
+
+ordered_json parameterJson(const FleetParameter& parameter) {
+  return withDistribution({{"name", parameter.parameter}}, parameter.distribution);
+}
+
+ordered_json rigJson(const FleetParameter& row) {
+  return withDistribution({{"name", row.rig}, {"type", row.type}, {"parameter", row.parameter}}, row.distribution);
 }
 
 ordered_json typeJson(const FleetType& type) {
-  ordered_json parameters = ordered_json::array();
-  ordered_json far_out = ordered_json::array();
-  for (const FleetParameter& parameter : type.parameters) {
-    parameters.push_back({{"name", parameter.name}});
-    addDistribution(parameters.back(), parameter.distribution);
-    for (const ComponentValue& one : parameter.far_out) {
-      const FleetComponent& component = type.components[one.component];
-      far_out.push_back(
-          {{"component", component.name}, {"id", component.id}, {"parameter", parameter.name}, {"value", one.value}});
-    }
-  }
+  const auto far_out = [&](const ComponentValue& one) -> ordered_json {
+    const FleetComponent& component = type.components[one.component];
+    return {{"component", component.name}, {"id", component.id}, {"parameter", one.parameter}, {"value", one.value}};
+  };
   return {{"name", type.name},
           {"components", type.components.size()},
-          {"verdicts", sharesJson(type.verdicts)},
-          {"effects", sharesJson(type.effects)},
-          {"parameters", parameters},
-          {"far_out", far_out}};
+          {"verdicts", each(type.verdicts, shareJson)},
+          {"effects", each(type.effects, shareJson)},
+          {"parameters", each(type.parameters, parameterJson)},
+          {"far_out", each(type.far_out, far_out)}};
 }
 
 // Cells are HTML; a title that begins with # is of numbers. Nothing without rows.
-std::string section(const std::string& title, const std::vector<std::string>& titles, const Rows& rows,
-                    const std::string& note = "") {
+std::string section(const std::string& title, const Row& titles, std::vector<Row> rows, const std::string& note = "") {
   if (rows.empty()) {
     return "";
   }
-  const std::size_t shown = std::min(kMostRows, rows.size());
-  const std::string rest = shown < rows.size() ? fmt::format("and {} more, in table.csv. ", rows.size() - shown) : "";
-  return "<h3>" + title + "</h3>\n" +
-         diagnosis::table(titles, Rows(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(shown))) +
-         "<p class=note>" + rest + note + "</p>\n";
+  const std::size_t all = rows.size();
+  rows.resize(std::min(kMostRows, all));
+  const std::string rest = rows.size() < all ? fmt::format("and {} more, in table.csv. ", all - rows.size()) : "";
+  return "<h3>" + title + "</h3>\n" + diagnosis::table(titles, rows) + "<p class=note>" + rest + note + "</p>\n";
 }
 
 std::string linkTo(const FleetComponent& component) {
@@ -78,12 +76,11 @@ std::string linkTo(const FleetComponent& component) {
 std::string change(double logarithm) { return fmt::format("{:+.1f} %", 100.0 * std::expm1(logarithm)); }
 
 std::string shareTable(const std::string& title, const std::string& name, const std::vector<Share>& shares) {
-  Rows rows;
-  for (const Share& share : shares) {
-    rows.push_back({escape(share.name), std::to_string(share.components), percent(share.share),
-                    percent(share.interval[0]) + " to " + percent(share.interval[1])});
-  }
-  return section(title, {name, "#components", "#share", "#95 % interval"}, rows,
+  const auto row = [](const Share& share) -> Row {
+    return {escape(share.name), std::to_string(share.components), percent(share.share),
+            percent(share.interval[0]) + " to " + percent(share.interval[1])};
+  };
+  return section(title, {name, "#components", "#share", "#95 % interval"}, each(shares, row),
                  "Shares are those of the components with a diagnosis.");
 }
 
@@ -98,64 +95,48 @@ std::vector<std::string> cellsOf(const Distribution& distribution, std::vector<s
 }
 
 std::string parameterTable(const FleetType& type) {
-  Rows rows;
-  for (const FleetParameter& parameter : type.parameters) {
-    rows.push_back(cellsOf(parameter.distribution, {escape(parameter.name)}));
-  }
+  const auto row = [](const FleetParameter& parameter) {
+    return cellsOf(parameter.distribution, {escape(parameter.parameter)});
+  };
   return section("Parameters: change against the configured value",
-                 {"parameter", "#components", "#median", "#95 % interval", "#quartiles"}, rows,
+                 {"parameter", "#components", "#median", "#95 % interval", "#quartiles"}, each(type.parameters, row),
                  "The quartiles contain scatter between test pieces and the error of each estimate.");
 }
 
 std::string farOutTable(const FleetType& type) {
-  Rows rows;
-  for (const FleetParameter& parameter : type.parameters) {
-    for (const ComponentValue& one : parameter.far_out) {
-      rows.push_back({linkTo(type.components[one.component]), escape(parameter.name), change(one.value)});
-    }
-  }
-  return section("Components that are far out", {"component", "parameter", "#change"}, rows,
+  const auto row = [&](const ComponentValue& one) -> Row {
+    return {linkTo(type.components[one.component]), escape(one.parameter), change(one.value)};
+  };
+  return section("Components that are far out", {"component", "parameter", "#change"}, each(type.far_out, row),
                  "Farther from the quartiles than four times their distance.");
 }
 
-std::string rigTable(const std::vector<RigParameter>& rigs) {
-  Rows rows;
-  for (const RigParameter& row : rigs) {
-    const std::string rig = row.rig.empty() ? "of all jobs without a name of theirs" : escape(row.rig);
-    rows.push_back(cellsOf(row.distribution, {rig, escape(row.type), escape(row.parameter)}));
-  }
+std::string rigTable(const std::vector<FleetParameter>& rigs) {
+  const auto row = [](const FleetParameter& one) {
+    const std::string rig = one.rig.empty() ? "of all jobs without a name of theirs" : escape(one.rig);
+    return cellsOf(one.distribution, {rig, escape(one.type), escape(one.parameter)});
+  };
   return section("Rigs: change against the configured value",
-                 {"rig", "type", "parameter", "#components", "#median", "#95 % interval", "#quartiles"}, rows,
+                 {"rig", "type", "parameter", "#components", "#median", "#95 % interval", "#quartiles"},
+                 each(rigs, row),
                  "A rig that gives way takes more of a stiff type than of a soft one; a wrong gain or unit takes the "
                  "same of all.");
 }
 
 std::string componentTable(const FleetType& type) {
-  Rows rows;
-  for (const FleetComponent& component : type.components) {
+  const auto row = [](const FleetComponent& component) -> Row {
     const auto& [verdict, effects, changes] = component.findings;
-    rows.push_back({linkTo(component), escape(verdict ? toString(*verdict) : ""), escape(log::join(effects))});
-  }
-  return section("All components", {"component", "verdict", "effects"}, rows);
+    return {linkTo(component), escape(verdict ? toString(*verdict) : ""), escape(log::join(effects))};
+  };
+  return section("All components", {"component", "verdict", "effects"}, each(type.components, row));
 }
 
 }  // namespace
 
-std::string fleetJsonPath(const std::string& folder) { return folder + "/fleet.json"; }
-
-std::string fleetReportPath(const std::string& folder) { return folder + "/fleet.html"; }
-
 std::string toJson(const FleetFindings& fleet) {
-  ordered_json types = ordered_json::array();
-  for (const FleetType& type : fleet.types) {
-    types.push_back(typeJson(type));
-  }
-  ordered_json rigs = ordered_json::array();
-  for (const RigParameter& row : fleet.rigs) {
-    rigs.push_back({{"name", row.rig}, {"type", row.type}, {"parameter", row.parameter}});
-    addDistribution(rigs.back(), row.distribution);
-  }
-  const ordered_json json = {{"schema", "rubber_suspension/fleet/3"}, {"types", types}, {"rigs", rigs}};
+  const ordered_json json = {{"schema", "rubber_suspension/fleet/3"},
+                             {"types", each(fleet.types, typeJson)},
+                             {"rigs", each(fleet.rigs, rigJson)}};
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -1,16 +1,21 @@
-// The jobs file: a strict loader that continues after a problem, so that all are told at once.
+// The jobs file: a strict loader that continues after a problem, so that all are told at once; specifications drawn
+// within their tolerances.
 #include "campaign/jobs_file.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <set>
 #include <type_traits>
 
 #include "campaign/make.h"
+#include "element/each.h"
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "io/yaml_bounds.h"
 #include "log/text.h"
@@ -339,9 +344,8 @@ std::optional<YAML::Node> parse(const std::string& text, const Tell& tell) {
 }
 
 std::vector<JobGroup> readGroups(const Entry& root) {
-  std::vector<JobGroup> groups;
   if (!root.isMapOf({"settings", "jobs"})) {
-    return groups;
+    return {};
   }
   JobOptions settings;
   const Entry given = root.at("settings");
@@ -351,12 +355,30 @@ std::vector<JobGroup> readGroups(const Entry& root) {
   const Entry jobs = root.at("jobs");
   if (!jobs.isFullMap()) {
     jobs.refuse("missing or empty; accepted: a map of entries by name");
-    return groups;
+    return {};
   }
-  for (const Entry& entry : jobs.entries()) {
-    groups.push_back(readGroup(entry, settings));
+  return element::each(jobs.entries(), [&](const Entry& entry) { return readGroup(entry, settings); });
+}
+
+// In (0, 1), never its ends: a normal number would be infinite there.
+double uniform(std::mt19937_64& generator) {
+  constexpr int kBits = 53;  // of a double's significand
+  return std::ldexp(static_cast<double>(generator() >> (64 - kBits)) + 0.5, -kBits);
+}
+
+double draw(double nominal, const Tolerance& tolerance, std::mt19937_64& generator) {
+  const double width = tolerance.is_share ? tolerance.width * std::abs(nominal) : tolerance.width;
+  const double place = 2.0 * uniform(generator) - 1.0;
+  return nominal +
+         width * (tolerance.shape == Tolerance::Shape::uniform ? place : std::sqrt(2.0) * boost::math::erf_inv(place));
+}
+
+void checkNames(const estimation::Specification& nominal, const MonteCarlo& study) {
+  const auto names = element::joined(nominal.values(), ", ", [](const auto& one) { return one.first; });
+  for (const auto& [name, tolerance] : study.tolerances) {
+    element::refuseIf(!nominal.has(name), "monte_carlo.tolerances.{}: the component does not specify it; accepted: {}",
+                      name, names.empty() ? "a component with a specification" : names);
   }
-  return groups;
 }
 
 }  // namespace
@@ -370,14 +392,25 @@ JobsFile parseJobsFile(const std::string& text, const std::string& path, std::ve
 }
 
 JobsFile readJobsFile(const std::string& path, std::vector<std::string>& problems) {
-  std::string text;
   try {
-    text = log::readFile(path, kMaximumSize);
-  } catch (const std::exception& error) {
-    problems.push_back(fmt::format("{}: {}; accepted: a jobs file", path, error.what()));
+    return parseJobsFile(log::readInput(path, kMaximumSize, "; accepted: a jobs file"), path, problems);
+  } catch (const std::runtime_error& error) {
+    problems.emplace_back(error.what());
     return {path, {}};
   }
-  return parseJobsFile(text, path, problems);
+}
+
+std::vector<std::map<std::string, double>> drawSpecifications(const estimation::Specification& nominal,
+                                                              const MonteCarlo& study) {
+  checkNames(nominal, study);
+  std::mt19937_64 generator(study.seed);
+  std::vector<std::map<std::string, double>> draws(study.runs);
+  for (auto& numbers : draws) {
+    for (const auto& [name, tolerance] : study.tolerances) {
+      numbers[name] = draw(nominal.at(name), tolerance, generator);
+    }
+  }
+  return draws;
 }
 
 }  // namespace rubber_suspension::campaign

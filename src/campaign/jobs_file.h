@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "campaign/job.h"
+#include "campaign/manifest.h"
+#include "rubber_suspension/estimation/specification.h"
 
 namespace rubber_suspension::campaign {
 
@@ -60,5 +61,11 @@ JobsFile readJobsFile(const std::string& path, std::vector<std::string>& problem
 
 /// The same from text; `path` stands for the file's name.
 JobsFile parseJobsFile(const std::string& text, const std::string& path, std::vector<std::string>& problems);
+
+/// The drawn numbers of each run, by name [SI]. The same seed gives the same draws on every machine, and more runs
+/// begin with those of fewer: 53 bits of a Mersenne Twister per number, in the order of the names; a normal one by the
+/// inverse of its distribution. Throws std::invalid_argument for a tolerance of a number that is not specified.
+std::vector<std::map<std::string, double>> drawSpecifications(const estimation::Specification& nominal,
+                                                              const MonteCarlo& study);
 
 }  // namespace rubber_suspension::campaign

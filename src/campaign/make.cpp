@@ -8,12 +8,13 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <memory>
+#include <regex>
 #include <set>
 #include <unordered_map>
 #include <utility>
 
 #include "campaign/jobs_file.h"
-#include "campaign/tolerance_draws.h"
 #include "element/refuse.h"
 #include "element/suggestion.h"
 #include "fit/parallel.h"
@@ -28,32 +29,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// By glob(3) of the C library.
-struct Matches : glob_t {
-  Matches() : glob_t{} {}
-  Matches(const Matches&) = delete;
-  Matches& operator=(const Matches&) = delete;
-  ~Matches() { globfree(this); }
-};
-
 // A folder's own name is no pattern, whatever letters it has.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '*' || c == '?' || c == '[' || c == '\\') {
-      result += '\\';
-    }
-    result += c;
-  }
-  return result;
-}
+std::string escaped(const std::string& text) { return std::regex_replace(text, std::regex(R"([*?[\\])"), R"(\$&)"); }
 
 // What `pattern` of the shell (*, ?, [...]) names, relative to `folder` unless it begins with a slash: absolute paths
 // without symbolic links resolved, sorted byte by byte, so that the order is that of no locale. Empty where nothing
 // matches.
 std::vector<std::string> matchPattern(const std::string& folder, const std::string& pattern) {
   const std::string base = fs::absolute(folder.empty() ? "." : folder).lexically_normal().string();
-  Matches matches;
+  glob_t matches{};
+  const std::unique_ptr<glob_t, void (*)(glob_t*)> freed(&matches, globfree);
   const std::string full = pattern.front() == '/' ? pattern : escaped(base) + "/" + pattern;
   const int status = glob(full.c_str(), GLOB_NOSORT, nullptr, &matches);
   element::refuseIf<std::runtime_error>(status != 0 && status != GLOB_NOMATCH, "{}: a folder cannot be read", full);
@@ -87,28 +72,11 @@ struct Place {
 constexpr const char* kLog = "log";
 constexpr const char* kHoldOut = "hold_out";
 
-// What is wrong with a path that a pattern names; "" where nothing is.
-std::string problemOf(const std::string& path) {
-  std::error_code ignored;
-  if (!log::isUtf8(path)) {
-    return "the name is no UTF-8; accepted: another name";
-  }
-  return fs::is_regular_file(path, ignored) || fs::is_directory(path, ignored)
-             ? ""
-             : "neither a file nor a folder; accepted: these";
-}
-
 std::vector<std::string> componentsOf(const JobGroup& group, const Components& components) {
   if (group.components != std::vector<std::string>{"*"}) {
     return group.components.empty() ? std::vector<std::string>{""} : group.components;
   }
   return element::namesOf(components);
-}
-
-void hash(InputFile& file) {
-  const io::FileHash hash = io::hashFile(file.path);
-  file.sha256 = hash.sha256;
-  file.size = hash.size;
 }
 
 void check(const Job& job, const std::string& path, const LogReader& read_log) {
@@ -139,7 +107,7 @@ class Maker {
     fit::parallelFor(found.size(), threads, [&](std::size_t i) {
       try {
         if (i < files.size()) {
-          hash(files[i]);
+          files[i].content = io::hashFile(files[i].path);
         } else {
           const Reading& reading = readings_[i - files.size()];
           check(reading.job, files[reading.input].path, read_log);
@@ -190,8 +158,11 @@ class Maker {
           continue;
         }
         matches = true;
-        if (const std::string wrong = problemOf(path); !wrong.empty()) {
-          problem(group, fmt::format("{}: {}: {}", key, path, wrong));
+        std::error_code ignored;
+        if (!log::isUtf8(path)) {
+          problem(group, fmt::format("{}: {}: the name is no UTF-8; accepted: another name", key, path));
+        } else if (!fs::is_regular_file(path, ignored) && !fs::is_directory(path, ignored)) {
+          problem(group, fmt::format("{}: {}: neither a file nor a folder; accepted: these", key, path));
         } else {
           paths.push_back(path);
         }
@@ -275,12 +246,7 @@ class Maker {
 
   // Those of one content are parsed once, because a fleet mostly has copies of one.
   const Components& load(const std::string& path) {
-    std::string text;
-    try {
-      text = log::readFile(path, io::kMaximumComponentFileSize);
-    } catch (const std::exception& error) {
-      throw std::runtime_error(path + ": " + error.what() + "; accepted: a component file");
-    }
+    const std::string text = log::readInput(path, io::kMaximumComponentFileSize, "; accepted: a component file");
     const auto known = components_.find(text);
     return known != components_.end() ? known->second
                                       : components_.emplace(text, io::parseComponentFile(text, path)).first->second;
@@ -328,7 +294,7 @@ class Maker {
   std::size_t inputOf(const std::string& path) {
     const auto [place, added] = inputs_.emplace(path, manifest_.inputs.size());
     if (added) {
-      manifest_.inputs.push_back({path, "", 0});
+      manifest_.inputs.push_back({path, {}});
     }
     return place->second;
   }
@@ -409,14 +375,10 @@ std::vector<std::string> distinctLines(const std::vector<std::string>& problems)
   return lines;
 }
 
-std::string summaryOf(const std::vector<std::string>& problems) {
-  return problems.size() == 1 ? problems.front() : fmt::format("{} problems, nothing was made", problems.size());
-}
-
 }  // namespace
 
 BadInputs::BadInputs(const std::vector<std::string>& problems)
-    : std::runtime_error(summaryOf(distinctLines(problems))), problems_(distinctLines(problems)) {}
+    : std::runtime_error(log::join(distinctLines(problems))), problems_(distinctLines(problems)) {}
 
 std::string readingKey(const JobOptions& options) {
   return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", log::join(options.columns), options.unit, options.sampling_rate,

@@ -1,23 +1,90 @@
-// The manifest as JSON lines.
+// Jobs, their ids, and the manifest as JSON lines.
 #include "campaign/manifest.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string_view>
 #include <unordered_set>
 
+#include "element/each.h"
 #include "element/refuse.h"
+#include "element/suggestion.h"
 #include "io/line_file.h"
 
 namespace rubber_suspension::campaign {
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr std::array kCommands = {"diagnose", "estimate", "replay"};
+constexpr std::array kReports = {"none", "data", "full"};
+
+template <class Enum, std::size_t Size>
+std::optional<Enum> fromName(const std::array<const char*, Size>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? std::nullopt : std::make_optional(static_cast<Enum>(found - names.begin()));
+}
+
+template <class Enum>
+Enum require(const std::optional<Enum>& value, const std::string& name) {
+  return value ? *value : throw std::invalid_argument("'" + name + "' is unknown");
+}
+
+// Content and, of a log, its name.
+ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<InputFile>& inputs) {
+  return element::each(files, [&](std::size_t file) -> ordered_json {
+    return {inputs.at(file).content.sha256, std::filesystem::path(inputs.at(file).path).stem().string()};
+  });
+}
+
+ordered_json optionsJson(const JobOptions& options) {
+  ordered_json json = {{"reports", toString(options.reports)}};
+  forEachOption([&, usual = JobOptions()](const char* key, auto option) {
+    if (options.*option != usual.*option) {
+      json[key] = options.*option;
+    }
+  });
+  return json;
+}
+
+JobOptions optionsFromJson(const nlohmann::json& json) {
+  const std::vector<std::string> known = optionKeys();
+  for (const auto& entry : json.items()) {  // a manifest of another version may have others, which must not go unheard
+    element::refuseIf(std::find(known.begin(), known.end(), entry.key()) == known.end(), "'{}' is unknown{}",
+                      entry.key(), element::didYouMean(entry.key(), known));
+  }
+  JobOptions options;
+  const std::string reports = json.value("reports", toString(options.reports));
+  options.reports = require(reportsFromString(reports), reports);
+  forEachOption([&](const char* key, auto option) {
+    if (json.contains(key)) {
+      json.at(key).get_to(options.*option);
+    }
+  });
+  return options;
+}
+
+// Calls visit(key, pointer to member, whether it stands in every manifest) for all but command and options.
+template <class Visit>
+void forEachMember(Visit visit) {
+  visit("id", &Job::id, true);
+  visit("group", &Job::group, true);
+  visit("type", &Job::type, true);
+  visit("test_piece", &Job::test_piece, true);
+  visit("component", &Job::component, true);
+  visit("config", &Job::config, true);
+  visit("logs", &Job::logs, true);
+  visit("test_rig", &Job::test_rig, false);
+  visit("hold_out", &Job::hold_out, false);
+  visit("specification", &Job::specification, false);
+}
 
 const char* const kManifestSchema = "rubber_suspension/campaign/1";
 
@@ -75,7 +142,7 @@ Manifest readLines(LineReader& lines) {
   const auto inputs = header.at("inputs").get<std::size_t>();
   for (std::size_t i = 0; i < inputs; ++i) {
     const nlohmann::json line = lines.next();
-    manifest.inputs.push_back({line.at("path"), line.at("sha256"), line.at("size")});
+    manifest.inputs.push_back({line.at("path"), {line.at("sha256"), line.at("size")}});
   }
   const auto jobs = header.at("jobs").get<std::size_t>();
   for (std::size_t i = 0; i < jobs; ++i) {
@@ -87,6 +154,59 @@ Manifest readLines(LineReader& lines) {
 
 }  // namespace
 
+std::string toString(Command command) { return kCommands.at(static_cast<std::size_t>(command)); }
+
+std::optional<Command> commandFromString(const std::string& name) { return fromName<Command>(kCommands, name); }
+
+std::string toString(Reports reports) { return kReports.at(static_cast<std::size_t>(reports)); }
+
+std::optional<Reports> reportsFromString(const std::string& name) { return fromName<Reports>(kReports, name); }
+
+std::vector<std::string> optionKeys() {
+  std::vector<std::string> keys = {"reports"};
+  forEachOption([&](const char* key, auto /*option*/) { keys.emplace_back(key); });
+  return keys;
+}
+
+std::string nameOf(const Job& job) { return job.group + " " + job.test_piece + " (" + job.id.substr(0, 12) + ")"; }
+
+std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version) {
+  const ordered_json json = {{"version", version},
+                             {"command", toString(job.command)},
+                             {"component", job.component},
+                             {"config", inputs.at(job.config).content.sha256},
+                             {"logs", filesJson(job.logs, inputs)},
+                             {"hold_out", filesJson(job.hold_out, inputs)},
+                             {"specification", job.specification},
+                             {"options", optionsJson(job.options)}};
+  return io::sha256(json.dump());
+}
+
+ordered_json jobJson(const Job& job) {
+  ordered_json json;
+  forEachMember([&, empty = Job()](const char* key, auto member, bool always) {
+    if (always || job.*member != empty.*member) {
+      json[key] = job.*member;
+    }
+  });
+  json["command"] = toString(job.command);
+  json["options"] = optionsJson(job.options);
+  return json;
+}
+
+Job jobFromJson(const nlohmann::json& json) {
+  Job job;
+  forEachMember([&](const char* key, auto member, bool always) {
+    if (always || json.contains(key)) {
+      json.at(key).get_to(job.*member);
+    }
+  });
+  const auto command = json.at("command").get<std::string>();
+  job.command = require(commandFromString(command), command);
+  job.options = optionsFromJson(json.at("options"));
+  return job;
+}
+
 std::vector<std::size_t> Manifest::distinctJobs() const {
   std::unordered_set<std::string_view> seen;
   std::vector<std::size_t> result;
@@ -97,8 +217,6 @@ std::vector<std::size_t> Manifest::distinctJobs() const {
   }
   return result;
 }
-
-std::string manifestPath(const std::string& folder) { return folder + "/manifest.jsonl"; }
 
 std::string recordPath(const std::string& folder, const std::string& id) {
   return folder + "/results/" + split(id) + ".json";
@@ -114,7 +232,8 @@ void writeManifest(const Manifest& manifest, const std::string& folder) {
                           {"jobs", manifest.jobs.size()}})
                 .dump());
   for (const InputFile& input : manifest.inputs) {
-    file.line(ordered_json({{"path", input.path}, {"sha256", input.sha256}, {"size", input.size}}).dump());
+    file.line(
+        ordered_json({{"path", input.path}, {"sha256", input.content.sha256}, {"size", input.content.size}}).dump());
   }
   for (const Job& job : manifest.jobs) {
     file.line(jobJson(job).dump());
@@ -126,9 +245,7 @@ Manifest readManifest(const std::string& folder) {
   LineReader lines(manifestPath(folder));
   try {
     return readLines(lines);
-  } catch (const nlohmann::json::exception& error) {
-    lines.refuse(error.what());
-  } catch (const std::invalid_argument& error) {
+  } catch (const std::exception& error) {
     lines.refuse(error.what());
   }
 }

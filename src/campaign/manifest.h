@@ -1,12 +1,107 @@
-// The manifest: every job of a campaign with the files that it reads, and the folder that it lies in.
+// The manifest: every job of a campaign, one command on one component with its logs, what makes it this job and no
+// other, the files that it reads, and the folder that it lies in.
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "campaign/job.h"
+#include "io/sha256.h"
 
 namespace rubber_suspension::campaign {
+
+/// What a job does; each is the command of that name.
+enum class Command {
+  diagnose,  ///< diagnose
+  estimate,  ///< estimate --from-log
+  replay,    ///< replay of one log
+};
+
+std::string toString(Command command);
+std::optional<Command> commandFromString(const std::string& name);
+
+/// Which files a job leaves besides its record.
+enum class Reports {
+  none,  ///< its record only
+  data,  ///< what other programs read: report.json, augmented.yaml; identification.json, component.yaml; force.csv
+  full,  ///< and the page for people, report.html, whose figures take longer than many a diagnosis
+};
+
+std::string toString(Reports reports);
+std::optional<Reports> reportsFromString(const std::string& name);
+
+/// The options of a job, those of the commands under the same names.
+struct JobOptions {
+  Reports reports = Reports::data;
+  bool evidence = false;                   ///< as --evidence, of diagnose
+  std::vector<std::string> columns;        ///< as --columns
+  std::string unit;                        ///< as --unit
+  double sampling_rate = 0.0;              ///< as --sampling-rate [Hz]; 0: not given
+  std::string decimal;                     ///< as --decimal
+  std::string segment;                     ///< as --segment
+  double bridge = -1.0;                    ///< as --bridge [s]; less than 0: not given
+  bool accept_units = false;               ///< as --accept-units
+  std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
+  std::vector<std::string> hold;           ///< as --hold, of estimate
+  int starts = 0;                          ///< as --starts, of estimate; 0: not given
+};
+
+/// Calls visit(key, pointer to member) for each option but `reports`, by the keys of jobs files and manifests.
+template <class Visit>
+void forEachOption(Visit visit) {
+  visit("evidence", &JobOptions::evidence);
+  visit("columns", &JobOptions::columns);
+  visit("unit", &JobOptions::unit);
+  visit("sampling_rate", &JobOptions::sampling_rate);
+  visit("decimal", &JobOptions::decimal);
+  visit("segment", &JobOptions::segment);
+  visit("bridge", &JobOptions::bridge);
+  visit("accept_units", &JobOptions::accept_units);
+  visit("rig", &JobOptions::rig);
+  visit("hold", &JobOptions::hold);
+  visit("starts", &JobOptions::starts);
+}
+
+/// All keys of options.
+std::vector<std::string> optionKeys();
+
+/// A file that jobs read, with what it held when the manifest was made.
+struct InputFile {
+  std::string path;  ///< absolute
+  io::FileHash content;
+};
+
+/// Numbers are places in the manifest's list of inputs.
+struct Job {
+  std::string id;          ///< SHA-256 of what decides its result, 64 hexadecimal digits
+  std::string group;       ///< name of its entry in the jobs file
+  std::string type;        ///< components of one type are compared with each other
+  std::string test_rig;    ///< what is tested on one rig may share its stiffness
+  std::string test_piece;  ///< what tells components of one name apart: the folder, or the number of the draw
+  Command command = Command::diagnose;
+  std::string component;
+  std::size_t config = 0;
+  std::vector<std::size_t> logs;
+  std::vector<std::size_t> hold_out;
+  std::map<std::string, double> specification;  ///< drawn values in place of those of the file [SI]
+  JobOptions options;
+};
+
+/// What a user calls it: its entry in the jobs file, test piece, and the beginning of its id.
+std::string nameOf(const Job& job);
+
+/// The id of a job: the same wherever its files lie, as long as their contents, the names of its logs (which stand in
+/// the report), its options and the version of the program are.
+std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version);
+
+/// A line of a manifest; of options and lists only what is not the default.
+nlohmann::ordered_json jobJson(const Job& job);
+
+/// Throws std::invalid_argument, nlohmann::json::exception.
+Job jobFromJson(const nlohmann::json& json);
 
 struct Manifest {
   std::string version;  ///< of the program that made it
@@ -19,7 +114,7 @@ struct Manifest {
 };
 
 /// Where things lie in the folder of a campaign.
-std::string manifestPath(const std::string& folder);
+inline std::string manifestPath(const std::string& folder) { return folder + "/manifest.jsonl"; }
 std::string recordPath(const std::string& folder, const std::string& id);
 
 /// The folder of a job's reports, relative to that of the campaign.

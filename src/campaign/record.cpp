@@ -1,7 +1,6 @@
 // Records as JSON files.
 #include "campaign/record.h"
 
-#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -79,27 +78,15 @@ Record recordFromJson(const ordered_json& json) {
   return record;
 }
 
-// The first file of the report that is not there as it was written; "" where all are.
-std::string damagedFile(const std::string& folder, const Record& record) {
+// Throws std::runtime_error for a file of the report that is not there as it was written.
+void requireFiles(const std::string& folder, const Record& record) {
   for (const auto& [name, size] : record.files) {
     const std::string path = folder + "/" + reportFolder(record.id) + "/" + name;
     struct stat status {};
-    if (stat(path.c_str(), &status) != 0) {
-      return path + " is missing";
-    }
-    if (static_cast<std::uint64_t>(status.st_size) != size) {
-      return fmt::format("{} has {} bytes, not {}", path, status.st_size, size);
-    }
+    element::refuseIf<std::runtime_error>(stat(path.c_str(), &status) != 0, "{} is missing", path);
+    element::refuseIf<std::runtime_error>(static_cast<std::uint64_t>(status.st_size) != size, "{} has {} bytes, not {}",
+                                          path, status.st_size, size);
   }
-  return "";
-}
-
-// What is wrong with a record; "" where nothing is.
-std::string problemOf(const Record& record, const std::string& id, const std::string& version) {
-  if (record.id != id) {
-    return "the record of another job";
-  }
-  return record.version == version ? "" : fmt::format("of version {}, not {}", record.version, version);
 }
 
 }  // namespace
@@ -127,22 +114,19 @@ FoundRecord findRecord(const std::string& folder, const std::string& id, const s
     return {std::nullopt, errno == ENOENT ? "" : path + ": cannot be read"};
   }
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  std::string problem;
   try {
     Record record = recordFromJson(parsedShallow(text));
-    problem = problemOf(record, id, version);
-    if (problem.empty() && files) {
-      problem = damagedFile(folder, record);
+    element::refuseIf<std::runtime_error>(record.id != id, "the record of another job");
+    element::refuseIf<std::runtime_error>(record.version != version, "of version {}, not {}", record.version, version);
+    if (files) {
+      requireFiles(folder, record);
     }
-    if (problem.empty()) {
-      return {std::move(record), ""};
-    }
+    return {std::move(record), ""};
   } catch (const nlohmann::json::exception&) {
-    problem = "cut off, or no record";
+    return {std::nullopt, path + ": cut off, or no record"};
   } catch (const std::exception& error) {
-    problem = error.what();
+    return {std::nullopt, path + ": " + error.what()};
   }
-  return {std::nullopt, path + ": " + problem};
 }
 
 }  // namespace rubber_suspension::campaign

@@ -25,9 +25,9 @@ struct Record {
   std::string version;                                               ///< of the program that worked the job off
   std::string error;                                                 ///< why it failed; empty: done
   nlohmann::ordered_json values = nlohmann::ordered_json::object();  ///< numbers and texts by name, for the table
-  Findings findings;
-  std::map<std::string, std::uint64_t> files;  ///< of the report: size [bytes] by name
-  double seconds = 0.0;                        ///< that the job took
+  Findings findings{};
+  std::map<std::string, std::uint64_t> files{};  ///< of the report: size [bytes] by name
+  double seconds = 0.0;                          ///< that the job took
 
   bool failed() const { return !error.empty(); }
 };

@@ -7,12 +7,11 @@
 #include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <stdexcept>
 
 #include "campaign/execute.h"
-#include "campaign/heartbeat.h"
 #include "campaign/record.h"
+#include "campaign/status.h"
 #include "campaign/worker_pool.h"
 #include "element/refuse.h"
 
@@ -128,8 +127,9 @@ RunSummary run(const std::string& folder, const std::string& version, const RunO
   };
   PoolCallbacks callbacks;
   callbacks.start_worker = [&] {
-    const auto executor = std::make_shared<Executor>(folder, manifest, read_log);
-    return [executor, &manifest](std::size_t job) { return !executor->execute(manifest.jobs[job]).failed(); };
+    return [&manifest, execute = executorOf(folder, manifest, read_log)](std::size_t job) {
+      return !execute(manifest.jobs[job]).failed();
+    };
   };
   callbacks.finished = [&](std::size_t job, bool done) {
     progress.advance();
@@ -142,11 +142,7 @@ RunSummary run(const std::string& folder, const std::string& version, const RunO
   };
   callbacks.died = [&](std::size_t job, const std::string& reason) {
     progress.advance();
-    Record record;
-    record.id = manifest.jobs[job].id;
-    record.version = manifest.version;
-    record.error = reason;
-    writeRecord(record, folder);
+    writeRecord({manifest.jobs[job].id, manifest.version, reason}, folder);
     failed(job, reason);
   };
   callbacks.tick = [&](const std::vector<std::size_t>& running) {

@@ -78,11 +78,6 @@ void refuseSecond(const std::string& folder) {
   }
 }
 
-// Where an element writes what it says; Slurm's own letters stand behind %.
-std::string logPattern(const std::string& folder) {
-  return boost::replace_all_copy(absolutePath(folder), "%", "%%") + "/slurm/%A_%a.log";
-}
-
 }  // namespace
 
 SlurmArray planArray(const Status& status, const std::string& folder, const SlurmOptions& options) {
@@ -121,7 +116,9 @@ std::string submitArray(const SlurmArray& array, const std::string& folder) {
   io::makeFolder(folder + "/slurm");
   const std::string script = folder + "/slurm/array.sh";
   log::writeNewFile(script, array.script);
-  const Said said = ask("sbatch --parsable --output=" + shellWord(logPattern(folder)) + " " + shellWord(script));
+  // Where an element writes what it says; Slurm's own letters stand behind %.
+  const std::string log = boost::replace_all_copy(absolutePath(folder), "%", "%%") + "/slurm/%A_%a.log";
+  const Said said = ask("sbatch --parsable --output=" + shellWord(log) + " " + shellWord(script));
   std::string id = said.number();
   element::refuseIf<std::runtime_error>(said.status != 0 || id.empty(), "sbatch: {}", said.text);
   log::writeNewFile(submittedPath(folder), id + "\n");

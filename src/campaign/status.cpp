@@ -2,18 +2,48 @@
 #include "campaign/status.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <unordered_set>
 
 #include "campaign/record.h"
+#include "element/each.h"
 
 namespace rubber_suspension::campaign {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr auto kPause = std::chrono::seconds(5);
+
+std::string folderOf(const std::string& folder) { return folder + "/running"; }
+
+std::string hostName() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "host";
+}
+
+// The present of the file system, whose clock may be that of another machine.
+fs::file_time_type nowThere(const std::string& folder) {
+  const std::string probe = fmt::format("{}/.now.{}", folder, getpid());
+  std::ofstream(probe) << '\n';
+  std::error_code failure;
+  const fs::file_time_type now = fs::last_write_time(probe, failure);
+  const fs::file_time_type result = failure ? fs::file_time_type::clock::now() : now;
+  fs::remove(probe, failure);
+  return result;
+}
+
+constexpr const char* kRow = "  {:<24} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n";
+
 std::string countsText(const std::string& name, const JobCounts& counts) {
-  return fmt::format("  {:<24} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", name, counts.jobs, counts.done, counts.failed,
-                     counts.running, counts.broken, counts.missing);
+  return fmt::format(kRow, name, counts.jobs, counts.done, counts.failed, counts.running, counts.broken,
+                     counts.missing);
 }
 
 std::string listText(const std::string& title, const std::vector<std::string>& lines) {
@@ -26,6 +56,56 @@ std::string listText(const std::string& title, const std::vector<std::string>& l
 }
 
 }  // namespace
+
+Heartbeat::Heartbeat(const std::string& folder)
+    : path_(fmt::format("{}/{}.{}", folderOf(folder), hostName(), getpid())) {
+  std::error_code ignored;
+  fs::create_directories(folderOf(folder), ignored);
+}
+
+Heartbeat::~Heartbeat() {
+  std::error_code ignored;
+  fs::remove(path_, ignored);
+}
+
+void Heartbeat::beat(const Manifest& manifest, const std::vector<std::size_t>& running) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_ < kPause) {
+    return;
+  }
+  last_ = now;
+  const std::string beside = path_ + ".new";
+  std::ofstream file(beside);
+  for (const std::size_t job : running) {
+    file << manifest.jobs[job].id << '\n';
+  }
+  file.close();
+  std::rename(beside.c_str(), path_.c_str());
+}
+
+std::vector<RunningRun> findRuns(const std::string& folder) {
+  std::vector<RunningRun> runs;
+  std::error_code failure;
+  if (!fs::is_directory(folderOf(folder), failure)) {
+    return runs;
+  }
+  const fs::file_time_type now = nowThere(folderOf(folder));
+  for (const auto& entry : fs::directory_iterator(folderOf(folder), failure)) {
+    const std::string name = entry.path().filename().string();
+    const fs::file_time_type beat = entry.last_write_time(failure);
+    if (failure || name.front() == '.' || entry.path().extension() == ".new") {
+      continue;
+    }
+    RunningRun run{name, {}, std::chrono::duration<double>(now - beat).count()};
+    std::ifstream file(entry.path());
+    for (std::string id; file >> id;) {
+      run.ids.push_back(id);
+    }
+    runs.push_back(run);
+  }
+  std::sort(runs.begin(), runs.end(), [](const RunningRun& a, const RunningRun& b) { return a.where < b.where; });
+  return runs;
+}
 
 Status statusOf(const Manifest& manifest, const std::string& folder) {
   Status status;
@@ -64,8 +144,7 @@ Status statusOf(const Manifest& manifest, const std::string& folder) {
 }
 
 std::string toText(const Status& status) {
-  std::string text = fmt::format("  {:<24} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "", "jobs", "done", "failed",
-                                 "running", "broken", "missing");
+  std::string text = fmt::format(kRow, "", "jobs", "done", "failed", "running", "broken", "missing");
   for (const auto& [name, counts] : status.by_group) {
     text += countsText(name, counts);
   }
@@ -74,12 +153,11 @@ std::string toText(const Status& status) {
   }
   text += listText("failed:", status.failures);
   text += listText("broken records, which will be done again:", status.broken);
-  std::vector<std::string> silent;
-  for (const RunningRun& run : status.silent_runs) {
-    silent.push_back(
-        fmt::format("{}: silent for {:.0f} s, with {} jobs in its hands", run.where, run.silent, run.ids.size()));
-  }
-  text += listText("runs that ended without saying so (their jobs count as missing):", silent);
+  const auto silent = [](const RunningRun& run) {
+    return fmt::format("{}: silent for {:.0f} s, with {} jobs in its hands", run.where, run.silent, run.ids.size());
+  };
+  text += listText("runs that ended without saying so (their jobs count as missing):",
+                   element::each(status.silent_runs, silent));
   const std::size_t left = status.all.jobs - status.all.done - status.all.failed;
   if (left > 0 && status.seconds_per_job > 0.0) {
     text += fmt::format("{} jobs left, about {:.3g} min of one worker at {:.3g} s a job\n", left,

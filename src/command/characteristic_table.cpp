@@ -17,28 +17,24 @@ namespace {
 
 constexpr double kWidest = 1.0;  // [m]; no component of a suspension moves so far
 
-// The limits of settled loops under sines, by law: effects that they do not show, or do not tell apart.
-const std::map<std::string, std::string>& losses() {
-  static const std::map<std::string, std::string> table = {
+std::vector<std::string> notesOnTable(const component::Component& component) {
+  const char* const kPath = "friction depends on the path; for two sines at once the table cannot say its force";
+  // The limits of settled loops under sines, by law: effects that they do not show, or do not tell apart.
+  static const std::map<std::string, std::string> losses = {
       {"stress_softening", "softening goes on over the first cycles; the table has the state after them"},
       {"self_heating", "heat builds up over minutes; the table has the warm state of each sine"},
       {"time_delay", "a delay of the force looks like a loss angle that rises with the frequency"},
       {"force_offset", "a constant force is not seen"},
       {"force_drift", "a drift of the force is not seen"},
       {"creep", "creep at rest is not seen; in the table it is a little more stiffness and loss at low frequency"},
-      {"friction", "friction depends on the path; for two sines at once the table cannot say its force"},
-      {"coulomb_friction", "friction depends on the path; for two sines at once the table cannot say its force"},
-      {"iwan", "friction depends on the path; for two sines at once the table cannot say its force"},
-      {"iwan_table", "friction depends on the path; for two sines at once the table cannot say its force"},
-  };
-  return table;
-}
-
-std::vector<std::string> notesOnTable(const component::Component& component) {
+      {"friction", kPath},
+      {"coulomb_friction", kPath},
+      {"iwan", kPath},
+      {"iwan_table", kPath}};
   std::vector<std::string> notes;
   for (const element::ElementDescription& element : component.elements()) {
-    const auto found = losses().find(element.type);
-    if (found != losses().end()) {
+    const auto found = losses.find(element.type);
+    if (found != losses.end()) {
       notes.push_back(element.type + ": " + found->second);
     }
   }

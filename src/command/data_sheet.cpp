@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "element/refuse.h"
+#include "element/suggestion.h"
 #include "log/text.h"
 #include "rubber_suspension/estimation/notes.h"
 #include "rubber_suspension/log/units.h"
@@ -18,23 +19,15 @@ namespace {
 constexpr const char* kNote = "# ";
 constexpr std::size_t kMaximumSize = 64 * 1024;  // bytes; a data sheet is some lines
 
-const element::ParameterInfo* findParameter(const std::string& name) {
-  for (const auto* table : {&estimation::dataSheetParameters(), &estimation::specificationParameters()}) {
-    if (const element::ParameterInfo* row = element::findParameter(*table, name)) {
-      return row;
-    }
-  }
-  return nullptr;
-}
-
-std::string acceptedKeys() {
-  std::string names = "component, model, load";
-  for (const auto* table : {&estimation::dataSheetParameters(), &estimation::specificationParameters()}) {
-    for (const element::ParameterInfo& row : *table) {
-      names += ", " + row.name;
-    }
-  }
-  return names;
+// Those of a data sheet and those of a specification.
+const std::vector<element::ParameterInfo>& allParameters() {
+  static const std::vector<element::ParameterInfo> all = [] {
+    std::vector<element::ParameterInfo> table = estimation::dataSheetParameters();
+    const std::vector<element::ParameterInfo>& further = estimation::specificationParameters();
+    table.insert(table.end(), further.begin(), further.end());
+    return table;
+  }();
+  return all;
 }
 
 struct Sheet {
@@ -59,10 +52,9 @@ estimation::LoadDirection loadOf(const std::string& name) {
 }
 
 double quantityOf(const std::string& key, const std::string& text) {
-  const element::ParameterInfo* parameter = findParameter(key);
-  if (parameter == nullptr) {
-    throw std::invalid_argument(fmt::format("{}: unknown key; accepted: {}", key, acceptedKeys()));
-  }
+  const element::ParameterInfo* parameter = element::findParameter(allParameters(), key);
+  element::refuseIf(parameter == nullptr, "{}: unknown key; accepted: component, model, load, {}", key,
+                    log::join(element::namesOf(allParameters())));
   try {
     return log::parseQuantity(text, parameter->unit);
   } catch (const std::invalid_argument& error) {
@@ -127,21 +119,13 @@ std::string componentFileFromDataSheetText(const std::string& text, const std::s
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(
         fmt::format("{}:{}: not YAML: {}; accepted: a data sheet", source, error.mark.line + 1, error.msg));
-  } catch (const io::ComponentFileError& error) {
-    throw std::invalid_argument(source + ": " + error.what());
-  } catch (const std::invalid_argument& error) {
+  } catch (const std::exception& error) {
     throw std::invalid_argument(source + ": " + error.what());
   }
 }
 
 std::string componentFileFromDataSheet(const std::string& path) {
-  std::string text;
-  try {
-    text = log::readFile(path, kMaximumSize);
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("{}: {}", path, error.what()));
-  }
-  return componentFileFromDataSheetText(text, path);
+  return componentFileFromDataSheetText(log::readInput(path, kMaximumSize), path);
 }
 
 }  // namespace rubber_suspension::command

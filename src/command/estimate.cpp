@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "command/sweep_values.h"
+#include "element/each.h"
 #include "element/refuse.h"
 #include "estimation/models.h"
 #include "io/progress.h"
@@ -17,6 +19,8 @@
 
 namespace rubber_suspension::command {
 namespace {
+
+using element::each;
 
 // SweepOptions with everything filled in.
 struct Sweeps {
@@ -53,13 +57,12 @@ Sweeps complete(const SweepOptions& options, const estimation::Specification& sp
 
 // A remark that the models' closed forms lack: friction in a simulation takes noise for reversals.
 void addFrictionNote(EstimateReport& report) {
-  for (const element::ElementDescription& element : report.elements) {
-    if (element.type == "friction" && element.value("dead_band") == 0.0) {
-      report.notes.push_back(
-          "friction has no dead band: with measured displacements state it as an element with dead_band about 6 "
-          "standard deviations of the sensor noise");
-      return;
-    }
+  if (std::any_of(report.elements.begin(), report.elements.end(), [](const element::ElementDescription& element) {
+        return element.type == "friction" && element.value("dead_band") == 0.0;
+      })) {
+    report.notes.push_back(
+        "friction has no dead band: with measured displacements state it as an element with dead_band about 6 "
+        "standard deviations of the sensor noise");
   }
 }
 
@@ -92,13 +95,10 @@ void addWholeNote(EstimateReport& report, const component::Component& component)
 }
 
 bool allSettled(const EstimateReport& report) {
-  bool settled = report.working_point.settled;
-  for (const auto* points : {&report.over_frequency, &report.over_amplitude, &report.over_product}) {
-    for (const response::SweepPoint& point : *points) {
-      settled = settled && point.settled;
-    }
-  }
-  return settled;
+  const auto sweeps = {&report.over_frequency, &report.over_amplitude, &report.over_product};
+  return report.working_point.settled && std::all_of(sweeps.begin(), sweeps.end(), [](const auto* points) {
+           return std::all_of(points->begin(), points->end(), [](const auto& point) { return point.settled; });
+         });
 }
 
 // Lines "  name value unit" of an element, with what follows from its parameters.
@@ -106,10 +106,7 @@ std::string elementText(const element::ElementDescription& element) {
   const element::ElementType* type = element::findElementType(element.type);
   std::string text;
   for (const element::ParameterInfo& parameter : type->parameters) {
-    std::string values;
-    for (const double value : element.list(parameter.name)) {
-      values += fmt::format("{}{:.6g}", values.empty() ? "" : ", ", value);
-    }
+    const std::string values = fmt::format("{:.6g}", fmt::join(element.list(parameter.name), ", "));
     text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", parameter.name, values,
                         parameter.unit == "1" ? "" : " " + parameter.unit);
   }
@@ -161,26 +158,13 @@ nlohmann::ordered_json pointJson(const response::SweepPoint& point) {
           {"settled", point.settled}};
 }
 
-nlohmann::ordered_json pointsJson(const std::vector<response::SweepPoint>& points) {
-  auto json = nlohmann::ordered_json::array();
-  for (const response::SweepPoint& point : points) {
-    json.push_back(pointJson(point));
-  }
-  return json;
-}
-
-nlohmann::ordered_json misfitsJson(const std::vector<estimation::PointMisfit>& points) {
-  auto json = nlohmann::ordered_json::array();
-  for (const estimation::PointMisfit& misfit : points) {
-    json.push_back(
-        {{"frequency_hz", misfit.point.frequency},
-         {"amplitude_m", misfit.point.amplitude},
-         {"stiffness_n_per_m", misfit.stiffness},
-         {"stiffness_error", misfit.point.stiffness ? misfit.stiffness / *misfit.point.stiffness - 1.0 : 0.0},
-         {"loss_angle_rad", misfit.loss_angle},
-         {"loss_angle_error_rad", misfit.point.loss_angle ? misfit.loss_angle - *misfit.point.loss_angle : 0.0}});
-  }
-  return json;
+nlohmann::ordered_json misfitJson(const estimation::PointMisfit& misfit) {
+  return {{"frequency_hz", misfit.point.frequency},
+          {"amplitude_m", misfit.point.amplitude},
+          {"stiffness_n_per_m", misfit.stiffness},
+          {"stiffness_error", misfit.point.stiffness ? misfit.stiffness / *misfit.point.stiffness - 1.0 : 0.0},
+          {"loss_angle_rad", misfit.loss_angle},
+          {"loss_angle_error_rad", misfit.point.loss_angle ? misfit.loss_angle - *misfit.point.loss_angle : 0.0}};
 }
 
 std::string sensitivityText(const Sensitivity& sensitivity) {
@@ -203,15 +187,11 @@ std::string sensitivityText(const Sensitivity& sensitivity) {
   return text;
 }
 
-nlohmann::ordered_json sensitivityJson(const Sensitivity& sensitivity) {
-  auto rows = nlohmann::ordered_json::array();
-  for (const SensitivityRow& row : sensitivity.rows) {
-    rows.push_back({{"input", row.input},
-                    {"frequency_hz", row.frequencies},
-                    {"stiffness", row.stiffness},
-                    {"loss_angle_rad", row.loss_angle}});
-  }
-  return {{"share", sensitivity.share}, {"inputs", rows}};
+nlohmann::ordered_json sensitivityJson(const SensitivityRow& row) {
+  return {{"input", row.input},
+          {"frequency_hz", row.frequencies},
+          {"stiffness", row.stiffness},
+          {"loss_angle_rad", row.loss_angle}};
 }
 
 nlohmann::ordered_json elementJson(const element::ElementDescription& element) {
@@ -224,26 +204,23 @@ nlohmann::ordered_json elementJson(const element::ElementDescription& element) {
 }
 
 nlohmann::ordered_json reportJson(const EstimateReport& report) {
-  auto elements = nlohmann::ordered_json::array();
-  for (const element::ElementDescription& element : report.elements) {
-    elements.push_back(elementJson(element));
-  }
   nlohmann::ordered_json json = {{"component", report.description.name},
                                  {"model", estimation::toString(report.description.model())},
                                  {"describes", estimation::toString(report.description.written().describes())},
                                  {"specification", report.description.written().values()},
                                  {"base", report.description.specification().values()},
-                                 {"points", misfitsJson(report.description.resolved().points)},
-                                 {"elements", elements},
+                                 {"points", each(report.description.resolved().points, misfitJson)},
+                                 {"elements", each(report.elements, elementJson)},
                                  {"notes", report.notes},
                                  {"linear", report.linear},
                                  {"working_point", pointJson(report.working_point)},
-                                 {"over_frequency", pointsJson(report.over_frequency)},
-                                 {"over_amplitude", pointsJson(report.over_amplitude)},
+                                 {"over_frequency", each(report.over_frequency, pointJson)},
+                                 {"over_amplitude", each(report.over_amplitude, pointJson)},
                                  {"product_m_hz", report.product},
-                                 {"at_constant_product", pointsJson(report.over_product)}};
+                                 {"at_constant_product", each(report.over_product, pointJson)}};
   if (report.sensitivity) {
-    json["sensitivity"] = sensitivityJson(*report.sensitivity);
+    json["sensitivity"] = {{"share", report.sensitivity->share},
+                           {"inputs", each(report.sensitivity->rows, sensitivityJson)}};
   }
   return json;
 }
@@ -429,11 +406,8 @@ std::string toText(const EstimateReport& report) {
 }
 
 std::string toJson(const std::vector<EstimateReport>& reports) {
-  nlohmann::ordered_json json = {{"schema", "rubber_suspension/estimate/1"},
-                                 {"components", nlohmann::ordered_json::array()}};
-  for (const EstimateReport& report : reports) {
-    json["components"].push_back(reportJson(report));
-  }
+  const nlohmann::ordered_json json = {{"schema", "rubber_suspension/estimate/1"},
+                                       {"components", each(reports, reportJson)}};
   return json.dump(2) + "\n";
 }
 

@@ -1,6 +1,4 @@
 // Other models and other inputs of a component.
-#include "command/estimate_variants.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,7 +8,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "command/estimate.h"
 #include "command/sweep_values.h"
+#include "element/each.h"
 #include "element/refuse.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -180,11 +180,9 @@ std::vector<response::SweepPoint> sweptAgain(const io::ComponentDescription& des
                                              const std::vector<response::SweepPoint>& points) {
   const component::Component component = description.makeComponent();
   const response::LoopOptions options = loopsAbout(estimation::nominalDisplacement(description.specification()));
-  std::vector<response::SweepPoint> result;
-  for (const response::SweepPoint& point : points) {
-    result.push_back(response::characteristicsAt(component, point.frequency, point.amplitude, options));
-  }
-  return result;
+  return element::each(points, [&](const response::SweepPoint& point) {
+    return response::characteristicsAt(component, point.frequency, point.amplitude, options);
+  });
 }
 
 std::optional<std::vector<response::SweepPoint>> changed(const EstimateReport& report, const std::string& input,

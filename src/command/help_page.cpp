@@ -8,21 +8,13 @@
 #include <cctype>
 #include <sstream>
 
+#include "element/each.h"
 #include "log/text.h"
 
 namespace rubber_suspension::command {
 namespace {
 
 constexpr const char* kProgram = "rubber-suspension";
-
-std::vector<std::string> linesOf(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) {
-    lines.push_back(line);
-  }
-  return lines;
-}
 
 using log::startsWith;
 
@@ -84,11 +76,8 @@ std::string descriptionInRoff(const std::vector<std::string>& lines) {
 }
 
 std::string optionInRoff(const HelpOption& option) {
-  std::vector<std::string> names;
-  for (const std::string& name : option.names) {
-    names.push_back("\\fB" + roff(name) + "\\fR");
-  }
-  return fmt::format(".TP\n{}{}\n{}\n", fmt::join(names, ", "),
+  const auto bold = [](const std::string& name) { return "\\fB" + roff(name) + "\\fR"; };
+  return fmt::format(".TP\n{}{}\n{}\n", element::joined(option.names, ", ", bold),
                      option.placeholder.empty() ? "" : " \\fI" + roff(option.placeholder) + "\\fR", roff(option.text));
 }
 
@@ -98,13 +87,9 @@ constexpr const char* kExitStatus =
 
 // The long names of the options that take such a value.
 std::string namesWith(const HelpPage& page, const std::string& placeholder) {
-  std::string names;
-  for (const HelpOption& option : page.options) {
-    if (startsWith(option.placeholder, placeholder)) {
-      names += (names.empty() ? "" : " ") + option.names.back();
-    }
-  }
-  return names;
+  const auto with =
+      element::those(page.options, [&](const auto& option) { return startsWith(option.placeholder, placeholder); });
+  return element::joined(with, " ", [](const HelpOption& option) { return option.names.back(); });
 }
 
 std::string longNames(const HelpPage& page) {
@@ -113,13 +98,6 @@ std::string longNames(const HelpPage& page) {
     std::copy_if(option.names.begin(), option.names.end(), std::back_inserter(names),
                  [](const std::string& name) { return startsWith(name, "--"); });
   }
-  return fmt::format("{}", fmt::join(names, " "));
-}
-
-std::string commandNames(const std::vector<HelpPage>& pages) {
-  std::vector<std::string> names;
-  std::transform(pages.begin(), pages.end(), std::back_inserter(names),
-                 [](const HelpPage& page) { return page.command; });
   return fmt::format("{}", fmt::join(names, " "));
 }
 
@@ -186,7 +164,8 @@ HelpPage parseHelp(const std::string& command, const std::string& text) {
   const std::string usage = fmt::format("Usage: {}", command);
   bool described = false;
   bool in_examples = false;
-  for (const std::string& line : linesOf(text)) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
     if (in_examples) {
       page.examples.push_back(line);
     } else if (described && line == "Examples:") {
@@ -231,9 +210,7 @@ std::string manPage(const HelpPage& page, const std::string& version) {
   text += fmt::format(".SH NAME\n{} \\- {}\n", roff(name), roff(asPhrase(page.firstSentence())));
   text += fmt::format(".SH SYNOPSIS\n.B {} {}\n{}\n", roff(kProgram), roff(page.command), roff(page.usage));
   text += ".SH DESCRIPTION\n" + descriptionInRoff(page.description) + ".SH OPTIONS\n";
-  for (const HelpOption& option : page.options) {
-    text += optionInRoff(option);
-  }
+  text += element::joined(page.options, "", optionInRoff);
   if (!page.examples.empty()) {
     text += ".SH EXAMPLES\n" + descriptionInRoff(page.examples);
   }
@@ -265,7 +242,7 @@ std::string bashCompletion(const std::vector<HelpPage>& pages) {
       "    return\n"
       "  fi\n"
       "  case $command in\n",
-      commandNames(pages));
+      element::joined(pages, " ", &HelpPage::command));
   for (const HelpPage& page : pages) {
     text += fmt::format("    {}) options=\"{}\" files=\"{}\" folders=\"{}\" ;;\n", page.command, longNames(page),
                         namesWith(page, "FILE"), namesWith(page, "FOLDER"));

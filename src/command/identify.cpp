@@ -6,12 +6,21 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 
-#include "command/rig_of_logs.h"
+#include "element/each.h"
 #include "element/refuse.h"
 #include "gap/last_cycles.h"
+#include "gap/simulate.h"
+#include "log/even_blocks.h"
 #include "rubber_suspension/gap/replay.h"
+#include "rubber_suspension/io/rig_tolerances.h"
+#include "rubber_suspension/log/record.h"
 #include "rubber_suspension/measurement/bench_check.h"
+#include "rubber_suspension/measurement/faults.h"
+#include "rubber_suspension/measurement/prepared_log.h"
+#include "rubber_suspension/measurement/rig_model.h"
 
 namespace rubber_suspension::command {
 namespace {
@@ -22,11 +31,23 @@ std::string intervalText(const fit::IdentifiedParameter& parameter) {
 }
 
 std::string directionText(const fit::UndeterminedDirection& direction) {
-  std::string text;
+  return element::joined(direction.weights, ", ",
+                         [](const auto& one) { return fmt::format("{:+.2g} {}", one.second, one.first); });
+}
+
+nlohmann::ordered_json directionJson(const fit::UndeterminedDirection& direction) {
+  auto weights = nlohmann::ordered_json::object();
   for (const auto& [name, weight] : direction.weights) {
-    text += fmt::format("{}{:+.2g} {}", text.empty() ? "" : ", ", weight, name);
+    weights[name] = weight;
   }
-  return text;
+  return {{"deviation", direction.standard_deviation}, {"weights", weights}};
+}
+
+nlohmann::ordered_json parameterJson(const fit::IdentifiedParameter& parameter) {
+  return {{"element", parameter.element}, {"index", parameter.index},
+          {"name", parameter.name},       {"unit", parameter.unit},
+          {"value", parameter.value},     {"interval_95", {parameter.lower, parameter.upper}},
+          {"given", parameter.given},     {"determined", parameter.determined}};
 }
 
 constexpr double kCycles = 5.0;  // of a loop: more run into one area
@@ -52,6 +73,123 @@ void holdShifts(const std::vector<element::ElementDescription>& elements, std::v
       }
     }
   }
+}
+
+constexpr std::size_t kShortest = 100;  // samples of a record
+
+// The longest stretch of each log without time gaps, as a record; nothing of one that is too short.
+using RecordsOfLogs = std::vector<std::optional<log::Record>>;
+
+// The rig's part in a set of logs.
+struct RigOfLogs {
+  std::vector<Eigen::MatrixXd> columns;  // as fit::IdentificationOptions::rig; empty where nothing was found
+  std::vector<measurement::RigFinding> findings;
+};
+
+// Gain, delays and a zero of the displacement look like the parameters that are sought.
+io::RigTolerances withoutParameters(io::RigTolerances tolerances) {
+  tolerances.gain = tolerances.delay = tolerances.clock = tolerances.displacement_zero = {0.0, false};
+  return tolerances;
+}
+
+gap::Forces simulateOver(const std::vector<element::ElementDescription>& elements, std::vector<log::Record> records,
+                         const std::vector<Eigen::VectorXd>& displacements) {
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    records[r].displacement = displacements[r];
+    records[r].raw_displacement = displacements[r];
+  }
+  return gap::simulateEach(elements, records);
+}
+
+// Those that a record has sample by sample.
+std::vector<std::size_t> usable(const std::vector<log::Log>& logs, const RecordsOfLogs& all,
+                                std::vector<log::Record>& records) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    if (all[i] && static_cast<std::size_t>(all[i]->size()) == logs[i].size() && log::stretchesOf(logs[i]).size() == 1) {
+      places.push_back(i);
+      records.push_back(*all[i]);
+    }
+  }
+  return places;
+}
+
+// The zeros of all logs but for what they have in common.
+void addZeros(const std::vector<log::Log>& logs, std::vector<Eigen::MatrixXd>& columns) {
+  for (std::size_t i = 1; i < logs.size(); ++i) {
+    Eigen::MatrixXd wider(static_cast<Eigen::Index>(logs[i].size()), columns[i].cols() + 1);
+    wider << columns[i], Eigen::VectorXd::Ones(wider.rows());
+    columns[i] = wider;
+  }
+}
+
+// Logs whose samples that a channel did not measure are bridged; what was found is added.
+std::vector<log::Log> repairedLogs(const std::vector<log::Log>& logs, std::vector<measurement::RigFinding>& findings) {
+  std::vector<log::Log> result = logs;
+  for (log::Log& log : result) {
+    if (log.size() < kShortest) {
+      continue;
+    }
+    const measurement::Faults faults = measurement::findFaults(log);
+    if (!faults.findings.empty()) {
+      log = measurement::repaired(log, faults);
+      findings.insert(findings.end(), faults.findings.begin(), faults.findings.end());
+    }
+  }
+  return result;
+}
+
+RecordsOfLogs recordsOf(const std::vector<log::Log>& logs) {
+  return element::each(logs, [](const log::Log& log) {
+    const log::Log stretch = log::longestStretch(log);
+    return stretch.size() < kShortest ? std::nullopt : std::optional(log::makeRecord(stretch));
+  });
+}
+
+// About these elements: zeros of the force that differ from log to log, and what is left from before a log that starts
+// in motion. Logs that are too short or sampled unevenly are taken as they are.
+RigOfLogs rigOfLogs(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
+                    const std::vector<log::Log>& logs, const RecordsOfLogs& all) {
+  std::vector<log::Record> records;
+  const std::vector<std::size_t> places = usable(logs, all, records);
+  const gap::Forces simulated = gap::simulateEach(elements, records);
+  const auto simulate = [&](const std::vector<Eigen::VectorXd>& displacements) {
+    return simulateOver(elements, records, displacements);
+  };
+  const io::RigTolerances own = withoutParameters(tolerances);
+  const measurement::RigModel rig(records, {}, own);
+  const std::vector<measurement::RigFit> fits = rig.fitAll(simulated, simulate);
+  RigOfLogs result;
+  std::set<std::size_t> running;
+  bool zeros = false;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    for (const measurement::RigFinding& finding : rig.findings(r, fits[r])) {
+      const bool zero = finding.finding == measurement::finding::kForceZero && logs.size() > 1;
+      const bool start = finding.finding == measurement::finding::kRunningStart;
+      zeros = zeros || zero;
+      if (start) {
+        running.insert(r);
+      }
+      if (zero || start) {
+        result.findings.push_back(finding);
+      }
+    }
+  }
+  if (result.findings.empty()) {
+    return result;
+  }
+  const auto states = measurement::initialStates(records, own, simulated, simulate);
+  result.columns.resize(logs.size());
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    result.columns[i].resize(static_cast<Eigen::Index>(logs[i].size()), 0);
+  }
+  for (const std::size_t r : running) {
+    result.columns[places[r]] = states[r];
+  }
+  if (zeros) {
+    addZeros(logs, result.columns);
+  }
+  return result;
 }
 
 // A reversed channel, exchanged columns or a unit that is off by hundreds would be fitted all the same, and end in a
@@ -162,33 +300,17 @@ std::string toText(const std::string& component, const fit::Identification& resu
 }
 
 std::string toJson(const std::string& component, const fit::Identification& result) {
-  nlohmann::ordered_json json = {{"schema", "rubber_suspension/identification/1"}, {"component", component}};
-  json["parameters"] = nlohmann::ordered_json::array();
-  for (const fit::IdentifiedParameter& parameter : result.parameters) {
-    json["parameters"].push_back({{"element", parameter.element},
-                                  {"index", parameter.index},
-                                  {"name", parameter.name},
-                                  {"unit", parameter.unit},
-                                  {"value", parameter.value},
-                                  {"interval_95", {parameter.lower, parameter.upper}},
-                                  {"given", parameter.given},
-                                  {"determined", parameter.determined}});
-  }
-  json["force_offset_n"] = result.force_offset;
-  json["residual_n"] = result.residual;
-  json["relative_residual"] = result.relative_residual;
-  json["independent_samples"] = result.independent_samples;
-  json["starts"] = result.starts;
-  json["starts_at_best"] = result.starts_at_best;
-  json["undetermined"] = nlohmann::ordered_json::array();
-  for (const fit::UndeterminedDirection& direction : result.undetermined) {
-    auto weights = nlohmann::ordered_json::object();
-    for (const auto& [name, weight] : direction.weights) {
-      weights[name] = weight;
-    }
-    json["undetermined"].push_back({{"deviation", direction.standard_deviation}, {"weights", weights}});
-  }
-  json["notes"] = result.notes;
+  const nlohmann::ordered_json json = {{"schema", "rubber_suspension/identification/1"},
+                                       {"component", component},
+                                       {"parameters", element::each(result.parameters, parameterJson)},
+                                       {"force_offset_n", result.force_offset},
+                                       {"residual_n", result.residual},
+                                       {"relative_residual", result.relative_residual},
+                                       {"independent_samples", result.independent_samples},
+                                       {"starts", result.starts},
+                                       {"starts_at_best", result.starts_at_best},
+                                       {"undetermined", element::each(result.undetermined, directionJson)},
+                                       {"notes", result.notes}};
   return json.dump(2) + "\n";
 }
 

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "element/each.h"
+#include "element/refuse.h"
 #include "estimation/models.h"
 #include "log/mat_file.h"
 #include "log/new_file.h"
@@ -112,20 +114,16 @@ nlohmann::ordered_json rowsOf(const Eigen::MatrixXd& matrix) {
 }
 
 std::string jsonOf(const std::vector<LinearPart>& parts) {
-  auto components = nlohmann::ordered_json::array();
-  for (const LinearPart& part : parts) {
-    components.push_back({{"component", part.component},
-                          {"inputs", {"displacement_m", "velocity_m_per_s"}},
-                          {"output", "force_n"},
-                          {"A", rowsOf(part.a)},
-                          {"B", rowsOf(part.b)},
-                          {"C", rowsOf(part.c)},
-                          {"D", rowsOf(part.d)},
-                          {"tangents", part.tangents},
-                          {"left_out", part.left_out}});
-  }
-  return nlohmann::ordered_json({{"schema", "rubber_suspension/state_space/1"}, {"components", components}}).dump(2) +
-         "\n";
+  const auto component = [](const LinearPart& part) -> nlohmann::ordered_json {
+    return {{"component", part.component}, {"inputs", {"displacement_m", "velocity_m_per_s"}},
+            {"output", "force_n"},         {"A", rowsOf(part.a)},
+            {"B", rowsOf(part.b)},         {"C", rowsOf(part.c)},
+            {"D", rowsOf(part.d)},         {"tangents", part.tangents},
+            {"left_out", part.left_out}};
+  };
+  const nlohmann::ordered_json json = {{"schema", "rubber_suspension/state_space/1"},
+                                       {"components", element::each(parts, component)}};
+  return json.dump(2) + "\n";
 }
 
 log::NamedMatrix named(const std::string& name, const Eigen::MatrixXd& matrix) {
@@ -153,13 +151,12 @@ void writeLinearParts(const std::vector<LinearPart>& parts, const std::string& p
   const bool mat = log::endsWith(path, ".mat");
   if (log::endsWith(path, ".json")) {
     log::writeNewFile(path, jsonOf(parts));
-  } else if (mat && parts.size() == 1) {
-    const LinearPart& part = parts.front();
-    log::writeMatFile(path, {named("A", part.a), named("B", part.b), named("C", part.c), named("D", part.d)});
-  } else {
-    throw std::invalid_argument(fmt::format("{}: accepted: a name that ends in .json{}", path,
-                                            mat ? ", or one component for .mat" : " or .mat"));
+    return;
   }
+  element::refuseIf(!mat || parts.size() != 1, "{}: accepted: a name that ends in .json{}", path,
+                    mat ? ", or one component for .mat" : " or .mat");
+  const LinearPart& part = parts.front();
+  log::writeMatFile(path, {named("A", part.a), named("B", part.b), named("C", part.c), named("D", part.d)});
 }
 
 }  // namespace rubber_suspension::command

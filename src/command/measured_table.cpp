@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "element/each.h"
 #include "element/refuse.h"
 #include "log/column_name.h"
 #include "log/csv_dialect.h"
@@ -117,9 +118,8 @@ class TableReader {
         }
         columns_.empty() ? readHeader(line) : readRow(line);
       }
-      if (columns_.empty()) {
-        refuse("no header; accepted: a line with the columns frequency, amplitude, stiffness, loss angle");
-      }
+      refuseIf(columns_.empty(),
+               "no header; accepted: a line with the columns frequency, amplitude, stiffness, loss angle");
       marks_->requireClear(names_, false);
     } catch (const log::OtherDecimalMark&) {
       refuse(
@@ -136,23 +136,21 @@ class TableReader {
     throw std::runtime_error(fmt::format("{}:{}: {}", source_, line_, reason));
   }
 
+  template <class... Arguments>
+  void refuseIf(bool wrong, fmt::format_string<Arguments...> text, Arguments&&... arguments) const {
+    if (wrong) {
+      refuse(fmt::format(text, std::forward<Arguments>(arguments)...));
+    }
+  }
+
   void readHeader(const std::string& line) {
     separator_ = log::separatorOf(line);
     std::vector<log::Field> fields;
     log::splitFields(line, separator_, fields);
-    std::vector<std::string> ignored;
-    for (const log::Field& field : fields) {
-      names_.emplace_back(field.text);
-      columns_.push_back(columnOf(names_.back()));
-      if (!columns_.back()) {
-        ignored.push_back(log::quoted(names_.back()));
-      }
-    }
+    names_ = element::each(fields, [](const log::Field& field) { return std::string(field.text); });
+    columns_ = element::each(names_, [&](const std::string& name) { return columnOf(name); });
     for (std::size_t i = 0; i < tableQuantities().size(); ++i) {
-      if (std::count_if(columns_.begin(), columns_.end(),
-                        [&](const auto& column) { return column && column->quantity == i; }) > 1) {
-        refuse(fmt::format("{}: stands twice; accepted: one column", tableQuantities()[i].name));
-      }
+      refuseIf(countOf(i) > 1, "{}: stands twice; accepted: one column", tableQuantities()[i].name);
     }
     require(has(kFrequency) || has(kOmega), kFrequency, "");
     require(has(kAmplitude) || has(kPeakToPeak), kAmplitude, "");
@@ -160,30 +158,28 @@ class TableReader {
     require(has(kLossAngle) || has(kTangent) || (has(kStorage) && has(kLoss)) || has(kDamping), kLossAngle,
             ", or tan delta, a loss stiffness K'' beside K', or a damping");
     marks_.emplace('\0', '\0', std::vector<char>(columns_.size(), '\0'));
-    if (!ignored.empty()) {
-      table_.notes.push_back("columns ignored: " + log::join(ignored));
+    if (const auto ignored = element::those(names_, [&](const auto& name) { return !columnOf(name); });
+        !ignored.empty()) {
+      table_.notes.push_back("columns ignored: " + element::joined(ignored, ", ", log::quoted));
     }
   }
 
-  bool has(std::size_t quantity) const {
-    return std::any_of(columns_.begin(), columns_.end(),
-                       [&](const auto& column) { return column && column->quantity == quantity; });
+  std::ptrdiff_t countOf(std::size_t quantity) const {
+    return std::count_if(columns_.begin(), columns_.end(),
+                         [&](const auto& column) { return column && column->quantity == quantity; });
   }
+
+  bool has(std::size_t quantity) const { return countOf(quantity) > 0; }
 
   void require(bool there, std::size_t quantity, const std::string& others) const {
-    if (!there) {
-      const TableQuantity& row = tableQuantities()[quantity];
-      std::string material;
-      for (const std::string& name : names_) {
-        material += isOfMaterial(bareOf(name)) ? (material.empty() ? "" : ", ") + log::quoted(name) : "";
-      }
-      refuse(fmt::format("{}: missing; accepted: one column, with a unit such as '{} [{}]'{}{}", row.name, row.name,
-                         row.unit, others,
-                         material.empty() ? ""
-                                          : fmt::format("; {}: of a material, which is a stiffness and a displacement "
-                                                        "once the shape (area, height) is known",
-                                                        material)));
-    }
+    const TableQuantity& row = tableQuantities()[quantity];
+    const auto of_material = element::those(names_, [](const auto& name) { return isOfMaterial(bareOf(name)); });
+    refuseIf(!there, "{}: missing; accepted: one column, with a unit such as '{} [{}]'{}{}", row.name, row.name,
+             row.unit, others,
+             of_material.empty() ? ""
+                                 : element::joined(of_material, ", ", log::quoted).insert(0, "; ") +
+                                       ": of a material, which is a stiffness and a displacement once the shape (area, "
+                                       "height) is known");
   }
 
   static std::string bareOf(const std::string& name) { return log::lowerCase(log::parseColumnName(name).bare); }
@@ -234,18 +230,15 @@ class TableReader {
   void readRow(const std::string& line) {
     std::vector<log::Field> fields;
     log::splitFields(line, separator_, fields);
-    if (fields.size() != columns_.size()) {
-      refuse(fmt::format("{} fields; accepted: {}, as in the header", fields.size(), columns_.size()));
-    }
+    refuseIf(fields.size() != columns_.size(), "{} fields; accepted: {}, as in the header", fields.size(),
+             columns_.size());
     std::map<std::size_t, double> values;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (columns_[i]) {
         const std::size_t quantity = columns_[i]->quantity;
         const auto number = log::parseNumber(normalised(fields[i], i));
-        if (!number) {
-          refuse(fmt::format("{}: {} is no number", tableQuantities()[quantity].name,
-                             log::quoted(std::string(fields[i].text))));
-        }
+        refuseIf(!number, "{}: {} is no number", tableQuantities()[quantity].name,
+                 log::quoted(std::string(fields[i].text)));
         marks_->see(*number, i);
         values[quantity] = tableQuantities()[quantity].to_ours * columns_[i]->conversion(*number);
       }
@@ -264,12 +257,10 @@ class TableReader {
 
   // The sine swings about a displacement: what a preload does to it, the table has to say.
   void checkPreload(std::map<std::size_t, double>& values) const {
-    if (values[kPreload] != 0.0 && values.count(kMean) == 0) {
-      refuse(
-          fmt::format("preload: {:g} N; accepted: 0, or with a column 'mean displacement [m]' that says where the "
-                      "preload holds the component",
-                      values[kPreload]));
-    }
+    refuseIf(values[kPreload] != 0.0 && values.count(kMean) == 0,
+             "preload: {:g} N; accepted: 0, or with a column 'mean displacement [m]' that says where the preload holds "
+             "the component",
+             values[kPreload]);
   }
 
   static fit::TablePoint pointOf(std::map<std::size_t, double>& values) {
@@ -300,18 +291,13 @@ class TableReader {
     const fit::TablePoint point = pointOf(values);
     const bool positive = point.frequency > 0.0 && point.amplitude > 0.0 && point.stiffness > 0.0;
     const bool finite = std::isfinite(point.frequency + point.amplitude + point.stiffness);
-    if (!positive || !finite || !(std::abs(point.loss_angle) <= 0.5 * element::kPi)) {
-      refuse(
-          fmt::format("{:g} Hz, {:g} m, {:g} N/m, {:g} rad; accepted: the first three greater than 0, the angle at "
-                      "most 90 degrees",
-                      point.frequency, point.amplitude, point.stiffness, point.loss_angle));
-    }
-    if (!std::isfinite(point.mean + point.temperature.value_or(0.0))) {
-      refuse("mean displacement or temperature: not finite; accepted: numbers");
-    }
-    if (table_.points.size() == kMostRows) {
-      refuse(fmt::format("more than {} rows; accepted: that many at most", kMostRows));
-    }
+    refuseIf(!positive || !finite || !(std::abs(point.loss_angle) <= 0.5 * element::kPi),
+             "{:g} Hz, {:g} m, {:g} N/m, {:g} rad; accepted: the first three greater than 0, the angle at most 90 "
+             "degrees",
+             point.frequency, point.amplitude, point.stiffness, point.loss_angle);
+    refuseIf(!std::isfinite(point.mean + point.temperature.value_or(0.0)),
+             "mean displacement or temperature: not finite; accepted: numbers");
+    refuseIf(table_.points.size() == kMostRows, "more than {} rows; accepted: that many at most", kMostRows);
     table_.points.push_back(point);
   }
 

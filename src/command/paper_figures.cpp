@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
 #include "command/sweep_values.h"
+#include "element/each.h"
 #include "io/output_files.h"
 #include "io/progress.h"
 #include "log/new_file.h"
@@ -60,12 +62,10 @@ std::vector<NamedComponent> allModels() {
 }
 
 std::vector<NamedComponent> maxwellModels() {
-  std::vector<NamedComponent> models;
-  for (const double break_frequency : {0.5, 1.0, kBreakFrequency, 2.0, 4.0, 8.0}) {
-    models.push_back({fmt::format("M2, f_b = {:g} Hz", break_frequency),
-                      exampleModel(estimation::Model::maxwell, {{"break_frequency", break_frequency}})});
-  }
-  return models;
+  return element::each(std::array{0.5, 1.0, kBreakFrequency, 2.0, 4.0, 8.0}, [](double frequency) -> NamedComponent {
+    return {fmt::format("M2, f_b = {:g} Hz", frequency),
+            exampleModel(estimation::Model::maxwell, {{"break_frequency", frequency}})};
+  });
 }
 
 std::vector<NamedComponent> multiMaxwellModels() {
@@ -123,11 +123,15 @@ PaperFigure titled(int number, const std::string& title) {
 
 template <class Sweep>
 std::vector<PaperCurve> curvesOf(const std::vector<NamedComponent>& models, Sweep sweep) {
-  std::vector<PaperCurve> curves;
-  for (const NamedComponent& model : models) {
-    curves.push_back({model.label, sweep(model.component)});
-  }
-  return curves;
+  return element::each(models, [&](const NamedComponent& model) -> PaperCurve {
+    return {model.label, sweep(model.component)};
+  });
+}
+
+std::vector<PaperCurve> overFrequency(const std::vector<NamedComponent>& models) {
+  return curvesOf(models, [](const component::Component& component) {
+    return response::sweepFrequency(component, frequencies(), kAmplitude);
+  });
 }
 
 // Halfway on a log axis, and as far beyond both ends.
@@ -173,9 +177,7 @@ PaperFigure modelFigure() {
   PaperFigure figure = titled(
       4, fmt::format("models over frequency at {:g} mm, and over amplitude at {:g} Hz", kAmplitude * 1e3, kFrequency));
   const std::vector<NamedComponent> models = allModels();
-  addRow(figure, kOverFrequency, curvesOf(models, [](const component::Component& component) {
-           return response::sweepFrequency(component, frequencies(), kAmplitude);
-         }));
+  addRow(figure, kOverFrequency, overFrequency(models));
   addRow(figure, kOverAmplitude, curvesOf(models, [](const component::Component& component) {
            return response::sweepAmplitude(component, amplitudes(), kFrequency);
          }));
@@ -185,9 +187,7 @@ PaperFigure modelFigure() {
 PaperFigure breakFrequencyFigure() {
   PaperFigure figure =
       titled(6, fmt::format("M2 for several break frequencies, all through K_n at {:g} Hz", kFrequency));
-  addRow(figure, kOverFrequency, curvesOf(maxwellModels(), [](const component::Component& component) {
-           return response::sweepFrequency(component, frequencies(), kAmplitude);
-         }));
+  addRow(figure, kOverFrequency, overFrequency(maxwellModels()));
   return figure;
 }
 

@@ -56,4 +56,11 @@ auto during(const std::string& what, Work work) {
 int runCommand(int argc, char** argv, const Command& command, const OptionTable& table,
                const std::function<int()>& body);
 
+/// The same with options that have a table, which the body takes.
+template <class Options, class Body>
+int runCommand(int argc, char** argv, const Command& command, const Body& body) {
+  Options options;
+  return runCommand(argc, argv, command, options.table(), [&] { return body(options); });
+}
+
 }  // namespace rubber_suspension::command_line

@@ -125,12 +125,6 @@ bool splitSlash(ColumnName& name) {
 
 }  // namespace
 
-const std::vector<Quantity>& allQuantities() {
-  static const std::vector<Quantity> all = {Quantity::time, Quantity::displacement, Quantity::force,
-                                            Quantity::temperature};
-  return all;
-}
-
 std::string groupOf(const std::string& name) {
   const std::size_t slash = name.find_last_of('/');
   return slash == std::string::npos ? "" : name.substr(0, slash);

@@ -1,6 +1,7 @@
 // The quantity and unit that the name of a column tells.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,8 @@ namespace rubber_suspension::log {
 enum class Quantity { time, displacement, force, temperature };
 
 /// In the order of the options and of what is told.
-const std::vector<Quantity>& allQuantities();
+inline constexpr std::array kQuantities = {Quantity::time, Quantity::displacement, Quantity::force,
+                                           Quantity::temperature};
 
 /// "time", "displacement", ...
 std::string toString(Quantity quantity);

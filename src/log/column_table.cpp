@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "element/each.h"
+#include "element/refuse.h"
 #include "log/file_readers.h"
 #include "log/log_columns.h"
 #include "log/sample_rules.h"
@@ -36,10 +38,8 @@ class ColumnReader {
     for (const Column* column : columns_.all()) {
       requireLength(*column);
     }
-    if (samples_ < 2) {
-      throw std::runtime_error(
-          fmt::format("{}: {} samples; accepted: at least 2", columns_.displacement.name, samples_));
-    }
+    element::refuseIf<std::runtime_error>(samples_ < 2, "{}: {} samples; accepted: at least 2",
+                                          columns_.displacement.name, samples_);
   }
   ColumnReader(const ColumnReader&) = delete;
   ColumnReader& operator=(const ColumnReader&) = delete;
@@ -48,18 +48,16 @@ class ColumnReader {
 
   void read(std::size_t first, std::size_t count, Log& block) {
     block.units = units_;
-    const std::vector<double> time = numbers(columns_.time, first, count);
-    const std::vector<double> displacement = numbers(columns_.displacement, first, count);
-    const std::vector<double> force = numbers(columns_.force, first, count);
-    const std::vector<double> temperature = numbers(columns_.temperature, first, count);
+    const auto all =
+        element::each(columns_.all(), [&](const Column* column) { return numbers(*column, first, count); });
     try {
       for (std::size_t i = 0; i < count; ++i) {
         SampleRow row;
         row.place = first + i + 1;
-        row.displacement = valueOf(columns_.displacement, displacement, i, row);
-        row.force = valueOf(columns_.force, force, i, row);
-        row.temperature = valueOf(columns_.temperature, temperature, i, row);
-        setStamp(time, i, row);
+        row.displacement = valueOf(columns_.displacement, all[1], i, row);
+        row.force = valueOf(columns_.force, all[2], i, row);
+        row.temperature = valueOf(columns_.temperature, all[3], i, row);
+        setStamp(all[0], i, row);
         rules_.take(row, block);
       }
       if (first + count == samples_) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "log/log_columns.h"
 #include "log/number_marks.h"
 #include "log/text.h"
@@ -141,10 +142,10 @@ std::vector<std::size_t> numbersToldIn(const LogFormat& format) {
     if (name.empty()) {
       continue;
     }
-    if (name.size() > 5 || name.find_first_not_of("0123456789") != std::string::npos || std::stoul(name) == 0) {
+    if (wholeNumber(name) == 0) {
       return {};
     }
-    places.push_back(std::stoul(name) - 1);
+    places.push_back(wholeNumber(name) - 1);
   }
   return places;
 }
@@ -155,17 +156,7 @@ std::string toString(Separator separator) { return infoOf(separator).name; }
 
 Separator separatorOf(std::string_view line) {
   const auto holds = [&](Separator separator) { return fieldEnd(line, 0, separator) < line.size(); };
-  const auto anywhere = [&](Separator separator) {
-    for (std::size_t at = 0; at < line.size(); ++at) {
-      at = fieldEnd(line, at, separator);
-      if (at < line.size()) {
-        return true;
-      }
-    }
-    return false;
-  };
-  const std::string_view inner = trimmedView(line);
-  if (inner.find('\t') != std::string_view::npos && anywhere(Separator::tab)) {
+  if (trimmedView(line).find('\t') != std::string_view::npos && holds(Separator::tab)) {
     return Separator::tab;
   }
   if (holds(Separator::semicolon)) {
@@ -367,25 +358,22 @@ CsvHeader HeaderFinder::bestGuess() const {
     header.names = columnNames(fields, {});
     header.line = lines_[i].number;
     header.next_line = header.line + 1;
-    if (anyNumber(fields) && !isComment(lines_[i].text) && i == 0) {
-      throw std::runtime_error(
-          fmt::format("no header: the first line has {}; accepted: a line with the names of the columns, or their "
-                      "order by --columns "
-                      "time displacement force",
-                      quoted(lines_[i].text)));
-    }
+    element::refuseIf<std::runtime_error>(
+        anyNumber(fields) && !isComment(lines_[i].text) && i == 0,
+        "no header: the first line has {}; accepted: a line with the names of the columns, or their "
+        "order by --columns "
+        "time displacement force",
+        quoted(lines_[i].text));
     const bool row_follows = i + 1 < lines_.size() && !isComment(lines_[i + 1].text) &&
                              anyNumber(fieldsOf(lines_[i + 1].text, header.separator));
     if (looksLikeHeader(header.names, format_) || (row_follows && !anyNumber(fields))) {
       guess = header;
     }
   }
-  if (!guess) {
-    throw std::runtime_error(
-        fmt::format("no header within {} lines; accepted: a line with the names of the columns, as "
-                    "time_s,displacement_<unit>,force_<unit>",
-                    lines_.size()));
-  }
+  element::refuseIf<std::runtime_error>(!guess,
+                                        "no header within {} lines; accepted: a line with the names of the columns, as "
+                                        "time_s,displacement_<unit>,force_<unit>",
+                                        lines_.size());
   return *guess;
 }
 

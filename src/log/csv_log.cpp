@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "element/refuse.h"
 #include "log/csv_dialect.h"
 #include "log/file_readers.h"
 #include "log/log_columns.h"
@@ -239,9 +240,7 @@ class CsvLogReader {
   }
 
   static void refuseEmpty(const std::vector<TextLine>& head) {
-    if (head.empty()) {
-      throw std::runtime_error("the file is empty; accepted: a header and at least 2 rows");
-    }
+    element::refuseIf<std::runtime_error>(head.empty(), "the file is empty; accepted: a header and at least 2 rows");
     if (std::all_of(head.begin(), head.end(), [](const TextLine& line) { return trimmed(line.text).empty(); })) {
       throw std::runtime_error("the header is blank; accepted: time_s,displacement_<unit>,...");
     }
@@ -281,11 +280,15 @@ class CsvLogReader {
       return;
     }
     if (std::strchr("#%!/", *text) != nullptr && isComment(text)) {
-      noteComment();
+      first_comment_ = comments_ == 0 ? line_ : first_comment_;
+      ++comments_;
       return;
     }
     try {
-      parseRow(line);
+      row_ = SampleRow();
+      if (by_fields_ || !parsePlainRow(line)) {
+        parseRowByFields(line);
+      }
     } catch (const std::runtime_error& error) {
       const bool any_row = first_row_ != 0;
       if (!any_row) {
@@ -343,13 +346,6 @@ class CsvLogReader {
     }
   }
 
-  void parseRow(const char* line) {
-    row_ = SampleRow();
-    if (by_fields_ || !parsePlainRow(line)) {
-      parseRowByFields(line);
-    }
-  }
-
   // Commas and nothing else: the fast path. False where the number of fields tells that there is more to it.
   bool parsePlainRow(const char* line) {
     if (!splitRow(line, starts_) || starts_.size() - 1 != columns_.count) {
@@ -358,22 +354,20 @@ class CsvLogReader {
     const auto parse = [&](const Column& column, Quantity quantity) {
       const char* const field = starts_[column.index];
       const char* const field_end = starts_[column.index + 1] - 1;
-      const double value = readNumber(field, field_end, column);
+      const double value =
+          quantity == Quantity::time ? readStamp(field, field_end) : readNumber(field, field_end, column);
       marks_.seePlain(field, field_end, value, channelOf(quantity), line_);
       return column.toSi(value);
     };
-    if (columns_.time.found()) {
-      const char* const field = starts_[columns_.time.index];
-      const char* const field_end = starts_[columns_.time.index + 1] - 1;
-      readStamp(field, field_end);
-      marks_.seePlain(field, field_end, time_, channelOf(Quantity::time), line_);
-    }
     readValues(parse);
     return true;
   }
 
   template <class Parse>
   void readValues(const Parse& parse) {
+    if (columns_.time.found()) {
+      parse(columns_.time, Quantity::time);
+    }
     row_.displacement = parse(columns_.displacement, Quantity::displacement);
     row_.force = columns_.force.found() ? parse(columns_.force, Quantity::force) : 0.0;
     row_.temperature = columns_.temperature.found() ? parse(columns_.temperature, Quantity::temperature) : 0.0;
@@ -388,17 +382,10 @@ class CsvLogReader {
       throw std::runtime_error(fmt::format("{} field{}; accepted: {}, as in the header: {}", fields_.size(),
                                            fields_.size() == 1 ? "" : "s", columns_.count, quoted(line)));
     }
-    const auto normalised = [&](const Column& column, Quantity quantity) {
-      return marks_.normalised(fields_[column.index].text, channelOf(quantity), column.name, line_);
-    };
-    if (columns_.time.found()) {
-      const char* const text = normalised(columns_.time, Quantity::time);
-      readStamp(text, marks_.end());
-      marks_.see(time_, channelOf(Quantity::time));
-    }
     readValues([&](const Column& column, Quantity quantity) {
-      const char* const text = normalised(column, quantity);
-      const double value = readNumber(text, marks_.end(), column);
+      const char* const text = marks_.normalised(fields_[column.index].text, channelOf(quantity), column.name, line_);
+      const double value =
+          quantity == Quantity::time ? readStamp(text, marks_.end()) : readNumber(text, marks_.end(), column);
       marks_.see(value, channelOf(quantity));
       return column.toSi(value);
     });
@@ -437,16 +424,16 @@ class CsvLogReader {
   }
 
   // Long double keeps the nanoseconds of a time since 1970, which a double cannot hold. Beside a given rate a time that
-  // cannot be read is none.
-  void readStamp(const char* field, const char* field_end) {
-    time_ = kNotMeasured;
+  // cannot be read is none. The result is that of the file.
+  double readStamp(const char* field, const char* field_end) {
+    double time = kNotMeasured;
     try {
       char* parsed_end = nullptr;
       const long double value = strtold_l(field, &parsed_end, cLocale());
       if (isNumberBefore(field, parsed_end, field_end) && std::isfinite(value)) {
-        time_ = static_cast<double>(value);
+        time = static_cast<double>(value);
         row_.stamp = toStamp(days_ ? value - kDaysBefore1970 : value, columns_.time);
-        return;
+        return time;
       }
       row_.stamp = clock_.read(trimmed(std::string(field, static_cast<std::size_t>(field_end - field))));
       if (!row_.stamp) {
@@ -458,14 +445,10 @@ class CsvLogReader {
       }
       row_.stamp.reset();
     }
+    return time;
   }
 
   static std::size_t channelOf(Quantity quantity) { return static_cast<std::size_t>(quantity); }
-
-  void noteComment() {
-    first_comment_ = comments_ == 0 ? line_ : first_comment_;
-    ++comments_;
-  }
 
   void addNotes() {
     const bool canonical = areCanonical(columns_) && coding_.empty() && header_.line == 1 && !header_.has_units_row &&
@@ -524,7 +507,6 @@ class CsvLogReader {
   bool by_fields_ = false;  // rows are not commas and numbers alone
   bool days_ = false;       // the time is in those of a spreadsheet
   TimeTextReader clock_;
-  double time_ = 0.0;  // of the row, as the file has it
   SampleRow row_;
   std::vector<const char*> starts_;
   std::vector<Field> fields_;

@@ -2,7 +2,6 @@
 #include "log/even_blocks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -19,10 +18,6 @@ constexpr double kMostGrowth = 2.0;          // samples at even steps for one of
 constexpr double kFewSamples = 20000.0;      // or so many in all, as of a creep test sampled by the logarithm of time
 
 double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
-
-// Each of them may be empty.
-constexpr std::array<std::vector<double> Log::*, 4> kChannels = {&Log::displacement, &Log::force, &Log::temperature,
-                                                                 &Log::across};
 
 EvenBlocks::Piece pieceOf(double gap, const Log& log) {
   const auto begin = [](const std::vector<double>& values) { return values.empty() ? nullptr : values.data(); };

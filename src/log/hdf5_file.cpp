@@ -8,6 +8,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "log/text.h"
 
 namespace rubber_suspension::log {
@@ -36,9 +37,8 @@ bool isWritten(hid_t dataset, hid_t properties) {
 
 void requireShallow(const std::string& path) {
   constexpr int kDeepestGroup = 32;
-  if (std::count(path.begin(), path.end(), '/') > kDeepestGroup) {
-    throw std::runtime_error(fmt::format("groups nested deeper than {}; accepted: at most that", kDeepestGroup));
-  }
+  element::refuseIf<std::runtime_error>(std::count(path.begin(), path.end(), '/') > kDeepestGroup,
+                                        "groups nested deeper than {}; accepted: at most that", kDeepestGroup);
 }
 
 }  // namespace
@@ -46,18 +46,16 @@ void requireShallow(const std::string& path) {
 hid_t openHdf5(const std::string& path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what goes wrong is told here, not printed there
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (file < 0) {
-    throw std::runtime_error("cannot be read as HDF5; accepted: a complete file that can be opened");
-  }
+  element::refuseIf<std::runtime_error>(file < 0,
+                                        "cannot be read as HDF5; accepted: a complete file that can be opened");
   return file;
 }
 
 void requireOwnData(hid_t dataset, const std::string& name) {
   const Hdf5Handle properties(dataset < 0 ? -1 : H5Dget_create_plist(dataset), H5Pclose);
-  if (!properties || H5Pget_external_count(properties.get()) != 0 || H5Pget_layout(properties.get()) == H5D_VIRTUAL) {
-    throw std::runtime_error(
-        fmt::format("{}: its data lie in other files; accepted: data in the file itself", quoted(name)));
-  }
+  element::refuseIf<std::runtime_error>(
+      !properties || H5Pget_external_count(properties.get()) != 0 || H5Pget_layout(properties.get()) == H5D_VIRTUAL,
+      "{}: its data lie in other files; accepted: data in the file itself", quoted(name));
   if (!isWritten(dataset, properties.get())) {
     throw std::runtime_error(
         fmt::format("{}: data that were never written; accepted: a file that is complete", quoted(name)));

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "element/refuse.h"
 #include "log/column_table.h"
 #include "log/file_readers.h"
 #include "log/hdf5_file.h"
@@ -171,11 +172,10 @@ std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t fi
   std::vector<double> values(count);
   const bool selected =
       space && H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, from.data(), nullptr, size.data(), nullptr) >= 0;
-  if (!dataset || !selected ||
-      H5Dread(dataset.get(), type.get(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
-    throw std::runtime_error(
-        fmt::format("{}: cannot be read; accepted: numbers, with a filter that libhdf5 has here", column.name));
-  }
+  element::refuseIf<std::runtime_error>(
+      !dataset || !selected ||
+          H5Dread(dataset.get(), type.get(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0,
+      "{}: cannot be read; accepted: numbers, with a filter that libhdf5 has here", column.name);
   return values;
 }
 
@@ -193,12 +193,10 @@ class Hdf5File {
       }
       return columns_.size() < kMostColumns;
     });
-    if (!pandas.empty()) {
-      throw std::runtime_error(
-          fmt::format("a table of pandas, which is not read; accepted: CSV, by python3 -c \"import "
-                      "pandas; pandas.read_hdf('{}', '{}').to_csv('LOG.csv')\"",
-                      path, pandas));
-    }
+    element::refuseIf<std::runtime_error>(!pandas.empty(),
+                                          "a table of pandas, which is not read; accepted: CSV, by python3 -c \"import "
+                                          "pandas; pandas.read_hdf('{}', '{}').to_csv('LOG.csv')\"",
+                                          path, pandas);
     nameColumns(columns_);
   }
 
@@ -217,17 +215,15 @@ class Hdf5File {
  private:
   /// Columns of as many numbers as may be read; longer ones are refused.
   ColumnFile columns(std::size_t most) const {
-    return {
-        [this, most](std::size_t place, const std::string& name) {
-          if (columns_[place].length > most) {
-            throw std::runtime_error(fmt::format("{}: more than {} numbers; accepted: that many at most", name, most));
-          }
-          return static_cast<std::size_t>(columns_[place].length);
-        },
-        [this](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
-          return readNumbers(file_.get(), columns_[place], first, count);
-        },
-        path_};
+    return {[this, most](std::size_t place, const std::string& name) {
+              element::refuseIf<std::runtime_error>(
+                  columns_[place].length > most, "{}: more than {} numbers; accepted: that many at most", name, most);
+              return static_cast<std::size_t>(columns_[place].length);
+            },
+            [this](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
+              return readNumbers(file_.get(), columns_[place], first, count);
+            },
+            path_};
   }
 
   std::string path_;

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "kernel/sample_checks.h"
 #include "log/log_columns.h"
@@ -22,10 +23,9 @@ namespace rubber_suspension::log {
 namespace {
 
 void checkLength(const Log& log, const char* name, const std::vector<double>& values, bool may_be_missing) {
-  if (values.size() != log.size() && !(values.empty() && may_be_missing)) {
-    throw LogError(
-        fmt::format("{}: {} has {} values; accepted: {}, one per stamp", log.name, name, values.size(), log.size()));
-  }
+  element::refuseIf<LogError>(values.size() != log.size() && !(values.empty() && may_be_missing),
+                              "{}: {} has {} values; accepted: {}, one per stamp", log.name, name, values.size(),
+                              log.size());
 }
 
 void checkStamps(const Log& log, std::size_t first, std::size_t count) {
@@ -47,15 +47,14 @@ void checkValues(const Log& log, const char* name, const std::vector<double>& va
     return;
   }
   for (std::size_t i = first; i < first + count; ++i) {
-    if (!std::isfinite(values[i])) {
-      throw LogError(fmt::format("{}: sample {}: {} {} is not finite", log.name, i + 1, name, values[i]));
-    }
+    element::refuseIf<LogError>(!std::isfinite(values[i]), "{}: sample {}: {} {} is not finite", log.name, i + 1, name,
+                                values[i]);
   }
 }
 
 // The channel of a quantity; nothing for another word.
 LogFormat::Channel* channelNamed(LogFormat& format, const std::string& quantity) {
-  for (const Quantity one : allQuantities()) {
+  for (const Quantity one : kQuantities) {
     if (quantity == toString(one)) {
       return &format.of[static_cast<std::size_t>(one)];
     }
@@ -89,20 +88,18 @@ void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
   if (channel != nullptr && !given_twice) {
     setColumnAndFactor(*channel, column);
   }
-  if (channel == nullptr || channel->column.empty()) {
-    throw std::invalid_argument(fmt::format(
-        "--columns: {}{}; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME, NAME being that of the "
-        "file or the column's number, with a factor as in force=-NAME and force=0.001*NAME; or these words alone in "
-        "the "
-        "order of the columns",
-        quoted(entry), element::didYouMean(quantity, {"time", "displacement", "force", "temperature"})));
-  }
+  element::refuseIf(
+      channel == nullptr || channel->column.empty(),
+      "--columns: {}{}; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME, NAME being that of the "
+      "file or the column's number, with a factor as in force=-NAME and force=0.001*NAME; or these words alone in "
+      "the "
+      "order of the columns",
+      quoted(entry), element::didYouMean(quantity, {"time", "displacement", "force", "temperature"}));
   if (given_twice) {
     throw std::invalid_argument(fmt::format("--columns: {} is given twice; accepted: once", quantity));
   }
-  if (channel->factor != 1.0 && quantity == "temperature") {
-    throw std::invalid_argument("--columns: a factor of the temperature; accepted: its column alone");
-  }
+  element::refuseIf(channel->factor != 1.0 && quantity == "temperature",
+                    "--columns: a factor of the temperature; accepted: its column alone");
 }
 
 // "force=kN", of which a unit may be of several words.
@@ -113,7 +110,7 @@ void setUnitOption(LogFormat& format, const std::string& entry) {
   std::string reason = "no quantity and its unit";
   if (channel != nullptr) {
     const std::string unit = entry.substr(equals + 1);
-    const std::string si = siUnit(allQuantities()[static_cast<std::size_t>(channel - format.of.data())]);
+    const std::string si = siUnit(kQuantities[static_cast<std::size_t>(channel - format.of.data())]);
     try {
       UnitConversion(spelledUnit(unit, si), si);
       reason = channel->unit.empty() ? "" : "given twice";
@@ -122,11 +119,9 @@ void setUnitOption(LogFormat& format, const std::string& entry) {
       reason = error.what();
     }
   }
-  if (!reason.empty()) {
-    throw std::invalid_argument(
-        fmt::format("--unit: {}: {}{}; accepted: QUANTITY=UNIT, as in displacement=mm force=kN time=ms", quoted(entry),
-                    reason, element::didYouMean(quantity, {"time", "displacement", "force", "temperature"})));
-  }
+  element::refuseIf(!reason.empty(),
+                    "--unit: {}: {}{}; accepted: QUANTITY=UNIT, as in displacement=mm force=kN time=ms", quoted(entry),
+                    reason, element::didYouMean(quantity, {"time", "displacement", "force", "temperature"}));
 }
 
 void setUnits(LogFormat& format, const std::string& units) {
@@ -168,11 +163,8 @@ void setDecimal(LogFormat& format, const std::string& text) {
 }
 
 std::size_t segmentNumber(const std::string& text) {
-  const bool digits = !text.empty() && text.size() < 7 && text.find_first_not_of("0123456789") == std::string::npos;
-  const std::size_t number = text == "all" ? kAllSegments : digits ? std::stoul(text) : 0;
-  if (number == 0) {
-    throw std::invalid_argument(fmt::format("--segment: {}; accepted: a number from 1, or all", quoted(text)));
-  }
+  const std::size_t number = text == "all" ? kAllSegments : wholeNumber(text, 6);
+  element::refuseIf(number == 0, "--segment: {}; accepted: a number from 1, or all", quoted(text));
   return number;
 }
 
@@ -187,9 +179,8 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
   }
   setUnits(format, units);
   // Above 1 GHz two samples would share a nanosecond.
-  if (!(rate >= 0.0 && rate <= 1e9)) {
-    throw std::invalid_argument(fmt::format("--sampling-rate: {:g} Hz; accepted: greater than 0, at most 1e9", rate));
-  }
+  element::refuseIf(!(rate >= 0.0 && rate <= 1e9), "--sampling-rate: {:g} Hz; accepted: greater than 0, at most 1e9",
+                    rate);
   if (rate > 0.0) {
     format.rate = rate;
   }
@@ -204,9 +195,7 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
   }
   format.segment = segment.empty() ? 0 : segmentNumber(segment);
   constexpr double kLongestBridge = 3600.0;  // [s]
-  if (!(bridge <= kLongestBridge)) {
-    throw std::invalid_argument(fmt::format("--bridge: {:g} s; accepted: 0 to {:g} s", bridge, kLongestBridge));
-  }
+  element::refuseIf(!(bridge <= kLongestBridge), "--bridge: {:g} s; accepted: 0 to {:g} s", bridge, kLongestBridge);
   if (bridge >= 0.0) {
     format.bridge = bridge;
   }
@@ -214,10 +203,8 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
 }
 
 Log onlyLog(const std::string& path, std::vector<Log>&& logs) {
-  if (logs.size() != 1) {
-    throw LogError(fmt::format("{}: {} logs, of which one is needed; accepted: --segment 1 to {}", path, logs.size(),
-                               logs.size()));
-  }
+  element::refuseIf<LogError>(logs.size() != 1, "{}: {} logs, of which one is needed; accepted: --segment 1 to {}",
+                              path, logs.size(), logs.size());
   return std::move(logs.front());
 }
 
@@ -247,9 +234,7 @@ void checkLog(const Log& log) {
 }
 
 void checkLengths(const Log& log) {
-  if (log.size() < 2) {
-    throw LogError(fmt::format("{}: {} samples; accepted: at least 2", log.name, log.size()));
-  }
+  element::refuseIf<LogError>(log.size() < 2, "{}: {} samples; accepted: at least 2", log.name, log.size());
   checkLength(log, "displacement", log.displacement, false);
   checkLength(log, "force", log.force, true);
   checkLength(log, "temperature", log.temperature, true);
@@ -263,9 +248,8 @@ void checkSamples(const Log& log, std::size_t first, std::size_t count) {
 }
 
 void writeForceCsv(const std::string& path, const Log& log, const std::vector<double>& force) {
-  if (force.size() != log.size()) {
-    throw LogError(fmt::format("{}: {} forces for {} samples", path, force.size(), log.size()));
-  }
+  element::refuseIf<LogError>(force.size() != log.size(), "{}: {} forces for {} samples", path, force.size(),
+                              log.size());
   Log answered;
   answered.stamp = log.stamp;
   answered.displacement = log.displacement;

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "element/each.h"
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "log/text.h"
 
@@ -29,13 +31,13 @@ std::string unitOf(const LogFormat& format, Quantity quantity) {
 
 bool isWanted(Quantity quantity, const LogFormat& format) { return quantity != Quantity::time || !format.rate; }
 
+std::string quotedName(const ColumnName& column) { return quoted(column.withUnit()); }
+
 // The names of a header for an error, the first of them if there are many.
 std::string listed(const std::vector<ColumnName>& header) {
   constexpr std::size_t kMost = 12;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min(header.size(), kMost); ++i) {
-    names.push_back(quoted(header[i].withUnit()));
-  }
+  std::vector<std::string> names = element::each(header, quotedName);
+  names.resize(std::min(names.size(), kMost));
   return join(names) + (header.size() > kMost ? ", ..." : "");
 }
 
@@ -54,8 +56,7 @@ Places placesWhere(const std::vector<ColumnName>& header, Condition condition) {
 
 // The place that a number of --columns tells, from 1; none where it is no number of a column.
 Places placeOfNumber(const std::string& text, std::size_t count) {
-  const bool digits = !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
-  const std::size_t number = digits ? std::stoul(text) : 0;
+  const std::size_t number = wholeNumber(text);
   return number >= 1 && number <= count ? Places{number - 1} : Places{};
 }
 
@@ -74,13 +75,10 @@ Places placesOfOption(const std::vector<ColumnName>& header, const std::string& 
 class ColumnFinder {
  public:
   ColumnFinder(const std::vector<ColumnName>& header, const LogFormat& format) : header_(header) {
-    for (const Quantity quantity : allQuantities()) {
+    for (const Quantity quantity : kQuantities) {
       const std::string& option = channelOf(format, quantity).column;
-      if (!option.empty()) {
-        for (const std::size_t place : placesOfOption(header, option)) {
-          taken_.push_back(place);
-        }
-      }
+      const Places told = option.empty() ? Places() : placesOfOption(header, option);
+      taken_.insert(taken_.end(), told.begin(), told.end());
     }
   }
 
@@ -111,9 +109,7 @@ class ColumnFinder {
  private:
   // "Force (set)" is no rival of "Force [N]", but is refused by name where it stands alone.
   Places withKnownUnit(const Places& places) const {
-    Places known;
-    std::copy_if(places.begin(), places.end(), std::back_inserter(known),
-                 [&](std::size_t place) { return header_[place].unit_known; });
+    const Places known = element::those(places, [&](std::size_t place) { return header_[place].unit_known; });
     return known.empty() ? places : known;
   }
 
@@ -132,15 +128,10 @@ std::string accepted(Quantity quantity) {
 
 void refuseAmbiguity(const std::vector<ColumnName>& header, const Places& places, const std::string& what,
                      Quantity quantity) {
-  if (places.size() > 1) {
-    std::vector<std::string> names;
-    std::transform(places.begin(), places.end(), std::back_inserter(names),
-                   [&](std::size_t place) { return quoted(header[place].withUnit()); });
-    throw std::runtime_error(
-        fmt::format("columns {} may each be {}; accepted: one of them by --columns {}=NAME, or its "
-                    "number from 1",
-                    join(names), what, toString(quantity)));
-  }
+  const auto name = [&](std::size_t place) { return quotedName(header[place]); };
+  element::refuseIf<std::runtime_error>(
+      places.size() > 1, "columns {} may each be {}; accepted: one of them by --columns {}=NAME, or its number from 1",
+      element::joined(places, ", ", name), what, toString(quantity));
 }
 
 // Beyond these a unit is another one misspelt: "Mm" is a thousand kilometres.
@@ -153,12 +144,9 @@ void setUnit(Column& column, const std::string& unit, const LogFormat& format, Q
   try {
     column.conversion = UnitConversion(spelledUnit(unit, si), si);
     const double size = column.conversion(1.0);
-    if (size > largestUnit(quantity)) {
-      const std::string lower = lowerCase(unit);
-      throw std::invalid_argument(
-          fmt::format("unit {} is {:g} {}{}", quoted(unit), size, si,
-                      lower != unit && isUnit(lower) ? " (did you mean '" + lower + "'?)" : ""));
-    }
+    const std::string lower = lowerCase(unit);
+    element::refuseIf(size > largestUnit(quantity), "unit {} is {:g} {}{}", quoted(unit), size, si,
+                      lower != unit && isUnit(lower) ? " (did you mean '" + lower + "'?)" : "");
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(fmt::format("column {}: {}; accepted: a unit of {}, in the header or by --unit {}=UNIT",
                                          quoted(column.label), error.what(), toString(quantity), toString(quantity)));
@@ -202,17 +190,14 @@ std::string ownUnit(const ColumnName& column, Quantity quantity) {
 Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& format, Quantity quantity) {
   const std::string& name = channelOf(format, quantity).column;
   const Places places = placesOfOption(header, name);
-  if (places.empty()) {
-    throw std::runtime_error(
-        fmt::format("no column {}{}, the header has {}; accepted: a name of the header, or a number "
-                    "from 1 to {}",
-                    quoted(name), nameHint(header, name), listed(header), header.size()));
-  }
-  if (places.size() > 1) {
-    throw std::runtime_error(
-        fmt::format("column {} stands {} times in the header; accepted: --columns {}=NUMBER, from 1", quoted(name),
-                    places.size(), toString(quantity)));
-  }
+  element::refuseIf<std::runtime_error>(
+      places.empty(),
+      "no column {}{}, the header has {}; accepted: a name of the header, or a number "
+      "from 1 to {}",
+      quoted(name), nameHint(header, name), listed(header), header.size());
+  element::refuseIf<std::runtime_error>(
+      places.size() > 1, "column {} stands {} times in the header; accepted: --columns {}=NUMBER, from 1", quoted(name),
+      places.size(), toString(quantity));
   return columnAt(header, places[0], format, quantity, ownUnit(header[places[0]], quantity), unitOf(format, quantity));
 }
 
@@ -238,9 +223,7 @@ Places besideDisplacement(const ColumnFinder& finder, const std::vector<ColumnNa
     return times;
   }
   const std::string group = groupOf(header[displacement[0]].text);
-  Places beside;
-  std::copy_if(times.begin(), times.end(), std::back_inserter(beside),
-               [&](std::size_t place) { return groupOf(header[place].text) == group; });
+  const Places beside = element::those(times, [&](std::size_t place) { return groupOf(header[place].text) == group; });
   return beside.size() == 1 && !group.empty() ? beside : times;
 }
 
@@ -261,10 +244,8 @@ Column findColumn(const ColumnFinder& finder, const std::vector<ColumnName>& hea
 }
 
 void requireColumn(const Column& column, const std::vector<ColumnName>& header, Quantity quantity) {
-  if (!column.found()) {
-    throw std::runtime_error(fmt::format("no column of {}, the header has {}; accepted: {}", toString(quantity),
-                                         listed(header), accepted(quantity)));
-  }
+  element::refuseIf<std::runtime_error>(!column.found(), "no column of {}, the header has {}; accepted: {}",
+                                        toString(quantity), listed(header), accepted(quantity));
 }
 
 void refuseTwoOfOne(const Columns& columns, const std::vector<ColumnName>& header) {
@@ -296,7 +277,7 @@ struct FoundColumns {
 FoundColumns countColumns(const std::vector<ColumnName>& header, const LogFormat& format) {
   const ColumnFinder finder(header, format);
   FoundColumns columns;
-  for (const Quantity quantity : allQuantities()) {
+  for (const Quantity quantity : kQuantities) {
     const std::string& option = channelOf(format, quantity).column;
     columns.options_fit = columns.options_fit && (option.empty() || !placesOfOption(header, option).empty());
     const bool there = !option.empty() || (isWanted(quantity, format) && !finder.find(quantity).empty());
@@ -372,7 +353,7 @@ std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, c
                                   column->assumed_unit));
     }
   }
-  for (const Quantity quantity : allQuantities()) {
+  for (const Quantity quantity : kQuantities) {
     const Column& column = columns.of(quantity);
     const std::string& unit = channelOf(format, quantity).unit;
     const std::string own = column.found() ? header[column.index].unit : "";
@@ -384,7 +365,7 @@ std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, c
 }
 
 bool areCanonical(const Columns& columns) {
-  return std::all_of(allQuantities().begin(), allQuantities().end(), [&](Quantity quantity) {
+  return std::all_of(kQuantities.begin(), kQuantities.end(), [&](Quantity quantity) {
     const Column& column = columns.of(quantity);
     return !column.found() || (isCanonical(column.name, quantity) && column.factor == 1.0);
   });
@@ -392,7 +373,7 @@ bool areCanonical(const Columns& columns) {
 
 std::string describeColumns(const Columns& columns, const LogExtent& extent) {
   std::vector<std::string> parts;
-  for (const Quantity quantity : allQuantities()) {
+  for (const Quantity quantity : kQuantities) {
     if (const Column& column = columns.of(quantity); column.found()) {
       const std::string factor = column.factor == 1.0 ? "" : fmt::format("{:g} times ", column.factor);
       parts.push_back(fmt::format("{} from {}{}", toString(quantity), factor, quoted(column.label)));
@@ -411,10 +392,9 @@ std::int64_t toStamp(long double time, const Column& column) {
   // A division where it is exact, for 1 ms is a whole part of a second and not 0.001 in binary.
   const bool whole = seconds_per_unit < 1.0L && std::abs(units_per_second * seconds_per_unit - 1.0L) < 1e-15L;
   const long double seconds = whole ? time / units_per_second : time * seconds_per_unit;
-  if (!(std::abs(seconds) <= kMaximumTime)) {
-    throw std::runtime_error(fmt::format("{}: {:g} s is out of range; accepted: at most {:g} s", column.name,
-                                         static_cast<double>(seconds), kMaximumTime));
-  }
+  element::refuseIf<std::runtime_error>(!(std::abs(seconds) <= kMaximumTime),
+                                        "{}: {:g} s is out of range; accepted: at most {:g} s", column.name,
+                                        static_cast<double>(seconds), kMaximumTime);
   return std::llroundl(seconds * 1e9L);
 }
 
@@ -427,10 +407,14 @@ std::string formatStamp(std::int64_t stamp) {
   return fmt::format("{}{}.{:09d}", stamp < 0 ? "-" : "", magnitude / 1000000000, magnitude % 1000000000);
 }
 
+std::size_t wholeNumber(const std::string& text, std::size_t most) {
+  const bool digits = !text.empty() && text.size() <= most && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? std::stoul(text) : 0;
+}
+
 std::string logName(const std::string& path) {
-  const std::size_t slash = path.find_last_of('/');
-  std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
-  if (file.size() > 3 && file.compare(file.size() - 3, 3, ".gz") == 0) {
+  std::string file = path.substr(path.find_last_of('/') + 1);
+  if (file.size() > 3 && endsWith(file, ".gz")) {
     file.resize(file.size() - 3);
   }
   return oneLine(file.substr(0, file.find_last_of('.')));

@@ -39,7 +39,7 @@ struct Columns {
   Column force;        ///< may be missing
   Column temperature;  ///< may be missing
 
-  /// In the order of allQuantities().
+  /// In the order of kQuantities.
   std::array<const Column*, 4> all() const { return {&time, &displacement, &force, &temperature}; }
   const Column& of(Quantity quantity) const { return *all()[static_cast<std::size_t>(quantity)]; }
 };
@@ -86,6 +86,9 @@ std::int64_t stampAtRate(std::size_t sample, double rate);
 
 /// A stamp [ns] in seconds, exactly.
 std::string formatStamp(std::int64_t stamp);
+
+/// The number that digits alone are, at most so many; 0 for other text.
+std::size_t wholeNumber(const std::string& text, std::size_t most = 5);
 
 /// The file's name without folder and extension.
 std::string logName(const std::string& path);

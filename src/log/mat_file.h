@@ -1,4 +1,5 @@
-// Matrices as a MATLAB file.
+// MATLAB files: their structure, checked before libmatio reads them, which takes what is cut off for zeros; matrices as
+// such a file.
 #pragma once
 
 #include <string>
@@ -15,5 +16,11 @@ struct NamedMatrix {
 
 /// Write a file of version 5, beside it and renamed. Throws std::runtime_error with the path that cannot be written.
 void writeMatFile(const std::string& path, const std::vector<NamedMatrix>& matrices);
+
+/// Goes through all elements of a file that is no HDF5: their sizes have to add up to those around them and to the
+/// file's, their numbers to their dimensions; what is compressed has to have its checksum. Returns the variables that
+/// are objects of MATLAB (tables, timetables, timeseries), "name (class)". Throws std::runtime_error that names the
+/// byte.
+std::vector<std::string> checkMatStructure(const std::string& path);
 
 }  // namespace rubber_suspension::log

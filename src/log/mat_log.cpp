@@ -8,11 +8,12 @@
 #include <memory>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "log/column_table.h"
 #include "log/file_readers.h"
 #include "log/hdf5_file.h"
 #include "log/log_columns.h"
-#include "log/mat_check.h"
+#include "log/mat_file.h"
 #include "log/text.h"
 #include "rubber_suspension/log/log.h"
 
@@ -160,9 +161,7 @@ class MatLogReader {
  public:
   MatLogReader(const std::string& path, const LogFormat& format)
       : file_(Mat_Open(path.c_str(), MAT_ACC_RDONLY), Mat_Close), format_(format) {
-    if (!file_) {
-      throw std::runtime_error("cannot be read as a MATLAB file; accepted: levels 4 to 7.3");
-    }
+    element::refuseIf<std::runtime_error>(!file_, "cannot be read as a MATLAB file; accepted: levels 4 to 7.3");
   }
 
   std::vector<Log> read(const std::string& name) {
@@ -230,14 +229,12 @@ class MatLogReader {
       return *kept_variable_;
     }
     const VariablePointer info(Mat_VarReadInfo(file_.get(), variable.c_str()), Mat_VarFree);
-    if (info && numbersIn(*info, 0) > kMaximumLogRows) {
-      throw std::runtime_error(
-          fmt::format("{}: more than {} numbers; accepted: that many at most", name, kMaximumLogRows));
-    }
+    element::refuseIf<std::runtime_error>(info && numbersIn(*info, 0) > kMaximumLogRows,
+                                          "{}: more than {} numbers; accepted: that many at most", name,
+                                          kMaximumLogRows);
     kept_variable_.reset(info ? Mat_VarRead(file_.get(), variable.c_str()) : nullptr);
-    if (!kept_variable_) {
-      throw std::runtime_error(fmt::format("{}: cannot be read; accepted: a vector or a matrix of numbers", name));
-    }
+    element::refuseIf<std::runtime_error>(!kept_variable_,
+                                          "{}: cannot be read; accepted: a vector or a matrix of numbers", name);
     return *kept_variable_;
   }
 
@@ -257,12 +254,8 @@ class MatLogReader {
   static std::vector<double> numbersOf(const matvar_t* vector, std::size_t part, const std::string& name) {
     const bool fits = vector != nullptr && vector->data != nullptr &&
                       (part > 0 ? isMatrix(*vector) : isVector(*vector)) && part <= partCount(*vector);
-    if (!fits) {
-      throw std::runtime_error(fmt::format("{}: cannot be read; accepted: a vector or a matrix of numbers", name));
-    }
-    if (vector->isComplex != 0) {
-      throw std::runtime_error(fmt::format("{}: complex numbers; accepted: real ones", name));
-    }
+    element::refuseIf<std::runtime_error>(!fits, "{}: cannot be read; accepted: a vector or a matrix of numbers", name);
+    element::refuseIf<std::runtime_error>(vector->isComplex != 0, "{}: complex numbers; accepted: real ones", name);
     // MATLAB stores column by column.
     const bool wide = part > 0 && isWide(*vector);
     const std::size_t length = part == 0 ? elementCount(*vector) : std::max(vector->dims[0], vector->dims[1]);
@@ -275,10 +268,8 @@ class MatLogReader {
                                                        {MAT_T_INT32, copyNumbers<std::int32_t>},
                                                        {MAT_T_INT64, copyNumbers<std::int64_t>}};
     const auto copy = copies.find(vector->data_type);
-    if (copy == copies.end()) {
-      throw std::runtime_error(
-          fmt::format("{}: numbers of a type that is not read; accepted: double, single, int16 to int64", name));
-    }
+    element::refuseIf<std::runtime_error>(
+        copy == copies.end(), "{}: numbers of a type that is not read; accepted: double, single, int16 to int64", name);
     std::vector<double> values(length);
     copy->second(*vector, first, stride, values);
     return values;

@@ -46,19 +46,14 @@ extern "C" void removeUnfinishedFiles(int signal) {
 
 // Only where the program has no handler of its own: roscpp ends its programs in order on SIGINT.
 void watchSignals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction present {};
-    sigaction(signal, nullptr, &present);
-    if (present.sa_handler == SIG_DFL) {
-      struct sigaction removing {};
-      removing.sa_handler = removeUnfinishedFiles;
-      sigaction(signal, &removing, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) {
+    struct sigaction action {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler == SIG_DFL) {
+      // A file beyond the limit of its size is an error of writing like others.
+      action.sa_handler = signal == SIGXFSZ ? SIG_IGN : removeUnfinishedFiles;
+      sigaction(signal, &action, nullptr);
     }
-  }
-  struct sigaction present {};
-  sigaction(SIGXFSZ, nullptr, &present);
-  if (present.sa_handler == SIG_DFL) {
-    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of its size is an error of writing like others
   }
 }
 
@@ -99,14 +94,10 @@ std::string nameBeside(const std::filesystem::path& target) {
       .string();
 }
 
-std::mutex& maskMutex() {
-  static std::mutex mutex;
-  return mutex;
-}
-
 // The permissions of a new file (umask), which can only be read by setting them.
 int permissionsOfNewFiles() {
-  const std::lock_guard<std::mutex> lock(maskMutex());
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
   const mode_t mask = umask(0);
   umask(mask);
   return 0666 & ~static_cast<int>(mask);
@@ -190,6 +181,16 @@ void NewFile::discard() {
   writing_path_.clear();
 }
 
+void NewFile::write(const std::string& content) const {
+  errno = 0;
+  std::ofstream stream(writing_path_, std::ios::binary);
+  stream << content;
+  stream.close();
+  if (!stream) {
+    fail(path_, errno == 0 ? EIO : errno);
+  }
+}
+
 void NewFile::commit() {
   if (writing_path_ != path_) {
     const int descriptor = open(writing_path_.c_str(), O_RDONLY | O_CLOEXEC);
@@ -220,13 +221,7 @@ RemovedBySignal::~RemovedBySignal() { freeSlot(slot_); }
 
 void writeNewFile(const std::string& path, const std::string& content) {
   NewFile file(path);
-  errno = 0;
-  std::ofstream stream(file.writingPath(), std::ios::binary);
-  stream << content;
-  stream.close();
-  if (!stream) {
-    fail(path, errno == 0 ? EIO : errno);
-  }
+  file.write(content);
   file.commit();
 }
 

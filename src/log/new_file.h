@@ -22,6 +22,9 @@ class NewFile {
   /// Where to write; it exists, empty, and ends in the extension of the path.
   const std::string& writingPath() const { return writing_path_; }
 
+  /// Write all of it. Throws std::runtime_error.
+  void write(const std::string& content) const;
+
   /// Call when all is written and the file is closed; it is on the disk when this returns. Throws std::runtime_error.
   void commit();
 

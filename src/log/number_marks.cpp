@@ -9,6 +9,7 @@
 #include <regex>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "log/column_name.h"
 #include "log/sample_rules.h"
 #include "log/text.h"
@@ -91,17 +92,16 @@ void NumberMarks::settle(char decimal, std::string_view text, std::size_t line) 
   if (decimal_ == '\0' && assumed_ == otherMark(decimal)) {
     throw OtherDecimalMark{decimal};
   }
-  if (decimal_ != '\0') {
-    throw std::runtime_error(
-        fmt::format("{} has a decimal {} and {} has a decimal {}; accepted: one decimal mark throughout, no separators "
-                    "of thousands "
-                    "but the other mark",
-                    quoted(std::string(text)), nameOfMark(decimal),
-                    told_               ? "--decimal"
-                    : decimal_line_ > 0 ? fmt::format("line {}", decimal_line_)
-                                        : "another line",
-                    nameOfMark(decimal_)));
-  }
+  element::refuseIf<std::runtime_error>(
+      decimal_ != '\0',
+      "{} has a decimal {} and {} has a decimal {}; accepted: one decimal mark throughout, no separators "
+      "of thousands "
+      "but the other mark",
+      quoted(std::string(text)), nameOfMark(decimal),
+      told_               ? "--decimal"
+      : decimal_line_ > 0 ? fmt::format("line {}", decimal_line_)
+                          : "another line",
+      nameOfMark(decimal_));
   decimal_ = decimal;
   decimal_line_ = line;
 }

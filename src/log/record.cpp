@@ -10,6 +10,7 @@
 #include <random>
 #include <utility>
 
+#include "element/refuse.h"
 #include "log/even_blocks.h"
 #include "numerics/fourier.h"
 #include "numerics/median.h"
@@ -39,9 +40,7 @@ void setTimeBase(const Log& log, Record& record) {
   TimeSteps steps;
   steps.add(log);
   const EvenSteps even = steps.evenSteps();
-  if (even.gaps > 0) {
-    throw LogError(fmt::format("{}: {} time gaps; a record is of a stretch without", log.name, even.gaps));
-  }
+  element::refuseIf<LogError>(even.gaps > 0, "{}: {} time gaps; a record is of a stretch without", log.name, even.gaps);
   if (!even.as_recorded) {
     record.notes.push_back(
         fmt::format("uneven time base (median step {:.4g} s, worst {:.4g} s): resampled", even.median, even.worst));
@@ -119,18 +118,26 @@ Eigen::VectorXd smooth(const Eigen::VectorXd& values, double dt, double frequenc
   return result;
 }
 
+struct Spectrum {
+  Eigen::VectorXd density;
+  double length;  // of a segment [s]
+
+  Spectrum(const Eigen::VectorXd& values, double dt)
+      : density(powerSpectralDensity(values, dt, segmentLength(values.size()))),
+        length(static_cast<double>(segmentLength(values.size())) * dt) {}
+
+  double frequency(Eigen::Index line) const { return static_cast<double>(line) / length; }
+};
+
 // The frequency below which 99.99 % of the displacement's power above the noise lies.
-double excitedUpTo(const Eigen::VectorXd& displacement, double dt, double noise) {
-  const Eigen::Index segment = segmentLength(displacement.size());
-  Eigen::VectorXd density = powerSpectralDensity(displacement, dt, segment);
-  const double floor = noise * noise * 2.0 * dt;
-  density = (density.array() - 2.0 * floor).max(0.0);
+double excitedUpTo(const Spectrum& spectrum, double dt, double floor) {
+  const Eigen::VectorXd density = (spectrum.density.array() - 2.0 * floor).max(0.0);
   const double total = density.sum();
   double sum = 0.0;
   for (Eigen::Index i = 0; i < density.size(); ++i) {
     sum += density[i];
     if (sum >= 0.9999 * total) {
-      return static_cast<double>(i + 1) / (static_cast<double>(segment) * dt);
+      return spectrum.frequency(i + 1);
     }
   }
   return 0.5 / dt;
@@ -138,29 +145,24 @@ double excitedUpTo(const Eigen::VectorXd& displacement, double dt, double noise)
 
 // The highest frequency at which the displacement stands out of the noise: corners of triangles and ends of ramps carry
 // little power, but a mass answers to them.
-double visibleUpTo(const Eigen::VectorXd& displacement, double dt, double noise) {
+double visibleUpTo(const Spectrum& spectrum, double floor) {
   constexpr double kStandsOut = 5.0;  // beyond chance for a mean over 8 segments or more
-  const Eigen::Index segment = segmentLength(displacement.size());
-  const Eigen::VectorXd density = powerSpectralDensity(displacement, dt, segment);
-  const double floor = noise * noise * 2.0 * dt;
-  Eigen::Index last = density.size() - 1;
-  while (last > 0 && density[last] < kStandsOut * floor) {
+  Eigen::Index last = spectrum.density.size() - 1;
+  while (last > 0 && spectrum.density[last] < kStandsOut * floor) {
     --last;
   }
-  return static_cast<double>(last) / (static_cast<double>(segment) * dt);
+  return spectrum.frequency(last);
 }
 
 // The frequency below which there is next to no power: a ten-thousandth of all.
-double excitedFrom(const Eigen::VectorXd& displacement, double dt) {
-  const Eigen::Index segment = segmentLength(displacement.size());
-  const Eigen::VectorXd density = powerSpectralDensity(displacement, dt, segment);
-  const double least = 1e-4 * density.sum();
+double excitedFrom(const Spectrum& spectrum) {
+  const double least = 1e-4 * spectrum.density.sum();
   double sum = 0.0;
   Eigen::Index i = 0;
-  while (i + 1 < density.size() && (sum += density[i]) < least) {
+  while (i + 1 < spectrum.density.size() && (sum += spectrum.density[i]) < least) {
     ++i;
   }
-  return static_cast<double>(i) / (static_cast<double>(segment) * dt);
+  return spectrum.frequency(i);
 }
 
 double meanFrequency(const Eigen::VectorXd& displacement, double dt) {
@@ -172,9 +174,10 @@ double meanFrequency(const Eigen::VectorXd& displacement, double dt) {
 void smoothDisplacement(Record& record) {
   const double nyquist = 0.5 / record.dt;
   record.displacement_noise = whiteNoiseAbove(record.raw_displacement, record.dt, 0.6 * nyquist);
-  record.highest_frequency = excitedUpTo(record.raw_displacement, record.dt, record.displacement_noise);
-  const double pass =
-      std::max(record.highest_frequency, visibleUpTo(record.raw_displacement, record.dt, record.displacement_noise));
+  const Spectrum spectrum(record.raw_displacement, record.dt);
+  const double floor = record.displacement_noise * record.displacement_noise * 2.0 * record.dt;
+  record.highest_frequency = excitedUpTo(spectrum, record.dt, floor);
+  const double pass = std::max(record.highest_frequency, visibleUpTo(spectrum, floor));
   if (record.displacement_noise > 1e-5 * deviation(record.raw_displacement) && kStop * pass < 0.9 * nyquist) {
     record.passed_frequency = pass;
     record.displacement = smooth(record.raw_displacement, record.dt, pass);
@@ -185,9 +188,8 @@ void smoothDisplacement(Record& record) {
 
 // A sensor that stays at its extreme value for a run of samples is at its stop.
 void noteSaturation(Record& record) {
-  const auto count = [](const Eigen::VectorXd& values, double extreme) { return (values.array() == extreme).count(); };
   for (const double extreme : {record.force.maxCoeff(), record.force.minCoeff()}) {
-    const auto equal = count(record.force, extreme);
+    const auto equal = (record.force.array() == extreme).count();
     if (equal >= 5) {
       record.notes.push_back(
           fmt::format("force stays at its extreme {:.4g} N for {} samples: saturated or coarse", extreme, equal));
@@ -270,10 +272,8 @@ bool bothChange(const Record& record) {
 
 Record rawRecord(const Log& log) {
   requireForce(log);
-  if (log.size() < kFewestSamples) {
-    throw LogError(
-        fmt::format("{}: {} samples are too few to diagnose; needed are {}", log.name, log.size(), kFewestSamples));
-  }
+  element::refuseIf<LogError>(log.size() < kFewestSamples, "{}: {} samples are too few to diagnose; needed are {}",
+                              log.name, log.size(), kFewestSamples);
   Record record;
   record.name = log.name;
   record.notes = log.notes;
@@ -295,7 +295,7 @@ Record evenRecord(const Log& log) {
 Record makeRecord(const Log& log) {
   Record record = evenRecord(log);
   smoothDisplacement(record);
-  record.lowest_frequency = excitedFrom(record.displacement, record.dt);
+  record.lowest_frequency = excitedFrom({record.displacement, record.dt});
   record.mean_frequency = meanFrequency(record.displacement, record.dt);
   noteSaturation(record);
   return record;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "element/refuse.h"
 #include "log/text.h"
 #include "numerics/median.h"
 
@@ -61,7 +62,9 @@ void SampleRules::take(SampleRow& row, Log& to) {
   }
   ++rows_;
   if (lacksValue(row)) {
-    passOver(row);
+    first_missing_ = missing_ == 0 ? row : first_missing_;
+    ++missing_;
+    gap_ = gap_.value_or(row);
     return;
   }
   if (format_.rate) {
@@ -73,7 +76,9 @@ void SampleRules::take(SampleRow& row, Log& to) {
     first_merged_ = merged_ == 0 ? row.place : first_merged_;
     ++merged_;
   } else {
-    startCollecting(row, to);
+    refused_ = row;
+    collected_ = to.stamp;  // those of the block
+    collected_.push_back(*row.stamp);
   }
 }
 
@@ -89,10 +94,7 @@ void SampleRules::keep(const SampleRow& row, Log& to) {
   }
   gap_.reset();
   first_stamp_ = kept_ == 0 ? *row.stamp : first_stamp_;
-  last_.stamp = row.stamp;
-  last_.displacement = row.displacement;
-  last_.force = row.force;
-  last_.temperature = row.temperature;
+  last_ = row;
   ++kept_;
   to.stamp.push_back(*row.stamp);
   to.displacement.push_back(row.displacement);
@@ -107,16 +109,6 @@ void SampleRules::keep(const SampleRow& row, Log& to) {
 bool SampleRules::lacksValue(const SampleRow& row) const {
   return std::isnan(row.displacement) || std::isnan(row.force) || std::isnan(row.temperature) ||
          (!format_.rate && !row.stamp);
-}
-
-void SampleRules::passOver(const SampleRow& row) {
-  if (missing_ == 0) {
-    first_missing_ = row;
-  }
-  ++missing_;
-  if (!gap_) {
-    gap_ = row;
-  }
 }
 
 void SampleRules::checkGap(const SampleRow& row) const {
@@ -141,12 +133,6 @@ void SampleRules::compareWithRate(const SampleRow& row) {
   last_own_ = *row.stamp;
 }
 
-void SampleRules::startCollecting(const SampleRow& row, const Log& to) {
-  refused_ = row;
-  collected_ = to.stamp;  // those of the block
-  collected_.push_back(*row.stamp);
-}
-
 double SampleRules::ownRate() const {
   return static_cast<double>(own_stamps_ - 1) * 1e9 / static_cast<double>(last_own_ - first_own_);
 }
@@ -169,9 +155,7 @@ void SampleRules::finish() const {
                    fmt::format("{}; accepted: a finite number, or --bridge {:g}, which leaves out {} of {} rows",
                                first_missing_.unmeasured, kBridged, missing_, rows_));
   }
-  if (kept_ < 2) {
-    throw std::runtime_error(fmt::format("{} sample{}; accepted: at least 2", kept_, pluralOf(kept_)));
-  }
+  element::refuseIf<std::runtime_error>(kept_ < 2, "{} sample{}; accepted: at least 2", kept_, pluralOf(kept_));
   const bool good = format_.rate && own_stamps_ == rows_ && bad_stamps_ == 0;
   if (good && std::abs(ownRate() / *format_.rate - 1.0) > kRateAgrees) {
     throw std::runtime_error(

@@ -54,11 +54,9 @@ class SampleRules {
  private:
   void keep(const SampleRow& row, Log& to);
   void checkGap(const SampleRow& row) const;
-  void passOver(const SampleRow& row);
   bool lacksValue(const SampleRow& row) const;
   bool repeatsLast(const SampleRow& row) const;
   void compareWithRate(const SampleRow& row);
-  void startCollecting(const SampleRow& row, const Log& to);
   double ownRate() const;
   [[noreturn]] void refuseStamps() const;
 

@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "element/refuse.h"
+
 namespace rubber_suspension::log {
 
 namespace {
@@ -105,9 +107,8 @@ void refuseNamedPipe(const std::string& path) {
   struct stat status {};
   // What a shell puts in the place of a command, <(...), is open already.
   const bool is_open = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
-  if (!is_open && stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode)) {
-    throw std::runtime_error("is a pipe; accepted: a regular file, or what a command writes, as <(COMMAND)");
-  }
+  element::refuseIf<std::runtime_error>(!is_open && stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode),
+                                        "is a pipe; accepted: a regular file, or what a command writes, as <(COMMAND)");
 }
 
 std::string readFile(const std::string& path, std::size_t maximum_size) {
@@ -121,10 +122,17 @@ std::string readFile(const std::string& path, std::size_t maximum_size) {
   if (std::ferror(file.get()) != 0) {
     throw std::runtime_error(std::strerror(errno));
   }
-  if (text.size() > maximum_size) {
-    throw std::runtime_error(fmt::format("more than {} bytes; accepted: that many at most", maximum_size));
-  }
+  element::refuseIf<std::runtime_error>(text.size() > maximum_size, "more than {} bytes; accepted: that many at most",
+                                        maximum_size);
   return text;
+}
+
+std::string readInput(const std::string& path, std::size_t maximum_size, const std::string& accepted) {
+  try {
+    return readFile(path, maximum_size);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(oneLine(path + ": " + error.what() + accepted));
+  }
 }
 
 }  // namespace rubber_suspension::log

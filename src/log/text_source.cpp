@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "element/refuse.h"
 #include "log/file_format.h"
 #include "log/text.h"
 
@@ -79,9 +80,7 @@ class GzipSource final : public ByteSource {
  public:
   explicit GzipSource(std::unique_ptr<ByteSource> source) : source_(std::move(source)), input_(kPortion) {
     constexpr int kGzip = 16;  // zlib's way to ask for the gzip format
-    if (inflateInit2(&stream_, MAX_WBITS + kGzip) != Z_OK) {
-      throw std::runtime_error("gzip: no memory");
-    }
+    element::refuseIf<std::runtime_error>(inflateInit2(&stream_, MAX_WBITS + kGzip) != Z_OK, "gzip: no memory");
   }
   GzipSource(const GzipSource&) = delete;
   GzipSource& operator=(const GzipSource&) = delete;
@@ -103,9 +102,8 @@ class GzipSource final : public ByteSource {
   bool refill() {
     stream_.next_in = reinterpret_cast<Bytef*>(input_.data());
     stream_.avail_in = static_cast<uInt>(source_->read(input_.data(), input_.size()));
-    if (stream_.avail_in == 0 && !between_members_) {
-      throw std::runtime_error("gzip: the file ends early; accepted: a complete one");
-    }
+    element::refuseIf<std::runtime_error>(stream_.avail_in == 0 && !between_members_,
+                                          "gzip: the file ends early; accepted: a complete one");
     return stream_.avail_in > 0;
   }
 
@@ -150,9 +148,8 @@ class Utf16Source final : public ByteSource {
       char* in = input_.data();
       std::size_t left = held_;
       const bool failed = iconv(converter_, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
-      if (failed && errno == EILSEQ) {
-        throw std::runtime_error("UTF-16: damaged text; accepted: UTF-8 or complete UTF-16");
-      }
+      element::refuseIf<std::runtime_error>(failed && errno == EILSEQ,
+                                            "UTF-16: damaged text; accepted: UTF-8 or complete UTF-16");
       std::memmove(input_.data(), in, left);
       held_ = left;
       if (room == size && !refill()) {
@@ -166,9 +163,8 @@ class Utf16Source final : public ByteSource {
   bool refill() {
     const std::size_t count = source_->read(input_.data() + held_, input_.size() - held_);
     held_ += count;
-    if (count == 0 && held_ > 0) {
-      throw std::runtime_error("UTF-16: the file ends within a character; accepted: a complete one");
-    }
+    element::refuseIf<std::runtime_error>(count == 0 && held_ > 0,
+                                          "UTF-16: the file ends within a character; accepted: a complete one");
     return count > 0;
   }
 
@@ -258,9 +254,7 @@ char* LineReader::next() {
   }
   char* const line = buffer_.data() + begin_;
   const std::size_t length = static_cast<std::size_t>(line_end - line);
-  if (length > maximum_line_) {
-    throw std::runtime_error(fmt::format("line of more than {} bytes", maximum_line_));
-  }
+  element::refuseIf<std::runtime_error>(length > maximum_line_, "line of more than {} bytes", maximum_line_);
   if (std::memchr(line, '\0', length) != nullptr) {
     throw std::runtime_error("holds a 0 byte; accepted: text in UTF-8, UTF-16 or Latin-1");
   }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "element/refuse.h"
+
 namespace rubber_suspension::log {
 namespace {
 
@@ -169,9 +171,9 @@ std::optional<std::int64_t> TimeTextReader::read(std::string_view text) {
     return std::nullopt;
   }
   if (day) {
-    if (day->doubtful && doubtful_day_ && *doubtful_day_ != day->days) {
-      throw std::runtime_error("the date changes, and may be read with its day or its month first; accepted: ISO 8601");
-    }
+    element::refuseIf<std::runtime_error>(
+        day->doubtful && doubtful_day_ && *doubtful_day_ != day->days,
+        "the date changes, and may be read with its day or its month first; accepted: ISO 8601");
     doubtful_day_ = day->doubtful ? std::optional(day->days) : doubtful_day_;
     return day->days * kDay + *of_day - *zone;
   }

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "log/text.h"
 
@@ -28,33 +29,19 @@ std::mutex& unitMutex() {
   return mutex;
 }
 
-// Degrees in German, by capital and small letters: with prefixes, giga-radians.
-void mapGrad(ut_system* system) {
-  const UnitPointer degree(ut_parse(system, "arc_degree", UT_ASCII), ut_free);
-  if (degree) {
-    ut_map_symbol_to_unit("Grad", UT_ASCII, degree.get());
-  }
-}
-
-void mapName(ut_system* system, const char* name, const char* unit) {
-  const UnitPointer parsed(ut_parse(system, unit, UT_ASCII), ut_free);
-  if (parsed) {
-    ut_map_name_to_unit(name, UT_ASCII, parsed.get());
-  }
-}
-
 ut_system* unitSystem() {
   static ut_system* const system = [] {
     ut_set_error_message_handler(ut_ignore);
     ut_system* made = ut_read_xml(nullptr);
-    if (made == nullptr) {
-      throw std::invalid_argument("UDUNITS-2 found no unit database; install libudunits2-data");
+    element::refuseIf(made == nullptr, "UDUNITS-2 found no unit database; install libudunits2-data");
+    for (const auto& [name, unit] :
+         {std::pair("deg", "arc_degree"), std::pair("Grad", "arc_degree"), std::pair("tonf", "1000 kgf"),
+          std::pair("kip", "1000 lbf"), std::pair("mil", "0.001 in")}) {
+      const UnitPointer parsed(ut_parse(made, unit, UT_ASCII), ut_free);
+      // Degrees in German by capital and small letters: with prefixes, giga-radians.
+      const bool is_symbol = std::string(name) == "Grad";
+      (is_symbol ? ut_map_symbol_to_unit : ut_map_name_to_unit)(name, UT_ASCII, parsed.get());
     }
-    mapName(made, "deg", "arc_degree");
-    mapGrad(made);
-    mapName(made, "tonf", "1000 kgf");
-    mapName(made, "kip", "1000 lbf");
-    mapName(made, "mil", "0.001 in");
     return made;
   }();
   return system;
@@ -207,9 +194,7 @@ void refuseSeparators(const std::string& text, std::size_t length) {
   if (thousands && !groups) {
     return;  // several numbers
   }
-  if (thousands) {
-    throw std::invalid_argument(fmt::format("separators of thousands (did you mean '{}{}'?)", digits, rest));
-  }
+  element::refuseIf(thousands, "separators of thousands (did you mean '{}{}'?)", digits, rest);
   const bool three = end - length == 4;  // "3,000" is either
   throw std::invalid_argument(three ? fmt::format("a comma (did you mean '{0}{2}' or '{1}{2}'?)", point, digits, rest)
                                     : fmt::format("a decimal comma (did you mean '{}{}'?)", point, rest));
@@ -275,9 +260,7 @@ UnitConversion::UnitConversion(const std::string& from, const std::string& to) {
   const std::lock_guard<std::mutex> lock(unitMutex());
   const UnitPointer source = parseUnit(from);
   const UnitPointer target = parseUnit(to);
-  if (!target) {
-    throw std::invalid_argument(fmt::format("unit {} is unknown", quoted(to)));
-  }
+  element::refuseIf(!target, "unit {} is unknown", quoted(to));
   if (!source) {
     throw std::invalid_argument(fmt::format("unit {} is unknown{}", quoted(from), spellingHint(from, target.get())));
   }
@@ -305,15 +288,11 @@ double parseQuantity(const std::string& text, const std::string& unit) {
     return *number;
   }
   const std::size_t length = numberLength(quantity);
-  if (length == 0) {
-    throw std::invalid_argument("not a number");
-  }
+  element::refuseIf(length == 0, "not a number");
   refuseSeparators(quantity, length);
   const double value = strtod_l(quantity.substr(0, length).c_str(), nullptr, cLocale());
   const std::string rest = trimmed(quantity.substr(length));
-  if (!isUnitExpression(rest)) {
-    throw std::invalid_argument(fmt::format("{} behind the number is no unit", quoted(rest)));
-  }
+  element::refuseIf(!isUnitExpression(rest), "{} behind the number is no unit", quoted(rest));
   return UnitConversion(rest, unit)(value);
 }
 

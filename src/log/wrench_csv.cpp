@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "element/refuse.h"
 #include "log/log_columns.h"
 #include "log/new_file.h"
 #include "rubber_suspension/log/pose_log.h"
@@ -30,9 +31,7 @@ void writeWrenchCsv(const std::string& path, const PoseLog& log, const std::arra
       stream.write(row.data(), static_cast<std::streamsize>(row.size()));
     }
     stream.close();
-    if (!stream) {
-      throw LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
-    }
+    element::refuseIf<LogError>(!stream, "{}: cannot be written: {}", path, std::strerror(errno));
     file.commit();
   } catch (const LogError&) {
     throw;

@@ -32,8 +32,7 @@ class ExecuteJob : public ::testing::Test {
     folder_.write("jobs.yaml", "jobs:\n  one:\n    command: " + command + "\n    config: c.yaml\n    log: log_*.csv\n");
     const campaign::Manifest manifest =
         campaign::makeManifest(folder_.path("jobs.yaml"), folder_.path("out"), "1.0", 1, readTestLog).manifest;
-    campaign::Record record =
-        campaign::Executor(folder_.path("out"), manifest, readTestLog).execute(manifest.jobs.at(0));
+    campaign::Record record = campaign::executorOf(folder_.path("out"), manifest, readTestLog)(manifest.jobs.at(0));
     const campaign::FoundRecord found = campaign::findRecord(folder_.path("out"), manifest.jobs[0].id, "1.0");
     EXPECT_EQ(found.problem, "");
     EXPECT_EQ(found.record.value().values.dump(),

@@ -13,8 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "campaign/collect.h"
-
 namespace rubber_suspension {
 namespace {
 
@@ -66,7 +64,7 @@ std::vector<campaign::Record> scatteringFleet(double mean, double scatter, std::
 
 std::vector<std::size_t> farOut(const campaign::FleetType& type) {
   std::vector<std::size_t> components;
-  for (const campaign::ComponentValue& one : type.parameters.at(0).far_out) {
+  for (const campaign::ComponentValue& one : type.far_out) {
     components.push_back(one.component);
   }
   return components;
@@ -240,7 +238,7 @@ campaign::Fleet fleetOnRig(const std::function<double(double)>& taken, const std
 double softly(double stiffness) { return -std::log1p(2.5e-8 * stiffness); }
 
 double medianOn(const campaign::FleetFindings& findings, const std::string& rig, const std::string& type) {
-  for (const campaign::RigParameter& row : findings.rigs) {
+  for (const campaign::FleetParameter& row : findings.rigs) {
     if (row.rig == rig && row.type == type && row.parameter == "static_stiffness") {
       EXPECT_EQ(row.distribution.components, 12U);
       return row.distribution.median;

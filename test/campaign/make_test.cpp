@@ -7,9 +7,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "campaign/job.h"
+#include "campaign/jobs_file.h"
+#include "campaign/manifest.h"
 #include "campaign/scratch_folder.h"
-#include "campaign/tolerance_draws.h"
 
 namespace rubber_suspension {
 namespace {

@@ -9,8 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "campaign/collect.h"
-#include "campaign/heartbeat.h"
+#include "campaign/fleet.h"
 #include "campaign/record.h"
 #include "campaign/scratch_folder.h"
 #include "campaign/status.h"

@@ -1,6 +1,4 @@
 // What `estimate` writes for others: models beside each other, sensitivities, CSV, the linear part as matrices.
-#include "command/estimate_variants.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "command/estimate.h"
 #include "command/linear_part.h"
 #include "command/measured_table.h"
 #include "rubber_suspension/element/constants.h"

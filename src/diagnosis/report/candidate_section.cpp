@@ -7,6 +7,7 @@
 #include "diagnosis/report/page.h"
 #include "diagnosis/words/headline.h"
 #include "diagnosis/words/text.h"
+#include "element/each.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -20,11 +21,9 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 bool isNamed(const Diagnosis& d, const CandidateResult& candidate) { return contains(d.effects, candidate.effect); }
 
 std::string parametersText(const CandidateResult& candidate) {
-  std::string text;
-  for (const HeadlineValue& value : headlineValuesOf(candidate.add)) {
-    text += (text.empty() ? "" : ", ") + spoken(value.name) + " " + quantity(value.value, value.unit);
-  }
-  return text;
+  return element::joined(headlineValuesOf(candidate.add), ", ", [](const HeadlineValue& value) {
+    return spoken(value.name) + " " + quantity(value.value, value.unit);
+  });
 }
 
 std::string closedText(const CandidateResult& c) {
@@ -40,12 +39,8 @@ Row rowOf(const Diagnosis& d, const CandidateResult& c) {
 }
 
 std::string notTestable(const Diagnosis& d) {
-  std::vector<std::string> names;
-  for (const CandidateResult& c : d.candidates) {
-    if (!c.testable) {
-      names.push_back(spoken(c.effect));
-    }
-  }
+  const auto hidden = element::those(d.candidates, [](const CandidateResult& c) { return !c.testable; });
+  const auto names = element::each(hidden, [](const CandidateResult& c) { return spoken(c.effect); });
   return names.empty() ? "Every candidate would show in " + sourceOf(d) + "."
                        : "A typical " + enumerated(names) + " would not show in " + sourceOf(d) +
                              ", so whether it is there stays open.";

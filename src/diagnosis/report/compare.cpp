@@ -8,13 +8,13 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "diagnosis/words/text.h"
+#include "element/each.h"
 #include "log/text.h"
 
 namespace rubber_suspension::diagnosis {
@@ -146,13 +146,9 @@ class Comparer {
   }
 
   void compareValues(const Values& before, const Values& after, const std::string& absent) {
-    std::set<std::string> names;
-    for (const Values* values : {&before, &after}) {
-      for (const auto& [name, value] : *values) {
-        names.insert(name);
-      }
-    }
-    for (const std::string& name : names) {
+    Values all = before;
+    all.insert(after.begin(), after.end());
+    for (const auto& [name, value] : all) {
       const auto old_value = before.find(name);
       const auto new_value = after.find(name);
       const bool both = old_value != before.end() && new_value != after.end();
@@ -195,13 +191,7 @@ class Comparer {
 }  // namespace
 
 EarlierReport::EarlierReport(const std::string& path) : path_(path) {
-  std::string content;
-  try {
-    content = log::readFile(path, kLargestReport);
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(log::oneLine(path + ": " + error.what()));
-  }
-  const json report = json::parse(content, nullptr, false);
+  const json report = json::parse(log::readInput(path, kLargestReport), nullptr, false);
   if (!report.is_object()) {
     refuse(path, "is no JSON object");
   }
@@ -230,17 +220,15 @@ std::string toText(const Comparison& comparison) {
   if (comparison.with.empty()) {
     return "";
   }
-  std::string text = "since " + comparison.with + (comparison.date.empty() ? "" : " (" + comparison.date + ")") + ":\n";
-  std::size_t same = 0;
-  for (const ReportChange& change : comparison.changes) {
-    if (change.differs) {
-      text += "  " + log::oneLine(change.what + ": " + change.before + " -> " + change.after) + "\n";
-    } else {
-      ++same;
-    }
-  }
-  return text + fmt::format("  {} of {} values are as they were, within noise and intervals\n", same,
-                            comparison.changes.size());
+  const std::vector<ReportChange> differing = element::those(comparison.changes, &ReportChange::differs);
+  return "since " + comparison.with + (comparison.date.empty() ? "" : " (" + comparison.date + ")") + ":\n" +
+         element::joined(differing, "",
+                         [](const ReportChange& change) {
+                           return "  " + log::oneLine(change.what + ": " + change.before + " -> " + change.after) +
+                                  "\n";
+                         }) +
+         fmt::format("  {} of {} values are as they were, within noise and intervals\n",
+                     comparison.changes.size() - differing.size(), comparison.changes.size());
 }
 
 std::string comparisonSection(const Comparison& comparison) {

@@ -1,15 +1,19 @@
-// Implanted effects: on the page, for a terminal, as JSON.
+// Implanted effects, and the plans that tell of them: on the page, for a terminal, as JSON.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <map>
 
-#include "diagnosis/report/json_parts.h"
 #include "diagnosis/report/page.h"
+#include "diagnosis/report/run_record.h"
 #include "diagnosis/words/text.h"
+#include "element/each.h"
+#include "io/output_files.h"
+#include "log/new_file.h"
 #include "rubber_suspension/diagnosis/plan.h"
 
 namespace rubber_suspension::diagnosis {
@@ -17,35 +21,39 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array kOutcomes = {"found", "confounded", "taken_for", "unexplained", "out_of_reach"};
+// Each outcome and what it is called.
+constexpr std::pair<const char*, const char*> kOutcomes[] = {{"found", "found"},
+                                                             {"confounded", "found in a set"},
+                                                             {"taken_for", "taken for another"},
+                                                             {"unexplained", "left unexplained"},
+                                                             {"out_of_reach", "out of reach"}};
 
 std::string outcomeText(const std::string& outcome) {
-  static const std::map<std::string, std::string> texts = {{"found", "found"},
-                                                           {"confounded", "found in a set"},
-                                                           {"taken_for", "taken for another"},
-                                                           {"unexplained", "left unexplained"},
-                                                           {"out_of_reach", "out of reach"}};
-  return texts.at(outcome);
+  const auto* const row =
+      std::find_if(std::begin(kOutcomes), std::end(kOutcomes), [&](const auto& one) { return one.first == outcome; });
+  return row->second;
 }
 
-std::vector<std::string> effectsWith(const std::string& outcome, const CouldShow& could_show) {
-  std::vector<std::string> effects;
-  for (const ImplantedEffect& row : could_show.implanted) {
-    if (row.outcome == outcome) {
-      effects.push_back(spoken(row.effect));
+// What `text` says of each outcome, by its name, and of the effects that have it; nothing of one that none has.
+template <class Text>
+std::string eachOutcome(const CouldShow& could_show, const std::string& separator, const Text& text) {
+  std::vector<std::string> texts;
+  for (const auto& [outcome, name] : kOutcomes) {
+    const auto rows =
+        element::those(could_show.implanted, [&, of = outcome](const auto& row) { return row.outcome == of; });
+    if (!rows.empty()) {
+      texts.push_back(text(name, element::each(rows, [](const ImplantedEffect& row) { return spoken(row.effect); })));
     }
   }
-  return effects;
+  return fmt::format("{}", fmt::join(texts, separator));
 }
 
 std::string leastSizeText(double size) { return std::isfinite(size) ? fmt::format("{:.2g} %", 100.0 * size) : "none"; }
 
 std::string namesText(const std::vector<std::string>& names, std::size_t most) {
-  if (names.size() <= most) {
-    return enumerated(names);
-  }
-  return enumerated({names.begin(), names.begin() + static_cast<std::ptrdiff_t>(most)}) +
-         fmt::format(" (and {} more)", names.size() - most);
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(most, names.size()));
+  return enumerated({names.begin(), names.begin() + shown}) +
+         (names.size() > most ? fmt::format(" (and {} more)", names.size() - most) : "");
 }
 
 std::string outcomeTable(const CouldShow& could_show) {
@@ -81,13 +89,9 @@ std::string confusionTable(const CouldShow& could_show) {
 
 // "Found: friction, creep. Out of reach: inertia.", which is all that fits on paper.
 std::string outcomesInWords(const CouldShow& could_show) {
-  std::vector<std::string> sentences;
-  for (const char* outcome : kOutcomes) {
-    if (const auto effects = effectsWith(outcome, could_show); !effects.empty()) {
-      sentences.push_back(capitalised(outcomeText(outcome)) + ": " + enumerated(effects) + ".");
-    }
-  }
-  return fmt::format("{}", fmt::join(sentences, " "));
+  return eachOutcome(could_show, " ", [](const std::string& name, const std::vector<std::string>& effects) {
+    return capitalised(name) + ": " + enumerated(effects) + ".";
+  });
 }
 
 ordered_json rowJson(const CouldShow& could_show, const ImplantedEffect& row) {
@@ -106,27 +110,35 @@ ordered_json rowJson(const CouldShow& could_show, const ImplantedEffect& row) {
           {"least_size", row.least_size}};
 }
 
+std::string logTable(const Plan& plan) {
+  return table({"log", "#length [s]", "#rate [Hz]", "#largest |z|", "#largest speed", "#largest force"}, plan.logs,
+               [](const PlannedLog& log) -> Row {
+                 return {escape(log.log),
+                         fmt::format("{:.1f}", log.duration),
+                         fmt::format("{:.4g}", 1.0 / log.dt),
+                         quantity(log.largest_displacement, "m"),
+                         quantity(log.highest_rate, "m/s"),
+                         quantity(log.largest_force, "N")};
+               });
+}
+
 }  // namespace
 
 std::string outcomesInNumbers(const CouldShow& could_show) {
-  std::vector<std::string> counts;
-  for (const char* outcome : kOutcomes) {
-    if (const auto effects = effectsWith(outcome, could_show); !effects.empty()) {
-      counts.push_back(fmt::format("{} {}", effects.size(), outcomeText(outcome)));
-    }
-  }
-  return fmt::format("{}", fmt::join(counts, ", "));
+  return eachOutcome(could_show, ", ", [](const std::string& name, const std::vector<std::string>& effects) {
+    return fmt::format("{} {}", effects.size(), name);
+  });
 }
 
 std::string couldShowHtml(const CouldShow& could_show) {
   return fmt::format(
              "<p class=\"note screen\">Each effect is implanted into this component, motion and noise, in several "
              "shapes of its "
-             "law, with an RMS force of {} % of the force's standard deviation ({}; noise floor {} %), and judged as "
+             "law, with an RMS force of {:.2g} % of the force's standard deviation ({}; noise floor {:.2g} %), and "
+             "judged as "
              "the logs are. From the least size on, half of the shapes are found, alone or in a set, and wrong values "
              "of the model do not explain them.</p>\n",
-             fmt::format("{:.2g}", 100.0 * could_show.size), escape(could_show.why),
-             fmt::format("{:.2g}", 100.0 * could_show.noise)) +
+             100.0 * could_show.size, escape(could_show.why), 100.0 * could_show.noise) +
          "<p>" + escape(outcomesInWords(could_show)) + "</p>\n<div class=screen>" + outcomeTable(could_show) +
          "</div>\n" + folded("What would be taken for what", confusionTable(could_show));
 }
@@ -143,15 +155,47 @@ std::string toText(const CouldShow& could_show) {
 }
 
 ordered_json toJson(const CouldShow& could_show) {
-  ordered_json rows = ordered_json::array();
-  for (const ImplantedEffect& row : could_show.implanted) {
-    rows.push_back(rowJson(could_show, row));
-  }
+  const auto row_json = [&](const ImplantedEffect& row) { return rowJson(could_show, row); };
   return {{"size", could_show.size},
           {"size_N", could_show.force},
           {"why", could_show.why},
           {"noise_floor", could_show.noise},
-          {"implanted", rows}};
+          {"implanted", element::each(could_show.implanted, row_json)}};
+}
+
+std::string toJson(const Plan& plan) {
+  const auto log_json = [](const PlannedLog& log) -> ordered_json {
+    return {{"log", log.log},
+            {"duration_s", log.duration},
+            {"sampling_rate_hz", 1.0 / log.dt},
+            {"largest_displacement_m", log.largest_displacement},
+            {"highest_rate_m_per_s", log.highest_rate},
+            {"largest_force_N", log.largest_force}};
+  };
+  const ordered_json report = {{"schema", "rubber_suspension/experiment_plan/1"},
+                               {"component", plan.component},
+                               {"logs", element::each(plan.logs, log_json)},
+                               {"could_show", toJson(plan.could_show)},
+                               {"meta", metaJson(plan.run)}};
+  return report.dump(2) + "\n";
+}
+
+std::string toHtml(const Plan& plan) {
+  const std::string title = "Experiment plan: " + plan.component;
+  return page(title, fmt::format("<p class=kicker>{}</p>\n<h1>Of {} effects: {}.</h1>\n", escape(title),
+                                 plan.could_show.implanted.size(), outcomesInNumbers(plan.could_show)) +
+                         couldShowHtml(plan.could_show) + "<h2>The programmes</h2>\n" + logTable(plan) +
+                         fmt::format("<p class=note>Forces are those of the component as configured. Made by:</p>\n"
+                                     "<pre>{}</pre>\n",
+                                     escape(plan.run.command_line)));
+}
+
+std::vector<std::string> planFiles() { return {"plan.json", "plan.html"}; }
+
+void writePlan(const Plan& plan, const std::string& folder) {
+  io::makeFolder(folder);
+  log::writeNewFile((std::filesystem::path(folder) / "plan.json").string(), toJson(plan));
+  log::writeNewFile((std::filesystem::path(folder) / "plan.html").string(), toHtml(plan));
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "element/each.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -36,11 +37,7 @@ std::string elementsOf(const fit::Candidate& candidate) {
   for (const fit::BasisTerm& term : candidate.terms) {
     types.insert(term.at(term.typical).type);
   }
-  std::string text;
-  for (const std::string& type : types) {
-    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", type);
-  }
-  return text;
+  return element::joined(types, ", ", [](const std::string& type) { return "`" + type + "`"; });
 }
 
 }  // namespace

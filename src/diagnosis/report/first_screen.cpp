@@ -10,6 +10,7 @@
 #include "diagnosis/results/taken_out.h"
 #include "diagnosis/words/model_values.h"
 #include "diagnosis/words/text.h"
+#include "element/each.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -30,6 +31,12 @@ std::string fact(const std::string& title, const std::string& html) {
   return html.empty() ? "" : "<dt>" + title + "</dt><dd>" + html + "</dd>\n";
 }
 
+// A line of the page for each.
+template <class List, class Function>
+std::string lines(const List& list, const Function& html) {
+  return element::joined(list, "<br>", html);
+}
+
 const CandidateResult* candidateOf(const Diagnosis& d, const std::string& effect) {
   const auto found = std::find_if(d.candidates.begin(), d.candidates.end(),
                                   [&](const CandidateResult& c) { return c.effect == effect; });
@@ -37,29 +44,26 @@ const CandidateResult* candidateOf(const Diagnosis& d, const std::string& effect
 }
 
 std::string effectsHtml(const Diagnosis& d) {
-  std::string html;
-  for (const std::string& effect : d.effects) {
+  const auto text = [&](const std::string& effect) {
     const CandidateResult* const candidate = candidateOf(d, effect);
-    html +=
-        fmt::format("{}<b>{}</b>{}", html.empty() ? "" : "<br>", escape(spoken(effect)),
-                    candidate == nullptr ? "" : " <span class=note>" + escape(candidate->documentation) + "</span>");
-  }
-  return html.empty() && d.workings ? "none of the list is named" : html;
+    return "<b>" + escape(spoken(effect)) + "</b>" +
+           (candidate == nullptr ? "" : " <span class=note>" + escape(candidate->documentation) + "</span>");
+  };
+  return d.effects.empty() && d.workings ? "none of the list is named" : lines(d.effects, text);
 }
 
 std::string sizesHtml(const Diagnosis& d) {
-  std::string html;
-  for (const SizedValue& size : d.effect_sizes) {
-    html += fmt::format("{}{}{} {}", html.empty() ? "" : "<br>",
-                        d.effects.size() > 1 ? escape(spoken(size.owner)) + ": " : "", escape(sizeName(size)),
-                        quantity(size));
-  }
+  std::vector<std::string> texts = element::each(d.effect_sizes, [&](const SizedValue& size) {
+    return fmt::format("{}{} {}", d.effects.size() > 1 ? escape(spoken(size.owner)) + ": " : "", escape(sizeName(size)),
+                       quantity(size));
+  });
   for (const SizedValue* size : changedValues(d)) {
-    html += (html.empty() ? "" : "<br>") + escape(d.effects.empty() ? offText(*size) : besideText(*size)) +
-            "; 95 %: " + intervalText(*size);
+    texts.push_back(escape(d.effects.empty() ? offText(*size) : besideText(*size)) + "; 95 %: " + intervalText(*size));
   }
-  const std::string whole = escape(wholeText(d));
-  return html + (html.empty() || whole.empty() ? "" : "<br>") + whole;
+  if (const std::string whole = escape(wholeText(d)); !whole.empty()) {
+    texts.push_back(whole);
+  }
+  return fmt::format("{}", fmt::join(texts, "<br>"));
 }
 
 std::string sureHtml(const Diagnosis& d) {
@@ -77,17 +81,12 @@ std::string sureHtml(const Diagnosis& d) {
                              wholePercent(std::min(1.0, (d.gap.as_configured - d.gap.re_estimated) / above)));
   }
   std::string html;
-  for (const std::string& effect : d.effects) {
-    const CandidateResult* const candidate = candidateOf(d, effect);
-    if (candidate != nullptr && effect == d.effects.front()) {
-      html = fmt::format("{} % that {} is at work", chance(candidate->probability), escape(spoken(effect)));
-    }
+  if (const CandidateResult* const first = candidateOf(d, d.effects.front()); first != nullptr) {
+    html = fmt::format("{} % that {} is at work", chance(first->probability), escape(spoken(first->effect)));
   }
   if (d.confounded.size() > 1) {
-    std::vector<std::string> sets;
-    for (const auto& set : d.confounded) {
-      sets.push_back(fmt::format("{}", fmt::join(set, " + ")));
-    }
+    const auto sets =
+        element::each(d.confounded, [](const auto& set) { return fmt::format("{}", fmt::join(set, " + ")); });
     html += "<br>not to be told apart here: " + escape(enumerated(sets));
   }
   return html;
@@ -111,13 +110,7 @@ std::string leftHtml(const Diagnosis& d) {
   return html;
 }
 
-std::string takenOutHtml(const Diagnosis& d) {
-  std::string html;
-  for (const std::string& phrase : describeTakenOut(d.taken_out)) {
-    html += (html.empty() ? "" : "<br>") + escape(phrase);
-  }
-  return html;
-}
+std::string takenOutHtml(const Diagnosis& d) { return lines(describeTakenOut(d.taken_out), escape); }
 
 std::string whereHtml(const Diagnosis& d) {
   if (d.where.empty()) {
@@ -131,15 +124,12 @@ std::string whereHtml(const Diagnosis& d) {
 }
 
 std::string benchHtml(const Diagnosis& d) {
-  std::string html;
-  for (const measurement::RigFinding& finding : d.rig_findings) {
-    if (finding.fatal) {
-      html += fmt::format("{}<b>{}</b>, log {}: {} <b>At the bench:</b> {}", html.empty() ? "" : "<br>",
-                          escape(spoken(finding.finding)), escape(finding.log),
-                          escape(adviceOn(finding.finding).meaning), escape(adviceOn(finding.finding).remedy));
-    }
-  }
-  return html;
+  const auto fatal = element::those(d.rig_findings, &measurement::RigFinding::fatal);
+  return lines(fatal, [](const measurement::RigFinding& finding) {
+    const FindingAdvice& advice = adviceOn(finding.finding);
+    return fmt::format("<b>{}</b>, log {}: {} <b>At the bench:</b> {}", escape(spoken(finding.finding)),
+                       escape(finding.log), escape(advice.meaning), escape(advice.remedy));
+  });
 }
 
 }  // namespace

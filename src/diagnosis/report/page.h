@@ -1,6 +1,7 @@
 // The parts of a report's page, and how the page looks: on a wide screen, at 400 px, in the dark, on paper.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "rubber_suspension/diagnosis/could_show.h"
@@ -34,6 +35,10 @@ std::string tableSection(const Diagnosis& diagnosis);
 /// Effects that the logs could have shown, without a heading: what would be found of each, and what would be taken for
 /// what.
 std::string couldShowHtml(const CouldShow& could_show);
+
+/// The same for programs. Sizes as shares of the force's standard deviation; a size that no effect of all of the force
+/// reaches is null.
+nlohmann::ordered_json toJson(const CouldShow& could_show);
 
 /// "12 found, 3 out of reach": how many effects have each outcome.
 std::string outcomesInNumbers(const CouldShow& could_show);

@@ -1,12 +1,14 @@
-// The report's files.
+// The report's files, the numbers behind its figures among them.
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
+#include <algorithm>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/trim.hpp>
+#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
+#include <regex>
 #include <utility>
 #include <vector>
 
@@ -37,23 +39,15 @@ class NewReport {
   explicit NewReport(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   void write(const std::string& name, const std::string& text) {
-    const std::filesystem::path path = folder_ / name;
-    auto file = std::make_unique<log::NewFile>(path.string());
-    errno = 0;
-    std::ofstream stream(file->writingPath(), std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) {
-      throw std::runtime_error(path.string() + ": cannot be written: " + std::strerror(errno == 0 ? EIO : errno));
-    }
-    files_.push_back({name, std::move(file)});
+    files_.emplace_back(name, std::make_unique<log::NewFile>((folder_ / name).string()));
+    files_.back().second->write(text);
   }
 
   // Files of an earlier report that this one lacks would be taken for part of it. Of these, only what is of the
   // package's own making goes: the caller has checked. The page comes last: it speaks of the others.
   void commit() {
     for (const std::string& name : reportFiles()) {
-      if (!has(name)) {
+      if (std::none_of(files_.begin(), files_.end(), [&](const auto& file) { return file.first == name; })) {
         std::error_code failure;
         std::filesystem::remove(folder_ / name, failure);
       }
@@ -64,15 +58,6 @@ class NewReport {
   }
 
  private:
-  bool has(const std::string& name) const {
-    for (const auto& [written, file] : files_) {
-      if (written == name) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   std::filesystem::path folder_;
   std::vector<std::pair<std::string, std::unique_ptr<log::NewFile>>> files_;
 };
@@ -83,6 +68,46 @@ std::string experimentCsv(const ProposedExperiment& experiment) {
     text += fmt::format("{:.9f},{:.9g}\n", static_cast<double>(i) * experiment.dt, experiment.displacement[i]);
   }
   return text;
+}
+
+// "displacement_mm" of "displacement [mm]", "gap" of "gap [-]".
+std::string columnOf(const std::string& label) {
+  const std::string joined = std::regex_replace(label, std::regex("[^A-Za-z0-9]+"), "_");
+  const std::string name = boost::trim_copy_if(joined, boost::is_any_of("_"));
+  return name.empty() ? "value" : name;
+}
+
+std::string quoted(const std::string& text) {
+  return '"' + boost::replace_all_copy(boost::replace_all_copy(text, "\"", "\"\""), "\n", " ") + '"';
+}
+
+std::string curveRows(const io::Axes& axes) {
+  std::string rows;
+  for (const io::Curve& curve : axes.curves) {
+    const std::string beginning = quoted(curve.label) + "," + quoted(axes.title);
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+      if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) {
+        rows += fmt::format("{},{:.9g},{:.9g}\n", beginning, curve.x[i], curve.y[i]);
+      }
+    }
+  }
+  return rows;
+}
+
+std::string mapRows(const io::Axes& axes) {
+  std::string rows;
+  for (const io::HeatMap& map : axes.maps) {
+    const std::size_t width = map.x_edges.size() - 1;
+    for (std::size_t i = 0; i < map.values.size(); ++i) {
+      const std::size_t x = i % width;
+      const std::size_t y = i / width;
+      if (std::isfinite(map.values[i])) {
+        rows += fmt::format("{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", quoted(map.label), quoted(axes.title),
+                            map.x_edges[x], map.x_edges[x + 1], map.y_edges[y], map.y_edges[y + 1], map.values[i]);
+      }
+    }
+  }
+  return rows;
 }
 
 }  // namespace
@@ -128,6 +153,21 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   }
   report.write(kPage, toHtml(diagnosis));
   report.commit();
+}
+
+std::string figureCsv(const io::Figure& figure) {
+  if (figure.axes.empty()) {
+    return "curve,panel\n";
+  }
+  const io::Axes& first = figure.axes.front();
+  const std::string x = columnOf(first.x_label);
+  const std::string y = columnOf(first.y_label);
+  std::string text = first.maps.empty() ? fmt::format("curve,panel,{},{}\n", x, y)
+                                        : fmt::format("curve,panel,{0}_low,{0}_high,{1}_low,{1}_high,value\n", x, y);
+  for (const io::Axes& axes : figure.axes) {
+    text += first.maps.empty() ? curveRows(axes) : mapRows(axes);
+  }
+  return text;
 }
 
 }  // namespace rubber_suspension::diagnosis

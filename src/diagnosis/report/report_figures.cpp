@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
 
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/prepare/bench_evidence.h"
 #include "diagnosis/results/missing_force.h"
+#include "element/each.h"
+#include "log/text.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
@@ -140,15 +141,12 @@ bool isExcited(const gap::GapCell& cell, const std::array<double, 2>& band) {
 
 io::Figure gapMapFigure(const Diagnosis& diagnosis) {
   const std::array<double, 2> band = excitedBand(*diagnosis.workings);
-  std::vector<gap::GapCell> cells;
+  const auto cells = element::those(diagnosis.where, [&](const gap::GapCell& cell) { return isExcited(cell, band); });
   std::vector<double> frequencies;
   std::vector<double> amplitudes;
-  for (const gap::GapCell& cell : diagnosis.where) {
-    if (isExcited(cell, band)) {
-      cells.push_back(cell);
-      frequencies.insert(frequencies.end(), cell.frequency.begin(), cell.frequency.end());
-      amplitudes.insert(amplitudes.end(), cell.amplitude.begin(), cell.amplitude.end());
-    }
+  for (const gap::GapCell& cell : cells) {
+    frequencies.insert(frequencies.end(), cell.frequency.begin(), cell.frequency.end());
+    amplitudes.insert(amplitudes.end(), cell.amplitude.begin(), cell.amplitude.end());
   }
   return shareMap(cells, sortedApart(frequencies), sortedApart(amplitudes));
 }
@@ -182,13 +180,14 @@ io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
   io::Figure figure{"Mean residual over displacement"};
   for (const std::size_t r : worstRecords(diagnosis)) {
     const log::Record& record = diagnosis.workings->records[r];
-    const Eigen::VectorXd before = record.force - diagnosis.workings->force_configured[r];
-    const Eigen::VectorXd after = record.force - diagnosis.workings->force_augmented[r];
     io::Axes axes{record.name, "displacement [mm]", "measured less simulated [kN]"};
-    axes.curves.push_back(meanOver(record, before, 1.0, "before, rising", "-", 1));
-    axes.curves.push_back(meanOver(record, before, -1.0, "before, falling", "--", 1));
-    axes.curves.push_back(meanOver(record, after, 1.0, "after, rising", "-", 2));
-    axes.curves.push_back(meanOver(record, after, -1.0, "after, falling", "--", 2));
+    for (const bool after : {false, true}) {
+      const auto& simulated = after ? diagnosis.workings->force_augmented : diagnosis.workings->force_configured;
+      const Eigen::VectorXd residual = record.force - simulated[r];
+      const std::string name = after ? "after, " : "before, ";
+      axes.curves.push_back(meanOver(record, residual, 1.0, name + "rising", "-", after ? 2 : 1));
+      axes.curves.push_back(meanOver(record, residual, -1.0, name + "falling", "--", after ? 2 : 1));
+    }
     figure.axes.push_back(std::move(axes));
   }
   return figure;
@@ -255,9 +254,7 @@ io::Figure shareMap(const std::vector<gap::GapCell>& cells, const std::vector<do
     double& share = shares[placeIn(amplitudes, cell.amplitude) * width + placeIn(frequencies, cell.frequency)];
     share = (std::isnan(share) ? 0.0 : share) + 100.0 * cell.share;
   }
-  std::vector<double> millimetres;
-  std::transform(amplitudes.begin(), amplitudes.end(), std::back_inserter(millimetres),
-                 [](double amplitude) { return 1e3 * amplitude; });
+  const auto millimetres = element::each(amplitudes, [](double amplitude) { return 1e3 * amplitude; });
   io::Axes axes{"", "frequency [Hz]", "amplitude [mm]", true, true};
   axes.maps.push_back({frequencies, millimetres, shares, "share of the squared gap [%]"});
   figure.axes.push_back(std::move(axes));
@@ -289,10 +286,8 @@ std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
 }
 
 io::Figure overviewFigure(const Diagnosis& diagnosis) {
-  io::Figure overview{diagnosis.component + ": " + toString(diagnosis.verdict)};
-  for (std::size_t i = 0; i < diagnosis.effects.size(); ++i) {
-    overview.title += (i == 0 ? ": " : ", ") + diagnosis.effects[i];
-  }
+  io::Figure overview{diagnosis.component + ": " + toString(diagnosis.verdict) +
+                      (diagnosis.effects.empty() ? "" : ": " + log::join(diagnosis.effects))};
   for (const ReportFigure& part : reportFigures(diagnosis)) {
     if (!part.figure.axes.empty()) {
       overview.axes.push_back(part.figure.axes.front());
@@ -306,11 +301,8 @@ io::Figure overviewFigure(const Diagnosis& diagnosis) {
 std::string figureDataFile(const std::string& name) { return "figure_" + name + ".csv"; }
 
 std::vector<std::string> figureDataFiles() {
-  std::vector<std::string> files;
-  for (const char* name : {kLoopsFigure, kWhere, kResidual, kTime, kMissing, kBench, kStiffness, kLossAngle}) {
-    files.push_back(figureDataFile(name));
-  }
-  return files;
+  return element::each(std::array{kLoopsFigure, kWhere, kResidual, kTime, kMissing, kBench, kStiffness, kLossAngle},
+                       figureDataFile);
 }
 
 }  // namespace rubber_suspension::diagnosis

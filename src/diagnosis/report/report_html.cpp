@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "diagnosis/hypotheses/workings.h"
@@ -21,23 +20,18 @@ namespace {
 std::string heading(const std::string& title) { return "<h2>" + title + "</h2>\n"; }
 
 std::string gapTable(const Diagnosis& d) {
-  struct Model {
-    std::string name;
-    double gap;
-    std::string meaning;
-  };
   const double widest = std::max({d.gap.as_configured, d.gap.re_estimated, d.gap.augmented, 1e-12});
-  const std::array<Model, 4> models = {
-      {{"as configured", d.gap.as_configured, "the component file as it is"},
-       {"re-estimated", d.gap.re_estimated, "model parameters fitted to " + sourceOf(d)},
-       {"augmented", d.gap.augmented, "with the named effects added"},
-       {"noise floor", d.gap.noise_floor, escape(d.noise_source)}}};
-  return table({"model", "#gap", "", "what it is"}, models, [&](const Model& model) -> Row {
-    return {model.name, percent(model.gap),
+  const auto row = [&](const std::string& model, double gap, const std::string& meaning) -> Row {
+    return {model, percent(gap),
             fmt::format("<span class=track><span class=bar style=\"width:{:.0f}%\"></span></span>",
-                        std::min(100.0, 100.0 * model.gap / widest)),
-            model.meaning};
-  });
+                        std::min(100.0, 100.0 * gap / widest)),
+            meaning};
+  };
+  return table({"model", "#gap", "", "what it is"},
+               {row("as configured", d.gap.as_configured, "the component file as it is"),
+                row("re-estimated", d.gap.re_estimated, "model parameters fitted to " + sourceOf(d)),
+                row("augmented", d.gap.augmented, "with the named effects added"),
+                row("noise floor", d.gap.noise_floor, escape(d.noise_source))});
 }
 
 std::string errorTable(const Diagnosis& d) {

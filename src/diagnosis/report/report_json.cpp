@@ -3,22 +3,16 @@
 #include <complex>
 
 #include "diagnosis/hypotheses/workings.h"
-#include "diagnosis/report/json_parts.h"
+#include "diagnosis/report/page.h"
+#include "diagnosis/report/run_record.h"
+#include "element/each.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
+using element::each;
 using nlohmann::ordered_json;  // which writes null for what is not finite
-
-template <class T, class Function>
-ordered_json list(const std::vector<T>& values, Function convert) {
-  ordered_json result = ordered_json::array();
-  for (const T& value : values) {
-    result.push_back(convert(value));
-  }
-  return result;
-}
 
 ordered_json entryJson(const element::ElementDescription& element) {
   ordered_json entry = {{"type", element.type}};
@@ -38,7 +32,7 @@ ordered_json candidateJson(const CandidateResult& candidate) {
           {"visible_share", candidate.visible_share},
           {"on_rig", candidate.on_rig},
           {"parameters", candidate.parameters},
-          {"add", list(candidate.add, entryJson)}};
+          {"add", each(candidate.add, entryJson)}};
 }
 
 ordered_json cellJson(const gap::GapCell& cell) {
@@ -111,11 +105,8 @@ ordered_json rowJson(const DiagnosedRow& row) {
 ordered_json hypothesesJson(const Search& search) {
   ordered_json result = ordered_json::array();
   const auto add = [&](const FittedHypothesis& fitted) {
-    ordered_json effects = ordered_json::array();
-    for (const int member : fitted.hypothesis.members) {
-      effects.push_back(search.candidates[static_cast<std::size_t>(member)].effect);
-    }
-    result.push_back({{"effects", effects},
+    const auto effect = [&](int member) { return search.candidates[static_cast<std::size_t>(member)].effect; };
+    result.push_back({{"effects", each(fitted.hypothesis.members, effect)},
                       {"held_out", fitted.fit.held_out},
                       {"in_sample", fitted.fit.gap},
                       {"own_moved_by", std::exp(fitted.fit.parameters.largestChange())},
@@ -178,10 +169,6 @@ ordered_json experimentJson(const ProposedExperiment& experiment) {
 
 }  // namespace
 
-ordered_json metaJson(const RunRecord& run) {
-  return {{"version", run.version}, {"date", run.date}, {"command_line", run.command_line}};
-}
-
 std::string toJson(const Diagnosis& diagnosis) {
   ordered_json report = {{"schema", "rubber_suspension/gap_report/1"},
                          {"component", diagnosis.component},
@@ -200,31 +187,31 @@ std::string toJson(const Diagnosis& diagnosis) {
                           {{"as_configured", diagnosis.gap_as_recorded.as_configured},
                            {"re_estimated", diagnosis.gap_as_recorded.re_estimated},
                            {"augmented", diagnosis.gap_as_recorded.augmented}}},
-                         {"rig_findings", list(diagnosis.rig_findings, findingJson)},
-                         {"taken_out", list(diagnosis.taken_out, takenOutJson)},
+                         {"rig_findings", each(diagnosis.rig_findings, findingJson)},
+                         {"taken_out", each(diagnosis.taken_out, takenOutJson)},
                          {"closed", {{"fraction", diagnosis.closed}, {"interval_95", diagnosis.closed_interval}}},
                          {"confounded", diagnosis.confounded},
-                         {"alternatives", list(diagnosis.alternatives, alternativeJson)},
-                         {"candidates", list(diagnosis.candidates, candidateJson)},
+                         {"alternatives", each(diagnosis.alternatives, alternativeJson)},
+                         {"candidates", each(diagnosis.candidates, candidateJson)},
                          {"probability_none_of_these", diagnosis.posterior.none_of_these},
                          {"posterior",
                           {{"none", diagnosis.posterior.none},
                            {"parameter_error", diagnosis.posterior.parameter_error},
                            {"effects", diagnosis.posterior.effects},
                            {"none_of_these", diagnosis.posterior.none_of_these}}},
-                         {"where", list(diagnosis.where, cellJson)},
+                         {"where", each(diagnosis.where, cellJson)},
                          {"next_experiment", diagnosis.next_experiment},
-                         {"model_sizes", list(diagnosis.model_sizes, sizeJson)},
-                         {"effect_sizes", list(diagnosis.effect_sizes, sizeJson)},
-                         {"written", list(diagnosis.written, sizeJson)},
+                         {"model_sizes", each(diagnosis.model_sizes, sizeJson)},
+                         {"effect_sizes", each(diagnosis.effect_sizes, sizeJson)},
+                         {"written", each(diagnosis.written, sizeJson)},
                          {"whole_component", diagnosis.whole ? wholeJson(*diagnosis.whole) : ordered_json(nullptr)},
-                         {"augmented_full_add", list(diagnosis.augmented_full.add, entryJson)},
+                         {"augmented_full_add", each(diagnosis.augmented_full.add, entryJson)},
                          {"errors",
                           {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
                            {"augmented", errorsJson(diagnosis.errors_augmented)}}},
                          {"own_parameters", {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}}},
                          {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
-                         {"admission", list(diagnosis.admission, admissionJson)}};
+                         {"admission", each(diagnosis.admission, admissionJson)}};
   if (diagnosis.turns) {
     report["units"] = {{"m", "rad"}, {"N", "N m"}};
   }
@@ -237,23 +224,22 @@ std::string toJson(const Diagnosis& diagnosis) {
   }
   if (!diagnosis.run.version.empty()) {
     report["meta"] = metaJson(diagnosis.run);
-    report["meta"]["files"] = list(diagnosis.run.files, fileJson);
+    report["meta"]["files"] = each(diagnosis.run.files, fileJson);
   }
   if (!diagnosis.comparison.with.empty()) {
     report["comparison"] = {{"with", diagnosis.comparison.with},
                             {"date", diagnosis.comparison.date},
-                            {"changes", list(diagnosis.comparison.changes, changeJson)}};
+                            {"changes", each(diagnosis.comparison.changes, changeJson)}};
   }
   if (diagnosis.workings) {
     report["trials"] = hypothesesJson(diagnosis.workings->search);
     report["surrogate_gap"] = diagnosis.workings->search.surrogate_gap;
   }
   if (diagnosis.table) {
-    const DiagnosedTable& table = *diagnosis.table;
-    report["table"] = {{"name", table.name},
-                       {"never_shown", table.never_shown},
-                       {"notes", table.notes},
-                       {"rows", list(table.rows, rowJson)}};
+    report["table"] = {{"name", diagnosis.table->name},
+                       {"never_shown", diagnosis.table->never_shown},
+                       {"notes", diagnosis.table->notes},
+                       {"rows", each(diagnosis.table->rows, rowJson)}};
   }
   if (diagnosis.surrogate) {
     report["surrogate"] = surrogateJson(*diagnosis.surrogate);

@@ -1,8 +1,9 @@
 // The run that made a report.
 #include "diagnosis/report/run_record.h"
 
-#include <fmt/format.h>
+#include <fmt/chrono.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
@@ -10,6 +11,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "element/each.h"
+#include "element/refuse.h"
 #include "io/sha256.h"
 #include "log/text.h"
 
@@ -25,18 +28,10 @@ std::time_t secondsSince1970() {
   long long seconds = -1;
   const char* const end = fixed + std::strlen(fixed);
   const auto result = std::from_chars(fixed, end, seconds);
-  if (result.ec != std::errc() || result.ptr != end || seconds < 0 || seconds > kLast) {
-    throw std::runtime_error(
-        fmt::format("SOURCE_DATE_EPOCH: {}; accepted: whole seconds since 1970, 0 to {}", log::quoted(fixed), kLast));
-  }
+  element::refuseIf<std::runtime_error>(result.ec != std::errc() || result.ptr != end || seconds < 0 || seconds > kLast,
+                                        "SOURCE_DATE_EPOCH: {}; accepted: whole seconds since 1970, 0 to {}",
+                                        log::quoted(fixed), kLast);
   return static_cast<std::time_t>(seconds);
-}
-
-std::string isoDate(std::time_t seconds) {
-  std::tm utc{};
-  gmtime_r(&seconds, &utc);
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday,
-                     utc.tm_hour, utc.tm_min, utc.tm_sec);
 }
 
 // As it can be typed again.
@@ -45,11 +40,7 @@ std::string shellQuoted(const std::string& argument) {
   if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) {
     return argument;
   }
-  std::string quoted = "'";
-  for (const char c : argument) {
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return quoted + "'";
+  return "'" + boost::replace_all_copy(argument, "'", "'\\''") + "'";
 }
 
 }  // namespace
@@ -58,15 +49,17 @@ RunRecord makeRunRecord(const std::string& version, const std::vector<std::strin
                         const std::vector<std::pair<std::string, std::string>>& files) {
   RunRecord record;
   record.version = version;
-  record.date = isoDate(secondsSince1970());
-  for (const std::string& argument : arguments) {
-    record.command_line += (record.command_line.empty() ? "" : " ") + shellQuoted(log::toUtf8(argument));
-  }
-  for (const auto& [option, path] : files) {
-    record.files.push_back(
-        {option, log::oneLine(std::filesystem::path(path).filename().string()), io::hashFile(path).sha256});
-  }
+  record.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(secondsSince1970()));
+  record.command_line = element::joined(arguments, " ", [](const auto& one) { return shellQuoted(log::toUtf8(one)); });
+  record.files = element::each(files, [](const auto& file) -> InputFile {
+    const auto& [option, path] = file;
+    return {option, log::oneLine(std::filesystem::path(path).filename().string()), io::hashFile(path).sha256};
+  });
   return record;
+}
+
+nlohmann::ordered_json metaJson(const RunRecord& run) {
+  return {{"version", run.version}, {"date", run.date}, {"command_line", run.command_line}};
 }
 
 }  // namespace rubber_suspension::diagnosis

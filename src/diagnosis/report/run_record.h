@@ -1,6 +1,7 @@
 // The run that made a report: version, date, command line and the files read, so that it can be filed as a test record.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,5 +16,8 @@ namespace rubber_suspension::diagnosis {
 /// is no whole number.
 RunRecord makeRunRecord(const std::string& version, const std::vector<std::string>& arguments,
                         const std::vector<std::pair<std::string, std::string>>& files);
+
+/// The same for programs, without the files that were read.
+nlohmann::ordered_json metaJson(const RunRecord& run);
 
 }  // namespace rubber_suspension::diagnosis

@@ -2,23 +2,23 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
 #include <optional>
 #include <utility>
 
-#include "diagnosis/report/json_parts.h"
 #include "diagnosis/report/page.h"
+#include "diagnosis/report/run_record.h"
 #include "diagnosis/results/rounding.h"
 #include "diagnosis/words/text.h"
+#include "element/each.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/six_directions.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
+using element::each;
 using nlohmann::ordered_json;
 
 constexpr double kSaid = 0.1;  // share of a squared residual from which a pair is named
@@ -87,10 +87,8 @@ std::string directionTable(const SixDirectionsDiagnosis& diagnosis) {
 }
 
 std::string crossTable(const SixDirectionsDiagnosis& diagnosis) {
-  Row titles = {"left of"};
-  for (const std::string& by : directionNames()) {
-    titles.push_back("#by " + by);
-  }
+  Row titles = each(directionNames(), [](const std::string& by) { return "#by " + by; });
+  titles.insert(titles.begin(), "left of");
   return table(titles, diagnosis.directions, [&](const DirectionDiagnosis& found) {
     Row row = shareTexts(diagnosis.cross_map, found.direction);
     row.insert(row.begin(), toString(found.direction));
@@ -134,13 +132,11 @@ std::string componentText(const SixDirectionsDiagnosis& diagnosis) {
 }  // namespace
 
 std::string crossMapSentence(const SixDirectionsDiagnosis& diagnosis) {
-  std::vector<std::string> pairs;
-  for (const CrossShare& pair : diagnosis.cross_map) {
-    if (pair.share >= kSaid) {
-      pairs.push_back(fmt::format("{} couples with {} ({} % of the squared residual, {} RMS)", toString(pair.of),
-                                  toString(pair.by), wholePercent(pair.share), forceText(pair)));
-    }
-  }
+  const auto said = element::those(diagnosis.cross_map, [](const CrossShare& pair) { return pair.share >= kSaid; });
+  const std::vector<std::string> pairs = each(said, [](const CrossShare& pair) {
+    return fmt::format("{} couples with {} ({} % of the squared residual, {} RMS)", toString(pair.of),
+                       toString(pair.by), wholePercent(pair.share), forceText(pair));
+  });
   return pairs.empty() ? fmt::format(
                              "No displacement predicts {} % or more of what is left of the squared force of "
                              "another direction.",
@@ -158,18 +154,14 @@ std::string crossMapText(const SixDirectionsDiagnosis& diagnosis) {
 }
 
 std::string toJson(const SixDirectionsDiagnosis& diagnosis) {
-  ordered_json directions = ordered_json::array();
-  std::transform(diagnosis.directions.begin(), diagnosis.directions.end(), std::back_inserter(directions),
-                 directionJson);
-  ordered_json shares = ordered_json::array();
-  std::transform(diagnosis.cross_map.begin(), diagnosis.cross_map.end(), std::back_inserter(shares), shareJson);
-  const ordered_json report = {
-      {"schema", "rubber_suspension/gap_report/six_directions/1"},
-      {"component", diagnosis.component},
-      {"directions", directions},
-      {"cross_map",
-       {{"meaning", kSixDirectionsMeaning}, {"sentence", crossMapSentence(diagnosis)}, {"shares", shares}}},
-      {"meta", metaJson(diagnosis.run)}};
+  const ordered_json report = {{"schema", "rubber_suspension/gap_report/six_directions/1"},
+                               {"component", diagnosis.component},
+                               {"directions", each(diagnosis.directions, directionJson)},
+                               {"cross_map",
+                                {{"meaning", kSixDirectionsMeaning},
+                                 {"sentence", crossMapSentence(diagnosis)},
+                                 {"shares", each(diagnosis.cross_map, shareJson)}}},
+                               {"meta", metaJson(diagnosis.run)}};
   return report.dump(2) + "\n";
 }
 

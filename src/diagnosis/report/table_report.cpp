@@ -1,11 +1,14 @@
-// Stiffness and loss angle of a table, measured and simulated.
+// The table of a report: its rows, and figures of stiffness and loss angle, measured and simulated.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
+#include "diagnosis/words/text.h"
+#include "element/each.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
@@ -66,20 +69,14 @@ using PartOfStiffness = double (*)(std::complex<double>);
 
 io::Axes axesOf(const Panel& panel, bool along_frequency, const char* label, PartOfStiffness value) {
   io::Axes axes{panel.title, along_frequency ? "frequency [Hz]" : "amplitude [mm]", label, true};
-  io::Curve measured{"measured", {}, {}, "o", 0};
-  io::Curve before{"before: as configured", {}, {}, "--", 1};
-  io::Curve after{"after: augmented", {}, {}, "-", io::kInk};
-  for (const DiagnosedRow& row : panel.rows) {
-    const double x = over(row.measured, along_frequency);
-    const auto add = [&](io::Curve& curve, std::complex<double> stiffness) {
-      curve.x.push_back(x);
-      curve.y.push_back(value(stiffness));
-    };
-    add(measured, row.measured.complexStiffness());
-    add(before, row.as_configured);
-    add(after, row.augmented);
-  }
-  axes.curves = {std::move(measured), std::move(before), std::move(after)};
+  const auto x = element::each(panel.rows, [&](const auto& row) { return over(row.measured, along_frequency); });
+  const auto values = [&](const auto& stiffness) {
+    return element::each(panel.rows, [&](const DiagnosedRow& row) { return value(std::invoke(stiffness, row)); });
+  };
+  const auto measured = [](const DiagnosedRow& row) { return row.measured.complexStiffness(); };
+  axes.curves = {{"measured", x, values(measured), "o", 0},
+                 {"before: as configured", x, values(&DiagnosedRow::as_configured), "--", 1},
+                 {"after: augmented", x, values(&DiagnosedRow::augmented), "-", io::kInk}};
   return axes;
 }
 
@@ -109,13 +106,41 @@ std::vector<double> edgesAbout(std::vector<double> values) {
 
 // All preloads and temperatures together.
 io::Figure mapFigure(const Diagnosis& diagnosis) {
-  std::vector<double> frequencies;
-  std::vector<double> amplitudes;
-  for (const gap::GapCell& cell : diagnosis.where) {
-    frequencies.push_back(cell.frequency[0]);
-    amplitudes.push_back(cell.amplitude[0]);
-  }
-  return shareMap(diagnosis.where, edgesAbout(frequencies), edgesAbout(amplitudes));
+  const auto lower_end = [](auto band) { return [band](const gap::GapCell& cell) { return (cell.*band)[0]; }; };
+  return shareMap(diagnosis.where, edgesAbout(element::each(diagnosis.where, lower_end(&gap::GapCell::frequency))),
+                  edgesAbout(element::each(diagnosis.where, lower_end(&gap::GapCell::amplitude))));
+}
+
+constexpr double kDegrees = 180.0 / element::kPi;
+
+std::string stiffnessText(std::complex<double> stiffness) {
+  return fmt::format("{:.4g} kN/mm, {:.3g}&deg;", 1e-6 * std::abs(stiffness), kDegrees * std::arg(stiffness));
+}
+
+// Columns that no row of the table has are left out.
+std::string rowsHtml(const std::vector<DiagnosedRow>& rows) {
+  const auto any = [&](const auto& has) {
+    return std::any_of(rows.begin(), rows.end(), [&](const DiagnosedRow& row) { return has(row.measured); });
+  };
+  const bool means = any([](const fit::TablePoint& point) { return point.mean != 0.0; });
+  const bool temperatures = any([](const fit::TablePoint& point) { return point.temperature.has_value(); });
+  const auto with = [&](Row fields, const std::string& mean, const std::string& temperature, const Row& rest) {
+    fields.insert(fields.end(), means ? 1 : 0, mean);
+    fields.insert(fields.end(), temperatures ? 1 : 0, temperature);
+    fields.insert(fields.end(), rest.begin(), rest.end());
+    return fields;
+  };
+  const Row titles = with({"#frequency [Hz]", "#amplitude [mm]"}, "#about [mm]", "#temperature [&deg;C]",
+                          {"#measured", "#as configured", "#augmented", "#still off by"});
+  return table(titles, rows, [&](const DiagnosedRow& row) {
+    const fit::TablePoint& point = row.measured;
+    const std::complex<double> measured = point.complexStiffness();
+    return with({fmt::format("{:.4g}", point.frequency), fmt::format("{:.4g}", 1e3 * point.amplitude)},
+                fmt::format("{:.4g}", 1e3 * point.mean),
+                point.temperature ? fmt::format("{:.4g}", *point.temperature) : "",
+                {stiffnessText(measured), stiffnessText(row.as_configured), stiffnessText(row.augmented),
+                 percent(std::abs(row.augmented - measured) / std::abs(measured))});
+  });
 }
 
 }  // namespace
@@ -128,6 +153,17 @@ std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis) {
           {kLossAngle, "Loss angle of the settled loops, measured and simulated.",
            panelFigure(diagnosis, "Loss angle", "loss angle [deg]",
                        [](std::complex<double> stiffness) { return std::arg(stiffness) * 180.0 / element::kPi; })}};
+}
+
+std::string tableSection(const Diagnosis& diagnosis) {
+  const DiagnosedTable& diagnosed = *diagnosis.table;
+  const std::string notes = element::joined(
+      diagnosed.notes, "", [](const std::string& note) { return "<p class=note>" + escape(note) + "</p>\n"; });
+  return "<h2>The table</h2>\n<p>Rows of " + escape(diagnosed.name) +
+         ": stiffness and loss angle of settled loops under single sines. Such a table can never show " +
+         escape(enumerated(element::each(diagnosed.never_shown, spoken))) +
+         ", nor a delay that both channels share: these are neither found nor excluded here.</p>\n" + notes +
+         folded(fmt::format("All {} rows, measured and simulated", diagnosed.rows.size()), rowsHtml(diagnosed.rows));
 }
 
 }  // namespace rubber_suspension::diagnosis
