@@ -83,8 +83,7 @@ const OverStep& overStep(double decay, double square, double dt) {
   constexpr std::uint64_t kSpread =
       0x9E3779B97F4A7C15;  // multiplicative hashing (Knuth): the highest bits depend on all
   constexpr unsigned kBelowPlaces = 55;
-  thread_local std::array<OverStep, kPlaces> of_thread;
-  OverStep* const kept = of_thread.data();
+  thread_local std::array<OverStep, kPlaces> kept;
   const std::uint64_t mixed = ((bitsOf(decay) * kSpread + bitsOf(square)) * kSpread + bitsOf(dt)) * kSpread;
   const std::uint64_t place = mixed >> kBelowPlaces;
   for (const std::uint64_t at : {place, place ^ 1U}) {

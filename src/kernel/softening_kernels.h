@@ -36,7 +36,7 @@ inline Lanes softened(const SofteningBlock& laws, std::size_t lane, double dt, d
   Lanes soft = load(reach + lane);
   if (laws.recovers) {
     const Lanes rate = load(laws.recovery_rate.data() + lane);
-    const Lanes kept = fallen(dt * rate);
+    const Lanes kept = 1.0 - (1.0 - fallen(dt * rate));  // nothing where the laws by themselves keep nothing
     most = recovered(most, reached, rate, kept);
     soft = recovered(soft, reached, rate, kept);
   }
