@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "component/equal_run.h"
 #include "component/series_root.h"
+#include "kernel/softening_bank.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::component {
@@ -37,6 +39,14 @@ void scale(element::ComponentForce& force, double factor) {
   force.friction *= factor;
 }
 
+// One step of the effects that scale a force.
+template <class Effects>
+void scaleBy(const Effects& effects, const element::Motion& motion, double* memory, element::ComponentForce& force) {
+  for (const auto& effect : effects) {
+    scale(force, effect.law->step(motion, force, memory + effect.offset));
+  }
+}
+
 // The forces of an element, added to those of others.
 void addSteps(const element::ParallelElement& law, const element::Motion* motion, std::size_t count, double* memory,
               element::ComponentForce* force) {
@@ -45,6 +55,59 @@ void addSteps(const element::ParallelElement& law, const element::Motion* motion
     add(force[i], part, law.step(motion[i], memory));
   }
 }
+
+struct IsLinear {
+  template <class Placed>
+  bool operator()(const Placed& element) const {
+    return element.law->linear();
+  }
+};
+
+// Forces of laws at the end of one step, summed up.
+template <class Laws>
+element::ComponentForce stepOf(Laws first, Laws last, const element::Motion& motion, double* memory) {
+  element::ComponentForce sum;
+  for (; first != last; ++first) {
+    add(sum, first->law->part(), first->law->step(motion, memory + first->offset));
+  }
+  return sum;
+}
+
+// What a step of dt [s] of linear laws adds to their forces for each metre.
+template <class Laws>
+element::ComponentForce slopeOf(Laws first, Laws last, double dt, double* memory) {
+  element::ComponentForce sum;
+  for (; first != last; ++first) {
+    double* own = memory + first->offset;
+    const double at_rest = first->law->initialise(0.0, own);
+    add(sum, first->law->part(), first->law->step({dt, 1.0, 1.0}, own) - at_rest);
+  }
+  return sum;
+}
+
+void addTimes(double factor, const element::ComponentForce& more, element::ComponentForce& sum) {
+  sum.total += factor * more.total;
+  sum.elastic += factor * more.elastic;
+  sum.viscous += factor * more.viscous;
+  sum.friction += factor * more.friction;
+}
+
+// Working space of the series balance behind the memory that its trial steps advance: how many of the elements are
+// linear, which are the first, with the slope of their force for a step; the end of the last trial, and its force.
+enum TrialSlot : std::size_t {
+  kLinear,
+  kSlopeStep,
+  kSlope,
+  kTried = kSlope + 4,
+  kTriedForce,
+  kTrialSlots = kTried + 5
+};
+
+void keep(const element::ComponentForce& force, double* slots) {
+  std::copy_n(std::array{force.total, force.elastic, force.viscous, force.friction}.begin(), 4, slots);
+}
+
+element::ComponentForce kept(const double* slots) { return {slots[0], slots[1], slots[2], slots[3]}; }
 
 // Below absolute zero: no temperature is known.
 constexpr double kUnknownTemperature = -1e3;  // [degC]
@@ -61,13 +124,21 @@ void takeIncrements(element::Motion* motion, std::size_t count, double& last) {
 
 Component::Component(const std::vector<element::ElementDescription>& elements) {
   element::BasicLaws basic_laws;
+  std::shared_ptr<kernel::SofteningBank> bank;  // of laws that follow each other
   for (const element::ElementDescription& description : elements) {
     descriptions_.push_back(element::complete(description));
     const element::ElementPointer element = element::makeElement(description);
     if (const auto* effect = std::get_if<std::shared_ptr<const element::DisplacementEffect>>(&element)) {
       displacement_effects_.push_back({*effect, 0});
     } else if (const auto* factor = std::get_if<std::shared_ptr<const element::ForceEffect>>(&element)) {
-      force_effects_.push_back({*factor, 0});
+      const bool joins = kernel::SofteningBank::takes(descriptions_.back());
+      if (!joins || !bank) {
+        bank = joins ? std::make_shared<kernel::SofteningBank>() : nullptr;
+        force_effects_.push_back({joins ? bank : *factor, 0});
+      }
+      if (joins) {
+        bank->add(descriptions_.back(), *factor);
+      }
     } else if (const auto* compliance = std::get_if<std::shared_ptr<const element::SeriesElement>>(&element)) {
       series_.add(*compliance);
     } else if (const auto* shift = std::get_if<std::shared_ptr<const element::TemperatureShift>>(&element)) {
@@ -107,6 +178,7 @@ std::size_t Component::reserve(std::size_t size) {
 void Component::reserveMemory() {
   reserve(kernel_.memorySize());
   placeMemory(elements_);
+  std::stable_partition(elements_.begin(), elements_.end(), IsLinear{});
   placeMemory(force_effects_);
   temperature_slot_ = reserve(shifts_.empty() ? 0 : kTemperatureSlots);
   trial_size_ = memory_size_;
@@ -121,7 +193,11 @@ void Component::reserveMemory() {
 ComponentState Component::makeState() const {
   ComponentState state;
   state.memory_.resize(memory_size_);
-  state.trial_.resize(series_.empty() ? 0 : trial_size_);
+  state.trial_.resize(series_.empty() ? 0 : trial_size_ + kTrialSlots, std::numeric_limits<double>::quiet_NaN());
+  if (!series_.empty()) {
+    const auto nonlinear = std::partition_point(elements_.begin(), elements_.end(), IsLinear{});
+    state.trial_[trial_size_ + kLinear] = static_cast<double>(nonlinear - elements_.begin());
+  }
   state.prepared_ = kernel_.makePreparedStep();
   forgetTemperature(state);
   initialise(state, 0.0);
@@ -297,9 +373,7 @@ element::ComponentForce Component::stepAlongPath(ComponentState& state, double d
   for (const auto& element : elements_) {
     add(force, element.law->part(), element.law->step(motion, memory + element.offset));
   }
-  for (const auto& effect : force_effects_) {
-    scale(force, effect.law->step(motion, force, memory + effect.offset));
-  }
+  scaleBy(force_effects_, motion, memory, force);
   for (const auto& element : rig_) {
     add(force, element.law->part(), element.law->step(motion, memory + element.offset));
   }
@@ -326,7 +400,17 @@ void Component::stepsAlongPath(ComponentState& state, double dt, const double* d
     for (std::size_t i = 0; i < count; ++i) {
       test_piece[i].displacement = balance(state, test_piece[i]);
       takeIncrements(&test_piece[i], 1, memory[test_piece_slot_]);
-      stepTestPiece(state.prepared_, &test_piece[i], 1, memory, force + i);
+      double* const trial = state.trial_.data();
+      const double* const slots = trial + trial_size_;
+      if (test_piece[i].displacement != slots[kTried]) {
+        stepTestPiece(state.prepared_, &test_piece[i], 1, memory, force + i);
+        continue;
+      }
+      // The last trial was this step, but for the memory of the linear laws.
+      const element::Motion reduced{state.prepared_.dt, test_piece[i].displacement, test_piece[i].increment};
+      stepOf(elements_.begin(), elements_.begin() + static_cast<std::ptrdiff_t>(slots[kLinear]), reduced, trial);
+      std::copy_n(trial, trial_size_, memory);
+      force[i] = kept(slots + kTriedForce);
     }
   }
   for (const auto& element : rig_) {
@@ -352,13 +436,33 @@ double Component::balance(ComponentState& state, const element::Motion& path) co
   if (elements_.empty() && force_effects_.empty() && shifts_.empty()) {
     return series_.solve(kernel_, path, before, state.memory_.data(), state.prepared_);
   }
+  const double* const memory = state.memory_.data();
+  double* const trial = state.trial_.data();
+  double* const slots = trial + trial_size_;
+  const double dt = state.prepared_.dt;
+  const auto nonlinear = elements_.begin() + static_cast<std::ptrdiff_t>(slots[kLinear]);
+  if (slots[kSlopeStep] != dt) {
+    slots[kSlopeStep] = dt;
+    keep(slopeOf(elements_.begin(), nonlinear, dt, trial), slots + kSlope);
+  }
+  const element::ComponentForce slope = kept(slots + kSlope);
+  std::copy_n(memory, trial_size_, trial);
+  const element::ComponentForce held = stepOf(elements_.begin(), nonlinear, {dt, before, 0.0}, trial);
   return solveSeriesBalance(
-      [&](double test_piece) {
-        std::copy_n(state.memory_.begin(), trial_size_, state.trial_.begin());
-        const element::Motion trial{path.dt, test_piece, test_piece - before};
-        element::ComponentForce force;
-        stepTestPiece(state.prepared_, &trial, 1, state.trial_.data(), &force);
-        return test_piece + series_.deflection(force.total) - path.displacement;
+      [&](double z) {
+        std::copy_n(memory, trial_size_, trial);
+        const element::Motion reduced{dt, z, z - before};
+        element::ComponentForce force = kernel_.stepWithoutBranch(reduced, trial, state.prepared_);
+        addTimes(1.0, held, force);
+        addTimes(reduced.increment, slope, force);
+        addTimes(1.0, stepOf(nonlinear, elements_.end(), reduced, trial), force);
+        if (!shifts_.empty()) {
+          scale(force, memory[temperature_slot_ + kForce]);
+        }
+        scaleBy(force_effects_, {path.dt, z, reduced.increment}, trial, force);
+        slots[kTried] = z;
+        keep(force, slots + kTriedForce);
+        return z + series_.deflection(force.total) - path.displacement;
       },
       before + path.increment);
 }

@@ -5,18 +5,19 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
+
+#include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::element {
 namespace {
 
 constexpr double kRadiansBetweenTurns = 3.0;  // less than half a period
 constexpr double kMostParts = 4096.0;
-constexpr int kTurnBits = 26;             // a deflection is known twice as well as the time at which it turns
+constexpr double kPastTurn = 1.0 + 1e-9;  // a deflection is known twice as well as the time at which it turns
 constexpr double kEdgeTolerance = 1e-15;  // of the time of an edge, over the part
 constexpr int kMostSteps = 50;            // to an edge, as many as halves would take
 constexpr int kMostStops = 64;  // of one part; a guard against edges that rounding places on top of each other
@@ -33,9 +34,9 @@ struct Oscillation {
     const double damped = std::exp(-decay * t);
     if (difference > 0.0) {
       const double half = std::sin(0.5 * w * t);
-      cosine = damped * std::cos(w * t);
-      sine = damped * (w * t > 0.0 ? std::sin(w * t) / w : t);
       missing = 2.0 * damped * half * half;
+      cosine = damped - missing;
+      sine = damped * (w * t > 0.0 ? 2.0 * half * std::cos(0.5 * w * t) / w : t);
       return;
     }
     // exp(-a t) cosh(w t) from the slow root alone, which does not overflow.
@@ -78,17 +79,20 @@ std::uint64_t bitsOf(double value) {
 
 // Most steps of a track are as long as its last: what a thread needed last is kept, in a place by its numbers.
 const OverStep& overStep(double decay, double square, double dt) {
-  constexpr std::uint64_t kPlaces = 64;
+  constexpr std::uint64_t kPlaces = 512;
   constexpr std::uint64_t kSpread =
       0x9E3779B97F4A7C15;  // multiplicative hashing (Knuth): the highest bits depend on all
-  constexpr unsigned kBelowPlaces = 58;
+  constexpr unsigned kBelowPlaces = 55;
   thread_local std::array<OverStep, kPlaces> kept;
   const std::uint64_t mixed = ((bitsOf(decay) * kSpread + bitsOf(square)) * kSpread + bitsOf(dt)) * kSpread;
-  OverStep& over = kept[mixed >> kBelowPlaces];
-  if (over.dt != dt || over.decay != decay || over.square != square) {
-    over = OverStep(decay, square, dt);
+  const std::uint64_t place = mixed >> kBelowPlaces;
+  for (const std::uint64_t at : {place, place ^ 1U}) {
+    if (kept[at].dt == dt && kept[at].decay == decay && kept[at].square == square) {
+      return kept[at];
+    }
   }
-  return over;
+  kept[place ^ 1U] = kept[place];  // as another may want the same place in turn
+  return kept[place] = OverStep(decay, square, dt);
 }
 
 }  // namespace
@@ -109,9 +113,8 @@ InertiaTrack::Flow InertiaTrack::coupled(Flow flow, double dt, double velocity) 
 }
 
 InertiaTrack::Flow InertiaTrack::free(Flow flow, double dt, double velocity) const {
-  const double turn = 2.0 * decay_ * dt;
-  const double travel = dt * (turn > 0.0 ? -std::expm1(-turn) / turn : 1.0);  // of a unit of the rate
-  return {flow.deflection + velocity * dt - flow.rate * travel, flow.rate * std::exp(-turn)};
+  const Relaxation slowed = Relaxation::over(2.0 * decay_ * dt);
+  return {flow.deflection + dt * (velocity - flow.rate * slowed.mean), flow.rate * slowed.decay};
 }
 
 // Pieces: -1 and 1 beyond the dead zone, 0 in it.
@@ -135,13 +138,22 @@ bool InertiaTrack::isIn(int piece, double deflection) const {
   return piece == 0 ? std::abs(deflection) <= free_travel_ : piece * deflection >= free_travel_;
 }
 
-// When a motion turns that has turned at dt. While the velocity of the deflection obeys a linear oscillator, half a
-// period holds one turn at most.
+// When a motion turns that has turned at dt. The velocity u of the deflection obeys u'' + 2 a u' + square u = 0 beyond
+// the dead zone, where half a period holds one turn at most; in it, the rate falls to the velocity.
 double InertiaTrack::timeOfTurn(int piece, Flow flow, double dt, double velocity) const {
-  const auto speed = [&](double t) { return velocity - along(piece, flow, t, velocity).rate; };
-  std::uintmax_t steps = kMostSteps;
-  const boost::math::tools::eps_tolerance<double> near(kTurnBits);
-  return boost::math::tools::toms748_solve(speed, 0.0, dt, velocity - flow.rate, speed(dt), near, steps).second;
+  double time = std::log(flow.rate / velocity) / (2.0 * decay_);
+  if (piece != 0) {
+    const double speed = velocity - flow.rate;
+    const double slope =
+        square_ * (piece * free_travel_ - flow.deflection) + decay_ * (velocity + flow.rate);  // u' + a u
+    const double difference = square_ - decay_ * decay_;
+    const double w = std::sqrt(std::abs(difference));
+    const double straight = -speed / slope;
+    time = difference > 0.0 ? std::atan2(std::abs(speed) * w, -std::copysign(1.0, speed) * slope) / w
+           : w > 0.0        ? std::atanh(w * straight) / w
+                            : straight;
+  }
+  return time > 0.0 && time < dt ? std::min(dt, kPastTurn * time) : dt;
 }
 
 // When a motion passes an edge that is passed at dt, without a turn between: Newton's steps from there, halves where

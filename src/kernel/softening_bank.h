@@ -1,0 +1,52 @@
+// Laws of stress softening that act one after the other, several at once in the lanes of the processor.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "rubber_suspension/element/element.h"
+#include "rubber_suspension/element/parameter.h"
+
+namespace rubber_suspension::kernel {
+
+/// Numbers of laws side by side, which stand for nothing where they are 0.
+struct SofteningBlock {
+  static constexpr std::size_t kSize = 8;
+  using Numbers = std::array<double, kSize>;
+
+  Numbers reduction{};                               ///< R/tanh(1/w) [-]
+  Numbers steepness{};                               ///< 2/w [-]
+  Numbers by_ratio{}, by_square{};                   ///< which power of |z|/S counts: one of them is 1
+  Numbers evenly{}, by_reach{}, by_reach_squared{};  ///< which power of S/S_f counts: one of them is 1
+  Numbers inverse_full_reach{};                      ///< 1/S_f [1/m]
+  Numbers side{};                                    ///< -1, 0, 1
+  Numbers inverse_path{};                            ///< 1/L [1/m]
+  Numbers recovery_rate{};                           ///< 1/T [1/s]
+  bool recovers = false;                             ///< any of them
+};
+
+/// The product of their factors, which differs from that of the laws one by one in rounding alone. Memory: theirs, one
+/// after the other.
+class SofteningBank final : public element::ForceEffect {
+ public:
+  /// Whether a law, all of whose parameters are given, is one of these: of powers that need no std::pow.
+  static bool takes(const element::ElementDescription& law);
+
+  /// `description` is that of the law.
+  void add(const element::ElementDescription& description, std::shared_ptr<const element::ForceEffect> law);
+
+  std::size_t memorySize() const override { return kSlots * laws_.size(); }
+  bool acceptsMemory(const double* memory) const override;
+  void initialise(double displacement, double* memory) const override;
+  double relax(double displacement, double* memory) const override;
+  double step(const element::Motion& motion, const element::ComponentForce& force, double* memory) const override;
+
+ private:
+  static constexpr std::size_t kSlots = 2;  // of each law: M, S
+
+  std::vector<std::shared_ptr<const element::ForceEffect>> laws_;
+  std::vector<SofteningBlock> blocks_;
+};
+
+}  // namespace rubber_suspension::kernel
