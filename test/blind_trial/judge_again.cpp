@@ -194,7 +194,7 @@ std::string today() {
   return text.data();
 }
 
-// "2026-11-26, on 60 cases (12 machine, 48 single)".
+// Two lines of a comment: "2026-11-26, on 60 cases", "12 machine, 48 single".
 std::string fitInWords(const std::vector<TrialCase>& cases) {
   std::map<std::string, int> kinds;
   int number = 0;
@@ -206,7 +206,7 @@ std::string fitInWords(const std::vector<TrialCase>& cases) {
   for (const auto& [kind, count] : kinds) {
     words.push_back(fmt::format("{} {}", count, kind));
   }
-  return fmt::format("{}, on {} cases ({})", today(), number, fmt::join(words, ", "));
+  return fmt::format("{}, on {} cases:\n// {}", today(), number, fmt::join(words, ", "));
 }
 
 void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path) {

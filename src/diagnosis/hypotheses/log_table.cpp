@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/hypotheses/octaves.h"
@@ -106,12 +108,24 @@ std::vector<double> octavesOf(const log::Record& record, const Eigen::VectorXd& 
                               const std::vector<double>& left) {
   std::vector<double> octaves = octaveShares(modelled.array() - modelled.mean(), record.dt);
   if (octaves.empty() || left.empty()) {
-    return {1.0};
+    return {};
   }
   for (std::size_t octave = 0; octave < octaves.size(); ++octave) {
     octaves[octave] = 0.5 * (octaves[octave] + left[octave]);
   }
   return octaves;
+}
+
+// Of values by octave those where an octave counts: one that counts less does not move the score.
+std::vector<double> whereCounted(const std::vector<double>& values, const std::vector<double>& octaves) {
+  constexpr double kLeast = 1e-3;
+  std::vector<double> counted;
+  for (std::size_t octave = 0; octave < std::min(values.size(), octaves.size()); ++octave) {
+    if (octaves[octave] >= kLeast) {
+      counted.push_back(values[octave]);
+    }
+  }
+  return counted;
 }
 
 class LogTable {
@@ -207,7 +221,23 @@ class LogTable {
     const FittedHypothesis& model = search_.re_estimated;
     const auto forces = prepared_.fitter.forces().at(model.hypothesis, model.fit.parameters);
     for (std::size_t r = 0; r < left.size(); ++r) {
-      evidence_.logs[r].octaves = octavesOf(prepared_.training[r], (*forces)[r], left[r]);
+      const std::vector<double> octaves = octavesOf(prepared_.training[r], (*forces)[r], left[r]);
+      for (HypothesisEvidence& hypothesis : evidence_.hypotheses) {
+        if (r < hypothesis.shares.size()) {
+          hypothesis.shares[r] = whereCounted(hypothesis.shares[r], octaves);
+        }
+      }
+      setOctaves(whereCounted(octaves, octaves), evidence_.logs[r]);
+    }
+  }
+
+  static void setOctaves(std::vector<double> octaves, LogEvidence& log) {
+    const double sum = std::accumulate(octaves.begin(), octaves.end(), 0.0);
+    for (double& octave : octaves) {
+      octave /= sum;
+    }
+    if (!octaves.empty()) {
+      log.octaves = std::move(octaves);
     }
   }
 

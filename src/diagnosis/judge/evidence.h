@@ -18,7 +18,7 @@ struct HypothesisEvidence {
   std::vector<double> log_errors;  ///< error on each log, on blocks that took no part in the fit
   /// Of each member the size of the force that it adds to each log.
   std::vector<std::vector<double>> sizes;
-  /// Of each log the shares of its octaves in what is left; none: spread as the force of the model.
+  /// Of each log the shares of its octaves in what is left; none: spread as they count.
   std::vector<std::vector<double>> shares;
 };
 
@@ -29,7 +29,7 @@ struct LogEvidence {
   double weight = 1.0;             ///< of the log (Record::weight)
   bool unseen = false;             ///< took no part in the fit
   std::size_t blocks = 0;          ///< of which errors are known
-  /// Shares of octaves of frequency in the force of the re-estimated model; one where they are not told apart.
+  /// What each octave of frequency counts, those of a log 1 together; one where they are not told apart.
   std::vector<double> octaves = {1.0};
 };
 

@@ -1,5 +1,6 @@
 // The numbers of the judgement as fitted last. Written by `judge_again --calibrate`:
-// 2026-11-26, on 293 cases (5 machine, 9 mixed, 24 none, 49 pair, 11 parameter_error, 162 single, 14 triple, 19 unknown).
+// 2026-11-26, on 293 cases:
+// 5 machine, 9 mixed, 24 none, 49 pair, 11 parameter_error, 162 single, 14 triple, 19 unknown.
 #include "diagnosis/judge/numbers.h"
 
 namespace rubber_suspension::diagnosis {

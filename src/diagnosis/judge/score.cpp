@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace rubber_suspension::diagnosis {
@@ -17,7 +16,6 @@ using Eigen::Index;
 
 constexpr double kLeastSquare = 1e-8;    // of the force: below it a size is no size
 constexpr double kTypicalBlocks = 50.0;  // of which the sharpness is told
-constexpr double kLeastShare = 1e-3;     // of the force of a log: a band with less does not move the score
 
 void requireLogs(const Evidence& evidence) {
   const auto lacks = [&](const HypothesisEvidence& hypothesis) {
@@ -48,17 +46,13 @@ void fillLogs(const Evidence& evidence, ScoreTable& table) {
 void fillBands(const Evidence& evidence, ScoreTable& table) {
   for (std::size_t l = 0; l < evidence.logs.size(); ++l) {
     const std::vector<double>& octaves = evidence.logs[l].octaves;
-    const auto counts = [&](double sum, double share) { return share >= kLeastShare ? sum + share : sum; };
-    const double counted = std::accumulate(octaves.begin(), octaves.end(), 0.0, counts);
     for (std::size_t octave = 0; octave < octaves.size(); ++octave) {
-      if (octaves[octave] >= kLeastShare) {
-        table.bands.push_back({static_cast<Index>(l), octave, octaves[octave] / counted});
-      }
+      table.bands.push_back({static_cast<Index>(l), octave, octaves[octave]});
     }
   }
 }
 
-// A rest whose shares are not known is spread as the force of the model.
+// A rest whose shares are not known is spread as the bands count.
 void fillInBands(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
   for (std::size_t b = 0; b < table.bands.size(); ++b) {
     const Band& band = table.bands[b];

@@ -14,7 +14,7 @@ namespace rubber_suspension::diagnosis {
 struct Band {
   Eigen::Index log;
   std::size_t octave;  ///< of LogEvidence::bands
-  double share;        ///< of the force of the model in that log; those of a log add up to 1
+  double share;        ///< what it counts of the log, as LogEvidence::octaves say
 };
 
 /// The part of the evidence that the score takes, a row for each hypothesis, a column for each log. Squares are mean
@@ -62,10 +62,10 @@ struct LogWeights {
 /// With s^2 = (b sigma)^2 + delta^2 + sum of (eta A)^2, what a hypothesis is expected to leave of a log, and r^2, what
 /// it leaves beyond the floor sigma, its weight alone is that of Student's t,
 /// -kappa/2 sum over logs of w (ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2))), and beside a rest of free size and spectrum
-/// -kappa/2 sum over logs and bands of w p (ln max(r^2 q/p, s^2) + 1), p and q being the shares of a band in the force
-/// of the model and in what is left (Whittle's likelihood of a rest whose spectrum is not known); each with the prior
-/// of the set, of the sizes of its members, of the numbers that it frees and of how far it moves the values of the
-/// model.
+/// -kappa/2 sum over logs and bands of w p (ln max(r^2 q/p, s^2) + 1), p being what a band counts of
+/// its log and q its share of what is left there (Whittle's likelihood of a rest whose spectrum is not known); each
+/// with the prior of the set, of the sizes of its members, of the numbers that it frees and of how far it moves the
+/// values of the model.
 LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers);
 
 }  // namespace rubber_suspension::diagnosis
