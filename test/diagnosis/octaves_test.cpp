@@ -12,31 +12,30 @@
 namespace rubber_suspension::test {
 namespace {
 
-constexpr double kDt = 0.002;  // s
+constexpr int kSamples = 8192;
 
-// The octaves are those below 1/16 Hz, then from 2^-4 Hz on.
-constexpr std::size_t octaveFrom(int power) { return static_cast<std::size_t>(power + 5); }
-
-Eigen::VectorXd sine(double frequency, double amplitude) {
-  return amplitude * (2.0 * element::kPi * frequency * kDt * Eigen::ArrayXd::LinSpaced(8192, 0.0, 8191.0)).sin();
+// So many cycles over all samples.
+Eigen::VectorXd sine(double cycles, double amplitude) {
+  return amplitude *
+         (2.0 * element::kPi * cycles / kSamples * Eigen::ArrayXd::LinSpaced(kSamples, 0.0, kSamples - 1.0)).sin();
 }
 
 TEST(OctaveShares, AreWhereTheSinesAre) {
-  const std::vector<double> shares = diagnosis::octaveShares(sine(5.7, 3.0) + sine(50.0, 1.0), kDt);
-  // A line leaks by 1/n into the n-th line beside it: at 0.06 Hz a line less than 1 % beyond its octave.
-  EXPECT_NEAR(shares[octaveFrom(2)], 0.9, 0.01);
-  EXPECT_NEAR(shares[octaveFrom(5)], 0.1, 0.01);
+  const std::vector<double> shares = diagnosis::octaveShares(sine(90.0, 3.0) + sine(820.0, 1.0));
+  EXPECT_EQ(shares.size(), 14U);        // the mean, and 1 to 4096 cycles
+  EXPECT_NEAR(shares[7], 0.9, 1e-12);   // 64 to 128
+  EXPECT_NEAR(shares[10], 0.1, 1e-12);  // 512 to 1024
   EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1.0, 1e-12);
 }
 
-TEST(OctaveShares, CountAMeanBelowAllOctaves) {
-  EXPECT_NEAR(diagnosis::octaveShares(Eigen::VectorXd::Constant(4096, 2.0), kDt).front(), 1.0, 1e-12);
+TEST(OctaveShares, BeginWithTheMean) {
+  EXPECT_NEAR(diagnosis::octaveShares(Eigen::VectorXd::Constant(kSamples, 2.0)).front(), 1.0, 1e-12);
 }
 
 TEST(OctaveShares, AreNoneWithoutEnergy) {
-  EXPECT_TRUE(diagnosis::octaveShares(Eigen::VectorXd::Zero(64), kDt).empty());
+  EXPECT_TRUE(diagnosis::octaveShares(Eigen::VectorXd::Zero(64)).empty());
   const double never = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(diagnosis::octaveShares(Eigen::VectorXd::Constant(64, never), kDt).empty());
+  EXPECT_TRUE(diagnosis::octaveShares(Eigen::VectorXd::Constant(64, never)).empty());
 }
 
 }  // namespace

@@ -98,15 +98,14 @@ std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const log::R
                                  const Eigen::VectorXd& simulated) {
   const fit::FreeInLog free{hypothesis.free_in_log.trend, hypothesis.free_in_log.gain};
   const Eigen::VectorXd left = record.force - simulated;
-  return octaveShares(
-      free.any() ? fit::withFreeInLog(free, record, simulated).withoutRig(left) : record.withoutRig(left), record.dt);
+  return octaveShares(free.any() ? fit::withFreeInLog(free, record, simulated).withoutRig(left)
+                                 : record.withoutRig(left));
 }
 
 // A band counts by the force that the model has there and by what the model leaves there, half each: a rest outside the
 // motion's frequencies is to be explained, too. Of both the bands are those of `left`.
-std::vector<double> octavesOf(const log::Record& record, const Eigen::VectorXd& modelled,
-                              const std::vector<double>& left) {
-  std::vector<double> octaves = octaveShares(modelled.array() - modelled.mean(), record.dt);
+std::vector<double> octavesOf(const Eigen::VectorXd& modelled, const std::vector<double>& left) {
+  std::vector<double> octaves = octaveShares(modelled.array() - modelled.mean());
   if (octaves.empty() || left.empty()) {
     return {};
   }
@@ -221,7 +220,7 @@ class LogTable {
     const FittedHypothesis& model = search_.re_estimated;
     const auto forces = prepared_.fitter.forces().at(model.hypothesis, model.fit.parameters);
     for (std::size_t r = 0; r < left.size(); ++r) {
-      const std::vector<double> octaves = octavesOf(prepared_.training[r], (*forces)[r], left[r]);
+      const std::vector<double> octaves = octavesOf((*forces)[r], left[r]);
       for (HypothesisEvidence& hypothesis : evidence_.hypotheses) {
         if (r < hypothesis.shares.size()) {
           hypothesis.shares[r] = whereCounted(hypothesis.shares[r], octaves);

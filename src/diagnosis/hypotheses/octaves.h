@@ -6,8 +6,9 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Shares of octaves of frequency in the energy of samples `dt` [s] apart: below 1/16 Hz, with their mean, the octaves
-/// from there, and all above 256 Hz. Empty where there is no energy or it is not finite.
-std::vector<double> octaveShares(const Eigen::VectorXd& values, double dt);
+/// Shares of octaves of frequency in the energy of evenly spaced samples: of their mean, then of the octaves from the
+/// lowest frequency of the transform on (numerics::paddedSpectrum), so that they do not depend on the unit of time.
+/// Empty where there is no energy or it is not finite.
+std::vector<double> octaveShares(const Eigen::VectorXd& values);
 
 }  // namespace rubber_suspension::diagnosis
