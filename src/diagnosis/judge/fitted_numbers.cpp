@@ -1,5 +1,6 @@
 // The numbers of the judgement as fitted last. Written by `judge_again --calibrate`:
-// 2026-11-26, on 101 cases (5 machine, 7 none, 19 pair, 5 parameter_error, 56 single, 3 triple, 6 unknown).
+// 2026-11-26, on 101 cases:
+// 5 machine, 7 none, 19 pair, 5 parameter_error, 56 single, 3 triple, 6 unknown.
 #include "diagnosis/judge/numbers.h"
 
 namespace rubber_suspension::diagnosis {
