@@ -17,7 +17,7 @@ namespace {
 using nlohmann::ordered_json;
 
 // A row as text, because parsed values of 10^5 jobs would fill the memory.
-struct Row {
+struct JobRow {
   const char* status;
   std::string values;
 };
@@ -66,7 +66,7 @@ ordered_json headOf(const Manifest& manifest, std::size_t place, const char* sta
           {"status", status}};
 }
 
-void writeCsv(const Manifest& manifest, const std::string& folder, const std::vector<Row>& rows,
+void writeCsv(const Manifest& manifest, const std::string& folder, const std::vector<JobRow>& rows,
               const ordered_json& columns) {
   io::LineFile file(tableCsvPath(folder));
   std::string header = "id,group,type,test_piece,command,component,logs,status";
@@ -85,7 +85,7 @@ void writeCsv(const Manifest& manifest, const std::string& folder, const std::ve
   file.close();
 }
 
-void writeJson(const Manifest& manifest, const std::string& folder, const std::vector<Row>& rows) {
+void writeJson(const Manifest& manifest, const std::string& folder, const std::vector<JobRow>& rows) {
   io::LineFile file(tableJsonPath(folder));
   file.line("{\"schema\": \"rubber_suspension/campaign_table/1\",\n\"jobs\": [");
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -103,7 +103,7 @@ CollectSummary collect(const Manifest& manifest, const std::string& folder) {
   CollectSummary summary;
   ordered_json columns;  // by the names of all values, in the order of the manifest
   Fleet fleet;
-  std::vector<Row> rows;
+  std::vector<JobRow> rows;
   for (const Job& job : manifest.jobs) {
     const FoundRecord found = findRecord(folder, job.id, manifest.version);
     const Record* const record = found.record ? &*found.record : nullptr;
