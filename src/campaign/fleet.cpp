@@ -6,6 +6,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include "element/each.h"
 #include "numerics/quantile.h"
@@ -84,20 +85,20 @@ void describeParameters(FleetType& type) {
 // Of rigs that had one type alone there is nothing to compare.
 std::vector<FleetParameter> rigsOf(const std::map<std::string, std::vector<FleetComponent>>& types) {
   std::map<std::array<std::string, 3>, std::vector<double>> values;
+  std::map<std::string, std::set<std::string>> types_of;
   for (const auto& [type, components] : types) {
     for (const FleetComponent& component : components) {
       for (const auto& [name, change] : component.findings.changes) {
         values[{component.test_rig, type, name}].push_back(change);
+        types_of[component.test_rig].insert(type);
       }
     }
   }
   std::vector<FleetParameter> rigs;
   for (const auto& [key, of_components] : values) {
-    const std::string& rig = key[0];
-    const std::string& type = key[1];
-    const auto of_other_type = [&](const auto& one) { return one.first[0] == rig && one.first[1] != type; };
-    if (std::any_of(values.begin(), values.end(), of_other_type)) {
-      rigs.push_back({rig, type, key[2], distributionOf(of_components)});
+    const auto& [rig, type, parameter] = key;
+    if (types_of[rig].size() > 1) {
+      rigs.push_back({rig, type, parameter, distributionOf(of_components)});
     }
   }
   return rigs;

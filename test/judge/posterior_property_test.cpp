@@ -204,7 +204,6 @@ RC_GTEST_PROP(AnEffectThatExplainsTheGap, IsNamed, ()) {
   RC_ASSERT(answer.effects == std::vector<int>{1});
 }
 
-// An effect whose force is twice that of something that the list lacks: four fifths of the square of the gap are its.
 // A rest in an octave of its own does not hide what an effect removes of the others.
 RC_GTEST_PROP(AListedEffectBesideARestInAnotherOctave, KeepsItsName, ()) {
   const auto logs = static_cast<std::size_t>(*rc::gen::inRange(2, 7));
@@ -225,6 +224,7 @@ RC_GTEST_PROP(AListedEffectBesideARestInAnotherOctave, KeepsItsName, ()) {
   RC_ASSERT(answer.effects == std::vector<int>{0});
 }
 
+// An effect whose force is twice that of something that the list lacks: four fifths of the square of the gap are its.
 RC_GTEST_PROP(AListedEffectBesideAnUnlistedOne, KeepsItsName, ()) {
   const double left = anyGap(150, 400);
   Evidence evidence = unexplained(5, *rc::gen::inRange(2, 20), left);

@@ -133,6 +133,17 @@ double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t
   }
 }
 
+// Sum over logs and their bands of w p (ln max(r^2 q/p, s^2) + 1).
+ArrayXd lossBeside(const ScoreTable& table, const ArrayXXd& s2) {
+  ArrayXd loss = ArrayXd::Zero(s2.rows());
+  for (std::size_t b = 0; b < table.bands.size(); ++b) {
+    const Band& band = table.bands[b];
+    loss += table.weight[band.log] * band.share *
+            (table.in_bands.col(static_cast<Index>(b)).max(s2.col(band.log)).log() + 1.0);
+  }
+  return loss;
+}
+
 // A log that no model run follows has no weight.
 void refuseInfinite(ArrayXd& weights) {
   weights = weights.isFinite().select(weights, -std::numeric_limits<double>::infinity());
@@ -168,17 +179,6 @@ ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& numbers) {
   const ArrayXd others = numbers.floor_known * numbers.floor_known * table.floor + numbers.accepted * numbers.accepted;
   squares.rowwise() += others.transpose();
   return squares;
-}
-
-// Sum over logs and their bands of w p (ln max(r^2 q/p, s^2) + 1).
-ArrayXd lossBeside(const ScoreTable& table, const ArrayXXd& s2) {
-  ArrayXd loss = ArrayXd::Zero(s2.rows());
-  for (std::size_t b = 0; b < table.bands.size(); ++b) {
-    const Band& band = table.bands[b];
-    loss += table.weight[band.log] * band.share *
-            (table.in_bands.col(static_cast<Index>(b)).max(s2.col(band.log)).log() + 1.0);
-  }
-  return loss;
 }
 
 double priorOfCount(std::size_t effects, const JudgeNumbers& numbers) {

@@ -13,8 +13,8 @@ namespace rubber_suspension::diagnosis {
 /// An octave of a log.
 struct Band {
   Eigen::Index log;
-  std::size_t octave;  ///< of LogEvidence::bands
-  double share;        ///< what it counts of the log, as LogEvidence::octaves say
+  std::size_t octave;  ///< place in LogEvidence::octaves
+  double share;        ///< what it counts of the log
 };
 
 /// The part of the evidence that the score takes, a row for each hypothesis, a column for each log. Squares are mean
@@ -25,7 +25,7 @@ struct ScoreTable {
   Eigen::ArrayXXd left;       ///< squares beyond the noise floor
   Eigen::ArrayXXd added;      ///< squares of the forces of the members that belong to the rubber
   Eigen::ArrayXXd added_rig;  ///< of those that belong to the rig
-  Eigen::ArrayXXd in_bands;   ///< squares beyond the noise floor over those of the model's force, by band of a log
+  Eigen::ArrayXXd in_bands;   ///< squares beyond the noise floor by band of a log, each over what the band counts
   Eigen::ArrayXd moved;       ///< square of the penalty of moved model parameters
   Eigen::ArrayXd numbers;     ///< that the members add
   Eigen::ArrayXd trends;      ///< of logs, that are free
