@@ -36,8 +36,9 @@ class TakenOutTest : public ::testing::Test {
     }
     record.nuisances = free.empty() ? columns : numerics::orthonormalColumns(columns);
     deviation_ = record.force_deviation;
+    const auto elements = rigComponent().allElements();
     const LogAccount account =
-        accountsOf(rigComponent().allElements(), {record}, {}, rawChannels({log_}, {}), {}, {}).front();
+        accountsOf(elements, {record}, {}, rawChannels({log_}, {}), gap::simulate(elements, {record}), {}, {}).front();
     left_ = std::sqrt(account.left());
     double left = account.recorded();
     for (const TakenOut& part : account.entries()) {
@@ -106,8 +107,9 @@ TEST_F(TakenOutTest, TellsAGain) {
   }
   log::Record record = measurement::prepareLog(log).record;
   const auto elements = rigComponent().allElements();
-  record.nuisances = gap::simulate(elements, {record}).front().normalized();
-  const auto parts = accountsOf(elements, {record}, {}, rawChannels({log}, {}), {}, {}).front().entries();
+  const gap::Forces forces = gap::simulate(elements, {record});
+  record.nuisances = forces.front().normalized();
+  const auto parts = accountsOf(elements, {record}, {}, rawChannels({log}, {}), forces, {}, {}).front().entries();
   EXPECT_NEAR(shareOf(parts, taken_out::kGain), 0.03 / 1.03, 0.002);
 }
 

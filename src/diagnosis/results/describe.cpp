@@ -51,7 +51,7 @@ class Describer {
     result_.configured = prepared_.component;
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
     before_ = hasUnseenLogs() ? unseenParts(Evidence::kReEstimated) : search_.re_estimated.fit.blocks;
-    after_ = addWrittenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_), options_, result_);
+    written_ = addWrittenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_), options_, result_);
     simulateAll();
     measureGap();
     measureParts();
@@ -123,7 +123,7 @@ class Describer {
   void measureGap() {
     noise_ = search_.record_noise;
     result_.noise_source = search_.noise_source;
-    Gap gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
+    Gap gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(written_.errors), search_.noise};
     if (hasUnseenLogs()) {
       const std::vector<double> floors =
           noiseFloors(result_.augmented_full.allElements(), freeOfNoise(judged_.hypothesis),
@@ -220,7 +220,7 @@ class Describer {
 
   void accountForTheRig() {
     const std::vector<LogAccount> accounts =
-        accountsOf(result_.augmented.allElements(), prepared_.training, prepared_.held_out, raw_,
+        accountsOf(result_.augmented.allElements(), prepared_.training, prepared_.held_out, raw_, written_.forces,
                    judged_.hypothesis.free_in_log, prepared_.zeros);
     for (std::size_t r = 0; r < accounts.size(); ++r) {
       result_.admission[r].recorded = std::sqrt(accounts[r].recorded());
@@ -273,7 +273,7 @@ class Describer {
   const FittedHypothesis& judged_;
   std::vector<double> noise_;  // floor of each record
   std::vector<gap::PartError> before_;
-  std::vector<gap::PartError> after_;
+  WrittenLaw written_;
   Diagnosis result_;
 };
 

@@ -290,7 +290,8 @@ class Chooser {
     if (held_out_.records.empty()) {
       return fitted.fit.held_out;
     }
-    return gap::gapOfParts(unseenErrors(fitter_.model(), fitted, held_out_));
+    return gap::gapOfParts(
+        unseenErrors(fitter_.model(), fitted, held_out_, predict(fitter_.model(), fitted, held_out_.records)));
   }
 
   const fit::Fitter& fitter_;
@@ -333,11 +334,7 @@ FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candida
 }
 
 std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,
-                                         const HeldOut& held_out, const gap::Forces& besides) {
-  gap::Forces forces = predict(model, fitted, held_out.records);
-  for (std::size_t r = 0; r < besides.size(); ++r) {
-    forces[r] += besides[r];
-  }
+                                         const HeldOut& held_out, const gap::Forces& forces) {
   auto elements = *model.elements(fitted.fit.parameters.model);
   for (const Entries& entries : fitted.law.at(fitted.fit.parameters.scales)) {
     elements.insert(elements.end(), entries.begin(), entries.end());

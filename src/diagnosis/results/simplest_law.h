@@ -19,9 +19,9 @@ struct HeldOut {
 /// The hypothesis as it was judged, each member by all its terms.
 FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates);
 
-/// Errors of parts of the logs held out under a fitted law, with forces besides [N] where there are any.
+/// Errors of parts of the logs held out under a fitted law, of which these are the forces [N].
 std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,
-                                         const HeldOut& held_out, const gap::Forces& besides = {});
+                                         const HeldOut& held_out, const gap::Forces& forces);
 
 struct SimplestLaw {
   FittedLaw fitted;

@@ -131,11 +131,10 @@ void takeNuisances(const log::Record& record, const VectorXd& counts, const Vect
 struct Stages {
   gap::Forces recorded;
   gap::Forces bridged;
-  gap::Forces smoothed;  // what hypotheses are fitted with
 };
 
-LogAccount accountOf(const log::Record& record, const RawChannels& raw, const Stages& forces, std::size_t r,
-                     fit::FreeInLog free, const VectorXd& by_zero) {
+LogAccount accountOf(const log::Record& record, const RawChannels& raw, const Stages& forces, const VectorXd& judged,
+                     std::size_t r, fit::FreeInLog free, const VectorXd& by_zero) {
   const double variance = std::pow(record.force_deviation, 2);
   const double recorded = gap::gapOfResidual(raw.force - forces.recorded[r], gap::standardDeviation(raw.force));
   LogAccount account(record.name, recorded * recorded);
@@ -143,12 +142,12 @@ LogAccount accountOf(const log::Record& record, const RawChannels& raw, const St
   const VectorXd bridged = record.force - forces.bridged[r];
   account.takeOut(taken_out::kSpikes, meanSquare(bridged, withStart(counts)) / variance);
   account.takeOut(taken_out::kInitialState, meanSquare(bridged, counts) / variance);
-  const VectorXd residual = record.force - forces.smoothed[r];
+  const VectorXd residual = record.force - judged;
   account.takeOut(taken_out::kNoise, meanSquare(residual, counts) / variance);
-  takeNuisances(record, counts, forces.smoothed[r], account);
+  takeNuisances(record, counts, judged, account);
   const auto without = [&](fit::FreeInLog also) {
-    return fit::withFreeInLog(also, record, forces.smoothed[r], by_zero).withoutRig(residual).squaredNorm() /
-           counts.sum() / variance;
+    return fit::withFreeInLog(also, record, judged, by_zero).withoutRig(residual).squaredNorm() / counts.sum() /
+           variance;
   };
   if (free.zero) {
     account.takeOut(taken_out::kDisplacement, without({false, false, true}));
@@ -212,30 +211,28 @@ std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const st
 
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                                   const std::vector<RawChannels>& raw, fit::FreeInLog free, const ZeroPriors& zeros) {
+                                   const std::vector<RawChannels>& raw, const gap::Forces& judged, fit::FreeInLog free,
+                                   const ZeroPriors& zeros) {
   Displacements recorded;
   Displacements bridged;
-  Displacements smoothed;
   std::transform(raw.begin(), raw.end(), std::back_inserter(recorded),
                  [](const RawChannels& channels) { return channels.displacement; });
   for (const auto* list : {&of_the_fit, &held_out}) {
     for (const log::Record& record : *list) {
       bridged.push_back(record.raw_displacement);
-      smoothed.push_back(record.displacement);
     }
   }
   const auto over = [&](const Displacements& z) { return simulateOver(elements, of_the_fit, held_out, z); };
   Stages forces;
   forces.recorded = over(recorded);
   forces.bridged = bridged == recorded ? forces.recorded : over(bridged);
-  forces.smoothed = smoothed == bridged ? forces.bridged : over(smoothed);
   const std::vector<VectorXd> by_zero =
       free.zero ? byZeros(elements, of_the_fit, held_out, zeros) : std::vector<VectorXd>(raw.size());
   std::vector<LogAccount> accounts;
   for (const auto* list : {&of_the_fit, &held_out}) {
     for (const log::Record& record : *list) {
       const std::size_t r = accounts.size();
-      accounts.push_back(accountOf(record, raw[r], forces, r, free, by_zero[r]));
+      accounts.push_back(accountOf(record, raw[r], forces, judged[r], r, free, by_zero[r]));
     }
   }
   return accounts;

@@ -8,6 +8,7 @@
 
 #include "diagnosis/prepare/rig.h"
 #include "fit/free_in_log.h"
+#include "gap/simulate.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/log/log.h"
@@ -59,11 +60,12 @@ struct RawChannels {
 std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out);
 
 /// The accounts of records against elements, those of the fit first, which were recorded on one component; each other
-/// was on a new one. `free`: what the judged hypothesis frees in each log; `zeros`: of the displacement, as it knows
-/// them.
+/// was on a new one. `judged`: the forces that the gap is of [N]. `free`: what the judged hypothesis frees in each log;
+/// `zeros`: of the displacement, as it knows them.
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                                   const std::vector<RawChannels>& raw, fit::FreeInLog free, const ZeroPriors& zeros);
+                                   const std::vector<RawChannels>& raw, const gap::Forces& judged, fit::FreeInLog free,
+                                   const ZeroPriors& zeros);
 
 /// The parts taken out of logs that are more than a hundredth of the force, a phrase for each log; empty where there
 /// are none.

@@ -44,15 +44,23 @@ double roundTo(const io::ComponentDescription& exact, const std::vector<log::Rec
   return 1.0;
 }
 
-// The force that rounding adds on the logs held out: that of a mass itself samples to come tell better.
-gap::Forces byRounding(const io::ComponentDescription& exact, const io::ComponentDescription& component,
-                       const std::vector<log::Record>& records) {
-  const gap::Forces before = smoothedForces(exact, records);
-  gap::Forces change = smoothedForces(component, records);
-  for (std::size_t r = 0; r < change.size(); ++r) {
-    change[r] -= before[r];
+// What rounding adds to forces on given logs: the force of a mass itself samples to come tell better than its entry.
+void addRounding(const gap::Forces& exact, const gap::Forces& rounded, gap::Forces& forces) {
+  for (std::size_t r = 0; r < forces.size(); ++r) {
+    forces[r] += rounded[r] - exact[r];
   }
-  return change;
+}
+
+// Forces of the law that is written on the logs of the fit, then on those held out.
+gap::Forces writtenForces(const PreparedCase& prepared, const FittedLaw& law, const io::ComponentDescription& exact,
+                          const io::ComponentDescription& rounded) {
+  gap::Forces forces = *LawForces(prepared.fitter.sharedRecords(), prepared.model, law.law).at(law.fit.parameters);
+  addRounding(gap::simulate(exact.allElements(), prepared.training),
+              gap::simulate(rounded.allElements(), prepared.training), forces);
+  gap::Forces unseen = predict(prepared.model, law, prepared.held_out);
+  addRounding(smoothedForces(exact, prepared.held_out), smoothedForces(rounded, prepared.held_out), unseen);
+  forces.insert(forces.end(), unseen.begin(), unseen.end());
+  return forces;
 }
 
 io::ComponentDescription componentOf(const PreparedCase& prepared, const FittedLaw& fitted) {
@@ -67,9 +75,9 @@ io::ComponentDescription componentOf(const PreparedCase& prepared, const FittedL
 
 }  // namespace
 
-std::vector<gap::PartError> addWrittenLaw(const PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
-                                          const FittedHypothesis& judged, double before,
-                                          const DiagnosisOptions& options, Diagnosis& diagnosis) {
+WrittenLaw addWrittenLaw(const PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
+                         const FittedHypothesis& judged, double before, const DiagnosisOptions& options,
+                         Diagnosis& diagnosis) {
   const HeldOut held_out{prepared.held_out, prepared.zeros.held_out};
   const SimplestLaw chosen = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
   const FittedLaw& simple = chosen.fitted;
@@ -85,16 +93,20 @@ std::vector<gap::PartError> addWrittenLaw(const PreparedCase& prepared, const st
   diagnosis.augmented_full = componentOf(prepared, full);
   const io::ComponentDescription exact = componentOf(prepared, simple);
   const double ratio = roundTo(exact, prepared.training, diagnosis);
+  WrittenLaw written{simple.fit.blocks, writtenForces(prepared, simple, exact, diagnosis.augmented)};
   if (!prepared.held_out.empty()) {
-    diagnosis.gap_of_full_law = gap::gapOfParts(unseenErrors(prepared.model, full, held_out));
-    return unseenErrors(prepared.model, simple, held_out, byRounding(exact, diagnosis.augmented, prepared.held_out));
+    const gap::Forces unseen(written.forces.begin() + static_cast<std::ptrdiff_t>(prepared.training.size()),
+                             written.forces.end());
+    written.errors = unseenErrors(prepared.model, simple, held_out, unseen);
+    diagnosis.gap_of_full_law =
+        gap::gapOfParts(unseenErrors(prepared.model, full, held_out, predict(prepared.model, full, prepared.held_out)));
+    return written;
   }
   diagnosis.gap_of_full_law = gap::gapOfParts(judged.fit.blocks);
-  std::vector<gap::PartError> errors = simple.fit.blocks;
-  for (gap::PartError& error : errors) {
+  for (gap::PartError& error : written.errors) {
     error.error *= ratio;
   }
-  return errors;
+  return written;
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -9,11 +9,16 @@
 
 namespace rubber_suspension::diagnosis {
 
+/// What the component that is written comes to.
+struct WrittenLaw {
+  std::vector<gap::PartError> errors;  ///< on the logs held out, or else on held-out blocks
+  gap::Forces forces;                  ///< that these are errors of [N]: of the logs of the fit, then of those held out
+};
+
 /// Sets the component that a diagnosis writes, the full law of the hypothesis that was judged, their sizes and the gap
-/// of the full law. `before`: gap of the re-estimated model. Gives the errors of the component that is written, on the
-/// logs held out, or else on held-out blocks.
-std::vector<gap::PartError> addWrittenLaw(const PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
-                                          const FittedHypothesis& judged, double before,
-                                          const DiagnosisOptions& options, Diagnosis& diagnosis);
+/// of the full law. `before`: gap of the re-estimated model.
+WrittenLaw addWrittenLaw(const PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
+                         const FittedHypothesis& judged, double before, const DiagnosisOptions& options,
+                         Diagnosis& diagnosis);
 
 }  // namespace rubber_suspension::diagnosis
