@@ -19,7 +19,6 @@ import random
 import select
 import shutil
 import signal
-import statistics
 import struct
 import subprocess
 import sys
@@ -511,11 +510,13 @@ class Drive:
                     reference(options.programs, self.folder, self.config, stream))
         count = sum(link.answered for link in links)
         if not options.no_memory:
-            # Queues that had not been as full yet grow at once, by megabytes; what is kept of each sample grows in
-            # every part of the run. So the median of the parts, and less than half of sixteen bytes a sample.
-            growth = statistics.median((later - earlier) / (last - first) for (first, earlier), (last, later)
-                                       in zip(memory[1:], memory[2:]))
-            require(growth < 7, f"memory: {growth:.1f} bytes more for each sample")
+            # Queues that had not been as full yet grow at once, by megabytes, and on a busy machine again in several parts
+            # of the run; what is kept of each sample grows in every part. So all parts but one, in which a queue may
+            # have been given back, grow by half of sixteen bytes a sample or more only where samples are kept.
+            parts = sorted((later - earlier) / (last - first) for (first, earlier), (last, later)
+                           in zip(memory[1:], memory[2:]))
+            growth = parts[1]
+            require(growth < 8, f"memory: {growth:.1f} bytes more for each sample")
         status = self.node.end(signal.SIGTERM)
         require(status == 0, f"end: exit status {status} after SIGTERM: {self.node.output()[-300:]}")
         print(f"{count} forces of {len(links)} components and {bundles.answered} bundles, "
