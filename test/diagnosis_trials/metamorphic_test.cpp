@@ -159,8 +159,8 @@ bool isHidden(const diagnosis::Gap& gap) {
   return gap.re_estimated * gap.re_estimated < gap.noise_floor * gap.noise_floor + accepted * accepted;
 }
 
-// The second half of a log starts in motion, so that less of it counts: the verdict is the same, not the last digit. What
-// it remembers of the first half is unknown there, so that values may hide creep, which remembers longest.
+// The second half of a log starts in motion, so that less of it counts: the verdict is the same, not the last digit.
+// What it remembers of the first half is unknown there, so that values may hide creep, which remembers longest.
 TEST_P(Metamorphic, LogsInTwoHalvesTellTheSame) {
   std::vector<log::Log> halves;
   for (const log::Log& log : logsOf(GetParam().effect)) {
