@@ -24,14 +24,15 @@ struct Options {
 
   command_line::OptionTable table() {
     using command_line::Option;
-    return {Option("--cases", cases, "COUNT", "number of benches").within(1, 100000),
-            Option("--seed", seed, "NUMBER", "of the first bench").within(0, 1e9),
-            Option("--threads", threads, "COUNT", "of each diagnosis").within(1, 64),
-            Option("--least-share", least_share, "SHARE",
-                   "exit status 1 where proposals shrink a smaller share of the sets, or fewer than random programmes "
-                   "do")
-                .within(0, 1),
-            Option("--verbose", verbose, "each case")};
+    return {
+        Option("--cases", cases, "COUNT", "number of benches").within(1, 100000),
+        Option("--seed", seed, "NUMBER", "of the first bench").within(0, 1e9),
+        Option("--threads", threads, "COUNT", "of each diagnosis").within(1, 64),
+        Option("--least-share", least_share, "SHARE",
+               "exit status 1 where proposals shrink a smaller share of the sets that have one, or fewer than random "
+               "programmes do")
+            .within(0, 1),
+        Option("--verbose", verbose, "each case")};
   }
 };
 
@@ -125,15 +126,15 @@ int run(const Options& options) {
     runCase(static_cast<unsigned>(options.seed + i), options, tally);
     std::fflush(stdout);
   }
+  const int proposed = tally.ambiguous - tally.without;
   fmt::print(
       "{} benches, {} sets of more than one member with the truth: {} shrunk to the truth by the experiment proposed, "
       "{} "
       "by a random programme of the same length; none proposed for {}; confidence stated {:.2f} on average\n",
       options.cases, tally.ambiguous, tally.by_proposal, tally.by_random, tally.without,
-      tally.promised / std::max(1, tally.ambiguous - tally.without));
-  const bool enough =
-      tally.by_proposal >= options.least_share * tally.ambiguous && tally.by_proposal >= tally.by_random;
-  return tally.ambiguous > 0 && enough ? 0 : 1;
+      tally.promised / std::max(1, proposed));
+  const bool enough = tally.by_proposal >= options.least_share * proposed && tally.by_proposal >= tally.by_random;
+  return proposed > 0 && enough ? 0 : 1;
 }
 
 }  // namespace

@@ -88,9 +88,10 @@ void gain(log::Log& log, double size, Generator& /*generator*/) {
   }
 }
 
-// The force up to a quarter of a sample late or early, new in each log: one delay in all of them is a cause.
+// The force up to a quarter of a sample late in one log, early in the next: one delay in all of them is a cause.
 void delay(log::Log& log, double size, Generator& generator) {
-  const double late = std::uniform_real_distribution<double>(-0.25 * size, 0.25 * size)(generator);
+  const double sign = log.name.back() % 2 == 0 ? 1.0 : -1.0;
+  const double late = sign * std::uniform_real_distribution<double>(0.0, 0.25 * size)(generator);
   const std::vector<double> force = log.force;
   for (std::size_t i = 1; i + 1 < force.size(); ++i) {
     log.force[i] += std::abs(late) * (force[late > 0.0 ? i - 1 : i + 1] - force[i]);

@@ -28,6 +28,18 @@ TEST(ScoreTable, RefusesEvidenceWithoutLogs) {
   EXPECT_THROW(scoreTable(evidence), std::invalid_argument);
 }
 
+// A floor that a wrong model made too high hides nothing once a law leaves less.
+TEST(ScoreTable, HasNoFloorAboveWhatAHypothesisLeaves) {
+  Evidence evidence = unexplained(2, 2, 0.1);
+  explain(evidence, 0, 0.015);
+  explain(evidence, 1, 0.004);
+  evidence.logs.front().floor = 0.02;
+  const diagnosis::ScoreTable table = scoreTable(evidence);
+  EXPECT_DOUBLE_EQ(table.floor[0], 0.004 * 0.004);
+  EXPECT_DOUBLE_EQ(table.floor[1], kFloor * kFloor);
+  EXPECT_DOUBLE_EQ(table.left(Evidence::kFirstSingle, 0), 0.015 * 0.015 - 0.004 * 0.004);
+}
+
 // One log: the weights are those of the equations in score.h, computed here by hand.
 TEST(LogWeights, AreThoseOfTheEquations) {
   Evidence evidence = unexplained(1, 1, 0.1, 50);

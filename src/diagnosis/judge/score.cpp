@@ -41,6 +41,10 @@ void fillLogs(const Evidence& evidence, ScoreTable& table) {
     table.blocks += static_cast<double>(log.blocks);
   }
   table.weight /= table.weight.sum();
+  // What a hypothesis leaves of blocks that it was not fitted to holds their noise: no floor is above that.
+  for (const HypothesisEvidence& hypothesis : evidence.hypotheses) {
+    table.floor = table.floor.min(arrayOf(hypothesis.log_errors));
+  }
 }
 
 void fillBands(const Evidence& evidence, ScoreTable& table) {

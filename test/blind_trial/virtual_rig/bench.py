@@ -10,7 +10,7 @@ NUISANCES = {
     "spikes": 3,            # samples per log, of 3 to 10 standard deviations, in either channel
     "pink": 0.005,          # noise of 1/f, of the force's standard deviation
     "gain": 0.003,          # of the force transducer, the same in all logs
-    "delay": 0.25,          # of the sampling interval, the force late
+    "delay": 0.25,          # of the sampling interval, the force late or early, new in each log: in all it is a cause
     "held": 0.002,          # share of the samples that repeat the one before, in runs of 5 to 20, force alone
 }
 FAULTS = ("sign", "newton_for_kilonewton", "metre_for_millimetre", "swapped", "clipped")
@@ -72,7 +72,7 @@ def gain(z, f, size, rng, common):
 
 
 def delay(z, f, size, rng, common):
-    late = NUISANCES["delay"] * size
+    late = rng.uniform(-1.0, 1.0) * NUISANCES["delay"] * size
     n = np.arange(len(f))
     return z, np.interp(n - late, n, f)
 
