@@ -201,7 +201,8 @@ std::optional<std::vector<element::ElementDescription>> ModelParameters::element
 std::vector<std::pair<std::string, double>> ModelParameters::ratios(const Eigen::VectorXd& logarithms) const {
   std::vector<std::pair<std::string, double>> result;
   const estimation::Specification& configured = configured_.specification;
-  for (const auto& [key, value] : pointAt(logarithms).specification.values()) {
+  const Point point = pointAt(logarithms);
+  for (const auto& [key, value] : point.specification.values()) {
     if (configured.has(key) && configured.at(key) != value) {
       result.emplace_back(key, value / configured.at(key));
     }

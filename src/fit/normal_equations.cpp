@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "element/each.h"
@@ -202,8 +201,9 @@ BlockGrams LogBlocks::normalEquations(const gap::Forces& base, const std::vector
   });
   BlockGrams result;
   result.prior = priorOf(request);
-  result.squares = std::accumulate(squares.begin() + 1, squares.end(), squares[0]);
+  result.squares = Eigen::VectorXd::Zero(request.width);
   for (std::size_t r = 0; r < logs; ++r) {
+    result.squares += squares[r];
     const double in_all = records_[r].counted() * static_cast<double>(logs);
     for (std::size_t b = 0; b < blocks_[r].size(); ++b) {
       result.gram.push_back(std::move(grams[r][b]));
