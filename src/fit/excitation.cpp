@@ -90,23 +90,23 @@ Excitation summarise(const std::vector<log::Record>& records) {
   result.whole_logs = whole ? records.size() : 0;
   double force_power = 0.0;
   double displacement_power = 0.0;
+  const auto grow = [](double& largest, double value) { largest = std::max(largest, value); };
   for (const log::Record& record : records) {
-    const auto count = static_cast<double>(record.size());
-    const Eigen::ArrayXd centred = record.displacement.array() - record.displacement.mean();
+    const Eigen::VectorXd& z = record.displacement;
     const Eigen::Index steps = record.size() - 1;
-    const Eigen::ArrayXd rate = (record.displacement.tail(steps) - record.displacement.head(steps)).array() / record.dt;
-    result.largest_displacement = std::max(result.largest_displacement, record.displacement.cwiseAbs().maxCoeff());
-    result.highest_frequency = std::max(result.highest_frequency, record.highest_frequency);
-    result.mean_frequency = std::max(result.mean_frequency, record.mean_frequency);
-    result.highest_rate = std::max(result.highest_rate, rate.abs().maxCoeff());
-    const double range = record.displacement.maxCoeff() - record.displacement.minCoeff();
-    result.slowest_loop = std::max(result.slowest_loop, 0.5 * range / rate.abs().maxCoeff());
-    result.longest_duration = std::max(result.longest_duration, record.duration());
-    result.dt = std::max(result.dt, record.dt);
-    result.power = std::max(result.power, (rate * record.force.tail(steps).array()).abs().mean());
-    force_power += std::pow(record.force_deviation, 2) * count;
-    displacement_power += centred.square().sum();
-    result.force = std::max(result.force, record.force_deviation);
+    const Eigen::ArrayXd rate = (z.tail(steps) - z.head(steps)).array() / record.dt;
+    const double highest_rate = rate.abs().maxCoeff();
+    grow(result.largest_displacement, z.cwiseAbs().maxCoeff());
+    grow(result.highest_frequency, record.highest_frequency);
+    grow(result.mean_frequency, record.mean_frequency);
+    grow(result.highest_rate, highest_rate);
+    grow(result.slowest_loop, 0.5 * (z.maxCoeff() - z.minCoeff()) / highest_rate);
+    grow(result.longest_duration, record.duration());
+    grow(result.dt, record.dt);
+    grow(result.power, (rate * record.force.tail(steps).array()).abs().mean());
+    grow(result.force, record.force_deviation);
+    force_power += std::pow(record.force_deviation, 2) * static_cast<double>(record.size());
+    displacement_power += (z.array() - z.mean()).square().sum();
   }
   result.stiffness = std::sqrt(force_power / displacement_power);
   addTemperature(records, result);

@@ -30,55 +30,42 @@ bool dependsOnPlace(const std::vector<element::ElementDescription>& elements, co
 
 }  // namespace
 
-Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model)
-    : HypothesisFitter(model), forces_(std::move(records), model) {
-  const auto count = static_cast<double>(this->records().size());
+Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> shared, const ModelParameters& model)
+    : HypothesisFitter(model), forces_(std::move(shared), model) {
+  const auto count = static_cast<double>(records().size());
+  std::vector<double> weights;
   double noise = 0.0;
-  for (const log::Record& record : this->records()) {
-    weights_.push_back(std::sqrt(record.weight / (record.counted() * count)) / record.force_deviation);
+  for (const log::Record& record : records()) {
+    weights.push_back(std::sqrt(record.weight / (record.counted() * count)) / record.force_deviation);
     noise += record.weight * std::max(gap::whiteNoiseFloor(record, record.force), kLeastNoise) / count;
   }
+  blocks_ = std::make_unique<const LogBlocks>(records(), std::move(weights));
   setNoise(noise);
 }
 
-double Fitter::gapOf(const Hypothesis& hypothesis, const Forces& forces) const {
+double Fitter::gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const {
+  FreeInLog free = hypothesis.free_in_log;
+  free.trend = false;
   double sum = 0.0;
   for (std::size_t r = 0; r < records().size(); ++r) {
-    const log::Record& record = records()[r];
-    const Eigen::VectorXd residual = record.withoutRig(record.force - forces[r]);
-    double square = residual.squaredNorm();
-    if (hypothesis.free_in_log.gain || hypothesis.free_in_log.zero) {
-      square -= takenInLog(hypothesis, r, forces[r], residual);
-    }
-    sum += std::pow(weights_[r], 2) * square;
+    const Eigen::VectorXd residual = records()[r].withoutRig(records()[r].force - forces[r]);
+    const double taken = free.any() ? takenInLog(free, r, forces[r], residual) : 0.0;
+    sum += std::pow(blocks_->weights()[r], 2) * (residual.squaredNorm() - taken);
   }
   return std::isfinite(sum) ? std::sqrt(sum) : std::numeric_limits<double>::infinity();
 }
 
-BlockGrams Fitter::normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                        const Forces& base, FreeInLog free, const std::vector<bool>& active,
-                                        int threads) const {
-  return normalEquations(records(), weights_, base, forces_.columns(hypothesis, parameters, active, base, threads),
-                         free, threads, known_.get(), hypothesis.by_zero);
-}
-
-// Of the squares that a residual has left, what zero and gain of a log take; both are as given by the hypothesis.
-double Fitter::takenInLog(const Hypothesis& hypothesis, std::size_t r, const Eigen::VectorXd& simulated,
+// Of the squares that a residual has left, what zero and gain of a log take.
+double Fitter::takenInLog(const FreeInLog& free, std::size_t r, const Eigen::VectorXd& simulated,
                           const Eigen::VectorXd& residual) const {
   const log::Record& record = records()[r];
-  FreeInLog free = hypothesis.free_in_log;
-  free.trend = false;
-  Eigen::MatrixXd columns(record.size(), free.count());
-  fillFreeInLog(free, record, simulated, hypothesis.by_zero ? (*hypothesis.by_zero)[r] : Eigen::VectorXd(), 0, 1.0,
-                columns);
+  Eigen::MatrixXd columns = free.columns(record, r, simulated);
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
     columns.col(j) = record.withoutRig(columns.col(j));
   }
   Eigen::MatrixXd gram = columns.transpose() * columns;
   gram.diagonal().array() += 1e-12 * gram.diagonal().maxCoeff();
-  if (free.zero) {
-    gram(0, 0) += std::pow(record.force_deviation, 2) * record.counted();
-  }
+  gram.diagonal() += std::pow(record.force_deviation, 2) * record.counted() * free.costs(record).cwiseAbs2();
   const Eigen::VectorXd moment = columns.transpose() * residual;
   return gram.diagonal().minCoeff() > 0.0 ? moment.dot(numerics::solveSymmetric(gram, moment)) : 0.0;
 }
@@ -90,11 +77,9 @@ void Fitter::freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis
         depends || (hypothesis.terms[t].depends_on_place && parameters.scales[static_cast<Eigen::Index>(t)] != 0.0);
   }
   const auto elements = depends && !zeros_.empty() ? elementsOf(model(), hypothesis, parameters) : std::nullopt;
-  if (!elements) {
-    return;
+  if (elements) {
+    hypothesis.free_in_log.by_zero = columnOf(byZero(*elements, records(), zeros_));
   }
-  hypothesis.by_zero = std::make_shared<const std::vector<Eigen::VectorXd>>(byZero(*elements, records(), zeros_));
-  hypothesis.free_in_log.zero = true;
 }
 
 void Fitter::prepare(std::vector<Candidate>& candidates, int threads) {
@@ -116,7 +101,7 @@ void Fitter::prepare(std::vector<Candidate>& candidates, int threads) {
       }
     }
   }
-  known_ = std::make_unique<const KnownColumns>(records(), weights_, std::move(columns), threads);
+  blocks_ = std::make_unique<const LogBlocks>(records(), blocks_->weights(), std::move(columns), threads);
 }
 
 }  // namespace rubber_suspension::fit

@@ -23,8 +23,8 @@ class Fitter final : public HypothesisFitter {
   const std::vector<log::Record>& records() const { return forces_.records(); }
   const std::shared_ptr<const std::vector<log::Record>>& sharedRecords() const { return forces_.sharedRecords(); }
   const HypothesisForces& forces() const { return forces_; }
-  const std::vector<double>& weights() const { return weights_; }
-  double gapOf(const Hypothesis& hypothesis, const std::vector<Eigen::VectorXd>& forces) const override;
+  const LogBlocks& blocks() const { return *blocks_; }
+  double gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const override;
 
   /// Find the unit effects of these candidates (findUnitEffects()) and their products with each other, which fits then
   /// need not find again. Not while fits run.
@@ -38,21 +38,22 @@ class Fitter final : public HypothesisFitter {
   void setZeros(std::vector<DisplacementZero> zeros) { zeros_ = std::move(zeros); }
 
  private:
-  using Forces = std::vector<Eigen::VectorXd>;
-  std::optional<Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const override {
+  std::optional<gap::Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const override {
     return forces_.at(hypothesis, parameters);
   }
-  BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters, const Forces& base,
-                                  FreeInLog free, const std::vector<bool>& active, int threads) const override;
-
-  double takenInLog(const Hypothesis& hypothesis, std::size_t r, const Eigen::VectorXd& simulated,
+  BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                  const gap::Forces& base, const std::vector<bool>& active,
+                                  int threads) const override {
+    return blocks_->normalEquations(base, forces_.columns(hypothesis, parameters, active, base, threads),
+                                    hypothesis.free_in_log, threads);
+  }
+  double takenInLog(const FreeInLog& free, std::size_t r, const Eigen::VectorXd& simulated,
                     const Eigen::VectorXd& residual) const;
 
   HypothesisForces forces_;
+  std::unique_ptr<const LogBlocks> blocks_;
   bool model_depends_on_place_ = false;
-  std::unique_ptr<const KnownColumns> known_;
   std::vector<DisplacementZero> zeros_;
-  std::vector<double> weights_;  // per record: sqrt(weight/(samples records))/(standard deviation of the force)
 };
 
 }  // namespace rubber_suspension::fit

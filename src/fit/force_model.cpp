@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
-#include <optional>
 
+#include "element/each.h"
 #include "log/even_blocks.h"
 #include "rubber_suspension/component/sample_stream.h"
 
@@ -15,6 +14,13 @@ namespace {
 
 constexpr double kSearchReach = 1e3;  // factor to either side of the given value where the log sets no scale
 constexpr double kStartReach = 10.0;
+
+// Limits that rate, length and amplitude of the logs set.
+struct LogScales {
+  double sampling_rate = 0.0;  // [Hz]
+  double duration = 0.0;       // of the longest log [s]
+  double amplitude = 0.0;      // amplitudeOf() [m]
+};
 
 bool allParallel(const std::vector<element::ElementDescription>& elements) {
   return std::all_of(elements.begin(), elements.end(), [](const element::ElementDescription& element) {
@@ -28,67 +34,68 @@ LogScales scalesOf(const std::vector<log::Log>& logs) {
     log::TimeSteps steps;
     steps.add(log);
     const log::EvenSteps even = steps.evenSteps();
-    const double duration = even.duration;
-    const double rate = static_cast<double>(log.size() - 1 - even.gaps) / duration;
+    const double rate = static_cast<double>(log.size() - 1 - even.gaps) / even.duration;
     scales.sampling_rate = std::max(scales.sampling_rate, rate);
-    scales.duration = std::max(scales.duration, duration);
+    scales.duration = std::max(scales.duration, even.duration);
   }
   return scales;
 }
 
-// Limits that the log sets for a unit; nothing for units that it sets none for.
-std::optional<std::pair<double, double>> searchLimits(const std::string& unit, const LogScales& scales) {
+// Of a value of this unit, by what the logs can show.
+Reach reachOf(const std::string& unit, double given, const LogScales& scales) {
+  const auto& [rate, duration, amplitude] = scales;
   if (unit == "Hz") {
-    return std::make_pair(0.05 / scales.duration, 0.5 * scales.sampling_rate);
+    return {0.05 / duration, 0.5 * rate, 1.0 / duration, 0.2 * rate};
   }
   if (unit == "m") {
-    return std::make_pair(1e-3 * scales.amplitude, 100.0 * scales.amplitude);
+    return {1e-3 * amplitude, 100.0 * amplitude, amplitude / 30.0, 10.0 * amplitude};
   }
   if (unit == "s") {
-    return std::make_pair(0.2 / scales.sampling_rate, 20.0 * scales.duration);
+    return {0.2 / rate, 20.0 * duration, given / kStartReach, given * kStartReach};
   }
-  return std::nullopt;
+  return {given / kSearchReach, given * kSearchReach, given / kStartReach, given * kStartReach};
 }
 
-std::pair<double, double> startLimits(const Unknown& unknown, const LogScales& scales) {
-  if (unknown.unit == "Hz") {
-    return {1.0 / scales.duration, 0.2 * scales.sampling_rate};
+Unknown unknownOf(std::size_t position, const element::ParameterInfo& parameter, double given,
+                  const LogScales& scales) {
+  const element::Range& range = parameter.range;
+  const bool logarithmic = range.lower >= 0.0;
+  const double scale = logarithmic ? 1.0 : std::max(std::abs(given), 1e-3);
+  Reach reach{-kSearchReach * scale, kSearchReach * scale, -2.0 * scale, 2.0 * scale};
+  if (logarithmic) {
+    reach = reachOf(parameter.unit, given, scales);
   }
-  if (unknown.unit == "m") {
-    return {scales.amplitude / 30.0, 10.0 * scales.amplitude};
-  }
-  return {unknown.given / kStartReach, unknown.given * kStartReach};
-}
-
-Unknown makeUnknown(std::size_t position, const element::ParameterInfo& parameter, double given,
-                    const LogScales& scales) {
-  Unknown unknown{position, parameter.name, parameter.unit, given, parameter.range.lower >= 0.0, 1.0, 0, 0, 0, 0};
-  const auto limits = searchLimits(parameter.unit, scales);
-  if (unknown.logarithmic) {
-    const auto [low, high] = limits.value_or(std::make_pair(given / kSearchReach, given * kSearchReach));
-    const double inside = parameter.range.upper * (parameter.range.open_upper ? 1.0 - 1e-9 : 1.0);
-    unknown.lower = std::max(std::min(low, given), parameter.range.lower);
-    unknown.upper = std::min(std::max(high, given), inside);
-    const auto [start_low, start_high] = startLimits(unknown, scales);
-    unknown.start_lower = std::clamp(start_low, unknown.lower, unknown.upper);
-    unknown.start_upper = std::clamp(start_high, unknown.lower, unknown.upper);
-  } else {
-    unknown.scale = std::max(std::abs(given), 1e-3);
-    unknown.lower = std::max(parameter.range.lower, -kSearchReach * unknown.scale);
-    unknown.upper = std::min(parameter.range.upper, kSearchReach * unknown.scale);
-    unknown.start_lower = std::max(unknown.lower, -2.0 * unknown.scale);
-    unknown.start_upper = std::min(unknown.upper, 2.0 * unknown.scale);
-  }
+  reach.lower = std::max(std::min(reach.lower, given), range.lower);
+  reach.upper = std::min(std::max(reach.upper, given), range.upper * (range.open_upper ? 1.0 - 1e-9 : 1.0));
+  Unknown unknown{reach, position, parameter.name, parameter.unit, given, logarithmic, scale, false};
   for (double* const limit : {&unknown.lower, &unknown.upper, &unknown.start_lower, &unknown.start_upper}) {
-    *limit = unknown.toSearch(*limit);
+    *limit = unknown.toSearch(std::clamp(*limit, reach.lower, reach.upper));
   }
   return unknown;
 }
 
-}  // namespace
+// The parameters of an element that are sought; those that scale its force as linear ones, where all of these are.
+std::vector<Unknown> unknownsOf(std::size_t position, const element::ElementDescription& element,
+                                const std::vector<std::string>& held, const LogScales& scales) {
+  std::vector<Unknown> unknowns;
+  bool all_scales = true;
+  for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
+    const bool is_scale = parameter.role == element::Role::scale && element.value(parameter.name) != 0.0;
+    const bool is_held = std::find(held.begin(), held.end(), element.type + "." + parameter.name) != held.end();
+    if (!is_held && element::isFree(parameter, element.list(parameter.name))) {
+      unknowns.push_back(unknownOf(position, parameter, element.value(parameter.name), scales));
+      unknowns.back().linear = is_scale;
+    } else {
+      all_scales = all_scales && !is_scale;
+    }
+  }
+  for (Unknown& unknown : unknowns) {
+    unknown.linear = unknown.linear && all_scales;
+  }
+  return unknowns;
+}
 
-double Unknown::toSearch(double value) const { return logarithmic ? std::log(value) : value / scale; }
-double Unknown::toValue(double search) const { return logarithmic ? std::exp(search) : search * scale; }
+}  // namespace
 
 double amplitudeOf(const std::vector<log::Log>& logs) {
   double amplitude = 0.0;
@@ -101,82 +108,56 @@ double amplitudeOf(const std::vector<log::Log>& logs) {
 
 ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
                        const std::vector<std::string>& held, const std::vector<Eigen::MatrixXd>& rig)
-    : elements_(std::move(elements)), logs_(logs), held_(held), scales_(scalesOf(logs)) {
+    : elements_(std::move(elements)), logs_(logs) {
   for (const log::Log& log : logs_) {
     size_ += static_cast<Eigen::Index>(log.stamp.size());
   }
-  if (allParallel(elements_)) {
-    for (std::size_t i = 0; i < elements_.size(); ++i) {
-      addElement(i);
+  const LogScales scales = scalesOf(logs);
+  const bool apart = allParallel(elements_);
+  Part whole{elements_, {}, -1, {}, {}};
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
+    const std::vector<Unknown> unknowns = unknownsOf(i, elements_[i], held, scales);
+    if (apart) {
+      addElement(i, unknowns);
+    } else {
+      std::for_each(unknowns.begin(), unknowns.end(), [&](const Unknown& unknown) { addNonlinear(unknown, whole); });
     }
-  } else {
-    addWhole();
+  }
+  if (!apart) {
+    parts_.push_back(std::move(whole));
   }
   addRig(rig);
 }
 
-// The parameters of an element that are sought.
-std::vector<element::ParameterInfo> ForceModel::freeOf(const element::ElementDescription& element) const {
-  std::vector<element::ParameterInfo> free;
-  for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
-    const bool held = std::find(held_.begin(), held_.end(), element.type + "." + parameter.name) != held_.end();
-    if (!held && element::isFree(parameter, element.list(parameter.name))) {
-      free.push_back(parameter);
-    }
-  }
-  return free;
-}
-
-void ForceModel::addNonlinear(Part& part, std::size_t position, const element::ParameterInfo& parameter) {
+void ForceModel::addNonlinear(const Unknown& unknown, Part& part) {
   part.unknowns.push_back(static_cast<Eigen::Index>(nonlinear_.size()));
-  nonlinear_.push_back(makeUnknown(position, parameter, elements_[position].value(parameter.name), scales_));
+  nonlinear_.push_back(unknown);
+  nonlinear_.back().linear = false;
 }
 
-void ForceModel::addWhole() {
-  Part part;
-  part.elements = elements_;
-  for (std::size_t i = 0; i < elements_.size(); ++i) {
-    for (const element::ParameterInfo& parameter : freeOf(elements_[i])) {
-      addNonlinear(part, i, parameter);
+// A column for each parameter that scales a force of the element.
+void ForceModel::addElement(std::size_t position, const std::vector<Unknown>& unknowns) {
+  Part part{{elements_[position]}, {}, -1, {}, {}};
+  for (const Unknown& unknown : unknowns) {
+    if (!unknown.linear) {
+      addNonlinear(unknown, part);
     }
   }
-  parts_.push_back(std::move(part));
-}
-
-// A column for each parameter that scales a force of the element, where all of these are free.
-void ForceModel::addElement(std::size_t position) {
-  const element::ElementDescription& element = elements_[position];
-  const auto scales = [&](const element::ParameterInfo& parameter) {
-    return parameter.role == element::Role::scale && element.value(parameter.name) != 0.0;
-  };
-  const auto& table = element::findElementType(element.type)->parameters;
-  const std::vector<element::ParameterInfo> free = freeOf(element);
-  std::vector<element::ParameterInfo> scaling;
-  std::copy_if(free.begin(), free.end(), std::back_inserter(scaling), scales);
-  if (static_cast<std::ptrdiff_t>(scaling.size()) < std::count_if(table.begin(), table.end(), scales)) {
-    scaling.clear();
-  }
-  Part part;
-  part.elements = {element};
-  for (const element::ParameterInfo& parameter : free) {
-    if (scaling.empty() || !scales(parameter)) {
-      addNonlinear(part, position, parameter);
-    }
-  }
+  const std::vector<Unknown> scaling = element::those(unknowns, &Unknown::linear);
   if (scaling.empty()) {
     parts_.push_back(part);
   }
-  for (const element::ParameterInfo& parameter : scaling) {
+  for (const Unknown& unknown : scaling) {
     Part alone = part;
-    for (const element::ParameterInfo& other : scaling) {
-      if (other.name != parameter.name) {
+    for (const Unknown& other : scaling) {
+      if (other.name != unknown.name) {
         alone.elements[0].values[other.name] = {0.0};
       }
     }
     alone.column = static_cast<Eigen::Index>(linear_.size());
     parts_.push_back(std::move(alone));
-    linear_.push_back(makeUnknown(position, parameter, element.value(parameter.name), scales_));
-    signed_columns_.push_back(parameter.range.lower < 0.0);
+    linear_.push_back(unknown);
+    signed_columns_.push_back(!unknown.logarithmic);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -9,28 +10,26 @@
 
 namespace rubber_suspension::fit {
 
-/// A parameter that is sought.
-struct Unknown {
+/// Where a parameter is searched.
+struct Reach {
+  double lower;  ///< limits of the search
+  double upper;
+  double start_lower;  ///< where starts are spread
+  double start_upper;
+};
+
+/// A parameter that is sought, and its reach in search coordinates.
+struct Unknown : Reach {
   std::size_t element;  ///< index into the elements
   std::string name;
   std::string unit;
   double given;
   bool logarithmic;  ///< the search runs over ln(value), else over value/scale
   double scale;      ///< 1 for logarithmic ones
-  double lower;      ///< limits of the search
-  double upper;
-  double start_lower;  ///< where starts are spread
-  double start_upper;
+  bool linear;       ///< scales a force, as all such parameters of its element, which are all sought
 
-  double toSearch(double value) const;
-  double toValue(double search) const;
-};
-
-/// Limits that rate, length and amplitude of the logs set.
-struct LogScales {
-  double sampling_rate;  ///< [Hz]
-  double duration;       ///< of the longest log [s]
-  double amplitude;      ///< amplitudeOf() [m]
+  double toSearch(double value) const { return logarithmic ? std::log(value) : value / scale; }
+  double toValue(double search) const { return logarithmic ? std::exp(search) : search * scale; }
 };
 
 /// Largest displacement from the middle of its log [m].
@@ -71,17 +70,13 @@ class ForceModel {
     Eigen::VectorXd force;
   };
 
-  std::vector<element::ParameterInfo> freeOf(const element::ElementDescription& element) const;
-  void addNonlinear(Part& part, std::size_t position, const element::ParameterInfo& parameter);
-  void addWhole();
-  void addElement(std::size_t position);
+  void addNonlinear(const Unknown& unknown, Part& part);
+  void addElement(std::size_t position, const std::vector<Unknown>& unknowns);
   void addRig(const std::vector<Eigen::MatrixXd>& rig);
   Eigen::VectorXd simulate(const Part& part, const Eigen::VectorXd& values) const;
 
   std::vector<element::ElementDescription> elements_;
   const std::vector<log::Log>& logs_;
-  std::vector<std::string> held_;
-  LogScales scales_;
   Eigen::Index size_ = 0;
   std::vector<Unknown> nonlinear_;
   std::vector<Unknown> linear_;

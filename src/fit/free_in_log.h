@@ -2,43 +2,49 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
+#include "gap/simulate.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
 
+/// Derivative of the force by an unknown, per log; null: zero everywhere.
+using ForceColumn = std::shared_ptr<const gap::Forces>;
+
+inline ForceColumn columnOf(gap::Forces forces) { return std::make_shared<const gap::Forces>(std::move(forces)); }
+
 /// Of the slow trend of a log, a drift of its own: the zero, a ramp and eight half cosines.
 constexpr Eigen::Index kTrendsPerLog = 10;
 
-/// Which of them belong to a hypothesis.
+/// Which of them belong to a hypothesis. Unknowns of each log: the trend's, the zero, the gain.
 struct FreeInLog {
   bool trend = false;  ///< a slow trend
   bool gain = false;   ///< a gain of the force's channel
-  bool zero = false;   ///< a zero of the displacement, which has a prior
+  /// A zero of the displacement, by what it does to the force of each log [N], as byZero() gives it; null: it is none.
+  ForceColumn by_zero = nullptr;
 
-  bool any() const { return trend || gain || zero; }
+  bool any() const { return trend || gain || by_zero; }
+  Eigen::Index count() const { return (trend ? kTrendsPerLog : 0) + (by_zero ? 1 : 0) + (gain ? 1 : 0); }
 
-  /// Unknowns of each log: the trend's, the zero, the gain.
-  Eigen::Index count() const { return (trend ? kTrendsPerLog : 0) + (zero ? 1 : 0) + (gain ? 1 : 0); }
-
-  friend FreeInLog operator|(FreeInLog one, FreeInLog other) {
-    return {one.trend || other.trend, one.gain || other.gain, one.zero || other.zero};
+  friend FreeInLog operator|(const FreeInLog& one, const FreeInLog& other) {
+    return {one.trend || other.trend, one.gain || other.gain, one.by_zero ? one.by_zero : other.by_zero};
   }
+
+  /// Their columns over the samples of a log, by its place among all [N]. `simulated`: the model's force on it, which a
+  /// gain changes.
+  Eigen::MatrixXd columns(const log::Record& record, std::size_t place, const Eigen::VectorXd& simulated) const;
+
+  /// The error that each column counts as where it is as large as the force; 0 where it has no prior. The zero of a
+  /// trend is free. Half cosines are those of a random walk, which is as wide as zeros are on a bench of which nothing
+  /// is known: free ones predict nothing between the samples that they are fitted to.
+  Eigen::VectorXd costs(const log::Record& record) const;
+
+  /// The record with these among the nuisances: what the rig may have added to it (Record::withoutRig).
+  log::Record addedTo(const log::Record& record, std::size_t place, const Eigen::VectorXd& simulated) const;
 };
-
-/// Their columns over the samples of a log from `first` on, as many as the columns have rows, times `weight` [1/N].
-/// `simulated`: the model's force on the whole log, which a gain changes. `by_zero`: what a zero of the displacement
-/// does to it (Hypothesis::by_zero), where that is free.
-void fillFreeInLog(FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated,
-                   const Eigen::VectorXd& by_zero, Eigen::Index first, double weight,
-                   Eigen::Ref<Eigen::MatrixXd> columns);
-
-/// The error that each column of a trend counts as where it is as large as the force. The zero is free. Half cosines
-/// are those of a random walk, which is as wide as zeros are on a bench of which nothing is known: free ones predict
-/// nothing between the samples that they are fitted to.
-Eigen::VectorXd costsOfTrends(const log::Record& record);
 
 /// The knowledge before any fit of a displacement that was recorded too high by the same amount throughout a log.
 struct DisplacementZero {
@@ -48,12 +54,7 @@ struct DisplacementZero {
 
 /// The effect of one standard deviation of the zero on the force of elements on each record [N], its mean taken out,
 /// which is a zero of the force; over what it counts as.
-std::vector<Eigen::VectorXd> byZero(const std::vector<element::ElementDescription>& elements,
-                                    const std::vector<log::Record>& records,
-                                    const std::vector<DisplacementZero>& zeros);
-
-/// The record with these among the nuisances: what the rig may have added to it (Record::withoutRig).
-log::Record withFreeInLog(FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated,
-                          const Eigen::VectorXd& by_zero = {});
+gap::Forces byZero(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
+                   const std::vector<DisplacementZero>& zeros);
 
 }  // namespace rubber_suspension::fit

@@ -24,8 +24,8 @@ constexpr Eigen::Index kBlock = 256;  // samples: two tiles stay in the first-le
 
 // Where each column has its samples of a block, in whole tiles; copied and filled with zeros where the block is not
 // whole.
-std::vector<const double*> block(const Eigen::MatrixXd& columns, Eigen::Index first, std::size_t tiles,
-                                 std::vector<double>& copy) {
+std::vector<const double*> block(const Eigen::Ref<const Eigen::MatrixXd>& columns, Eigen::Index first,
+                                 std::size_t tiles, std::vector<double>& copy) {
   const Eigen::Index count = std::min(kBlock, columns.rows() - first);
   const bool whole = count == kBlock;
   copy.assign(static_cast<std::size_t>((whole ? 1 : columns.cols() + 1) * kBlock), 0.0);
@@ -43,7 +43,7 @@ std::vector<const double*> block(const Eigen::MatrixXd& columns, Eigen::Index fi
 
 }  // namespace
 
-Eigen::MatrixXd gramOf(const Eigen::MatrixXd& columns) {
+Eigen::MatrixXd gramOf(const Eigen::Ref<const Eigen::MatrixXd>& columns) {
   const auto tiles = (static_cast<std::size_t>(columns.cols()) + kTile - 1) / kTile;
   std::vector<double> sums(tiles * (tiles + 1) / 2 * kTileSums, 0.0);
   std::vector<double> copy;

@@ -6,6 +6,6 @@
 namespace rubber_suspension::fit {
 
 /// The Gram matrix of some columns, columns^T * columns, to the same bits on all processors.
-Eigen::MatrixXd gramOf(const Eigen::MatrixXd& columns);
+Eigen::MatrixXd gramOf(const Eigen::Ref<const Eigen::MatrixXd>& columns);
 
 }  // namespace rubber_suspension::fit

@@ -2,22 +2,20 @@
 #include "fit/hypothesis.h"
 
 #include <algorithm>
-#include <iterator>
-#include <memory>
 #include <utility>
 
+#include "element/each.h"
 #include "fit/parallel.h"
-#include "gap/simulate.h"
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension::fit {
 namespace {
 
 // Share of the component's force that a softening term takes at scale 1, by the factors of its law.
-std::vector<Eigen::VectorXd> softenedShare(const BasisTerm& term, const std::vector<log::Record>& records) {
+gap::Forces softenedShare(const BasisTerm& term, const std::vector<log::Record>& records) {
   const auto law = std::get<std::shared_ptr<const element::ForceEffect>>(element::makeElement(term.at(term.typical)));
   std::vector<double> memory(law->memorySize());
-  std::vector<Eigen::VectorXd> result;
+  gap::Forces result;
   for (const log::Record& record : records) {
     const Eigen::VectorXd& z = record.displacement;
     const bool led_in = record.lead_in.size() > 0;
@@ -44,25 +42,18 @@ std::vector<Eigen::VectorXd> softenedShare(const BasisTerm& term, const std::vec
   return result;
 }
 
-std::vector<Eigen::VectorXd> exactForce(const BasisTerm& term, const std::vector<log::Record>& records) {
-  std::vector<Eigen::VectorXd> result;
-  std::transform(records.begin(), records.end(), std::back_inserter(result), term.exact);
-  return result;
-}
-
-std::vector<Eigen::VectorXd> addedForce(const BasisTerm& term, const std::vector<log::Record>& records) {
-  std::vector<Eigen::VectorXd> result = gap::simulate({term.at(term.typical)}, records);
+gap::Forces addedForce(const BasisTerm& term, const std::vector<log::Record>& records) {
+  gap::Forces result = gap::simulate({term.at(term.typical)}, records);
   for (Eigen::VectorXd& force : result) {
     force /= term.typical;
   }
   return result;
 }
 
-std::vector<Eigen::VectorXd> unitEffect(const BasisTerm& term, const std::vector<log::Record>& records) {
-  if (term.softening) {
-    return softenedShare(term, records);
-  }
-  return term.exact ? exactForce(term, records) : addedForce(term, records);
+gap::Forces unitEffect(const BasisTerm& term, const std::vector<log::Record>& records) {
+  return term.softening ? softenedShare(term, records)
+         : term.exact   ? element::each(records, term.exact)
+                        : addedForce(term, records);
 }
 
 }  // namespace
@@ -104,16 +95,14 @@ void findUnitEffects(std::vector<Candidate>& candidates, const std::vector<log::
       }
     }
   }
-  parallelFor(known.size(), threads, [&](std::size_t i) {
-    known[i]->unit_effect = std::make_shared<const std::vector<Eigen::VectorXd>>(unitEffect(*known[i], records));
-  });
+  parallelFor(known.size(), threads,
+              [&](std::size_t i) { known[i]->unit_effect = columnOf(unitEffect(*known[i], records)); });
 }
 
 Hypothesis aboutOtherRecords(const Hypothesis& hypothesis, const std::vector<log::Record>& records) {
   Hypothesis other = hypothesis;
   for (BasisTerm& term : other.terms) {
-    term.unit_effect =
-        term.exact ? std::make_shared<const std::vector<Eigen::VectorXd>>(exactForce(term, records)) : nullptr;
+    term.unit_effect = term.exact ? columnOf(element::each(records, term.exact)) : nullptr;
   }
   return other;
 }

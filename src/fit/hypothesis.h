@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,13 +27,13 @@ struct BasisTerm {
   bool is_gain = false;  ///< the scale is a gain on all forces: of gains that are free in each log, the mean
   /// A force effect whose factor is 1 less the scale times a share that the displacement alone decides.
   bool softening = false;
-  bool depends_on_place =
-      false;  ///< a zero of the displacement changes more of it than its mean; set by Fitter::prepare
+  /// A zero of the displacement changes more of it than its mean; set by Fitter::prepare.
+  bool depends_on_place = false;
   /// Force of the entry alone at scale 1 where samples to come tell it better than the entry, which may not look ahead.
   std::function<Eigen::VectorXd(const log::Record&)> exact;
   /// The effect of the entry on each log at scale 1: the force that it adds [N], or the share of the component's force
   /// that it takes [-]. Set by findUnitEffects for additive and softening terms.
-  std::shared_ptr<const std::vector<Eigen::VectorXd>> unit_effect;
+  ForceColumn unit_effect;
 };
 
 /// An unmodelled effect by its name in reports. Its basis terms span the shapes that the effect's law can take: their
@@ -73,9 +72,6 @@ struct Hypothesis {
   std::vector<int> members;      ///< the candidates at work by their index, ascending
   std::vector<BasisTerm> terms;  ///< of all members, one member after the other
   FreeInLog free_in_log;         ///< is free as well
-  /// The effect of one standard deviation of the displacement's zero on the force of each log [N], over what it counts
-  /// as in units of the force's standard deviation (DisplacementZero); null: nothing.
-  std::shared_ptr<const std::vector<Eigen::VectorXd>> by_zero;
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
 
   /// Whether it competes with others: it has terms, and may do what parameters do not.

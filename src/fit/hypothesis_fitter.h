@@ -22,11 +22,13 @@ struct Fit {
   double penalty = 0.0;                ///< regularisation penalty of changed model parameters, as a gap
   double held_out = 0.0;               ///< gap on blocks that took no part in the fit, by cross validation
   std::vector<gap::PartError> blocks;  ///< held-out errors of these blocks
-  std::vector<double> gains;           ///< of each log, beside 1, where they are free
 
   /// Held-out gap and penalty together, by which fits compete.
   double score() const { return std::hypot(held_out, penalty); }
 };
+
+/// The longest step of the logarithm of a model parameter: the force is far from linear in it beyond.
+constexpr double kLongestStep = 0.4;
 
 /// How far a fit goes.
 struct FitLimits {
@@ -58,7 +60,7 @@ class HypothesisFitter {
   /// Terms that are not `active` get a column of zeros: they stay as they are. All are active where the list is empty.
   BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters,
                        const std::vector<bool>& active = {}, int threads = 1) const {
-    return linearise(hypothesis, startAt(hypothesis, parameters), hypothesis.free_in_log, active, threads);
+    return linearise(hypothesis, startAt(hypothesis, parameters), active, threads);
   }
 
   /// Fit by Gauss-Newton steps within the bounds, from a start.
@@ -81,8 +83,8 @@ class HypothesisFitter {
   double penaltyOf(const Eigen::VectorXd& logarithms) const;
 
   /// Bounds on a step from a parameter vector: model parameters, terms, what is free in each log.
-  void stepBounds(const Hypothesis& hypothesis, const ParameterVector& parameters, Eigen::Index columns,
-                  Eigen::VectorXd& lower, Eigen::VectorXd& upper) const;
+  numerics::Limits stepBounds(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                              Eigen::Index unknowns) const;
 
  protected:
   static constexpr double kLeastNoise = 1e-3;  // of the force's standard deviation: no model is better than that
@@ -93,25 +95,24 @@ class HypothesisFitter {
   void setNoise(double noise);
 
  private:
-  using Forces = std::vector<Eigen::VectorXd>;
-
   /// Forces of a hypothesis; nothing where it has no model.
-  virtual std::optional<Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const = 0;
+  virtual std::optional<gap::Forces> simulate(const Hypothesis& hypothesis,
+                                              const ParameterVector& parameters) const = 0;
   /// Gap of a hypothesis whose forces are these.
-  virtual double gapOf(const Hypothesis& hypothesis, const Forces& forces) const = 0;
+  virtual double gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const = 0;
   /// Normal equations about a parameter vector whose forces are `base`, but for the prior of model parameters.
   virtual BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                          const Forces& base, FreeInLog free, const std::vector<bool>& active,
+                                          const gap::Forces& base, const std::vector<bool>& active,
                                           int threads) const = 0;
 
   /// Where Gauss-Newton steps are.
   struct Place {
     ParameterVector parameters;
-    Forces forces;
+    gap::Forces forces;
     double cost = 0.0;  ///< gap and prior together
   };
-  BlockGrams linearise(const Hypothesis& hypothesis, const Place& place, FreeInLog free,
-                       const std::vector<bool>& active, int threads) const;
+  BlockGrams linearise(const Hypothesis& hypothesis, const Place& place, const std::vector<bool>& active,
+                       int threads) const;
   /// The cost of departing from the configured model parameters within a fit, as a gap.
   double priorOf(const Eigen::VectorXd& logarithms) const;
   Place placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const;
@@ -119,9 +120,8 @@ class HypothesisFitter {
   Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;
   /// Move on by a step, or by part of it; false where none leads on by much.
   bool improve(const Hypothesis& hypothesis, const Eigen::VectorXd& step, Place& place) const;
-  /// Gauss-Newton steps to where they end; normal equations there.
-  BlockGrams descend(const Hypothesis& hypothesis, const FitLimits& limits, FreeInLog free, bool model_fixed,
-                     Place& place) const;
+  /// Gauss-Newton steps to where they end; normal equations there. `longest`: step of a logarithm.
+  BlockGrams descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest, Place& place) const;
   /// A step as far as it goes within the bounds; what it leaves of a term next to 0 is 0.
   static ParameterVector moved(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                const Eigen::VectorXd& step);

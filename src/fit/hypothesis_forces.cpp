@@ -1,11 +1,9 @@
 // Forces of hypotheses and their derivatives.
 #include "fit/hypothesis_forces.h"
 
-#include <memory>
 #include <stdexcept>
 
 #include "fit/parallel.h"
-#include "gap/simulate.h"
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension::fit {
@@ -42,8 +40,11 @@ void soften(const Hypothesis& hypothesis, const ParameterVector& parameters, std
   }
 }
 
-ForceColumn columnOf(std::vector<Eigen::VectorXd> forces) {
-  return std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(forces));
+ForceColumn quotient(gap::Forces moved, const gap::Forces& base, double step) {
+  for (std::size_t r = 0; r < base.size(); ++r) {
+    moved[r] = (moved[r] - base[r]) / step;
+  }
+  return columnOf(std::move(moved));
 }
 
 }  // namespace
@@ -101,8 +102,7 @@ bool HypothesisForces::isKnown(const BasisTerm& term, const Interaction& interac
   return !interaction.displaces && factors_known && (term.softening || !interaction.scales);
 }
 
-std::optional<std::vector<Eigen::VectorXd>> HypothesisForces::at(const Hypothesis& hypothesis,
-                                                                 const ParameterVector& parameters) const {
+std::optional<gap::Forces> HypothesisForces::at(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
   // Terms known by their unit effect are added or multiplied; the others have to be simulated.
   const Interaction interaction = interactionOf(hypothesis, parameters);
   ParameterVector rest = parameters;
@@ -123,8 +123,8 @@ std::optional<std::vector<Eigen::VectorXd>> HypothesisForces::at(const Hypothesi
   return result;
 }
 
-std::vector<Eigen::VectorXd> HypothesisForces::moreThanWith(const Eigen::VectorXd& scales, const Hypothesis& hypothesis,
-                                                            const ParameterVector& parameters) const {
+gap::Forces HypothesisForces::moreThanWith(const Eigen::VectorXd& scales, const Hypothesis& hypothesis,
+                                           const ParameterVector& parameters) const {
   const Interaction interaction = interactionOf(hypothesis, parameters);
   ParameterVector added = parameters;
   added.scales -= scales;
@@ -144,7 +144,7 @@ std::vector<Eigen::VectorXd> HypothesisForces::moreThanWith(const Eigen::VectorX
     }
     return *forces;
   }
-  std::vector<Eigen::VectorXd> forces;
+  gap::Forces forces;
   for (std::size_t r = 0; r < records().size(); ++r) {
     forces.emplace_back(Eigen::VectorXd::Zero(records()[r].size()));
     addForces(hypothesis, added, false, r, forces.back());
@@ -154,7 +154,7 @@ std::vector<Eigen::VectorXd> HypothesisForces::moreThanWith(const Eigen::VectorX
 }
 
 ForceColumn HypothesisForces::modelColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                          Eigen::Index parameter, const std::vector<Eigen::VectorXd>& base) const {
+                                          Eigen::Index parameter, const gap::Forces& base) const {
   ParameterVector moved = parameters;
   double step = kModelStep;
   moved.model[parameter] += step;
@@ -164,17 +164,12 @@ ForceColumn HypothesisForces::modelColumn(const Hypothesis& hypothesis, const Pa
     moved.model[parameter] = parameters.model[parameter] + step;
     column = at(hypothesis, moved);
   }
-  if (!column) {
-    column = base;  // no model on either side: the parameter cannot move
-  }
-  for (std::size_t r = 0; r < base.size(); ++r) {
-    (*column)[r] = ((*column)[r] - base[r]) / step;
-  }
-  return columnOf(std::move(*column));
+  // Without a model on either side the parameter cannot move.
+  return quotient(column ? std::move(*column) : base, base, step);
 }
 
 ForceColumn HypothesisForces::termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                         std::size_t term, const std::vector<Eigen::VectorXd>& base) const {
+                                         std::size_t term, const gap::Forces& base) const {
   const BasisTerm& basis_term = hypothesis.terms[term];
   const double scale = scaleOf(parameters, term);
   const bool exact = isKnown(basis_term, interactionOf(hypothesis, parameters));
@@ -185,16 +180,12 @@ ForceColumn HypothesisForces::termColumn(const Hypothesis& hypothesis, const Par
   const double step = (scale == 0.0 ? 1.0 : kTermStep) * basis_term.typical * direction;
   ParameterVector moved = parameters;
   moved.scales[static_cast<Eigen::Index>(term)] += step;
-  auto column = *at(hypothesis, moved);
-  for (std::size_t r = 0; r < base.size(); ++r) {
-    column[r] = (column[r] - base[r]) / step;
-  }
-  return columnOf(std::move(column));
+  return quotient(*at(hypothesis, moved), base, step);
 }
 
 std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                                   const std::vector<bool>& active,
-                                                   const std::vector<Eigen::VectorXd>& base, int threads) const {
+                                                   const std::vector<bool>& active, const gap::Forces& base,
+                                                   int threads) const {
   const auto size = static_cast<std::size_t>(model().size());
   std::vector<ForceColumn> columns(size + hypothesis.terms.size());
   parallelFor(columns.size(), threads, [&](std::size_t j) {
@@ -210,12 +201,12 @@ std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis,
 // Where a term's effect is known the force is linear in its scale. Where others displace the component, that is about
 // so, and enough to tell whether a term at nothing is worth a step.
 ForceColumn HypothesisForces::knownColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                          std::size_t term, const std::vector<Eigen::VectorXd>& base) const {
+                                          std::size_t term, const gap::Forces& base) const {
   const BasisTerm& basis_term = hypothesis.terms[term];
   if (basis_term.on_rig || !(basis_term.softening || interactionOf(hypothesis, parameters).softens)) {
     return basis_term.unit_effect;
   }
-  std::vector<Eigen::VectorXd> column = *basis_term.unit_effect;
+  gap::Forces column = *basis_term.unit_effect;
   ParameterVector others = parameters;
   others.scales = -others.scales;
   for (std::size_t r = 0; r < base.size(); ++r) {

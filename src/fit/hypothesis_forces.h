@@ -34,26 +34,17 @@ class HypothesisForces {
   bool isAdditive() const { return !of_model_.displaces && !of_model_.scales; }
 
   /// Force of each log [N]; nothing where the model parameters have no solution.
-  std::optional<std::vector<Eigen::VectorXd>> at(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
+  std::optional<gap::Forces> at(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 
   /// The force of each log beyond that with other scales of the same terms [N]. Throws std::invalid_argument
   /// where there is no model.
-  std::vector<Eigen::VectorXd> moreThanWith(const Eigen::VectorXd& scales, const Hypothesis& hypothesis,
-                                            const ParameterVector& parameters) const;
-
-  /// Derivative by the logarithm of a model parameter, `base` being the forces there.
-  ForceColumn modelColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, Eigen::Index parameter,
-                          const std::vector<Eigen::VectorXd>& base) const;
+  gap::Forces moreThanWith(const Eigen::VectorXd& scales, const Hypothesis& hypothesis,
+                           const ParameterVector& parameters) const;
 
   /// Derivatives by all model parameters, then by all terms; null for terms that are not `active`, which all are where
   /// the list is empty.
   std::vector<ForceColumn> columns(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                   const std::vector<bool>& active, const std::vector<Eigen::VectorXd>& base,
-                                   int threads) const;
-
-  /// Derivative by the scale of a basis term; about, where it is at nothing and others displace the component.
-  ForceColumn termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t term,
-                         const std::vector<Eigen::VectorXd>& base) const;
+                                   const std::vector<bool>& active, const gap::Forces& base, int threads) const;
 
  private:
   /// Effects at work besides elements of the component that add up.
@@ -69,8 +60,14 @@ class HypothesisForces {
   /// True where the effect of a term on the force follows from its unit effect, without simulation.
   static bool isKnown(const BasisTerm& term, const Interaction& interaction);
 
+  /// Derivative by the logarithm of a model parameter, `base` being the forces there.
+  ForceColumn modelColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, Eigen::Index parameter,
+                          const gap::Forces& base) const;
+  /// Derivative by the scale of a basis term; about, where it is at nothing and others displace the component.
+  ForceColumn termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t term,
+                         const gap::Forces& base) const;
   ForceColumn knownColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t term,
-                          const std::vector<Eigen::VectorXd>& base) const;
+                          const gap::Forces& base) const;
 
   std::shared_ptr<const std::vector<log::Record>> records_;
   const ModelParameters& model_;

@@ -9,12 +9,15 @@
 #include <random>
 #include <stdexcept>
 
+#include "element/each.h"
+#include "element/refuse.h"
 #include "element/suggestion.h"
 #include "fit/force_model.h"
 #include "fit/gram.h"
 #include "fit/residual_covariance.h"
 #include "fit/variable_projection.h"
 #include "log/even_blocks.h"
+#include "numerics/median.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/gap/gap.h"
@@ -22,54 +25,40 @@
 namespace rubber_suspension::fit {
 namespace {
 
+using element::refuseIf;
+
 constexpr double kTail = 0.025;  // on either side of a 95 % interval
 constexpr double kDeadBandInStandardDeviations = 6.0;
 constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
 constexpr double kSameResidual = 1e-4;      // relative, by which starts count as ended at the same optimum
 
 void checkLog(const log::Log& log, std::size_t number) {
-  const auto fail = [&](const std::string& reason) {
-    throw std::invalid_argument(fmt::format("log {}: {}", number, reason));
-  };
   const std::size_t size = log.stamp.size();
-  if (log.force.size() != size || log.displacement.size() != size) {
-    fail("needs displacement and force for every sample");
-  }
-  if (size < 50) {
-    fail(fmt::format("{} samples are too few; accepted: at least 50", size));
-  }
+  refuseIf(log.force.size() != size || log.displacement.size() != size,
+           "log {}: needs displacement and force for every sample", number);
+  refuseIf(size < 50, "log {}: {} samples are too few; accepted: at least 50", number, size);
   for (std::size_t i = 0; i < size; ++i) {
-    if (!std::isfinite(log.displacement[i]) || !std::isfinite(log.force[i])) {
-      fail(fmt::format("sample {} is not finite", i));
-    }
-    if (i > 0 && log.stamp[i] <= log.stamp[i - 1]) {
-      fail(fmt::format("time does not increase at sample {}", i));
-    }
+    refuseIf(!std::isfinite(log.displacement[i]) || !std::isfinite(log.force[i]), "log {}: sample {} is not finite",
+             number, i);
+    refuseIf(i > 0 && log.stamp[i] <= log.stamp[i - 1], "log {}: time does not increase at sample {}", number, i);
   }
-  for (const auto* values : {&log.displacement, &log.force}) {
+  for (const auto& [name, values] : {std::pair("displacement", &log.displacement), {"force", &log.force}}) {
     const auto [low, high] = std::minmax_element(values->begin(), values->end());
-    if (*low == *high) {
-      fail(values == &log.force ? "the force does not change" : "the displacement does not change");
-    }
+    refuseIf(*low == *high, "log {}: the {} does not change", number, name);
   }
 }
 
 void checkHeld(const std::vector<element::ElementDescription>& elements, const std::vector<std::string>& held) {
-  std::string accepted;
   std::vector<std::string> names;
   for (const element::ElementDescription& element : elements) {
     for (const auto& [name, values] : element.values) {
       names.push_back(element.type + "." + name);
     }
   }
-  for (const std::string& name : names) {
-    accepted += (accepted.empty() ? "" : ", ") + name;
-  }
   for (const std::string& name : held) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
-      throw std::invalid_argument(fmt::format("hold: '{}' is not a parameter{}; accepted: {}", name,
-                                              element::didYouMean(name, names), accepted));
-    }
+    refuseIf(std::find(names.begin(), names.end(), name) == names.end(),
+             "hold: '{}' is not a parameter{}; accepted: {}", name, element::didYouMean(name, names),
+             fmt::join(names, ", "));
   }
 }
 
@@ -78,9 +67,7 @@ void checkRig(const std::vector<Eigen::MatrixXd>& rig, const std::vector<log::Lo
   for (std::size_t i = 0; fits && i < rig.size(); ++i) {
     fits = rig[i].cols() == 0 || rig[i].rows() == static_cast<Eigen::Index>(logs[i].size());
   }
-  if (!fits) {
-    throw std::invalid_argument("rig: needs columns over the samples of each log");
-  }
+  refuseIf(!fits, "rig: needs columns over the samples of each log");
 }
 
 // Noise is taken as independent of that before a time gap.
@@ -137,9 +124,7 @@ Eigen::VectorXd searchAll(const ForceModel& model, const IdentificationOptions& 
       optima.pop_back();
     }
   }
-  if (optima.empty()) {
-    throw std::invalid_argument("the simulated force is not finite from any start");
-  }
+  refuseIf(optima.empty(), "the simulated force is not finite from any start");
   const auto by_cost = [](const numerics::Optimum& a, const numerics::Optimum& b) { return a.cost < b.cost; };
   const numerics::Optimum& best = *std::min_element(optima.begin(), optima.end(), by_cost);
   const double limit = best.cost * (1.0 + kSameResidual) + 10.0 * squares.rounding() * squares.unit();
@@ -164,100 +149,79 @@ bool atLimit(const Unknown& unknown, double value) {
   return x <= unknown.lower + 1e-6 || x >= unknown.upper - 1e-6;
 }
 
-// Puts together what the best fit says.
-class Summary {
- public:
-  Summary(const ForceModel& model, const ModelFit& fit, const Covariance& covariance, double quantile)
-      : model_(model),
-        fit_(fit),
-        covariance_(covariance),
-        quantile_(quantile),
-        count_(fit.search.size() + static_cast<Eigen::Index>(model.linear().size())) {}
-
-  void describe(Identification& result) const {
-    result.elements = model_.elements();
-    for (Eigen::Index i = 0; i < count_; ++i) {
-      const Unknown& unknown = unknownAt(i);
-      result.parameters.push_back(parameter(i, unknown));
-      result.elements[unknown.element].values[unknown.name] = {result.parameters.back().value};
-    }
-    std::stable_sort(result.parameters.begin(), result.parameters.end(),
-                     [](const auto& a, const auto& b) { return a.index < b.index; });
-    addDirections(result);
+IdentifiedParameter identified(const Unknown& unknown, double value, double standard_deviation, double quantile) {
+  IdentifiedParameter result;
+  result.index = static_cast<int>(unknown.element);
+  result.name = unknown.name;
+  result.unit = unknown.unit;
+  result.given = unknown.given;
+  result.value = value;
+  const double reach = quantile * standard_deviation;
+  if (unknown.logarithmic && value > 0.0) {
+    result.lower = value * std::exp(-reach);
+    result.upper = value * std::exp(reach);
+  } else if (unknown.logarithmic) {  // at zero: the standard deviation counts in the given value
+    result.upper = reach * unknown.given;
+  } else {
+    const double unit = unknown.linear && value != 0.0 ? std::abs(value) : unknown.scale;
+    result.lower = value - reach * unit;
+    result.upper = value + reach * unit;
   }
+  result.determined =
+      value != 0.0 && standard_deviation < kUndetermined && (unknown.linear || !atLimit(unknown, value));
+  return result;
+}
 
- private:
-  bool isLinear(Eigen::Index i) const { return i >= fit_.search.size(); }
-
-  const Unknown& unknownAt(Eigen::Index i) const {
-    return isLinear(i) ? model_.linear()[static_cast<std::size_t>(i - fit_.search.size())]
-                       : model_.nonlinear()[static_cast<std::size_t>(i)];
-  }
-
-  IdentifiedParameter parameter(Eigen::Index i, const Unknown& unknown) const {
-    IdentifiedParameter result;
-    result.element = model_.elements()[unknown.element].type;
-    result.index = static_cast<int>(unknown.element);
-    result.name = unknown.name;
-    result.unit = unknown.unit;
-    result.given = unknown.given;
-    result.value =
-        isLinear(i) ? fit_.coefficients[i - fit_.search.size()] * unknown.given : unknown.toValue(fit_.search[i]);
-    const double standard_deviation = covariance_.standardDeviation(i);
-    const double reach = quantile_ * standard_deviation;
-    if (unknown.logarithmic && result.value > 0.0) {
-      result.lower = result.value * std::exp(-reach);
-      result.upper = result.value * std::exp(reach);
-    } else if (unknown.logarithmic) {  // at zero: the standard deviation counts in the given value
-      result.upper = reach * unknown.given;
-    } else {
-      const double unit = isLinear(i) && result.value != 0.0 ? std::abs(result.value) : unknown.scale;
-      result.lower = result.value - reach * unit;
-      result.upper = result.value + reach * unit;
-    }
-    result.determined =
-        result.value != 0.0 && standard_deviation < kUndetermined && (isLinear(i) || !atLimit(unknown, result.value));
-    return result;
-  }
-
-  // Weights of a direction by name, the largest 1. Columns of the rig are no parameters.
-  UndeterminedDirection direction(const Eigen::VectorXd& vector, double standard_deviation) const {
-    Eigen::Index largest = 0;
-    vector.head(count_).cwiseAbs().maxCoeff(&largest);
-    UndeterminedDirection result;
-    result.standard_deviation = standard_deviation;
-    for (Eigen::Index i = 0; i < count_; ++i) {
-      const double weight = vector[i] / vector[largest];
-      if (std::abs(weight) > 0.1) {
-        result.weights.emplace_back(nameOf(model_.elements(), unknownAt(i)), weight);
-      }
-    }
-    return result;
-  }
-
-  void addDirections(Identification& result) const {
-    for (const Eigen::VectorXd& vector : covariance_.unseen) {
-      result.undetermined.push_back(direction(vector, HUGE_VAL));
-    }
-    const numerics::Eigensystem eigen = numerics::eigensystem(covariance_.matrix.topLeftCorner(count_, count_));
-    for (Eigen::Index i = count_ - 1; i >= 0; --i) {
-      const double standard_deviation = std::sqrt(std::max(0.0, eigen.values[i]));
-      if (standard_deviation >= kUndetermined) {
-        result.undetermined.push_back(direction(eigen.vectors.col(i), standard_deviation));
-      }
+// Weights of a direction by name, the largest 1. Columns of the rig are no parameters.
+UndeterminedDirection directionOf(const std::vector<std::string>& names, const Eigen::VectorXd& vector,
+                                  double standard_deviation) {
+  Eigen::Index largest = 0;
+  vector.head(static_cast<Eigen::Index>(names.size())).cwiseAbs().maxCoeff(&largest);
+  UndeterminedDirection result{standard_deviation, {}};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double weight = vector[static_cast<Eigen::Index>(i)] / vector[largest];
+    if (std::abs(weight) > 0.1) {
+      result.weights.emplace_back(names[i], weight);
     }
   }
+  return result;
+}
 
-  const ForceModel& model_;
-  const ModelFit& fit_;
-  const Covariance& covariance_;
-  double quantile_;
-  Eigen::Index count_;  // of parameters
-};
+std::vector<UndeterminedDirection> undeterminedOf(const std::vector<std::string>& names, const Covariance& covariance) {
+  std::vector<UndeterminedDirection> result;
+  for (const Eigen::VectorXd& vector : covariance.unseen) {
+    result.push_back(directionOf(names, vector, HUGE_VAL));
+  }
+  const auto count = static_cast<Eigen::Index>(names.size());
+  const numerics::Eigensystem eigen = numerics::eigensystem(covariance.matrix.topLeftCorner(count, count));
+  for (Eigen::Index i = count - 1; i >= 0; --i) {
+    const double standard_deviation = std::sqrt(std::max(0.0, eigen.values[i]));
+    if (standard_deviation >= kUndetermined) {
+      result.push_back(directionOf(names, eigen.vectors.col(i), standard_deviation));
+    }
+  }
+  return result;
+}
 
-double independentSamples(const Eigen::VectorXd& residual, const Autoregression& noise) {
-  const auto count = static_cast<double>(residual.size());
-  return count / std::max(1.0, correlationFactor(noise, residual.squaredNorm() / count));
+// Parameters with their intervals, and what the logs hardly show of them.
+void describeParameters(const ForceModel& model, const ModelFit& fit, const Covariance& covariance, double quantile,
+                        Identification& result) {
+  std::vector<Unknown> unknowns = model.nonlinear();
+  unknowns.insert(unknowns.end(), model.linear().begin(), model.linear().end());
+  result.elements = model.elements();
+  std::vector<std::string> names;
+  for (const Unknown& unknown : unknowns) {
+    const auto i = static_cast<Eigen::Index>(names.size());
+    const double value =
+        unknown.linear ? fit.coefficients[i - fit.search.size()] * unknown.given : unknown.toValue(fit.search[i]);
+    result.parameters.push_back(identified(unknown, value, covariance.standardDeviation(i), quantile));
+    result.parameters.back().element = model.elements()[unknown.element].type;
+    result.elements[unknown.element].values[unknown.name] = {value};
+    names.push_back(nameOf(model.elements(), unknown));
+  }
+  std::stable_sort(result.parameters.begin(), result.parameters.end(),
+                   [](const auto& a, const auto& b) { return a.index < b.index; });
+  result.undetermined = undeterminedOf(names, covariance);
 }
 
 // Gives friction without dead band one that keeps the noise of the displacement from being taken for reversals.
@@ -316,40 +280,34 @@ void describeResiduals(Identification& result, const Eigen::VectorXd& residual, 
 void describeFit(Identification& result, const ForceModel& model, const ModelFit& fit, const Eigen::MatrixXd& jacobian,
                  const std::vector<Eigen::Index>& runs) {
   const Autoregression noise = fitAutoregression(fit.residual, runs);
+  const auto count = static_cast<double>(fit.residual.size());
   Covariance covariance = covarianceOf(gramOf(jacobian), projectedCovariance(jacobian, runs, noise));
-  result.independent_samples = independentSamples(fit.residual, noise);
+  result.independent_samples = count / std::max(1.0, correlationFactor(noise, fit.residual.squaredNorm() / count));
   // The fit takes as many independent samples out of the residuals as it has unknowns, and their variance is an
   // estimate itself: Student's distribution with the samples that are left.
   const double left = std::max(1.0, result.independent_samples - static_cast<double>(jacobian.cols()));
   covariance.matrix *= result.independent_samples / left;
   const double quantile = boost::math::quantile(boost::math::complement(boost::math::students_t(left), kTail));
-  Summary(model, fit, covariance, quantile).describe(result);
+  describeParameters(model, fit, covariance, quantile, result);
 }
 
 }  // namespace
 
 Identification identify(const std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
                         const IdentificationOptions& options) {
-  if (logs.empty()) {
-    throw std::invalid_argument("no log given");
-  }
+  refuseIf(logs.empty(), "no log given");
   std::vector<Eigen::Index> runs;
   for (std::size_t i = 0; i < logs.size(); ++i) {
     checkLog(logs[i], i + 1);
     addRuns(logs[i], runs);
   }
   Identification result;
-  std::vector<element::ElementDescription> completed;
-  for (const element::ElementDescription& element : elements) {
-    completed.push_back(element::complete(element));
-  }
+  std::vector<element::ElementDescription> completed = element::each(elements, element::complete);
   checkHeld(completed, options.held);
   addDeadBands(completed, logs, result.notes);
   checkRig(options.rig, logs);
   ForceModel model(completed, logs, options.held, options.rig);
-  if (model.nonlinear().empty() && model.linear().empty()) {
-    throw std::invalid_argument("no parameter is left to be found; all are held");
-  }
+  refuseIf(model.nonlinear().empty() && model.linear().empty(), "no parameter is left to be found; all are held");
   const Eigen::VectorXd force = stackedForce(logs);
   VariableProjection squares(model, force);
   const ModelFit best = squares.fitAt(searchAll(model, options, squares, result));
@@ -358,6 +316,21 @@ Identification identify(const std::vector<element::ElementDescription>& elements
   describeResiduals(result, best.residual, force);
   dropElementsWithoutForce(result);
   return result;
+}
+
+double noiseStandardDeviation(const std::vector<double>& signal, double negligible) {
+  constexpr int kHighestOrder = 10;
+  constexpr double kNormalMedian = 0.6745;  // median of |x| of a standard normal variable
+  Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(signal.data(), static_cast<Eigen::Index>(signal.size()));
+  double gain = 1.0;  // variance of the differences of white noise: the binomial coefficient (2 k over k)
+  double smallest = HUGE_VAL;
+  for (int order = 1; order <= kHighestOrder && values.size() > 1 && smallest > negligible; ++order) {
+    values = (values.tail(values.size() - 1) - values.head(values.size() - 1)).eval();
+    gain *= (4.0 * order - 2.0) / order;
+    const auto magnitude = element::each(values, [](double value) { return std::abs(value); });
+    smallest = std::min(smallest, numerics::medianOf(magnitude) / (kNormalMedian * std::sqrt(gain)));
+  }
+  return smallest > negligible && std::isfinite(smallest) ? smallest : 0.0;
 }
 
 }  // namespace rubber_suspension::fit

@@ -1,27 +1,22 @@
 // Checks of a table, and its gap.
 #include "rubber_suspension/fit/measured_table.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <stdexcept>
+
+#include "element/refuse.h"
 
 namespace rubber_suspension::fit {
 
 void checkPoints(const std::vector<TablePoint>& points) {
-  if (points.size() < 2) {
-    throw std::invalid_argument(fmt::format("table: {} points; accepted: at least 2", points.size()));
-  }
+  element::refuseIf(points.size() < 2, "table: {} points; accepted: at least 2", points.size());
   for (const TablePoint& point : points) {
     const bool good = point.frequency > 0.0 && point.amplitude > 0.0 && point.stiffness > 0.0 &&
                       std::isfinite(point.frequency + point.amplitude + point.stiffness + point.mean) &&
                       std::abs(point.loss_angle) < 1.6;
-    if (!good) {
-      throw std::invalid_argument(
-          fmt::format("table: {:g} Hz, {:g} m, {:g} N/m, {:g} rad about {:g} m; accepted: the first three greater than "
+    element::refuseIf(!good,
+                      "table: {:g} Hz, {:g} m, {:g} N/m, {:g} rad about {:g} m; accepted: the first three greater than "
                       "0, the angle below 90 degrees, finite numbers",
-                      point.frequency, point.amplitude, point.stiffness, point.loss_angle, point.mean));
-    }
+                      point.frequency, point.amplitude, point.stiffness, point.loss_angle, point.mean);
   }
 }
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <map>
 
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/constants.h"
@@ -24,111 +24,115 @@ io::ComponentDescription asElements(const io::ComponentDescription& description)
 
 }  // namespace
 
-double ModelParameters::bound(Eigen::Index i) const {
-  const Slot::Where where = slots_[static_cast<std::size_t>(i)].where;
-  return where == Slot::element || where == Slot::added ? std::log(10.0) : std::log(3.0);
-}
-
-double ModelParameters::firmness(Eigen::Index i) const {
-  constexpr double kOfBand = 2.0;
-  const Slot& slot = slots_[static_cast<std::size_t>(i)];
-  const bool band = slot.where == Slot::relaxation &&
-                    (slot.key == "break_frequency" || slot.key == "alpha" || slot.key == "band_ratio");
-  return band && relaxation_.elements > 1 ? kOfBand : 1.0;
-}
-
 ModelParameters::ModelParameters(const io::ComponentDescription& description, Level level)
     : description_(level == Level::elements || !description.specification().preloads().empty() ? asElements(description)
-                                                                                               : description) {
+                                                                                               : description),
+      configured_{description_.specification(), {}, description_.elements(), description_.add} {
   const estimation::Model model = description_.model();
   if (model == estimation::Model::maxwell || model == estimation::Model::maxwell_dashpot ||
       model == estimation::Model::multi_maxwell) {
     addRelaxation();
   } else if (model != estimation::Model::elements) {
     addSpecification();
+  } else {
+    addElements(&Point::elements);
   }
-  if (model == estimation::Model::elements) {
-    addElements(description_.elements(), Slot::element);
-  }
-  addElements(description_.add, Slot::added);
+  addElements(&Point::added);
 }
 
-void ModelParameters::add(Slot slot, const std::string& name) {
-  slots_.push_back(std::move(slot));
+void ModelParameters::add(const std::string& name, Slot slot, double firmness) {
   names_.push_back(name);
+  bounds_.conservativeResize(size());
+  firmness_.conservativeResize(size());
+  bounds_[size() - 1] = std::log(slot.of_element ? 10.0 : 3.0);
+  firmness_[size() - 1] = firmness;
+  slots_.push_back(std::move(slot));
 }
 
 void ModelParameters::addRelaxation() {
+  constexpr double kOfBand = 2.0;
+  Relaxation& relaxation = configured_.relaxation;
   std::vector<double> break_frequencies;
   std::vector<double> stiffnesses;
-  // The static curve, where there is one, is measured: it stays.
-  const bool curve = description_.specification().curve() != nullptr;
   for (const element::ElementDescription& element :
        estimation::estimateTangent(description_.model(), description_.specification())) {
     if (element.type == "spring") {
-      relaxation_.static_stiffness = element.value("stiffness");
+      relaxation.static_stiffness = element.value("stiffness");
     } else if (element.type == "dashpot") {
-      relaxation_.damping = element.value("damping");
+      relaxation.damping = element.value("damping");
     } else if (element.type == "maxwell") {
       stiffnesses.push_back(element.value("stiffness"));
       break_frequencies.push_back(element.value("break_frequency"));
-      relaxation_.relaxing_stiffness += stiffnesses.back();
+      relaxation.relaxing_stiffness += stiffnesses.back();
     }
   }
-  relaxation_.elements = stiffnesses.size();
-  relaxation_.break_frequency = break_frequencies.back();
-  if (relaxation_.elements > 1) {
-    relaxation_.alpha = stiffnesses[0] / stiffnesses[1];
-    relaxation_.band_ratio = break_frequencies[1] / break_frequencies[0];
+  relaxation.elements = stiffnesses.size();
+  relaxation.break_frequency = break_frequencies.back();
+  const bool band = relaxation.elements > 1;
+  if (band) {
+    relaxation.alpha = stiffnesses[0] / stiffnesses[1];
+    relaxation.band_ratio = break_frequencies[1] / break_frequencies[0];
   }
-  const auto addFree = [&](const char* key, bool free) {
+  const auto addFree = [&](bool free, const char* name, double Relaxation::*number, double firmness = 1.0) {
     if (free) {
-      add({Slot::relaxation, 0, key, 0}, key);
+      add(name, {[=](Point& point, double ratio) { point.relaxation.*number *= ratio; }, false, 0.0}, firmness);
     }
   };
-  addFree("static_stiffness", !curve);
-  addFree("relaxing_stiffness", true);
-  addFree("break_frequency", true);
-  addFree("alpha", relaxation_.elements > 1);
-  addFree("band_ratio", description_.specification().has("low_frequency"));
-  addFree("damping", relaxation_.damping > 0.0);
+  // The static curve, where there is one, is measured: it stays.
+  addFree(description_.specification().curve() == nullptr, "static_stiffness", &Relaxation::static_stiffness);
+  addFree(true, "relaxing_stiffness", &Relaxation::relaxing_stiffness);
+  addFree(true, "break_frequency", &Relaxation::break_frequency, band ? kOfBand : 1.0);
+  addFree(band, "alpha", &Relaxation::alpha, kOfBand);
+  addFree(description_.specification().has("low_frequency"), "band_ratio", &Relaxation::band_ratio,
+          band ? kOfBand : 1.0);
+  addFree(relaxation.damping > 0.0, "damping", &Relaxation::damping);
 }
 
 void ModelParameters::addSpecification() {
   for (const auto& [key, value] : description_.specification().values()) {
     const bool unused = description_.model() == estimation::Model::kelvin_voigt && key == "static_stiffness";
     if (!unused && element::isFree(*element::findParameter(estimation::specificationParameters(), key), {value})) {
-      add({Slot::specification, 0, key, 0}, key);
+      const auto move = [key = key](Point& point, double ratio) {
+        point.specification.set(key, point.specification.at(key) * ratio);
+      };
+      add(key, {move, false, 0.0});
     }
   }
 }
 
-void ModelParameters::addElements(const std::vector<element::ElementDescription>& elements, Slot::Where where) {
-  for (std::size_t entry = 0; entry < elements.size(); ++entry) {
-    const element::ElementDescription completed = element::complete(elements[entry]);
+void ModelParameters::addElements(std::vector<element::ElementDescription> Point::*list) {
+  for (std::size_t entry = 0; entry < (configured_.*list).size(); ++entry) {
+    const element::ElementDescription completed = element::complete((configured_.*list)[entry]);
     const auto& table = element::findElementType(completed.type)->parameters;
     for (const auto& [key, values] : completed.values) {
       if (element::isFree(*element::findParameter(table, key), values)) {
-        add({where, entry, key, values.front()}, fmt::format("{}[{}].{}", completed.type, entry, key));
+        const auto move = [=, key = key, value = values.front()](Point& point, double ratio) {
+          (point.*list)[entry].values[key] = {value * ratio};
+        };
+        add(fmt::format("{}[{}].{}", completed.type, entry, key), {move, true, values.front()});
       }
     }
   }
 }
 
-double& ModelParameters::coordinate(Relaxation& relaxation, const std::string& key) {
-  static const std::map<std::string, double Relaxation::*> numbers = {
-      {"static_stiffness", &Relaxation::static_stiffness},
-      {"relaxing_stiffness", &Relaxation::relaxing_stiffness},
-      {"alpha", &Relaxation::alpha},
-      {"break_frequency", &Relaxation::break_frequency},
-      {"band_ratio", &Relaxation::band_ratio},
-      {"damping", &Relaxation::damping}};
-  return relaxation.*numbers.at(key);
+ModelParameters::Point ModelParameters::pointAt(const Eigen::VectorXd& logarithms) const {
+  Point point = configured_;
+  if (logarithms.isZero(0.0)) {
+    return point;  // as configured, to the last bit
+  }
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    slots_[static_cast<std::size_t>(i)].move(point, std::exp(logarithms[i]));
+  }
+  if (point.relaxation.elements > 0) {
+    specify(point);
+  }
+  return point;
 }
 
-// The specification of a point: Eqs. 17 to 21 of Polach (IAVSD 2015) read backwards.
-estimation::Specification ModelParameters::specificationOf(const Relaxation& relaxation) const {
-  estimation::Specification specification = description_.specification();
+// The specification of a relaxation: Eqs. 17 to 21 of Polach (IAVSD 2015) read backwards.
+void ModelParameters::specify(Point& point) const {
+  const Relaxation& relaxation = point.relaxation;
+  estimation::Specification& specification = point.specification;
   const double omega = 2.0 * element::kPi * specification.at("nominal_frequency");
   double weights = 0.0;
   double weight = 1.0;
@@ -147,10 +151,10 @@ estimation::Specification ModelParameters::specificationOf(const Relaxation& rel
   if (specification.curve() == nullptr) {
     specification.set("static_stiffness", relaxation.static_stiffness);
   }
-  specification.erase("high_frequency_stiffness");
+  for (const char* const other : {"high_frequency_stiffness", "relative_damping", "loss_angle"}) {
+    specification.erase(other);
+  }
   specification.set("dynamic_stiffness", std::abs(dynamic));
-  specification.erase("relative_damping");
-  specification.erase("loss_angle");
   if (description_.model() == estimation::Model::multi_maxwell) {
     const double high = 2.0 * relaxation.break_frequency / (1.0 + 1.0 / relaxation.band_ratio);
     specification.set("maximum_stiffness", relaxation.static_stiffness + relaxation.relaxing_stiffness);
@@ -159,7 +163,7 @@ estimation::Specification ModelParameters::specificationOf(const Relaxation& rel
       specification.set("low_frequency",
                         high / std::pow(relaxation.band_ratio, static_cast<double>(relaxation.elements)));
     }
-    return specification;
+    return;
   }
   specification.erase("maximum_stiffness");
   specification.erase("high_frequency");
@@ -167,46 +171,18 @@ estimation::Specification ModelParameters::specificationOf(const Relaxation& rel
   if (description_.model() == estimation::Model::maxwell_dashpot) {
     specification.set("loss_angle", std::arg(dynamic));
   }
-  return specification;
-}
-
-estimation::Specification ModelParameters::specification(const Eigen::VectorXd& logarithms) const {
-  if (logarithms.isZero(0.0)) {
-    return description_.specification();  // as configured, to the last bit
-  }
-  Relaxation relaxation = relaxation_;
-  estimation::Specification result = description_.specification();
-  bool relaxes = false;
-  for (Eigen::Index i = 0; i < size(); ++i) {
-    const Slot& slot = slots_[static_cast<std::size_t>(i)];
-    if (slot.where == Slot::relaxation) {
-      coordinate(relaxation, slot.key) *= std::exp(logarithms[i]);
-      relaxes = true;
-    } else if (slot.where == Slot::specification) {
-      result.set(slot.key, result.at(slot.key) * std::exp(logarithms[i]));
-    }
-  }
-  return relaxes ? specificationOf(relaxation) : result;
 }
 
 io::ComponentDescription ModelParameters::apply(const Eigen::VectorXd& logarithms) const {
   if (logarithms.isZero(0.0)) {
     return description_;  // as configured, to the last bit
   }
-  std::vector<element::ElementDescription> elements = description_.elements();
-  std::vector<element::ElementDescription> added = description_.add;
-  for (Eigen::Index i = 0; i < size(); ++i) {
-    const Slot& slot = slots_[static_cast<std::size_t>(i)];
-    if (slot.where == Slot::element || slot.where == Slot::added) {
-      auto& entries = slot.where == Slot::element ? elements : added;
-      entries[slot.entry].values[slot.key] = {slot.configured * std::exp(logarithms[i])};
-    }
-  }
+  Point point = pointAt(logarithms);
   io::ComponentDescription result =
       description_.model() == estimation::Model::elements
-          ? io::ComponentDescription(description_.name, std::move(elements))
-          : io::ComponentDescription(description_.name, description_.model(), specification(logarithms));
-  result.add = std::move(added);
+          ? io::ComponentDescription(description_.name, std::move(point.elements))
+          : io::ComponentDescription(description_.name, description_.model(), std::move(point.specification));
+  result.add = std::move(point.added);
   result.temperature = description_.temperature;
   return result;
 }
@@ -215,9 +191,7 @@ std::optional<std::vector<element::ElementDescription>> ModelParameters::element
     const Eigen::VectorXd& logarithms) const {
   try {
     std::vector<element::ElementDescription> result = apply(logarithms).allElements();
-    for (const element::ElementDescription& element : result) {
-      element::complete(element);
-    }
+    std::for_each(result.begin(), result.end(), element::complete);
     return result;
   } catch (const std::invalid_argument&) {
     return std::nullopt;
@@ -226,16 +200,16 @@ std::optional<std::vector<element::ElementDescription>> ModelParameters::element
 
 std::vector<std::pair<std::string, double>> ModelParameters::ratios(const Eigen::VectorXd& logarithms) const {
   std::vector<std::pair<std::string, double>> result;
-  const estimation::Specification moved = specification(logarithms);
-  for (const auto& [key, value] : moved.values()) {
-    if (description_.specification().has(key) && description_.specification().at(key) != value) {
-      result.emplace_back(key, value / description_.specification().at(key));
+  const estimation::Specification& configured = configured_.specification;
+  const Point point = pointAt(logarithms);
+  for (const auto& [key, value] : point.specification.values()) {
+    if (configured.has(key) && configured.at(key) != value) {
+      result.emplace_back(key, value / configured.at(key));
     }
   }
-  for (Eigen::Index i = 0; i < size(); ++i) {
-    const Slot& slot = slots_[static_cast<std::size_t>(i)];
-    if (slot.where == Slot::element || slot.where == Slot::added) {
-      result.emplace_back(names_[static_cast<std::size_t>(i)], std::exp(logarithms[i]));
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (slots_[i].of_element) {
+      result.emplace_back(names_[i], std::exp(logarithms[static_cast<Eigen::Index>(i)]));
     }
   }
   return result;

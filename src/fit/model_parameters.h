@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,13 +32,13 @@ class ModelParameters {
   Eigen::Index size() const { return static_cast<Eigen::Index>(names_.size()); }
   const std::vector<std::string>& names() const { return names_; }
 
-  /// The bound on |logarithm| of a parameter: a factor of 3 on what was specified, beyond which it is another
+  /// The bound on |logarithm| of each parameter: a factor of 3 on what was specified, beyond which it is another
   /// component, and of 10 on values of single elements, which stand for each other.
-  double bound(Eigen::Index parameter) const;
+  const Eigen::VectorXd& bounds() const { return bounds_; }
 
-  /// How much more firmly than others a fit keeps a parameter where the logs hardly tell: the band that a specification
-  /// spreads its relaxation over was chosen by whoever wrote it, and is no property of rubber.
-  double firmness(Eigen::Index parameter) const;
+  /// How much more firmly than others a fit keeps each parameter where the logs hardly tell: the band that a
+  /// specification spreads its relaxation over was chosen by whoever wrote it, and is no property of rubber.
+  const Eigen::VectorXd& firmness() const { return firmness_; }
 
   /// The configured value of a parameter of an element, at the level of elements [SI].
   double configured(Eigen::Index parameter) const { return slots_[static_cast<std::size_t>(parameter)].configured; }
@@ -54,13 +55,6 @@ class ModelParameters {
   std::vector<std::pair<std::string, double>> ratios(const Eigen::VectorXd& logarithms) const;
 
  private:
-  struct Slot {
-    enum Where { relaxation, specification, element, added } where;
-    std::size_t entry;
-    std::string key;
-    double configured;  // of an element: the value, given or by default
-  };
-
   /// Coordinates of the models M2, M3 and multi-Maxwell in which every point has a model.
   struct Relaxation {
     double static_stiffness = 0.0;
@@ -72,19 +66,34 @@ class ModelParameters {
     std::size_t elements = 0;
   };
 
+  /// The numbers of a point.
+  struct Point {
+    estimation::Specification specification;
+    Relaxation relaxation;
+    std::vector<element::ElementDescription> elements;
+    std::vector<element::ElementDescription> added;
+  };
+
+  struct Slot {
+    std::function<void(Point& point, double ratio)> move;
+    bool of_element;    // else of the specification
+    double configured;  // of an element: the value, given or by default
+  };
+
   void addRelaxation();
   void addSpecification();
-  void addElements(const std::vector<element::ElementDescription>& elements, Slot::Where where);
-  void add(Slot slot, const std::string& name);
-  /// The specification with these logarithms of ratios, whether or not a component has it.
-  estimation::Specification specification(const Eigen::VectorXd& logarithms) const;
-  estimation::Specification specificationOf(const Relaxation& relaxation) const;
-  static double& coordinate(Relaxation& relaxation, const std::string& key);
+  void addElements(std::vector<element::ElementDescription> Point::*list);
+  void add(const std::string& name, Slot slot, double firmness = 1.0);
+  /// Whether or not a component has its numbers.
+  Point pointAt(const Eigen::VectorXd& logarithms) const;
+  void specify(Point& point) const;
 
   io::ComponentDescription description_;
-  Relaxation relaxation_;
+  Point configured_;
   std::vector<Slot> slots_;
   std::vector<std::string> names_;
+  Eigen::VectorXd bounds_;
+  Eigen::VectorXd firmness_;
 };
 
 }  // namespace rubber_suspension::fit

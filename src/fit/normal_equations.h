@@ -3,11 +3,10 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <map>
-#include <memory>
 #include <vector>
 
 #include "fit/free_in_log.h"
+#include "numerics/trust_region.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
@@ -28,66 +27,60 @@ struct BlockGrams {
   Eigen::MatrixXd sum;                        ///< of all blocks and the prior
   std::vector<Eigen::MatrixXd> without_fold;  ///< the same without the blocks of a fold
 
+  Eigen::Index unknowns() const { return gram[0].rows() - 1; }
+
   /// Fill in the sums, for kFolds folds at least.
   void sumUp();
+
+  /// Those of some of the unknowns alone.
+  BlockGrams of(const std::vector<Eigen::Index>& unknowns) const;
 };
 
-/// Derivative of the force by an unknown, per log; null: zero everywhere.
-using ForceColumn = std::shared_ptr<const std::vector<Eigen::VectorXd>>;
-
-/// Products with each other of columns that no fit changes, found once for all fits to the same logs.
-class KnownColumns {
+/// The logs cut into blocks, and the products with each other of columns that no fit changes, found once for all fits.
+class LogBlocks {
  public:
-  /// `weights` as for normalEquations().
-  KnownColumns(const std::vector<log::Record>& records, const std::vector<double>& weights,
-               std::vector<ForceColumn> columns, int threads);
+  /// The records have to outlive it. `weights`: what makes residuals of each log comparable [1/N].
+  LogBlocks(const std::vector<log::Record>& records, std::vector<double> weights, std::vector<ForceColumn> known = {},
+            int threads = 1);
 
-  /// Place of a column among them, -1 for others.
-  Eigen::Index find(const ForceColumn& column) const;
+  const std::vector<double>& weights() const { return weights_; }
 
-  /// Of a block, once what the rig may have added is taken out.
-  const Eigen::MatrixXd& products(std::size_t block) const { return products_[block]; }
-  /// By how much each nuisance of its log is in each column of a block, and of the whole log.
-  const Eigen::MatrixXd& onNuisances(std::size_t block) const { return on_nuisances_[block]; }
-  const Eigen::MatrixXd& shares(std::size_t record) const { return shares_[record]; }
-  /// Of each column over all blocks, with what the rig may have added.
-  double squares(Eigen::Index column) const;
+  /// Normal equations about a model whose forces [N] on the logs are `base`. `free`: unknown in each log, too. The
+  /// prior is that of trends and of zeros of the displacement alone.
+  BlockGrams normalEquations(const gap::Forces& base, const std::vector<ForceColumn>& columns, const FreeInLog& free,
+                             int threads) const;
 
  private:
-  std::vector<ForceColumn> columns_;
-  std::map<const std::vector<Eigen::VectorXd>*, Eigen::Index> places_;
-  std::vector<Eigen::MatrixXd> products_;
-  std::vector<Eigen::MatrixXd> on_nuisances_;
-  std::vector<Eigen::MatrixXd> shares_;
-  std::vector<Eigen::VectorXd> squares_;  // of each record
+  /// Samples of a log.
+  struct Block {
+    Eigen::Index first;
+    Eigen::Index size;
+    Eigen::MatrixXd known;  // products of the columns that no fit changes, and of what the rig may have added
+  };
+  struct Request;
+  static std::vector<Block> cut(const log::Record& record);
+  Eigen::MatrixXd fresh(const Request& request, std::size_t r) const;
+  std::vector<Eigen::MatrixXd> productsIn(std::size_t r, const Request& request) const;
+  Eigen::MatrixXd priorOf(const Request& request) const;
+
+  const std::vector<log::Record>& records_;
+  std::vector<double> weights_;
+  std::vector<ForceColumn> known_;
+  std::vector<std::vector<Block>> blocks_;  // of each log
 };
 
-/// Normal equations about a model whose forces [N] on the logs are `base`, without prior. `weights`: what makes
-/// residuals of each log comparable [1/N]. `free`: unknown in each log, too; `by_zero` as in Hypothesis. `known`: of
-/// the same logs; may be null. The prior is that of trends and of zeros of the displacement.
-BlockGrams normalEquations(const std::vector<log::Record>& records, const std::vector<double>& weights,
-                           const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
-                           FreeInLog free, int threads, const KnownColumns* known = nullptr,
-                           const ForceColumn& by_zero = nullptr);
+/// The products of some unknowns with each other and with the residual.
+Eigen::MatrixXd ofUnknowns(const Eigen::MatrixXd& gram, std::vector<Eigen::Index> unknowns);
 
-/// The coefficients of some columns within bounds that leave least of the last column, by the products of all columns.
-Eigen::VectorXd solveColumns(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
-                             const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+/// The coefficients of all columns but the last that leave least of the last, within bounds.
+Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const numerics::Limits& bounds);
 
-/// The same of all columns.
-Eigen::VectorXd solveAll(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
-
-/// The squares that coefficients of some columns leave of the last column.
-double squaresLeft(const Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& columns,
-                   const Eigen::VectorXd& coefficients);
+/// The squares that coefficients leave of the last column.
+double squaresLeft(const Eigen::MatrixXd& gram, const Eigen::VectorXd& coefficients);
 
 /// Held-out mean square error of each block, from its normal equations: each fold is predicted by a fit to the others,
-/// for which `solve` finds the coefficients of these columns.
-std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
-                                  const std::function<Eigen::VectorXd(const Eigen::MatrixXd& gram)>& solve);
-
-/// The same by solveColumns().
-std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
-                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+/// whose coefficients `fit` finds.
+std::vector<double> crossValidate(const BlockGrams& blocks,
+                                  const std::function<Eigen::VectorXd(const Eigen::MatrixXd& gram)>& fit);
 
 }  // namespace rubber_suspension::fit

@@ -15,37 +15,34 @@ constexpr double kRankTolerance = 1e-12;  // of eigenvalues of the correlation f
 constexpr double kPartInUnseen = 1e-3;    // of a direction of length 1
 
 // Autocovariances at lags 0 to `lags`, products within runs only.
-std::vector<double> autocovariances(const Eigen::VectorXd& residuals, const std::vector<Eigen::Index>& runs,
-                                    Eigen::Index lags) {
-  std::vector<double> sums(static_cast<std::size_t>(lags) + 1, 0.0);
+Eigen::VectorXd autocovariances(const Eigen::VectorXd& residuals, const std::vector<Eigen::Index>& runs,
+                                Eigen::Index lags) {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(lags + 1);
   Eigen::Index begin = 0;
   for (const Eigen::Index length : runs) {
     for (Eigen::Index lag = 0; lag <= std::min(lags, length - 1); ++lag) {
-      sums[static_cast<std::size_t>(lag)] +=
-          residuals.segment(begin, length - lag).dot(residuals.segment(begin + lag, length - lag));
+      sums[lag] += residuals.segment(begin, length - lag).dot(residuals.segment(begin + lag, length - lag));
     }
     begin += length;
   }
-  for (double& sum : sums) {
-    sum /= static_cast<double>(residuals.size());
-  }
-  return sums;
+  return sums / static_cast<double>(residuals.size());
 }
 
 // One more coefficient of the Levinson-Durbin recursion.
-void raiseOrder(Autoregression& model, const std::vector<double>& covariance) {
-  const std::size_t order = model.coefficients.size();
-  double correlation = covariance[order + 1];
-  for (std::size_t i = 0; i < order; ++i) {
-    correlation += model.coefficients[i] * covariance[order - i];
-  }
+void raiseOrder(Autoregression& model, const Eigen::VectorXd& covariance) {
+  const Eigen::Index order = model.coefficients.size();
+  const double correlation = covariance[order + 1] + model.coefficients.dot(covariance.segment(1, order).reverse());
   const double reflection = -correlation / model.innovation;
-  const std::vector<double> before = model.coefficients;
-  for (std::size_t i = 0; i < order; ++i) {
-    model.coefficients[i] += reflection * before[order - 1 - i];
-  }
-  model.coefficients.push_back(reflection);
+  model.coefficients += reflection * model.coefficients.reverse().eval();
+  model.coefficients.conservativeResize(order + 1);
+  model.coefficients[order] = reflection;
   model.innovation *= 1.0 - reflection * reflection;
+}
+
+// The Bayesian information criterion.
+double criterionOf(const Autoregression& model, double samples) {
+  return samples * std::log(std::max(model.innovation, 1e-300)) +
+         static_cast<double>(model.coefficients.size()) * std::log(samples);
 }
 
 }  // namespace
@@ -59,9 +56,7 @@ double Covariance::standardDeviation(Eigen::Index estimate) const {
 
 Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& noise_products) {
   const Eigen::VectorXd length = products.diagonal().cwiseMax(0.0).cwiseSqrt();
-  const double largest = length.maxCoeff();
-  const Eigen::VectorXd inverse =
-      length.unaryExpr([&](double x) { return x > 1e-14 * largest ? 1.0 / x : 1.0 / (1e-14 * largest); });
+  const Eigen::VectorXd inverse = length.cwiseMax(1e-14 * length.maxCoeff()).cwiseInverse();
   const numerics::Eigensystem eigen = numerics::eigensystem(inverse.asDiagonal() * products * inverse.asDiagonal());
   Eigen::MatrixXd pseudo_inverse = Eigen::MatrixXd::Zero(length.size(), length.size());
   Covariance covariance;
@@ -81,20 +76,14 @@ Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& 
 Autoregression fitAutoregression(const Eigen::VectorXd& residuals, const std::vector<Eigen::Index>& runs) {
   const Eigen::Index longest = *std::max_element(runs.begin(), runs.end());
   const Eigen::Index largest_order = std::min(kLargestOrder, longest / 20);
-  const std::vector<double> covariance = autocovariances(residuals, runs, largest_order);
-  Autoregression model;
-  model.innovation = covariance[0];
-  Autoregression best = model;
+  const Eigen::VectorXd covariance = autocovariances(residuals, runs, largest_order);
   const auto count = static_cast<double>(residuals.size());
+  Autoregression model{{}, covariance[0]};
+  Autoregression best = model;
   // Residuals at the rounding of the forces have no structure worth a model.
-  const double floor = 1e-14 * covariance[0];
-  double best_criterion = count * std::log(std::max(model.innovation, 1e-300));
-  for (Eigen::Index order = 1; order <= largest_order && model.innovation > floor; ++order) {
+  while (model.coefficients.size() < largest_order && model.innovation > 1e-14 * covariance[0]) {
     raiseOrder(model, covariance);
-    const double criterion =
-        count * std::log(std::max(model.innovation, 1e-300)) + static_cast<double>(order) * std::log(count);
-    if (criterion < best_criterion) {
-      best_criterion = criterion;
+    if (criterionOf(model, count) < criterionOf(best, count)) {
       best = model;
     }
   }
@@ -104,8 +93,7 @@ Autoregression fitAutoregression(const Eigen::VectorXd& residuals, const std::ve
 Eigen::MatrixXd projectedCovariance(const Eigen::MatrixXd& jacobian, const std::vector<Eigen::Index>& runs,
                                     const Autoregression& model) {
   // O = s^2 A^-1 A^-T, A being the filter of the autoregression as a triangular matrix; A^-T runs backwards in time.
-  const Eigen::Map<const Eigen::VectorXd> coefficients(model.coefficients.data(),
-                                                       static_cast<Eigen::Index>(model.coefficients.size()));
+  const Eigen::VectorXd& coefficients = model.coefficients;
   Eigen::MatrixXd filtered = jacobian;
   Eigen::Index begin = 0;
   for (const Eigen::Index length : runs) {
@@ -121,10 +109,7 @@ Eigen::MatrixXd projectedCovariance(const Eigen::MatrixXd& jacobian, const std::
 }
 
 double correlationFactor(const Autoregression& model, double variance) {
-  double sum = 1.0;
-  for (const double coefficient : model.coefficients) {
-    sum += coefficient;
-  }
+  const double sum = 1.0 + model.coefficients.sum();
   return variance > 0.0 ? model.innovation / (sum * sum) / variance : 1.0;
 }
 

@@ -25,7 +25,7 @@ Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& 
 
 /// An autoregressive model of residuals: r_t + sum a_i r_(t-i) = e_t, e of variance innovation.
 struct Autoregression {
-  std::vector<double> coefficients;
+  Eigen::VectorXd coefficients;
   double innovation = 0.0;
 };
 

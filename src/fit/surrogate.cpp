@@ -5,8 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <numeric>
 
+#include "element/each.h"
 #include "fit/normal_equations.h"
 #include "fit/parallel.h"
 #include "numerics/least_squares.h"
@@ -47,30 +48,17 @@ Eigen::Index strideOf(const std::vector<log::Record>& records) {
   return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::ceil(samples / kMostRows)));
 }
 
-Eigen::VectorXd thin(const Eigen::VectorXd& values, Eigen::Index stride) {
-  return Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<>>(
-      values.data(), (values.size() + stride - 1) / stride, Eigen::InnerStride<>(stride));
-}
-
 // Every so many samples of a record; its nuisances stay orthonormal.
 log::Record thinned(const log::Record& record, Eigen::Index stride) {
+  const auto kept = Eigen::seq(0, Eigen::last, stride);
   log::Record result = record;
-  if (stride == 1) {
-    return result;
-  }
   result.dt *= static_cast<double>(stride);
-  result.displacement = thin(record.displacement, stride);
-  result.raw_displacement = thin(record.raw_displacement, stride);
-  result.force = thin(record.force, stride);
-  if (record.counts.size() > 0) {
-    result.counts = thin(record.counts, stride);
+  for (Eigen::VectorXd* const channel :
+       {&result.displacement, &result.raw_displacement, &result.force, &result.counts}) {
+    *channel = (*channel)(kept).eval();
   }
-  if (record.nuisances.cols() > 0) {
-    Eigen::MatrixXd columns(result.size(), record.nuisances.cols());
-    for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-      columns.col(j) = thin(record.nuisances.col(j), stride);
-    }
-    result.nuisances = numerics::orthonormalColumns(columns);
+  if (stride > 1 && record.nuisances.cols() > 0) {
+    result.nuisances = numerics::orthonormalColumns(record.nuisances(kept, Eigen::all));
   }
   return result;
 }
@@ -95,11 +83,8 @@ Eigen::MatrixXd functionsOver(const ResidualBasis& basis, const log::Record& rec
 std::vector<ForceColumn> columnsOf(const std::vector<Eigen::MatrixXd>& functions) {
   std::vector<ForceColumn> columns;
   for (Eigen::Index j = 0; j < functions[0].cols(); ++j) {
-    auto column = std::make_shared<std::vector<Eigen::VectorXd>>();
-    for (const Eigen::MatrixXd& of_record : functions) {
-      column->emplace_back(of_record.col(j));
-    }
-    columns.push_back(std::move(column));
+    columns.push_back(columnOf(element::each(
+        functions, [&](const Eigen::MatrixXd& of_record) -> Eigen::VectorXd { return of_record.col(j); })));
   }
   return columns;
 }
@@ -131,13 +116,11 @@ class RidgeRegression {
 
   /// The ridge that predicts best with these functions.
   Choice bestRidge(const std::vector<Eigen::Index>& functions) const {
+    const BlockGrams part = blocks_.of(functions);
     Choice best;
     for (const double ridge : kRidges) {
-      const Choice choice{functions, ridge, std::numeric_limits<double>::infinity()};
-      double error = 0.0;
-      for (const UnseenBlock& block : predict(choice)) {
-        error += block.weight * block.after;
-      }
+      const std::vector<double> errors = predict(part, ridge);
+      const double error = std::inner_product(errors.begin(), errors.end(), part.weight.begin(), 0.0);
       if (error < best.error) {
         best = {functions, ridge, error};
       }
@@ -146,8 +129,7 @@ class RidgeRegression {
   }
 
   std::vector<UnseenBlock> predict(const Choice& choice) const {
-    const std::vector<double> errors =
-        crossValidate(blocks_, choice.functions, [&](const Eigen::MatrixXd& gram) { return solve(gram, choice); });
+    const std::vector<double> errors = predict(blocks_.of(choice.functions), choice.ridge);
     std::vector<UnseenBlock> unseen;
     for (std::size_t b = 0; b < errors.size(); ++b) {
       const double weight = blocks_.weight[b];
@@ -162,17 +144,21 @@ class RidgeRegression {
 
   /// Weight of each function [N].
   Eigen::VectorXd weights(const Choice& choice) const {
-    const Eigen::VectorXd x = solve(blocks_.sum, choice);
     Eigen::VectorXd result = Eigen::VectorXd::Zero(scale_.size() - 1);
-    result(choice.functions) = x.cwiseProduct(scale_(choice.functions));
-    return result;
+    result(choice.functions) = solveRidge(ofUnknowns(blocks_.sum, choice.functions), choice.ridge);
+    return result.cwiseProduct(scale_.head(result.size()));
   }
 
  private:
-  static Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const Choice& choice) {
-    Eigen::MatrixXd small = gram(choice.functions, choice.functions);
-    small.diagonal().array() += choice.ridge;
-    return numerics::Cholesky(small).solve(Eigen::VectorXd(gram(choice.functions, gram.rows() - 1)));
+  static Eigen::VectorXd solveRidge(const Eigen::MatrixXd& gram, double ridge) {
+    const Eigen::Index last = gram.cols() - 1;
+    Eigen::MatrixXd of_functions = gram.topLeftCorner(last, last);
+    of_functions.diagonal().array() += ridge;
+    return numerics::Cholesky(of_functions).solve(Eigen::VectorXd(gram.col(last).head(last)));
+  }
+
+  static std::vector<double> predict(const BlockGrams& part, double ridge) {
+    return crossValidate(part, [&](const Eigen::MatrixXd& gram) { return solveRidge(gram, ridge); });
   }
 
   BlockGrams blocks_;
@@ -257,13 +243,13 @@ SurrogateFit fitSurrogate(const std::vector<log::Record>& records, const std::ve
   std::vector<double> weights(count);
   parallelFor(count, threads, [&](std::size_t r) {
     thin_records[r] = thinned(records[r], stride);
-    base[r] = thin(simulated[r], stride);
+    base[r] = simulated[r](Eigen::seq(0, Eigen::last, stride));
     functions[r] = functionsOver(basis, records[r], stride);
     weights[r] = std::sqrt(records[r].weight / (thin_records[r].counted() * static_cast<double>(count))) /
                  records[r].force_deviation;
   });
-  const RidgeRegression regression(normalEquations(thin_records, weights, base, columnsOf(functions), {}, threads),
-                                   count);
+  const LogBlocks blocks(thin_records, weights);
+  const RidgeRegression regression(blocks.normalEquations(base, columnsOf(functions), {}, threads), count);
   const Choice choice = chooseFunctions(regression, basis);
   SurrogateFit fit;
   fit.unseen = regression.predict(choice);

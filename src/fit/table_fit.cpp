@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <complex>
-#include <stdexcept>
 
+#include "element/refuse.h"
 #include "fit/model_parameters.h"
 #include "fit/residual_covariance.h"
 #include "numerics/trust_region.h"
@@ -26,11 +26,12 @@ double misfitOf(const Eigen::VectorXd& residual) {
 Eigen::VectorXd boundsOf(const ModelParameters& parameters, const io::ComponentDescription& description) {
   // The break frequencies spread the elements over the range: with them kept the stiffnesses have one best fit.
   const bool spread = description.model() == estimation::Model::multi_maxwell;
-  Eigen::VectorXd bounds(parameters.size());
+  Eigen::VectorXd bounds = parameters.bounds();
   for (Eigen::Index i = 0; i < bounds.size(); ++i) {
     const std::string& name = parameters.names()[static_cast<std::size_t>(i)];
-    const bool kept = spread && name.find("break_frequency") != std::string::npos;
-    bounds[i] = kept ? 0.0 : parameters.bound(i);
+    if (spread && name.find("break_frequency") != std::string::npos) {
+      bounds[i] = 0.0;
+    }
   }
   return bounds;
 }
@@ -66,9 +67,7 @@ TableFit fitToTable(const io::ComponentDescription& description, const std::vect
       moved.push_back(i);
     }
   }
-  if (moved.empty()) {
-    throw std::invalid_argument(description.name + ": has no parameter that a fit moves");
-  }
+  element::refuseIf(moved.empty(), "{}: has no parameter that a fit moves", description.name);
   const auto residuals = [&](const Eigen::VectorXd& x) {
     return differences(parameters.apply(x).makeComponent(), points);
   };

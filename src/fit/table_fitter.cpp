@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <set>
 
-#include "gap/simulate.h"
+#include "element/each.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/settled_loop.h"
 
@@ -55,18 +57,14 @@ log::Record recordOf(const TablePoint& point) {
   return record;
 }
 
-// The cycle that counts.
-response::SettledLoop loopOf(const TablePoint& point, const Eigen::VectorXd& force) {
+// Of the cycle that counts.
+std::complex<double> stiffnessOfLoop(const TablePoint& point, const Eigen::VectorXd& force) {
   response::SettledLoop loop;
   loop.frequency = point.frequency;
   loop.amplitude = point.amplitude;
   loop.force.assign(force.data() + kBefore, force.data() + kBefore + kSamplesOfLoop);
-  return loop;
-}
-
-std::complex<double> stiffnessOfLoop(const TablePoint& point, const Eigen::VectorXd& force) {
-  const response::Characteristics loop = loopOf(point, force).characteristics();
-  return std::polar(loop.stiffness, loop.loss_angle);
+  const response::Characteristics found = loop.characteristics();
+  return std::polar(found.stiffness, found.loss_angle);
 }
 
 // Imaginary part of K*, by the area of the loop.
@@ -80,31 +78,21 @@ double lossStiffness(const TablePoint& point, const Eigen::VectorXd& force) {
 
 // Place of each row's value among all that differ by more than a part in a million.
 std::vector<int> ranksOf(const std::vector<TablePoint>& points, const std::function<double(const TablePoint&)>& value) {
-  std::vector<double> levels;
-  for (const TablePoint& point : points) {
-    levels.push_back(value(point));
-  }
-  std::sort(levels.begin(), levels.end());
-  const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b)); };
-  levels.erase(std::unique(levels.begin(), levels.end(), same), levels.end());
-  std::vector<int> ranks;
-  for (const TablePoint& point : points) {
-    const auto found = std::find_if(levels.begin(), levels.end(), [&](double l) { return same(l, value(point)); });
-    ranks.push_back(static_cast<int>(found - levels.begin()));
-  }
-  return ranks;
+  const auto below = [](double a, double b) { return b - a > 1e-6 * std::max(std::abs(a), std::abs(b)); };
+  std::vector<double> values = element::each(points, value);
+  const std::set<double, decltype(below)> levels(values.begin(), values.end(), below);
+  return element::each(
+      values, [&](double of_row) { return static_cast<int>(std::distance(levels.begin(), levels.find(of_row))); });
 }
 
 }  // namespace
 
 TableLoops::TableLoops(std::vector<TablePoint> points) : points_(std::move(points)) {
   checkPoints(points_);
-  auto records = std::make_shared<std::vector<log::Record>>();
-  std::transform(points_.begin(), points_.end(), std::back_inserter(*records), recordOf);
-  records_ = std::move(records);
+  records_ = std::make_shared<const std::vector<log::Record>>(element::each(points_, recordOf));
 }
 
-std::vector<std::complex<double>> TableLoops::stiffness(const std::vector<Eigen::VectorXd>& forces) const {
+std::vector<std::complex<double>> TableLoops::stiffness(const gap::Forces& forces) const {
   std::vector<std::complex<double>> result;
   for (std::size_t r = 0; r < points_.size(); ++r) {
     result.push_back(stiffnessOfLoop(points_[r], forces[r]));
@@ -153,40 +141,36 @@ std::optional<std::vector<std::complex<double>>> TableFitter::stiffness(const Hy
   return forces ? std::optional(loops_->stiffness(*forces)) : std::nullopt;
 }
 
-double TableFitter::gapOf(const Hypothesis& /*hypothesis*/, const Forces& forces) const {
+double TableFitter::gapOf(const Hypothesis& /*hypothesis*/, const gap::Forces& forces) const {
   const double gap = gapOfTable(loops_->points(), loops_->stiffness(forces));
   return std::isfinite(gap) ? gap : std::numeric_limits<double>::infinity();
 }
 
 BlockGrams TableFitter::normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                             const Forces& base, FreeInLog /*free*/, const std::vector<bool>& active,
+                                             const gap::Forces& base, const std::vector<bool>& active,
                                              int threads) const {
   const std::vector<ForceColumn> columns = forces_.columns(hypothesis, parameters, active, base, threads);
   const std::vector<std::complex<double>> model = loops_->stiffness(base);
   const auto unknowns = static_cast<Eigen::Index>(columns.size());
-  const double rows = static_cast<double>(base.size());
+  const double share = 1.0 / static_cast<double>(base.size());
   BlockGrams result;
   result.fold = fold_;
   result.record.assign(base.size(), 0);
-  result.weight.assign(base.size(), 1.0 / rows);
+  result.weight.assign(base.size(), share);
+  result.prior = Eigen::MatrixXd::Zero(unknowns + 1, unknowns + 1);
+  result.squares = Eigen::VectorXd::Zero(unknowns + 1);
   for (std::size_t r = 0; r < base.size(); ++r) {
     const std::complex<double> measured = loops_->points()[r].complexStiffness();
-    const double weight = 1.0 / (std::abs(measured) * std::sqrt(rows));
-    Eigen::MatrixXd local = Eigen::MatrixXd::Zero(2, unknowns + 1);
-    const auto set = [&](Eigen::Index column, std::complex<double> value) {
-      local(0, column) = weight * value.real();
-      local(1, column) = weight * value.imag();
-    };
+    Eigen::VectorXcd row = Eigen::VectorXcd::Zero(unknowns + 1);
     for (Eigen::Index j = 0; j < unknowns; ++j) {
-      const ForceColumn& column = columns[static_cast<std::size_t>(j)];
-      if (column) {
-        set(j, loops_->derivative(r, base[r], (*column)[r]));
+      if (const ForceColumn& column = columns[static_cast<std::size_t>(j)]) {
+        row[j] = loops_->derivative(r, base[r], (*column)[r]);
       }
     }
-    set(unknowns, measured - model[r]);
-    result.gram.emplace_back(local.transpose() * local);
-    result.squares = (result.squares.size() == 0 ? Eigen::VectorXd::Zero(unknowns + 1) : result.squares) +
-                     result.gram.back().diagonal();
+    row[unknowns] = measured - model[r];
+    row *= std::sqrt(share) / std::abs(measured);
+    result.gram.emplace_back((row.conjugate() * row.transpose()).real());
+    result.squares += result.gram.back().diagonal();
   }
   return result;
 }

@@ -29,7 +29,7 @@ class TableLoops {
   const std::shared_ptr<const std::vector<log::Record>>& records() const { return records_; }
 
   /// K* of each row [N/m] by the forces on the records [N].
-  std::vector<std::complex<double>> stiffness(const std::vector<Eigen::VectorXd>& forces) const;
+  std::vector<std::complex<double>> stiffness(const gap::Forces& forces) const;
 
   /// The same of a component.
   std::vector<std::complex<double>> stiffnessOf(const std::vector<element::ElementDescription>& elements) const;
@@ -58,13 +58,12 @@ class TableFitter final : public HypothesisFitter {
                                                              const ParameterVector& parameters) const;
 
  private:
-  using Forces = std::vector<Eigen::VectorXd>;
-  std::optional<Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const override {
+  std::optional<gap::Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const override {
     return forces_.at(hypothesis, parameters);
   }
-  double gapOf(const Hypothesis& hypothesis, const Forces& forces) const override;
-  BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters, const Forces& base,
-                                  FreeInLog free, const std::vector<bool>& active, int threads) const override;
+  double gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const override;
+  BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                  const gap::Forces& base, const std::vector<bool>& active, int threads) const override;
 
   std::shared_ptr<const TableLoops> loops_;
   HypothesisForces forces_;

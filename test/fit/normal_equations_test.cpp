@@ -33,23 +33,23 @@ log::Record record(Eigen::Index first, Eigen::Index last) {
 
 BlockGrams equations(const std::vector<log::Record>& records) {
   std::vector<double> weights;
-  std::vector<Eigen::VectorXd> base;
-  std::vector<Eigen::VectorXd> column;
+  gap::Forces base;
+  gap::Forces column;
   for (const log::Record& one : records) {
     weights.push_back(1.0 / (one.force_deviation * std::sqrt(one.counted() * static_cast<double>(records.size()))));
     base.emplace_back(Eigen::VectorXd::Zero(one.size()));
     column.push_back(one.displacement);
   }
-  BlockGrams blocks =
-      normalEquations(records, weights, base, {std::make_shared<const std::vector<Eigen::VectorXd>>(column)}, {}, 1);
-  blocks.prior = Eigen::MatrixXd::Zero(2, 2);
+  BlockGrams blocks = LogBlocks(records, weights).normalEquations(base, {columnOf(column)}, {}, 1);
   blocks.sumUp();
   return blocks;
 }
 
 double heldOut(const BlockGrams& blocks) {
-  const Eigen::VectorXd bound = Eigen::VectorXd::Constant(1, 1e9);
-  const std::vector<double> errors = crossValidate(blocks, {0}, -bound, bound);
+  const Eigen::VectorXd bound = Eigen::VectorXd::Constant(blocks.unknowns(), 1e9);
+  const std::vector<double> errors = crossValidate(blocks, [&](const Eigen::MatrixXd& gram) {
+    return solve(gram, {-bound, bound});
+  });
   return std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks.weight.begin(), 0.0));
 }
 
@@ -70,15 +70,12 @@ TEST(NormalEquations, LeaveOutBlocksWithoutSamplesThatCount) {
 
 double heldOutBesideTrends(const log::Record& one) {
   const double weight = 1.0 / (one.force_deviation * std::sqrt(one.counted()));
-  const auto column = std::make_shared<const std::vector<Eigen::VectorXd>>(1, one.displacement);
+  const std::vector<log::Record> records = {one};
   BlockGrams blocks =
-      normalEquations({one}, {weight}, {Eigen::VectorXd::Zero(one.size())}, {column}, {true, false, false}, 1);
+      LogBlocks(records, {weight})
+          .normalEquations({Eigen::VectorXd::Zero(one.size())}, {columnOf({one.displacement})}, {true}, 1);
   blocks.sumUp();
-  std::vector<Eigen::Index> columns(static_cast<std::size_t>(blocks.sum.cols() - 1));
-  std::iota(columns.begin(), columns.end(), 0);
-  const Eigen::VectorXd bound = Eigen::VectorXd::Constant(blocks.sum.cols() - 1, 1e9);
-  const std::vector<double> errors = crossValidate(blocks, columns, -bound, bound);
-  return std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks.weight.begin(), 0.0));
+  return heldOut(blocks);
 }
 
 // A force that walks: trends of a walk predict more of it for blocks that are held out than free ones.
@@ -111,9 +108,9 @@ void addRig(log::Record& one) {
 TEST(NormalEquations, AreTheSameWithKnownColumns) {
   std::vector<log::Record> records = {record(0, 0), record(300, 400)};
   std::vector<double> weights;
-  std::vector<Eigen::VectorXd> base;
-  std::vector<Eigen::VectorXd> displacement;
-  std::vector<Eigen::VectorXd> cubic;
+  gap::Forces base;
+  gap::Forces displacement;
+  gap::Forces cubic;
   for (log::Record& one : records) {
     addRig(one);
     weights.push_back(0.7 / one.force_deviation);
@@ -121,12 +118,10 @@ TEST(NormalEquations, AreTheSameWithKnownColumns) {
     displacement.push_back(one.displacement);
     cubic.emplace_back(one.displacement.array().cube() + 0.3);
   }
-  const std::vector<ForceColumn> columns = {std::make_shared<const std::vector<Eigen::VectorXd>>(displacement), nullptr,
-                                            std::make_shared<const std::vector<Eigen::VectorXd>>(cubic)};
-  const KnownColumns known(records, weights, {columns[2]}, 2);
+  const std::vector<ForceColumn> columns = {columnOf(displacement), nullptr, columnOf(cubic)};
   const FreeInLog free{true, true};
-  const BlockGrams plain = normalEquations(records, weights, base, columns, free, 1);
-  const BlockGrams faster = normalEquations(records, weights, base, columns, free, 1, &known);
+  const BlockGrams plain = LogBlocks(records, weights).normalEquations(base, columns, free, 1);
+  const BlockGrams faster = LogBlocks(records, weights, {columns[2]}, 2).normalEquations(base, columns, free, 1);
   ASSERT_EQ(plain.gram.size(), faster.gram.size());
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(plain.gram[0].rows(), plain.gram[0].rows());
   for (std::size_t b = 0; b < plain.gram.size(); ++b) {

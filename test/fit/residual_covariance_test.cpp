@@ -13,9 +13,8 @@ namespace {
 Eigen::MatrixXd denseCovariance(const Eigen::MatrixXd& jacobian, const fit::Autoregression& model) {
   const Eigen::Index size = jacobian.rows();
   Eigen::MatrixXd filter = Eigen::MatrixXd::Identity(size, size);
-  const auto order = static_cast<Eigen::Index>(model.coefficients.size());
-  for (Eigen::Index lag = 1; lag <= std::min(order, size - 1); ++lag) {
-    filter.diagonal(-lag).setConstant(model.coefficients[static_cast<std::size_t>(lag - 1)]);
+  for (Eigen::Index lag = 1; lag <= std::min(model.coefficients.size(), size - 1); ++lag) {
+    filter.diagonal(-lag).setConstant(model.coefficients[lag - 1]);
   }
   const Eigen::MatrixXd filtered = filter.transpose().lu().solve(jacobian);
   return model.innovation * filtered.transpose() * filtered;
@@ -23,7 +22,7 @@ Eigen::MatrixXd denseCovariance(const Eigen::MatrixXd& jacobian, const fit::Auto
 
 TEST(ResidualCovariance, AgreesWithDenseMatrices) {
   fit::Autoregression model;
-  model.coefficients = {-1.1, 0.5, -0.2};  // roots inside the unit circle
+  model.coefficients = Eigen::Vector3d(-1.1, 0.5, -0.2);  // roots inside the unit circle
   model.innovation = 0.7;
   const std::vector<Eigen::Index> runs = {600, 2, 256};  // more, less and exactly a block of the recursion
   srand(1);

@@ -127,10 +127,10 @@ void Discriminator::findNormalEquations() {
   for (std::size_t e = 0; e < normal_.size(); ++e) {
     const FittedHypothesis& fitted = *explanations_[e].fitted;
     const auto blocks = fitter_.linearise(fitted.hypothesis, fitted.fit.parameters, movable(e), threads_);
-    const Eigen::Index unknowns = blocks.sum.rows() - 1;
+    const Eigen::Index unknowns = blocks.unknowns();
     Normal& normal = normal_[e];
     normal.gram = blocks.sum.topLeftCorner(unknowns, unknowns);
-    fitter_.stepBounds(fitted.hypothesis, fitted.fit.parameters, unknowns, normal.lower, normal.upper);
+    normal.bounds = fitter_.stepBounds(fitted.hypothesis, fitted.fit.parameters, unknowns);
     normal.free = fitted.hypothesis.free_in_log;
   }
 }
@@ -215,7 +215,7 @@ double Discriminator::leftAfterRefit(std::size_t right, std::size_t wrong, std::
   gram.topLeftCorner(columns.cols(), columns.cols()) += unit * unit * says_[wrong].grams[motion];
   Eigen::VectorXd moment = Eigen::VectorXd::Zero(gram.rows());
   moment.head(columns.cols()) = unit * (columns.transpose() * difference);
-  const Eigen::VectorXd step = numerics::boundedLeastSquares(gram, moment, normal.lower, normal.upper);
+  const Eigen::VectorXd step = numerics::boundedLeastSquares(gram, moment, normal.bounds.lower, normal.bounds.upper);
   const double cost = difference.squaredNorm() - 2.0 * step.dot(moment) + step.dot(gram * step);
   return deviation * std::sqrt(std::clamp(cost, 0.0, difference.squaredNorm()));
 }

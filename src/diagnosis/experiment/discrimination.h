@@ -35,9 +35,8 @@ class Discriminator {
 
  private:
   struct Normal {
-    Eigen::MatrixXd gram;   // of the logs, priors included
-    Eigen::VectorXd lower;  // bounds of a step
-    Eigen::VectorXd upper;
+    Eigen::MatrixXd gram;     // of the logs, priors included
+    numerics::Limits bounds;  // of a step
     fit::FreeInLog free;
   };
   // The forces of an explanation on the motions.

@@ -24,9 +24,9 @@ double meanSquare(const log::Record& record, const Eigen::VectorXd& force) {
 }
 
 // The part of a log's rest that a slow trend or a gain takes.
-double takenInLog(fit::FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated) {
+double takenInLog(const fit::FreeInLog& free, const log::Record& record, const Eigen::VectorXd& simulated) {
   const Eigen::VectorXd residual = record.force - simulated;
-  const log::Record freed = fit::withFreeInLog(free, record, simulated);
+  const log::Record freed = free.addedTo(record, 0, simulated);
   return std::max(0.0, meanSquare(record, residual) - meanSquare(freed, residual));
 }
 
@@ -98,8 +98,7 @@ std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const log::R
                                  const Eigen::VectorXd& simulated) {
   const fit::FreeInLog free{hypothesis.free_in_log.trend, hypothesis.free_in_log.gain};
   const Eigen::VectorXd left = record.force - simulated;
-  return octaveShares(free.any() ? fit::withFreeInLog(free, record, simulated).withoutRig(left)
-                                 : record.withoutRig(left));
+  return octaveShares(free.any() ? free.addedTo(record, 0, simulated).withoutRig(left) : record.withoutRig(left));
 }
 
 // A band counts by the force that the model has there and by what the model leaves there, half each: a rest outside the

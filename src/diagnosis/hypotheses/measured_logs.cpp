@@ -101,9 +101,8 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
   result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd residual = records[r].force - forces[r];
-    const double left = free.any()
-                            ? measurement::relativeFloor(fit::withFreeInLog(free, records[r], forces[r]), residual)
-                            : measurement::relativeFloor(records[r], residual);
+    const double left = free.any() ? measurement::relativeFloor(free.addedTo(records[r], r, forces[r]), residual)
+                                   : measurement::relativeFloor(records[r], residual);
     result.record_rest[r] = std::min(result.record_rest[r], left);
   }
   const NoiseLimit limit = noiseLimit(result.record_rest, records);

@@ -45,7 +45,7 @@ Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit:
     }
   }
   blocks_ = fitter.linearise(all_, about_, {}, threads);
-  fitter.stepBounds(all_, about_, unknowns(), lower_, upper_);
+  bounds_ = fitter.stepBounds(all_, about_, blocks_.unknowns());
 }
 
 Screening::Part Screening::partOf(const std::vector<int>& members) const {
@@ -60,31 +60,32 @@ Screening::Part Screening::partOf(const std::vector<int>& members) const {
   }
   const std::vector<Eigen::Index> in_log = freeColumns(free);
   part.columns.insert(part.columns.end(), in_log.begin(), in_log.end());
-  part.lower = lower_(part.columns);
-  part.upper = upper_(part.columns);
+  part.bounds = {bounds_.lower(part.columns), bounds_.upper(part.columns)};
   return part;
 }
 
 Screened Screening::screen(std::vector<int> members) const {
   std::sort(members.begin(), members.end());
   const Part part = partOf(members);
-  const std::vector<double> errors = fit::crossValidate(blocks_, part.columns, part.lower, part.upper);
+  const std::vector<double> errors = fit::crossValidate(
+      blocks_.of(part.columns), [&](const Eigen::MatrixXd& gram) { return fit::solve(gram, part.bounds); });
   return {members, std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks_.weight.begin(), 0.0))};
 }
 
 double Screening::leftBy(const std::vector<int>& members) const {
   const Part part = partOf(members);
-  const Eigen::VectorXd step = fit::solveColumns(blocks_.sum, part.columns, part.lower, part.upper);
-  return std::sqrt(std::max(0.0, fit::squaresLeft(blocks_.sum, part.columns, step)));
+  const Eigen::MatrixXd gram = fit::ofUnknowns(blocks_.sum, part.columns);
+  return std::sqrt(std::max(0.0, fit::squaresLeft(gram, fit::solve(gram, part.bounds))));
 }
 
 // No farther than a step of a fit goes: beyond, the force is not linear in the model parameters.
 fit::ParameterVector Screening::bestOf(const std::vector<int>& members) const {
-  constexpr double kLongestStep = 0.4;  // of a logarithm
   Part part = partOf(members);
-  part.lower.head(model_size_) = part.lower.head(model_size_).cwiseMax(-kLongestStep);
-  part.upper.head(model_size_) = part.upper.head(model_size_).cwiseMin(kLongestStep);
-  const Eigen::VectorXd step = fit::solveColumns(blocks_.sum, part.columns, part.lower, part.upper);
+  auto lower = part.bounds.lower.head(model_size_);
+  auto upper = part.bounds.upper.head(model_size_);
+  lower = lower.cwiseMax(-fit::kLongestStep);
+  upper = upper.cwiseMin(fit::kLongestStep);
+  const Eigen::VectorXd step = fit::solve(fit::ofUnknowns(blocks_.sum, part.columns), part.bounds);
   fit::ParameterVector best{about_.model + step.head(model_size_), {}};
   best.scales.resize(0);
   std::vector<double> scales;
@@ -103,7 +104,7 @@ std::vector<Eigen::Index> Screening::freeColumns(fit::FreeInLog free) const {
   std::vector<Eigen::Index> columns;
   const Eigen::Index first = model_size_ + static_cast<Eigen::Index>(all_.terms.size());
   const Eigen::Index of_log = all_.free_in_log.count();
-  for (Eigen::Index j = first; j < unknowns(); ++j) {
+  for (Eigen::Index j = first; j < blocks_.unknowns(); ++j) {
     const bool is_gain = (j - first) % of_log == of_log - 1;
     if (is_gain ? free.gain : free.trend) {
       columns.push_back(j);

@@ -55,11 +55,9 @@ class Screening {
   /// Columns of a hypothesis among all, and how far each may move.
   struct Part {
     std::vector<Eigen::Index> columns;
-    Eigen::VectorXd lower;
-    Eigen::VectorXd upper;
+    numerics::Limits bounds;
   };
   Part partOf(const std::vector<int>& members) const;
-  Eigen::Index unknowns() const { return blocks_.gram[0].rows() - 1; }
   std::vector<Screened> screenAll(const std::vector<std::vector<int>>& sets) const;
 
   const std::vector<fit::Candidate>& candidates_;
@@ -69,8 +67,7 @@ class Screening {
   fit::Hypothesis all_;
   std::vector<std::vector<Eigen::Index>> columns_of_;
   fit::BlockGrams blocks_;
-  Eigen::VectorXd lower_;
-  Eigen::VectorXd upper_;
+  numerics::Limits bounds_;
 };
 
 }  // namespace rubber_suspension::diagnosis

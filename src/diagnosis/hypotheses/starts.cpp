@@ -28,10 +28,10 @@ void fitFrom(const fit::HypothesisFitter& fitter, const fit::ParameterVector& st
   FittedHypothesis fitted{best.hypothesis, {}};
   fitter.freeZeros(start, fitted.hypothesis);
   fitted.fit = fitter.fit(fitted.hypothesis, start, limits);
-  if (!fitted.hypothesis.free_in_log.zero && fitted.fit.gap <= limits.reach) {
+  if (!fitted.hypothesis.free_in_log.by_zero && fitted.fit.gap <= limits.reach) {
     FittedHypothesis with_zeros = fitted;
     fitter.freeZeros(fitted.fit.parameters, with_zeros.hypothesis);
-    if (with_zeros.hypothesis.free_in_log.zero) {
+    if (with_zeros.hypothesis.free_in_log.by_zero) {
       with_zeros.fit = fitter.fit(with_zeros.hypothesis, fitted.fit.parameters, {kZeroIterations, limits.reach});
       keepBetter(std::move(with_zeros), fitted);
     }

@@ -36,12 +36,12 @@ UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothe
 UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
                           const gap::Forces& predicted, const std::vector<log::Record>& records,
                           const std::vector<fit::DisplacementZero>& zeros) {
-  if (hypothesis.free_in_log.zero) {
-    std::vector<Eigen::VectorXd> columns;
+  if (hypothesis.free_in_log.by_zero) {
+    gap::Forces columns;
     for (std::size_t r = 0; r < records.size(); ++r) {
       columns.push_back(fit::byZero(elements, {records[r]}, {zeros[r]}).front());
     }
-    hypothesis.by_zero = std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(columns));
+    hypothesis.free_in_log.by_zero = fit::columnOf(std::move(columns));
   }
   UnseenErrors errors = partErrorsOf(hypothesis, records, predicted);
   for (gap::PartError& part : errors) {  // a law that gives way under some motion explains none of it
@@ -57,8 +57,7 @@ std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, cons
   }
   std::vector<log::Record> freed;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    freed.push_back(fit::withFreeInLog(hypothesis.free_in_log, records[r], simulated[r],
-                                       hypothesis.by_zero ? (*hypothesis.by_zero)[r] : Eigen::VectorXd()));
+    freed.push_back(hypothesis.free_in_log.addedTo(records[r], r, simulated[r]));
   }
   return gap::partErrors(freed, simulated);
 }
@@ -76,7 +75,7 @@ std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& 
       const double all = record.withoutRig(residual).norm() / std::sqrt(record.counted()) / record.force_deviation;
       return std::max(left, std::min(floors[r], all));
     };
-    floors[r] = free.any() ? floor(fit::withFreeInLog(free, records[r], simulated[r])) : floor(records[r]);
+    floors[r] = free.any() ? floor(free.addedTo(records[r], r, simulated[r])) : floor(records[r]);
   }
   return floors;
 }

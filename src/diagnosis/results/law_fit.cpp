@@ -203,7 +203,7 @@ fit::ForceColumn LawForces::difference(const fit::ParameterVector& parameters, c
   for (std::size_t r = 0; r < base.size(); ++r) {
     (*forces)[r] = ((*forces)[r] - base[r]) / step;
   }
-  return std::make_shared<const gap::Forces>(std::move(*forces));
+  return fit::columnOf(std::move(*forces));
 }
 
 double LawForces::stepOf(const fit::ParameterVector& parameters, const fit::BasisTerm& unknown, Eigen::Index t) const {

@@ -108,10 +108,10 @@ class LawFitter final : public fit::HypothesisFitter {
   }
   /// Few unknowns, all of which move.
   fit::BlockGrams normalEquationsAbout(const fit::Hypothesis& hypothesis, const fit::ParameterVector& parameters,
-                                       const gap::Forces& base, fit::FreeInLog free,
-                                       const std::vector<bool>& /*active*/, int /*threads*/) const override {
-    return fit::normalEquations(fitter_.records(), fitter_.weights(), base, forces_.columns(parameters, base, threads_),
-                                free, threads_, nullptr, hypothesis.by_zero);
+                                       const gap::Forces& base, const std::vector<bool>& /*active*/,
+                                       int /*threads*/) const override {
+    return fitter_.blocks().normalEquations(base, forces_.columns(parameters, base, threads_), hypothesis.free_in_log,
+                                            threads_);
   }
 
   const fit::Fitter& fitter_;

@@ -313,7 +313,6 @@ class Chooser {
 FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates) {
   FittedLaw result{{}, judged.fit};
   result.law.about.free_in_log = judged.hypothesis.free_in_log;
-  result.law.about.by_zero = judged.hypothesis.by_zero;
   std::vector<double> scales;
   Eigen::Index next = 0;
   for (const int member : judged.hypothesis.members) {

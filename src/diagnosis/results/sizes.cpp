@@ -170,10 +170,7 @@ class Resampling {
   }
 
   Eigen::VectorXd step(const Eigen::MatrixXd& sum) const {
-    Eigen::VectorXd lower;
-    Eigen::VectorXd upper;
-    fitter_.stepBounds(hypothesis_, fitted_.fit.parameters, sum.cols() - 1, lower, upper);
-    return fit::solveAll(sum, lower, upper);
+    return fit::solve(sum, fitter_.stepBounds(hypothesis_, fitted_.fit.parameters, sum.cols() - 1));
   }
 
   void collect(const Eigen::VectorXd& step) {

@@ -134,7 +134,7 @@ struct Stages {
 };
 
 LogAccount accountOf(const log::Record& record, const RawChannels& raw, const Stages& forces, const VectorXd& judged,
-                     std::size_t r, fit::FreeInLog free, const VectorXd& by_zero) {
+                     std::size_t r, const fit::FreeInLog& free) {
   const double variance = std::pow(record.force_deviation, 2);
   const double recorded = gap::gapOfResidual(raw.force - forces.recorded[r], gap::standardDeviation(raw.force));
   LogAccount account(record.name, recorded * recorded);
@@ -145,15 +145,14 @@ LogAccount accountOf(const log::Record& record, const RawChannels& raw, const St
   const VectorXd residual = record.force - judged;
   account.takeOut(taken_out::kNoise, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, judged, account);
-  const auto without = [&](fit::FreeInLog also) {
-    return fit::withFreeInLog(also, record, judged, by_zero).withoutRig(residual).squaredNorm() / counts.sum() /
-           variance;
+  const auto without = [&](const fit::FreeInLog& also) {
+    return also.addedTo(record, r, judged).withoutRig(residual).squaredNorm() / counts.sum() / variance;
   };
-  if (free.zero) {
-    account.takeOut(taken_out::kDisplacement, without({false, false, true}));
+  if (free.by_zero) {
+    account.takeOut(taken_out::kDisplacement, without({false, false, free.by_zero}));
   }
   if (free.trend) {
-    account.takeOut(taken_out::kDrift, without({true, false, free.zero}));
+    account.takeOut(taken_out::kDrift, without({true, false, free.by_zero}));
   }
   if (free.gain) {
     account.takeOut(taken_out::kGain, without(free));
@@ -226,13 +225,14 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
   Stages forces;
   forces.recorded = over(recorded);
   forces.bridged = bridged == recorded ? forces.recorded : over(bridged);
-  const std::vector<VectorXd> by_zero =
-      free.zero ? byZeros(elements, of_the_fit, held_out, zeros) : std::vector<VectorXd>(raw.size());
+  if (free.by_zero) {
+    free.by_zero = fit::columnOf(byZeros(elements, of_the_fit, held_out, zeros));
+  }
   std::vector<LogAccount> accounts;
   for (const auto* list : {&of_the_fit, &held_out}) {
     for (const log::Record& record : *list) {
       const std::size_t r = accounts.size();
-      accounts.push_back(accountOf(record, raw[r], forces, judged[r], r, free, by_zero[r]));
+      accounts.push_back(accountOf(record, raw[r], forces, judged[r], r, free));
     }
   }
   return accounts;
