@@ -47,8 +47,8 @@ TEST(ModelParameters, HaveAModelEverywhere) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int i = 0; i < 200; ++i) {
-    const Eigen::VectorXd point =
-        Eigen::VectorXd::NullaryExpr(model.size(), [&](Eigen::Index j) { return model.bounds()[j] * uniform(generator); });
+    const Eigen::VectorXd point = Eigen::VectorXd::NullaryExpr(
+        model.size(), [&](Eigen::Index j) { return model.bounds()[j] * uniform(generator); });
     const auto elements = model.elements(point);
     ASSERT_TRUE(elements) << point.transpose();
     EXPECT_NEAR((*elements)[0].value("stiffness"), 3.0e6 * std::exp(point[0]), 1e-3);
