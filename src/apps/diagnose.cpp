@@ -60,7 +60,7 @@ Files reportFiles(const DiagnoseOptions& options) {
 }
 
 std::string takenOut(const diagnosis::Diagnosis& diagnosis) {
-  const std::vector<std::string> phrases = diagnosis::describeTakenOut(diagnosis.taken_out);
+  const std::vector<std::string> phrases = diagnosis::results::describeTakenOut(diagnosis.taken_out);
   return phrases.empty() ? "" : log::oneLine(fmt::format("taken out of the logs: {}", fmt::join(phrases, "; "))) + "\n";
 }
 
@@ -192,7 +192,7 @@ diagnosis::RunRecord runRecord(const DiagnoseOptions& options) {
   add("--plan", options.plan);
   add("--from-table", {options.table_path});
   add("--hold-out", options.hold_out);
-  return diagnosis::makeRunRecord(version(), options.command_line, files);
+  return diagnosis::report::makeRunRecord(version(), options.command_line, files);
 }
 
 void setTolerances(const std::vector<std::string>& assignments, io::ComponentDescription& component) {
@@ -212,11 +212,11 @@ std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis) {
                            diagnosis.recorded_samples);
 }
 
-std::optional<diagnosis::EarlierReport> earlierReport(const DiagnoseOptions& options) {
-  return options.compare.empty() ? std::nullopt : std::optional<diagnosis::EarlierReport>(options.compare);
+std::optional<diagnosis::report::EarlierReport> earlierReport(const DiagnoseOptions& options) {
+  return options.compare.empty() ? std::nullopt : std::optional<diagnosis::report::EarlierReport>(options.compare);
 }
 
-int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::EarlierReport>& earlier,
+int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::report::EarlierReport>& earlier,
             const DiagnoseOptions& options) {
   diagnosis.run = runRecord(options);
   diagnosis.write_full_law = options.law == "full";
@@ -226,13 +226,13 @@ int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::Earli
   showStage("writing the report", 0.95);
   diagnosis::writeReport(diagnosis, options.output);
   if (!options.plot.empty() && diagnosis.workings) {
-    io::drawFigure(diagnosis::overviewFigure(diagnosis), options.plot);
+    io::drawFigure(diagnosis::report::overviewFigure(diagnosis), options.plot);
   }
   clearStage();
-  const std::string whole = diagnosis::wholeText(diagnosis);
+  const std::string whole = diagnosis::words::wholeText(diagnosis);
   fmt::print("{}\n{}{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence),
              whole.empty() ? "" : whole + "\n", takenOut(diagnosis), excerptsTaken(diagnosis),
-             toText(diagnosis.comparison), options.output);
+             diagnosis::report::toText(diagnosis.comparison), options.output);
   return kSuccess;
 }
 

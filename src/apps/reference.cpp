@@ -41,7 +41,7 @@ const std::map<std::string, Page>& pages() {
   static const std::map<std::string, Page> table = {
       {"parameters", [] { return io::parameterReference(); }},
       {"topics", [] { return ros_interface::topicReference(); }},
-      {"effects", [] { return diagnosis::effectReference(); }},
+      {"effects", [] { return diagnosis::report::effectReference(); }},
       {"commands", [] { return ros_interface::commandReference(commandNames()); }},
       {"list", [] { return command::commandList(helpPages()); }},
       {"completion", [] { return command::bashCompletion(helpPages()); }},

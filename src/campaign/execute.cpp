@@ -181,7 +181,7 @@ class Executor {
       const std::string folder = makeReportFolder(job);
       log::writeNewFile(folder + "/report.json", diagnosis::toJson(result));
       if (result.workings) {
-        log::writeNewFile(folder + "/augmented.yaml", diagnosis::augmentedYaml(result));
+        log::writeNewFile(folder + "/augmented.yaml", diagnosis::results::augmentedYaml(result));
       }
       if (const std::string evidence = diagnosis::evidenceJson(result); !evidence.empty()) {
         log::writeNewFile(folder + "/evidence.json", evidence);

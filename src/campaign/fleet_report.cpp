@@ -13,9 +13,9 @@
 namespace rubber_suspension::campaign {
 namespace {
 
-using diagnosis::escape;
-using diagnosis::percent;
-using diagnosis::Row;
+using diagnosis::words::escape;
+using diagnosis::words::percent;
+using diagnosis::words::Row;
 using element::each;
 using nlohmann::ordered_json;
 
@@ -64,7 +64,7 @@ std::string section(const std::string& title, const Row& titles, std::vector<Row
   const std::size_t all = rows.size();
   rows.resize(std::min(kMostRows, all));
   const std::string rest = rows.size() < all ? fmt::format("and {} more, in table.csv. ", all - rows.size()) : "";
-  return "<h3>" + title + "</h3>\n" + diagnosis::table(titles, rows) + "<p class=note>" + rest + note + "</p>\n";
+  return "<h3>" + title + "</h3>\n" + diagnosis::words::table(titles, rows) + "<p class=note>" + rest + note + "</p>\n";
 }
 
 std::string linkTo(const FleetComponent& component) {
@@ -154,7 +154,7 @@ std::string fleetHtml(const FleetFindings& fleet, const CollectSummary& summary)
             shareTable("Effects", "effect", type.effects) + farOutTable(type) + parameterTable(type) +
             shareTable("Verdicts", "verdict", type.verdicts) + componentTable(type);
   }
-  return diagnosis::page("Fleet report", html);
+  return diagnosis::report::page("Fleet report", html);
 }
 
 }  // namespace rubber_suspension::campaign

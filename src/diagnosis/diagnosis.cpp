@@ -31,7 +31,7 @@ using measurement::PreparedLog;
 using measurement::RigFinding;
 
 // The logs, then those held out.
-std::vector<PreparedLog> prepare(const Excerpts& excerpts, int threads) {
+std::vector<PreparedLog> preparedLogs(const prepare::Excerpts& excerpts, int threads) {
   std::vector<const log::Log*> logs;
   for (const auto* list : {&excerpts.logs, &excerpts.hold_out}) {
     for (const log::Log& log : *list) {
@@ -68,54 +68,59 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
 }
 
 // The error that each hypothesis leaves in unseen logs; nothing without such logs.
-std::vector<UnseenErrors> unseenErrorsOf(const PreparedCase& prepared, const Search& search, std::size_t hypotheses,
-                                         int threads) {
-  std::vector<UnseenErrors> unseen(prepared.held_out.empty() ? 0 : hypotheses);
+std::vector<hypotheses::UnseenErrors> unseenErrorsOf(const hypotheses::PreparedCase& prepared,
+                                                     const hypotheses::Search& search, std::size_t hypotheses,
+                                                     int threads) {
+  std::vector<hypotheses::UnseenErrors> unseen(prepared.held_out.empty() ? 0 : hypotheses);
   fit::parallelFor(unseen.size(), threads, [&](std::size_t hypothesis) {
-    unseen[hypothesis] = unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out,
-                                      prepared.zeros.held_out);
+    unseen[hypothesis] = hypotheses::unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)),
+                                                  prepared.held_out, prepared.zeros.held_out);
   });
   return unseen;
 }
 
-void judgeSearch(const PreparedCase& prepared, int threads, Workings& workings) {
-  workings.evidence = evidenceOf(workings.search);
+void judgeSearch(const hypotheses::PreparedCase& prepared, int threads, Workings& workings) {
+  workings.evidence = hypotheses::evidenceOf(workings.search);
   workings.unseen = unseenErrorsOf(prepared, workings.search, workings.evidence.hypotheses.size(), threads);
-  addLogTable(prepared, workings.search, workings.unseen, threads, workings.evidence);
-  workings.answer = answer(workings.evidence);
+  hypotheses::addLogTable(prepared, workings.search, workings.unseen, threads, workings.evidence);
+  workings.answer = judge::answer(workings.evidence);
 }
 
 // The logs of the fit with the rig's priors, and the models to be fitted to them.
-std::unique_ptr<PreparedCase> withRigPriors(const io::ComponentDescription& component,
-                                            std::vector<log::Record> training, std::vector<log::Record> held_out) {
+std::unique_ptr<hypotheses::PreparedCase> withRigPriors(const io::ComponentDescription& component,
+                                                        std::vector<log::Record> training,
+                                                        std::vector<log::Record> held_out) {
   const fit::ModelParameters model(component, fit::Level::specification);
-  ZeroPriors zeros = setRigPriors(model, component.rig.value_or(io::RigTolerances{}), training, held_out);
-  return std::make_unique<PreparedCase>(component, std::move(training), std::move(held_out), std::move(zeros));
+  prepare::ZeroPriors zeros =
+      prepare::setRigPriors(model, component.rig.value_or(io::RigTolerances{}), training, held_out);
+  return std::make_unique<hypotheses::PreparedCase>(component, std::move(training), std::move(held_out),
+                                                    std::move(zeros));
 }
 
 // `recorded`: the whole logs that the gap as recorded is of.
-Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Excerpts& excerpts,
-                           const std::vector<LogSurvey>& recorded, const DiagnosisOptions& options) {
-  std::vector<PreparedLog> prepared = prepare(excerpts, options.threads);
+Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prepare::Excerpts& excerpts,
+                           const std::vector<prepare::LogSurvey>& recorded, const DiagnosisOptions& options) {
+  std::vector<PreparedLog> prepared = preparedLogs(excerpts, options.threads);
   std::vector<RigFinding> findings = findingsOf(prepared);
   std::vector<log::Record> training = takeRecords(std::move(prepared));
-  addLeadIns(excerpts.lead_in, training);
+  prepare::addLeadIns(excerpts.lead_in, training);
   const auto bench = measurement::checkBench(component.allElements(), training);
   findings.insert(findings.end(), bench.begin(), bench.end());
   if (measurement::anyFatal(findings)) {
-    auto evidence = std::make_shared<BenchEvidence>(benchEvidence(component.allElements(), training, findings));
+    auto evidence =
+        std::make_shared<BenchEvidence>(prepare::benchEvidence(component.allElements(), training, findings));
     Diagnosis result = refused(component, std::move(findings));
     result.bench_evidence = std::move(evidence);
     return result;
   }
-  const std::vector<RawChannels> raw = rawChannels(excerpts.logs, excerpts.hold_out);
+  const std::vector<results::RawChannels> raw = results::rawChannels(excerpts.logs, excerpts.hold_out);
   std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
   const auto ready = withRigPriors(component, std::move(training), std::move(held_out));
   auto workings = std::make_shared<Workings>();
-  workings->search = search(MeasuredLogs(ready->fitter), options.threads, options.progress);
+  workings->search = hypotheses::search(hypotheses::MeasuredLogs(ready->fitter), options.threads, options.progress);
   judgeSearch(*ready, options.threads, *workings);
   workings->write_evidence = options.evidence;
-  return describe(*ready, std::move(workings), recorded, raw, std::move(findings), options);
+  return results::describe(*ready, std::move(workings), recorded, raw, std::move(findings), options);
 }
 
 }  // namespace
@@ -126,11 +131,11 @@ Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSour
     throw log::LogError("no log: a diagnosis needs at least one");
   }
   const component::Component built = component.makeComponent();
-  const std::vector<LogSurvey> surveys = surveyLogs(logs, built, options.threads);
-  const std::vector<LogSurvey> unseen = surveyLogs(hold_out, built, options.threads);
-  const Excerpts excerpts = makeExcerpts(surveys, unseen, options.most_samples);
-  requireMemory(excerpts.samples, excerpts.of, options.threads,
-                options.available_memory > 0 ? options.available_memory : io::availableMemory());
+  const std::vector<prepare::LogSurvey> surveys = prepare::surveyLogs(logs, built, options.threads);
+  const std::vector<prepare::LogSurvey> unseen = prepare::surveyLogs(hold_out, built, options.threads);
+  const prepare::Excerpts excerpts = prepare::makeExcerpts(surveys, unseen, options.most_samples);
+  prepare::requireMemory(excerpts.samples, excerpts.of, options.threads,
+                         options.available_memory > 0 ? options.available_memory : io::availableMemory());
   Diagnosis result = diagnoseExcerpts(component, excerpts, unseen.empty() ? surveys : unseen, options);
   result.samples = excerpts.samples;
   result.recorded_samples = excerpts.of;

@@ -109,7 +109,7 @@ DirectionDiagnosis diagnoseDirection(const io::ComponentDescription& component, 
     result.diagnosis.turns = component::isRotation(direction);
     if (result.diagnosis.turns) {
       for (std::string* text : {&result.diagnosis.sentence, &result.diagnosis.next_experiment}) {
-        *text = inRotationUnits(*text);
+        *text = words::inRotationUnits(*text);
       }
     }
     return result;
@@ -205,7 +205,7 @@ SixDirectionsDiagnosis diagnoseDirections(const io::ComponentDescription& compon
   for (const Direction of : directions) {
     for (std::size_t by = 0; by < component::kDirections; ++by) {
       if (by != of) {
-        result.cross_map.push_back(crossShare(measured, of, static_cast<Direction>(by)));
+        result.cross_map.push_back(results::crossShare(measured, of, static_cast<Direction>(by)));
       }
     }
   }

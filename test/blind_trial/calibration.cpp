@@ -15,11 +15,12 @@
 namespace rubber_suspension::blind_trial {
 namespace {
 
-using diagnosis::Evidence;
-using diagnosis::JudgeNumbers;
-using diagnosis::NumberInfo;
-using diagnosis::SetPosterior;
-using diagnosis::SetProbability;
+using diagnosis::judge::Evidence;
+using diagnosis::judge::JudgeNumbers;
+using diagnosis::judge::NumberInfo;
+using diagnosis::judge::numberTable;
+using diagnosis::judge::SetPosterior;
+using diagnosis::judge::SetProbability;
 
 constexpr double kPartOfTruth = 0.2;   // of `unknown`, where a listed effect is beside an unlisted one
 constexpr double kValuesOfNone = 0.3;  // of wrong values, where the model is about right as configured
@@ -36,11 +37,11 @@ class Unknowns {
     rates_.assign(names.begin(), names.end());
   }
 
-  int size() const { return static_cast<int>(diagnosis::numberTable().size() + rates_.size()); }
+  int size() const { return static_cast<int>(numberTable().size() + rates_.size()); }
 
   std::vector<double> means() const {
     std::vector<double> means;
-    for (const NumberInfo& info : diagnosis::numberTable()) {
+    for (const NumberInfo& info : numberTable()) {
       means.push_back(info.positive ? std::log(info.mean) : info.mean);
     }
     means.resize(static_cast<std::size_t>(size()), 0.0);
@@ -49,16 +50,16 @@ class Unknowns {
 
   std::vector<double> deviations() const {
     std::vector<double> deviations;
-    for (const NumberInfo& info : diagnosis::numberTable()) {
+    for (const NumberInfo& info : numberTable()) {
       deviations.push_back(info.deviation);
     }
-    deviations.resize(static_cast<std::size_t>(size()), diagnosis::kRateDeviation);
+    deviations.resize(static_cast<std::size_t>(size()), diagnosis::judge::kRateDeviation);
     return deviations;
   }
 
   std::vector<double> valuesOf(const JudgeNumbers& numbers) const {
     std::vector<double> values;
-    for (const NumberInfo& info : diagnosis::numberTable()) {
+    for (const NumberInfo& info : numberTable()) {
       values.push_back(info.positive ? std::log(numbers.*info.value) : numbers.*info.value);
     }
     for (const std::string& effect : rates_) {
@@ -69,7 +70,7 @@ class Unknowns {
 
   JudgeNumbers numbers(const double* values) const {
     JudgeNumbers numbers;
-    for (const NumberInfo& info : diagnosis::numberTable()) {
+    for (const NumberInfo& info : numberTable()) {
       numbers.*info.value = info.positive ? std::exp(*values) : *values;
       ++values;
     }
@@ -203,7 +204,7 @@ JudgeNumbers calibrate(const std::vector<FittedCase>& cases) {
   options.logging_type = ceres::SILENT;
   double least = HUGE_VAL;
   std::vector<double> best;
-  for (std::vector<double> values : {unknowns.means(), unknowns.valuesOf(diagnosis::fittedNumbers())}) {
+  for (std::vector<double> values : {unknowns.means(), unknowns.valuesOf(diagnosis::judge::fittedNumbers())}) {
     ceres::GradientProblemSolver::Summary summary;
     ceres::Solve(options, problem, values.data(), &summary);
     if (!summary.IsSolutionUsable()) {
@@ -220,16 +221,17 @@ JudgeNumbers calibrate(const std::vector<FittedCase>& cases) {
 std::string fittedNumbersSource(const JudgeNumbers& numbers, const std::string& of) {
   std::string text = fmt::format(
       "// The numbers of the judgement as fitted last. Written by `judge_again --calibrate`:\n// {}.\n"
-      "#include \"diagnosis/judge/numbers.h\"\n\nnamespace rubber_suspension::diagnosis {{\n\n"
+      "#include \"diagnosis/judge/numbers.h\"\n\nnamespace rubber_suspension::diagnosis::judge {{\n\n"
       "const JudgeNumbers& fittedNumbers() {{\n  static const JudgeNumbers numbers = [] {{\n    JudgeNumbers fitted;\n",
       of);
-  for (const NumberInfo& info : diagnosis::numberTable()) {
+  for (const NumberInfo& info : numberTable()) {
     text += fmt::format("    fitted.{} = {:.4g};\n", info.name, numbers.*info.value);
   }
   for (const auto& [effect, rate] : numbers.rates) {
     text += fmt::format("    fitted.rates[\"{}\"] = {:.3g};\n", effect, rate);
   }
-  return text + "    return fitted;\n  }();\n  return numbers;\n}\n\n}  // namespace rubber_suspension::diagnosis\n";
+  return text +
+         "    return fitted;\n  }();\n  return numbers;\n}\n\n}  // namespace rubber_suspension::diagnosis::judge\n";
 }
 
 }  // namespace rubber_suspension::blind_trial

@@ -15,7 +15,7 @@ constexpr double kLeastProbability = 1e-3;
 
 /// A case as the fit takes it.
 struct FittedCase {
-  diagnosis::ScoreTable table;
+  diagnosis::judge::ScoreTable table;
   Truth truth;
   bool hidden = false;
   bool far_off = false;  ///< the model as configured leaves more than an engineer accepts
@@ -25,14 +25,14 @@ struct FittedCase {
 std::vector<FittedCase> fittedCases(const std::vector<TrialCase>& cases);
 
 /// Probability that the judge gives to what the label says; where that has several answers, to all of them.
-double probabilityOfTruth(const FittedCase& known, const diagnosis::JudgeNumbers& numbers);
+double probabilityOfTruth(const FittedCase& known, const diagnosis::judge::JudgeNumbers& numbers);
 
 /// Logarithms of these probabilities and the prior of the numbers are made greatest together
 /// (L-BFGS of Ceres), from what is believed beforehand and from the numbers as fitted last: there are several such
 /// places, and the best one counts. Base rates are of the effects that occur in the evidence.
-diagnosis::JudgeNumbers calibrate(const std::vector<FittedCase>& cases);
+diagnosis::judge::JudgeNumbers calibrate(const std::vector<FittedCase>& cases);
 
 /// The source file that holds the numbers; `of` tells in words how they were fitted.
-std::string fittedNumbersSource(const diagnosis::JudgeNumbers& numbers, const std::string& of);
+std::string fittedNumbersSource(const diagnosis::judge::JudgeNumbers& numbers, const std::string& of);
 
 }  // namespace rubber_suspension::blind_trial

@@ -27,8 +27,8 @@
 namespace rubber_suspension::blind_trial {
 namespace {
 
-using diagnosis::Evidence;
-using diagnosis::JudgeNumbers;
+using diagnosis::judge::Evidence;
+using diagnosis::judge::JudgeNumbers;
 
 std::vector<std::string> namesOf(const std::vector<int>& effects, const Evidence& evidence) {
   std::vector<std::string> names;
@@ -42,7 +42,7 @@ Said saidOf(const TrialCase& known, const JudgeNumbers& numbers) {
   if (!known.evidence) {
     return {diagnosis::Verdict::check_bench, {}, 0.0};
   }
-  const diagnosis::Answer answer = diagnosis::answer(*known.evidence, numbers);
+  const diagnosis::judge::Answer answer = diagnosis::judge::answer(*known.evidence, numbers);
   return {answer.verdict, namesOf(answer.effects, *known.evidence), answer.probability};
 }
 
@@ -150,7 +150,7 @@ double meanLogarithmOfTruth(const std::vector<TrialCase>& cases, const std::vect
 // Numbers of each case: as fitted last, or fitted without the fold that the case is in.
 std::vector<JudgeNumbers> numbersOf(const std::vector<TrialCase>& cases, int folds) {
   if (folds == 0) {
-    return {cases.size(), diagnosis::fittedNumbers()};
+    return {cases.size(), diagnosis::judge::fittedNumbers()};
   }
   std::vector<JudgeNumbers> numbers(cases.size());
   for (int fold = 0; fold < folds; ++fold) {
@@ -217,7 +217,7 @@ void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path) 
     throw std::runtime_error(path + ": cannot be written");
   }
   std::cout << "| number | fitted | before | unit | meaning |\n|---|---|---|---|---|\n";
-  for (const diagnosis::NumberInfo& info : diagnosis::numberTable()) {
+  for (const diagnosis::judge::NumberInfo& info : diagnosis::judge::numberTable()) {
     std::cout << fmt::format("| `{}` | {:.3g} | {:.3g} | {} | {} |\n", info.name, numbers.*info.value, info.mean,
                              info.unit, info.meaning);
   }
@@ -225,7 +225,7 @@ void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path) 
 
 void printVerdicts(const std::vector<TrialCase>& cases) {
   for (const TrialCase& known : cases) {
-    const Said said = saidOf(known, diagnosis::fittedNumbers());
+    const Said said = saidOf(known, diagnosis::judge::fittedNumbers());
     std::cout << fmt::format("{}: {} [{}]\n", known.name, toString(said.verdict), fmt::join(said.effects, ", "));
   }
 }

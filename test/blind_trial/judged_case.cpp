@@ -17,9 +17,9 @@ namespace rubber_suspension::blind_trial {
 namespace {
 
 namespace fs = std::filesystem;
-using diagnosis::Evidence;
-using diagnosis::LogEvidence;
 using diagnosis::Verdict;
+using diagnosis::judge::Evidence;
+using diagnosis::judge::LogEvidence;
 
 std::string textOf(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);

@@ -28,12 +28,12 @@ struct Said {
 };
 
 /// Root mean square that a hypothesis leaves of the logs of the fit beyond their noise, as a gap.
-double leftBeyondNoise(const diagnosis::Evidence& evidence, int hypothesis);
+double leftBeyondNoise(const diagnosis::judge::Evidence& evidence, int hypothesis);
 
 struct TrialCase {
   std::string name;
   Truth truth;
-  std::optional<diagnosis::Evidence> evidence;  ///< none where the diagnosis refused the logs or failed
+  std::optional<diagnosis::judge::Evidence> evidence;  ///< none where the diagnosis refused the logs or failed
 
   /// Re-estimation takes the effects up, but for what is less than 0.7 % of the force: wrong values are right, too.
   bool isHidden() const;

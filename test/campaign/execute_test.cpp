@@ -59,7 +59,7 @@ TEST_F(ExecuteJob, DiagnosesAsTheCommandDoes) {
   settings.threads = 1;
   const diagnosis::Diagnosis expected = diagnosis::diagnose(component(), logs(), {}, settings);
   EXPECT_EQ(folder_.read(report_ + "report.json"), diagnosis::toJson(expected));
-  EXPECT_EQ(folder_.read(report_ + "augmented.yaml"), diagnosis::augmentedYaml(expected));
+  EXPECT_EQ(folder_.read(report_ + "augmented.yaml"), diagnosis::results::augmentedYaml(expected));
   EXPECT_EQ(record.values.at("verdict"), toString(expected.verdict));
   EXPECT_EQ(record.values.at("gap_augmented"), expected.gap.augmented);
   EXPECT_EQ(record.findings.verdict, expected.verdict);

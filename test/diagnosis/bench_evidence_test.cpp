@@ -31,7 +31,7 @@ double distance(const io::Axes& axes) {
 void expectCorrected(const log::Log& log, const std::string& correction) {
   const diagnosis::Diagnosis result = diagnose(log);
   ASSERT_EQ(result.verdict, diagnosis::Verdict::check_bench) << correction;
-  const auto figures = diagnosis::reportFigures(result);
+  const auto figures = diagnosis::report::reportFigures(result);
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_EQ(figures[0].name, "bench");
   ASSERT_EQ(figures[0].figure.axes.size(), 2U) << correction;
@@ -65,7 +65,7 @@ TEST(BenchEvidence, ProposesNothingForAnotherComponent) {
   }
   const diagnosis::Diagnosis result = diagnose(log);
   ASSERT_EQ(result.verdict, diagnosis::Verdict::check_bench);
-  const auto figures = diagnosis::reportFigures(result);
+  const auto figures = diagnosis::report::reportFigures(result);
   ASSERT_EQ(figures.at(0).figure.axes.size(), 1U);
 }
 

@@ -37,7 +37,9 @@ struct Measured {
     simulated = 0.9 * kStiffness * record.displacement;
   }
 
-  diagnosis::CharacteristicErrors errors() const { return diagnosis::characteristicErrors({record}, {simulated}); }
+  diagnosis::CharacteristicErrors errors() const {
+    return diagnosis::results::characteristicErrors({record}, {simulated});
+  }
 };
 
 TEST(CharacteristicErrors, AreThoseOfTheModel) {

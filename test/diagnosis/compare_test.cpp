@@ -36,7 +36,7 @@ class Compare : public testing::Test {
 
   diagnosis::Comparison since(const diagnosis::Diagnosis& before, const diagnosis::Diagnosis& now) const {
     write(diagnosis::toJson(before));
-    return diagnosis::EarlierReport(path_).compare(now);
+    return diagnosis::report::EarlierReport(path_).compare(now);
   }
 
   void TearDown() override { std::remove(path_.c_str()); }
@@ -57,7 +57,7 @@ TEST_F(Compare, FindsNothingBetweenEqualReports) {
     EXPECT_FALSE(change.differs) << change.what;
     EXPECT_EQ(change.before, change.after) << change.what;
   }
-  EXPECT_THAT(diagnosis::comparisonSection(comparison), HasSubstr("Nothing differs"));
+  EXPECT_THAT(diagnosis::report::comparisonSection(comparison), HasSubstr("Nothing differs"));
 }
 
 TEST_F(Compare, TellsValuesApartByTheirIntervals) {
@@ -74,7 +74,7 @@ TEST_F(Compare, TellsValuesApartByTheirIntervals) {
   EXPECT_EQ(force.before, "6 kN (5.8 to 6.2 kN)");
   EXPECT_EQ(force.after, "4 kN (3.9 to 4.1 kN)");
   EXPECT_EQ(changeOf(comparison, "force zero of monday").after, "not found");
-  const std::string text = toText(comparison);
+  const std::string text = diagnosis::report::toText(comparison);
   EXPECT_THAT(text, HasSubstr("friction maximum force: 6 kN (5.8 to 6.2 kN) -> 4 kN"));
   EXPECT_THAT(text, Not(HasSubstr("K_n")));
 }
@@ -105,7 +105,7 @@ TEST_F(Compare, RefusesWhatIsNoReport) {
         "\"effects\": [], \"gap\": 0.1, \"where\": []}"}) {
     write(text);
     try {
-      diagnosis::EarlierReport report(path_);
+      diagnosis::report::EarlierReport report(path_);
       FAIL() << text;
     } catch (const std::runtime_error& error) {
       EXPECT_THAT(error.what(), testing::StartsWith(path_ + ": ")) << text;
@@ -113,7 +113,7 @@ TEST_F(Compare, RefusesWhatIsNoReport) {
     }
   }
   std::remove(path_.c_str());
-  EXPECT_THROW(diagnosis::EarlierReport{path_}, std::runtime_error) << "missing";
+  EXPECT_THROW(diagnosis::report::EarlierReport{path_}, std::runtime_error) << "missing";
 }
 
 }  // namespace

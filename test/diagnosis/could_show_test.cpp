@@ -67,7 +67,7 @@ const ImplantedEffect& row(const diagnosis::Plan& plan, const std::string& effec
 // Stiffness and loss at one frequency are what the model's own three numbers can follow, whatever linear law makes
 // them. How far they may move for that the judgement says. Less than the lag that a rig may have is out of reach.
 TEST(Plan, OneSineHidesWhatASweepFinds) {
-  const double usual = diagnosis::fittedNumbers().least_size;  // below which an effect is improbable
+  const double usual = diagnosis::judge::fittedNumbers().least_size;  // below which an effect is improbable
   const diagnosis::Plan one = planOf({sine()}, usual);
   const diagnosis::Plan many = planOf({sweep()}, usual);
   for (const char* effect : {"viscous_damping", "inertia"}) {
@@ -146,14 +146,14 @@ TEST(Implants, LeaveWhatAFitLeaves) {
   const std::vector<log::Record> records = {log::makeRecord(runRig(
       "plain", 1, [](double, double, double) { return 0.0; }, 2.0))};
   const fit::Fitter fitter(records, model);
-  auto candidates = diagnosis::candidates(fit::summarise(records));
+  auto candidates = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
   fit::findUnitEffects(candidates, records, 1);
-  diagnosis::FittedHypothesis about;
+  diagnosis::hypotheses::FittedHypothesis about;
   about.fit.parameters = fitter.configured(about.hypothesis);
-  const diagnosis::Screening screening(fitter, candidates, about, 1);
+  const diagnosis::hypotheses::Screening screening(fitter, candidates, about, 1);
   constexpr double kSize = 0.05;
   int compared = 0;
-  for (const diagnosis::Implant& implant : diagnosis::implantAll(fitter, screening, 1)) {
+  for (const diagnosis::hypotheses::Implant& implant : diagnosis::hypotheses::implantAll(fitter, screening, 1)) {
     const fit::Candidate& candidate = candidates[static_cast<std::size_t>(implant.effect)];
     const fit::BasisTerm& term = candidate.terms[implant.term];
     if (implant.hidden_by_rig || !term.additive || !term.unit_effect || implant.model.gap < 0.2) {

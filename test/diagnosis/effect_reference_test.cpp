@@ -9,7 +9,7 @@ namespace rubber_suspension {
 namespace {
 
 TEST(EffectReference, IsThePageInDocs) {
-  EXPECT_EQ(pageInDocs("effects"), diagnosis::effectReference())
+  EXPECT_EQ(pageInDocs("effects"), diagnosis::report::effectReference())
       << "after a change of a candidate: rosrun rubber_suspension reference effects > docs/effects.md";
 }
 

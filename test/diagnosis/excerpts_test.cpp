@@ -18,7 +18,7 @@
 namespace rubber_suspension {
 namespace {
 
-using diagnosis::Excerpts;
+using diagnosis::prepare::Excerpts;
 
 constexpr std::int64_t kNanoseconds = 10000000;  // [ns]
 
@@ -39,13 +39,13 @@ log::Log stairs(const std::vector<double>& amplitudes, double seconds) {
 Excerpts makeExcerpts(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out, std::size_t most) {
   const component::Component component({{"spring", {{"stiffness", {1e6}}}}});
   const auto surveys = [&](const std::vector<log::Log>& list) {
-    std::vector<diagnosis::LogSurvey> result;
+    std::vector<diagnosis::prepare::LogSurvey> result;
     for (const log::Log& log : list) {
-      result.push_back(diagnosis::surveyLog(log::sourceOf(log), component));
+      result.push_back(diagnosis::prepare::surveyLog(log::sourceOf(log), component));
     }
     return result;
   };
-  return diagnosis::makeExcerpts(surveys(logs), surveys(hold_out), most);
+  return diagnosis::prepare::makeExcerpts(surveys(logs), surveys(hold_out), most);
 }
 
 std::size_t samplesOf(const std::vector<log::Log>& logs) {
@@ -155,7 +155,7 @@ TEST(Excerpts, AreLedInByWhatLiesBetweenThem) {
     return gap;
   };
   const double rested = worst();
-  diagnosis::addLeadIns(excerpts.lead_in, records);
+  diagnosis::prepare::addLeadIns(excerpts.lead_in, records);
   // Means over four samples of a sine of a hundred lack 0.3 % of its amplitude, and beyond them loading is the
   // first: 2.9 % of the force where the amplitude is new, 0.6 % elsewhere.
   EXPECT_LT(worst(), 0.04);
@@ -181,7 +181,7 @@ TEST(Excerpts, BeginAnewBehindATimeGap) {
   for (const log::Log& stretch : excerpts.logs) {
     records.push_back(log::evenRecord(stretch));
   }
-  diagnosis::addLeadIns(excerpts.lead_in, records);
+  diagnosis::prepare::addLeadIns(excerpts.lead_in, records);
   const gap::Forces forces = gap::simulate(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     // Two steps that make up one in a straight line: to the rounding of the forces, for all but a Maxwell element that

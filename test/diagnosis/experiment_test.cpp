@@ -17,12 +17,13 @@
 namespace rubber_suspension {
 namespace {
 
-using diagnosis::Bounds;
-using diagnosis::Experiment;
+using diagnosis::experiment::Bounds;
+using diagnosis::experiment::Experiment;
+using diagnosis::experiment::experimentMenu;
 
 Bounds someBounds(double low, double high) {
   Bounds bounds;
-  bounds.stroke = diagnosis::strokeOf(low, high);
+  bounds.stroke = diagnosis::experiment::strokeOf(low, high);
   bounds.speed = 0.05;
   bounds.frequency = 10.0;
   bounds.force = 1e9;
@@ -35,7 +36,7 @@ Bounds someBounds(double low, double high) {
 TEST(Experiments, StayWithinTheBounds) {
   for (const auto& [low, high] : {std::pair(-0.002, 0.0021), {0.004, 0.007}, {-0.003, 0.001}}) {
     const Bounds bounds = someBounds(low, high);
-    const auto menu = diagnosis::experimentMenu(bounds);
+    const auto menu = experimentMenu(bounds);
     ASSERT_GT(menu.size(), 20U);
     for (const Experiment& experiment : menu) {
       const Eigen::VectorXd& z = experiment.displacement;
@@ -53,7 +54,7 @@ TEST(Experiments, StayWithinTheBounds) {
 
 TEST(Experiments, HaveMotionsOfEveryKind) {
   std::set<std::string> kinds;
-  for (const Experiment& experiment : diagnosis::experimentMenu(someBounds(-0.002, 0.002))) {
+  for (const Experiment& experiment : experimentMenu(someBounds(-0.002, 0.002))) {
     kinds.insert(experiment.kind);
   }
   EXPECT_THAT(kinds, testing::IsSupersetOf({"sine", "sweep", "multisine", "steps", "hold", "triangle", "preload",
@@ -63,17 +64,17 @@ TEST(Experiments, HaveMotionsOfEveryKind) {
 TEST(Experiments, AreNoneWhereTheBoundsLeaveNoRoom) {
   Bounds bounds = someBounds(-0.002, 0.002);
   bounds.duration = 0.01;
-  EXPECT_TRUE(diagnosis::experimentMenu(bounds).empty());
+  EXPECT_TRUE(experimentMenu(bounds).empty());
   bounds = someBounds(-0.002, 0.002);
   bounds.stroke.half = 0.0;
-  EXPECT_TRUE(diagnosis::experimentMenu(bounds).empty());
+  EXPECT_TRUE(experimentMenu(bounds).empty());
 }
 
 // Of odd and of even multiples: the mean of a motion of odd lines over half a period shifted by half of it is 0.
 TEST(Experiments, MultisinesAreOddOrEven) {
   int odd = 0;
   int even = 0;
-  for (const Experiment& experiment : diagnosis::experimentMenu(someBounds(-0.002, 0.002))) {
+  for (const Experiment& experiment : experimentMenu(someBounds(-0.002, 0.002))) {
     odd += experiment.kind == "multisine" && experiment.description.find("odd") != std::string::npos ? 1 : 0;
     even += experiment.kind == "multisine" && experiment.description.find("even") != std::string::npos ? 1 : 0;
   }
@@ -126,13 +127,13 @@ class Rivals : public testing::Test {
         fitter_({log::makeRecord(slowLog())}, model_),
         excitation_(fit::summarise(fitter_.records())) {
     search_.excitation = excitation_;
-    search_.candidates = diagnosis::candidates(excitation_);
+    search_.candidates = diagnosis::hypotheses::candidate::candidates(excitation_);
     search_.noise = 0.005;
     search_.re_estimated.fit.parameters = fitter_.configured({});
     search_.re_estimated.fit.held_out = 0.05;
     search_.as_configured = search_.re_estimated;
     for (int c = 0; c < static_cast<int>(search_.candidates.size()); ++c) {
-      diagnosis::FittedHypothesis single{fit::makeHypothesis(search_.candidates, {c}), {}};
+      diagnosis::hypotheses::FittedHypothesis single{fit::makeHypothesis(search_.candidates, {c}), {}};
       single.fit.parameters = fitter_.configured(single.hypothesis);
       single.fit.held_out = 0.04;
       search_.singles.push_back(single);
@@ -150,7 +151,7 @@ class Rivals : public testing::Test {
     return log;
   }
 
-  diagnosis::FittedHypothesis& single(const std::string& effect) {
+  diagnosis::hypotheses::FittedHypothesis& single(const std::string& effect) {
     for (std::size_t c = 0; c < search_.candidates.size(); ++c) {
       if (search_.candidates[c].effect == effect) {
         return search_.singles[c];
@@ -161,17 +162,17 @@ class Rivals : public testing::Test {
 
   // Judged: an effect whose fit is as it is now, of all that the search has.
   void judgeAs(int effect) {
-    diagnosis::Evidence& evidence = workings_.evidence;
-    evidence = diagnosis::evidenceOf(search_);
+    diagnosis::judge::Evidence& evidence = workings_.evidence;
+    evidence = diagnosis::hypotheses::evidenceOf(search_);
     evidence.logs = {{search_.noise, 0.0, 1.0, false, 50}};
     for (std::size_t h = 0; h < evidence.hypotheses.size(); ++h) {
-      diagnosis::HypothesisEvidence& hypothesis = evidence.hypotheses[h];
+      diagnosis::judge::HypothesisEvidence& hypothesis = evidence.hypotheses[h];
       hypothesis.log_errors = {std::pow(search_.at(static_cast<int>(h)).fit.held_out, 2)};
       hypothesis.sizes.assign(hypothesis.members.size(), {0.01});
     }
-    workings_.answer = diagnosis::answer(evidence);
+    workings_.answer = diagnosis::judge::answer(evidence);
     workings_.answer.effects = {effect};
-    workings_.answer.model = diagnosis::Evidence::kFirstSingle + effect;
+    workings_.answer.model = diagnosis::judge::Evidence::kFirstSingle + effect;
     workings_.answer.verdict = diagnosis::Verdict::named;
     workings_.answer.probability = 0.5;
   }
@@ -184,9 +185,9 @@ class Rivals : public testing::Test {
 
   // RMS difference before any refit, and what is left after it, in noise floors of the log.
   double afterRefit(const Experiment& experiment) {
-    const std::vector<diagnosis::Explanation> explanations = {{&single("viscous_damping"), 1.0},
-                                                              {&search_.re_estimated, 0.0}};
-    diagnosis::Discriminator discriminator(fitter_, search_, explanations, 1e9, 1);
+    const std::vector<diagnosis::experiment::Explanation> explanations = {{&single("viscous_damping"), 1.0},
+                                                                          {&search_.re_estimated, 0.0}};
+    diagnosis::experiment::Discriminator discriminator(fitter_, search_, explanations, 1e9, 1);
     const auto found = discriminator.best({experiment});
     EXPECT_NE(found.experiment, nullptr);
     return found.floors;
@@ -196,7 +197,7 @@ class Rivals : public testing::Test {
   fit::Fitter fitter_;
   fit::Excitation excitation_;
   diagnosis::Workings workings_;
-  diagnosis::Search& search_ = workings_.search;
+  diagnosis::hypotheses::Search& search_ = workings_.search;
 };
 
 Experiment motion(const std::function<double(double)>& law) {
@@ -218,7 +219,7 @@ TEST_F(Rivals, OneSineCannotTellADashpotFromRelaxationTwoCan) {
 }
 
 TEST_F(Rivals, ProposeNothingBelowTwoFloors) {
-  for (diagnosis::FittedHypothesis& other : search_.singles) {
+  for (diagnosis::hypotheses::FittedHypothesis& other : search_.singles) {
     other.fit.held_out = std::numeric_limits<double>::infinity();  // against the model as it is alone
   }
   single("viscous_damping").fit.parameters.scales[0] = 2e3;
@@ -227,9 +228,9 @@ TEST_F(Rivals, ProposeNothingBelowTwoFloors) {
   diagnosis::ExperimentLimits limits;  // the logs are slow
   limits.speed = 0.1;
   limits.frequency = 15.0;
-  const auto proposed = diagnosis::nextExperiment(fitter_, workings_, limits, 1);
+  const auto proposed = diagnosis::experiment::nextExperiment(fitter_, workings_, limits, 1);
   ASSERT_FALSE(proposed.proposed.displacement.empty()) << proposed.text;
-  EXPECT_GE(proposed.proposed.floors, diagnosis::kLeastFloors);
+  EXPECT_GE(proposed.proposed.floors, diagnosis::experiment::kLeastFloors);
   EXPECT_EQ(proposed.proposed.decides, "viscous_damping");
   EXPECT_GT(proposed.proposed.probability, 0.5);
   EXPECT_THAT(proposed.text, testing::HasSubstr("viscous_damping"));
@@ -238,7 +239,7 @@ TEST_F(Rivals, ProposeNothingBelowTwoFloors) {
   auto none = proposed;
   for (int i = 0; i < 20 && !none.proposed.displacement.empty(); ++i) {
     search_.noise *= 1.2;
-    none = diagnosis::nextExperiment(fitter_, workings_, limits, 1);
+    none = diagnosis::experiment::nextExperiment(fitter_, workings_, limits, 1);
   }
   EXPECT_TRUE(none.proposed.displacement.empty()) << none.text;
   EXPECT_THAT(none.text, testing::StartsWith("None within the limits"));
@@ -256,7 +257,7 @@ TEST_F(Rivals, ProposalsKeepToTheLimitsGiven) {
   limits.duration = 12.0;
   for (int c = 0; c < static_cast<int>(search_.candidates.size()); ++c) {
     judgeAs(c);
-    const auto proposed = diagnosis::nextExperiment(fitter_, workings_, limits, 1).proposed;
+    const auto proposed = diagnosis::experiment::nextExperiment(fitter_, workings_, limits, 1).proposed;
     for (std::size_t i = 1; i < proposed.displacement.size(); ++i) {
       ASSERT_LE(std::abs(proposed.displacement[i]), 0.004);
       ASSERT_LE(std::abs(proposed.displacement[i] - proposed.displacement[i - 1]), 0.1 * proposed.dt * (1.0 + 1e-9));

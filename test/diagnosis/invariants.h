@@ -91,13 +91,14 @@ inline void checkGaps(const Diagnosis& d) {
 
 /// No other value than that of the headline is in the sentence; an interval that ends at a bound says so.
 inline void checkSizes(const Diagnosis& d) {
-  const SizedValue* const headline = diagnosis::headlineValue(d);
-  for (const SizedValue* size : diagnosis::changedValues(d)) {  // the largest change first
-    EXPECT_TRUE(size == headline || d.sentence.find(diagnosis::offText(*size)) == std::string::npos) << size->name;
+  const SizedValue* const headline = diagnosis::words::headlineValue(d);
+  for (const SizedValue* size : diagnosis::words::changedValues(d)) {  // the largest change first
+    EXPECT_TRUE(size == headline || d.sentence.find(diagnosis::words::offText(*size)) == std::string::npos)
+        << size->name;
   }
   for (const auto* sizes : {&d.model_sizes, &d.effect_sizes}) {
     for (const SizedValue& size : *sizes) {
-      const bool says = diagnosis::intervalText(size).find("bound") != std::string::npos;
+      const bool says = diagnosis::words::intervalText(size).find("bound") != std::string::npos;
       EXPECT_EQ(says, size.at_bound[0] || size.at_bound[1]) << size.name;
       EXPECT_TRUE(size.interval_95[0] != 0.0 || size.value == 0.0 || size.at_bound[0]) << size.name << " may be 0";
     }
@@ -149,7 +150,7 @@ inline void checkThatTakenOutExplainsTheGaps(const Diagnosis& d) {
 /// Why a candidate is out agrees with its gap: what leaves less is never said to add nothing or to leave more.
 inline void checkCandidates(const Diagnosis& d) {
   for (const CandidateResult& candidate : d.candidates) {
-    const std::string why = diagnosis::whyOut(d, candidate);
+    const std::string why = diagnosis::report::whyOut(d, candidate);
     const auto says = [&](const char* words) { return why.find(words) != std::string::npos; };
     EXPECT_TRUE(!says("where what is named leaves") || candidate.gap > d.gap.augmented) << candidate.effect;
     EXPECT_TRUE(!says("no more than what is named") || candidate.gap <= d.gap.augmented) << candidate.effect;

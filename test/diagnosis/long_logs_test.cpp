@@ -17,11 +17,11 @@
 namespace rubber_suspension {
 namespace {
 
-using diagnosis::LeadIn;
-using diagnosis::LeadInBuilder;
-using diagnosis::LogSurvey;
-using diagnosis::MotionSurvey;
-using diagnosis::Recorded;
+using diagnosis::prepare::LeadIn;
+using diagnosis::prepare::LeadInBuilder;
+using diagnosis::prepare::LogSurvey;
+using diagnosis::prepare::MotionSurvey;
+using diagnosis::results::Recorded;
 
 const std::vector<element::ElementDescription> kElements = {
     {"spring", {{"stiffness", {1e6}}}},
@@ -137,7 +137,7 @@ std::vector<LogSurvey> surveysOf(const std::vector<log::Log>& logs) {
   const component::Component component(kElements);
   std::vector<LogSurvey> surveys;
   for (const log::Log& log : logs) {
-    surveys.push_back(diagnosis::surveyLog(log::sourceOf(log), component));
+    surveys.push_back(diagnosis::prepare::surveyLog(log::sourceOf(log), component));
   }
   return surveys;
 }
@@ -156,7 +156,8 @@ TEST(RecordedGap, IsThatOfTheLogsInMemory) {
   };
   std::vector<double> of_both;
   for (const Recorded recorded : {Recorded::on_one_component, Recorded::each_on_a_new_one}) {
-    const std::vector<double> gaps = diagnosis::recordedGaps({kElements, spring}, surveysOf(logs), recorded, 2);
+    const std::vector<double> gaps =
+        diagnosis::results::recordedGaps({kElements, spring}, surveysOf(logs), recorded, 2);
     ASSERT_EQ(gaps.size(), 2U);
     EXPECT_NEAR(gaps[0], expected(kElements, recorded), 1e-9 * gaps[0]);
     EXPECT_NEAR(gaps[1], expected(spring, recorded), 1e-9 * gaps[1]);
@@ -175,10 +176,10 @@ TEST(LogSurvey, FindsThatALogWasShortenedMeanwhile) {
   };
   LogSurvey survey = surveys.front();
   survey.source = log::sourceOf(recording(1500, 1e-3));  // it goes on being written
-  diagnosis::readAgain(survey, count);
+  diagnosis::prepare::readAgain(survey, count);
   EXPECT_EQ(read, 1000U);
   survey.source = log::sourceOf(recording(900, 1e-3));
-  EXPECT_THROW(diagnosis::readAgain(survey, count), log::LogError);
+  EXPECT_THROW(diagnosis::prepare::readAgain(survey, count), log::LogError);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Eigen::VectorXd sine(double cycles, double amplitude) {
 }
 
 TEST(OctaveShares, AreWhereTheSinesAre) {
-  const std::vector<double> shares = diagnosis::octaveShares(sine(90.0, 3.0) + sine(820.0, 1.0));
+  const std::vector<double> shares = diagnosis::hypotheses::octaveShares(sine(90.0, 3.0) + sine(820.0, 1.0));
   EXPECT_EQ(shares.size(), 14U);        // the mean, and 1 to 4096 cycles
   EXPECT_NEAR(shares[7], 0.9, 1e-12);   // 64 to 128
   EXPECT_NEAR(shares[10], 0.1, 1e-12);  // 512 to 1024
@@ -29,13 +29,13 @@ TEST(OctaveShares, AreWhereTheSinesAre) {
 }
 
 TEST(OctaveShares, BeginWithTheMean) {
-  EXPECT_NEAR(diagnosis::octaveShares(Eigen::VectorXd::Constant(kSamples, 2.0)).front(), 1.0, 1e-12);
+  EXPECT_NEAR(diagnosis::hypotheses::octaveShares(Eigen::VectorXd::Constant(kSamples, 2.0)).front(), 1.0, 1e-12);
 }
 
 TEST(OctaveShares, AreNoneWithoutEnergy) {
-  EXPECT_TRUE(diagnosis::octaveShares(Eigen::VectorXd::Zero(64)).empty());
+  EXPECT_TRUE(diagnosis::hypotheses::octaveShares(Eigen::VectorXd::Zero(64)).empty());
   const double never = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(diagnosis::octaveShares(Eigen::VectorXd::Constant(64, never)).empty());
+  EXPECT_TRUE(diagnosis::hypotheses::octaveShares(Eigen::VectorXd::Constant(64, never)).empty());
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ diagnosis::Diagnosis madeUp() {
 }
 
 TEST(OverviewFigure, ShowsLoopsResidualsAndTime) {
-  const io::Figure figure = diagnosis::overviewFigure(madeUp());
+  const io::Figure figure = diagnosis::report::overviewFigure(madeUp());
   EXPECT_EQ(figure.title, "bush: named: friction, creep");
   ASSERT_EQ(figure.axes.size(), 3U);  // without cells there is no map
   EXPECT_EQ(figure.axes[0].title, "Force over displacement\nsine, 0 to 2 s");
@@ -49,7 +49,7 @@ TEST(OverviewFigure, MapsTheGapWhereItIsKnown) {
   diagnosis.where = {{"sine", {1.0, 2.0}, {3.16e-4, 1e-3}, gap::Quantity::stiffness, 0.7, 10.0},
                      {"sine", {1.0, 2.0}, {3.16e-4, 1e-3}, gap::Quantity::loss, 0.2, 10.0},
                      {"sine", {0.0, 0.0}, {0.0, 0.0}, gap::Quantity::mean, 0.1, 10.0}};
-  const io::Figure figure = diagnosis::overviewFigure(diagnosis);
+  const io::Figure figure = diagnosis::report::overviewFigure(diagnosis);
   ASSERT_EQ(figure.axes.size(), 4U);
   ASSERT_EQ(figure.axes[1].maps.size(), 1U);
   EXPECT_NEAR(figure.axes[1].maps[0].values.at(0), 90.0, 1e-9);  // [%], stiffness and loss together

@@ -103,7 +103,7 @@ double rootMeanSquare(const Eigen::VectorXd& values) {
 }
 
 TEST(FrictionNoise, IsNothingWithoutFriction) {
-  EXPECT_EQ(diagnosis::frictionNoise(rigComponent().allElements(), {log::makeRecord(noisyLog(5e-6))}),
+  EXPECT_EQ(diagnosis::prepare::frictionNoise(rigComponent().allElements(), {log::makeRecord(noisyLog(5e-6))}),
             std::vector<double>{0.0});
 }
 
@@ -117,7 +117,7 @@ TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
   const Eigen::VectorXd done =
       gap::simulate(friction, {noisy}, gap::asRecorded)[0] - gap::simulate(friction, {clean})[0];
   const double known = rootMeanSquare(done) / noisy.force_deviation;
-  const double estimated = diagnosis::frictionNoise(friction, {noisy}).front();
+  const double estimated = diagnosis::prepare::frictionNoise(friction, {noisy}).front();
   EXPECT_GT(known, 1e-3) << "there is something to be estimated";
   // One draw of few events, against three of them and three dead bands.
   EXPECT_GT(estimated, 0.4 * known);
@@ -180,7 +180,7 @@ Eigen::VectorXd scalesOf(const std::vector<fit::Candidate>& candidates, const Sc
 TEST(Candidates, AreEnteredOnceEach) {
   const std::vector<log::Record> records = {log::makeRecord(noisyLog(0.0))};
   std::set<std::string> names;
-  for (const fit::Candidate& candidate : diagnosis::candidates(fit::summarise(records))) {
+  for (const fit::Candidate& candidate : diagnosis::hypotheses::candidate::candidates(fit::summarise(records))) {
     EXPECT_TRUE(names.insert(candidate.effect).second) << candidate.effect;
     // The logs have neither a temperature nor another displacement.
     EXPECT_EQ(candidate.applies(), candidate.effect != "temperature" && candidate.effect != "radial_coupling")
@@ -204,7 +204,8 @@ TEST(Candidates, RadialCouplingNeedsAnotherDisplacement) {
     for (std::size_t i = 0; i < log.size(); ++i) {
       log.across.push_back(share * log.displacement[i] + apart * 1e-3 * std::sin(11.0 * log.time(i)));
     }
-    for (const fit::Candidate& candidate : diagnosis::candidates(fit::summarise({log::makeRecord(log)}))) {
+    for (const fit::Candidate& candidate :
+         diagnosis::hypotheses::candidate::candidates(fit::summarise({log::makeRecord(log)}))) {
       if (candidate.effect == "radial_coupling") {
         return candidate.applies();
       }
@@ -237,7 +238,7 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
                                       log::makeRecord(runRig("second", 2, nothing))};
   const fit::ModelParameters model(component, fit::Level::specification);
   const fit::Fitter fitter(records, model);
-  const std::vector<fit::Candidate> plain = diagnosis::candidates(fit::summarise(records));
+  const std::vector<fit::Candidate> plain = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
   std::vector<fit::Candidate> known = plain;
   fit::findUnitEffects(known, records, 2);
   const std::vector<Scales> cases = {

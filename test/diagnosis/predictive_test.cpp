@@ -14,8 +14,8 @@
 namespace rubber_suspension::test {
 namespace {
 
-using diagnosis::Closing;
-using diagnosis::Evidence;
+using diagnosis::judge::Evidence;
+using diagnosis::results::Closing;
 
 constexpr double kGap = 0.2;       // before
 constexpr double kRemoved = 0.03;  // square of what the law adds
@@ -27,7 +27,7 @@ double width(const std::array<double, 2>& interval) { return interval[1] - inter
 class Rig {
  public:
   explicit Rig(unsigned seed) : generator_(seed) {
-    const diagnosis::JudgeNumbers& numbers = diagnosis::fittedNumbers();
+    const diagnosis::judge::JudgeNumbers& numbers = diagnosis::judge::fittedNumbers();
     expected_ = std::pow(numbers.floor_known * kFloor, 2) + std::pow(numbers.accepted, 2) +
                 std::pow(numbers.form_error, 2) * kRemoved;
     variance_ = expected_ * numbers.tails / std::chi_squared_distribution<double>(numbers.tails)(generator_);
@@ -51,7 +51,7 @@ class Rig {
 Evidence evidenceOf(const std::vector<double>& left) {
   Evidence evidence = unexplained(left.size(), 1, kGap);
   evidence.hypotheses[Evidence::kFirstSingle] = fitted({0}, left, {std::vector<double>(left.size(), kRemoved)});
-  for (diagnosis::LogEvidence& log : evidence.logs) {
+  for (diagnosis::judge::LogEvidence& log : evidence.logs) {
     log.floor_uncertainty = 0.0;
   }
   return evidence;

@@ -27,6 +27,8 @@
 namespace rubber_suspension {
 namespace {
 
+using diagnosis::words::headlineValuesOf;
+using diagnosis::words::quantity;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -61,7 +63,7 @@ double contrast(const std::array<double, 3>& one, const std::array<double, 3>& o
 }
 
 TEST(ReportPage, HasTheContrastOfLevelAA) {
-  const auto schemes = palettes(diagnosis::kPageStyle);
+  const auto schemes = palettes(diagnosis::report::kPageStyle);
   ASSERT_EQ(schemes.size(), 3U) << "light, dark, print";
   for (const auto& scheme : schemes) {
     for (const char* text : {"ink", "note", "link", "added", "removed"}) {
@@ -75,7 +77,7 @@ TEST(ReportPage, HasTheContrastOfLevelAA) {
 
 // No measure of the style sheet is wider than a page of 400 px; what depends on the screen's width is.
 TEST(ReportPage, AsksForNoWidthBeyond400Pixels) {
-  const std::string style = diagnosis::kPageStyle;
+  const std::string style = diagnosis::report::kPageStyle;
   const std::regex width(R"((^|[^-])\b(min-width|width|minmax\(min\(100%,):?\s*([\d.]+)(rem|px)\b)");
   int found = 0;
   for (std::sregex_iterator m(style.begin(), style.end(), width); m != std::sregex_iterator(); ++m) {
@@ -90,25 +92,24 @@ TEST(ReportPage, AsksForNoWidthBeyond400Pixels) {
 }
 
 TEST(ReportTable, TellsTheTitleOfEachField) {
-  EXPECT_THAT(diagnosis::table({"log", "#gap"}, {{"sine", "7.9 %"}}),
+  EXPECT_THAT(diagnosis::words::table({"log", "#gap"}, {{"sine", "7.9 %"}}),
               HasSubstr("<td data-title=\"log\">sine</td><td class=n data-title=\"gap\">7.9 %</td>"));
-  EXPECT_THROW(diagnosis::table({"log", "#gap"}, {{"sine"}}), std::logic_error);
+  EXPECT_THROW(diagnosis::words::table({"log", "#gap"}, {{"sine"}}), std::logic_error);
 }
 
 TEST(ReportText, HasUnitsThatEngineersRead) {
-  EXPECT_EQ(diagnosis::quantity(6000.0, "N"), "6 kN");
-  EXPECT_EQ(diagnosis::quantity(-31.0, "N"), "-31 N");
-  EXPECT_EQ(diagnosis::quantity(3.5e-4, "m"), "0.35 mm");
-  EXPECT_EQ(diagnosis::quantity(4.2e6, "N/m"), "4.2 kN/mm");
-  EXPECT_EQ(diagnosis::quantity(2.1e-4, "s"), "0.21 ms");
-  EXPECT_EQ(diagnosis::quantity(0.0, "m"), "0 µm");
-  EXPECT_EQ(diagnosis::quantity(1.5, "1"), "1.5");
-  EXPECT_EQ(diagnosis::quantity({"friction", "maximum_force", "N", 0.0, 6000.0, {950.0, 6400.0}}),
-            "6 kN (0.95 to 6.4 kN)");
+  EXPECT_EQ(quantity(6000.0, "N"), "6 kN");
+  EXPECT_EQ(quantity(-31.0, "N"), "-31 N");
+  EXPECT_EQ(quantity(3.5e-4, "m"), "0.35 mm");
+  EXPECT_EQ(quantity(4.2e6, "N/m"), "4.2 kN/mm");
+  EXPECT_EQ(quantity(2.1e-4, "s"), "0.21 ms");
+  EXPECT_EQ(quantity(0.0, "m"), "0 µm");
+  EXPECT_EQ(quantity(1.5, "1"), "1.5");
+  EXPECT_EQ(quantity({"friction", "maximum_force", "N", 0.0, 6000.0, {950.0, 6400.0}}), "6 kN (0.95 to 6.4 kN)");
 }
 
 TEST(ReportText, NeverLeavesHtmlOfAName) {
-  EXPECT_EQ(diagnosis::escape("<b a=\"1\">&"), "&lt;b a=&quot;1&quot;&gt;&amp;");
+  EXPECT_EQ(diagnosis::words::escape("<b a=\"1\">&"), "&lt;b a=&quot;1&quot;&gt;&amp;");
 }
 
 std::string outputOf(const std::string& command) {
@@ -128,7 +129,7 @@ TEST(RunRecord, NamesFilesByTheirSha256) {
   content += '\0';
   std::ofstream(path, std::ios::binary) << content;
   setenv("SOURCE_DATE_EPOCH", "86399", 1);
-  const auto record = diagnosis::makeRunRecord("1.2", {"diagnose", "--log", path}, {{"--log", path}});
+  const auto record = diagnosis::report::makeRunRecord("1.2", {"diagnose", "--log", path}, {{"--log", path}});
   unsetenv("SOURCE_DATE_EPOCH");
   ASSERT_EQ(record.files.size(), 1U);
   EXPECT_EQ(record.files[0].name, "run record's file");
@@ -137,13 +138,13 @@ TEST(RunRecord, NamesFilesByTheirSha256) {
   EXPECT_EQ(outputOf("printf %s " + record.command_line.substr(std::string("diagnose --log ").size())), path)
       << "the shell reads the quoted path back";
   std::remove(path.c_str());
-  EXPECT_THROW(diagnosis::makeRunRecord("1", {}, {{"--log", path}}), std::runtime_error) << "the file is gone";
+  EXPECT_THROW(diagnosis::report::makeRunRecord("1", {}, {{"--log", path}}), std::runtime_error) << "the file is gone";
 }
 
 TEST(RunRecord, RefusesADateThatIsNone) {
   for (const char* bad : {"yesterday", "-1", "1e9", "99999999999999999999", "12 "}) {
     setenv("SOURCE_DATE_EPOCH", bad, 1);
-    EXPECT_THROW(diagnosis::makeRunRecord("1", {}, {}), std::runtime_error) << bad;
+    EXPECT_THROW(diagnosis::report::makeRunRecord("1", {}, {}), std::runtime_error) << bad;
   }
   unsetenv("SOURCE_DATE_EPOCH");
 }
@@ -154,7 +155,7 @@ TEST(FigureData, HoldsEveryPointAndNoHoles) {
   axes.x_label = "displacement [mm]";
   axes.y_label = "force [kN]";
   axes.curves.push_back({"measured", {1.0, 2.0, 3.0}, {0.5, std::numeric_limits<double>::quiet_NaN(), 1.5}});
-  EXPECT_EQ(diagnosis::figureCsv({"t", {axes}, 1}),
+  EXPECT_EQ(diagnosis::report::figureCsv({"t", {axes}, 1}),
             "curve,panel,displacement_mm,force_kN\n\"measured\",\"a \"\"b\"\"\",1,0.5\n"
             "\"measured\",\"a \"\"b\"\"\",3,1.5\n");
 }
@@ -164,12 +165,12 @@ TEST(FigureData, HoldsTheCellsOfAMap) {
   axes.x_label = "frequency [Hz]";
   axes.y_label = "amplitude [mm]";
   axes.maps.push_back({{1.0, 2.0, 4.0}, {0.1, 1.0}, {std::numeric_limits<double>::quiet_NaN(), 7.0}, "share [%]"});
-  EXPECT_EQ(diagnosis::figureCsv({"t", {axes}, 1}),
+  EXPECT_EQ(diagnosis::report::figureCsv({"t", {axes}, 1}),
             "curve,panel,frequency_Hz_low,frequency_Hz_high,amplitude_mm_low,amplitude_mm_high,value\n"
             "\"share [%]\",\"\",2,4,0.1,1,7\n");
 }
 
-double named(const std::vector<diagnosis::HeadlineValue>& values, const std::string& name) {
+double named(const std::vector<diagnosis::words::HeadlineValue>& values, const std::string& name) {
   const auto found = std::find_if(values.begin(), values.end(), [&](const auto& value) { return value.name == name; });
   return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
 }
@@ -183,12 +184,11 @@ TEST(Headline, TellsSlidersAsForceAndDisplacementAtHalfForce) {
   }
   std::reverse(table.values["yield_displacement"].begin(), table.values["yield_displacement"].end());
   std::reverse(table.values["stiffness"].begin(), table.values["stiffness"].end());
-  const auto values = diagnosis::headlineValuesOf({table});
+  const auto values = headlineValuesOf({table});
   EXPECT_NEAR(named(values, "maximum_force"), 6000.0, 1e-6);
   EXPECT_NEAR(named(values, "displacement"), 3.5e-4, 0.02 * 3.5e-4) << "chords of the hyperbola cut its corner";
   // One slider: half of its force at half of its way.
-  const auto one =
-      diagnosis::headlineValuesOf({{"iwan_table", {{"yield_displacement", {2e-3}}, {"stiffness", {1e6}}}}});
+  const auto one = headlineValuesOf({{"iwan_table", {{"yield_displacement", {2e-3}}, {"stiffness", {1e6}}}}});
   EXPECT_NEAR(named(one, "displacement"), 1e-3, 1e-15);
 }
 
@@ -198,34 +198,35 @@ TEST(Headline, AddsUpTheLimitsOfAllThatYields) {
       {"iwan_table", {{"yield_displacement", {2e-3}}, {"stiffness", {1e6}}}},
       {"variable_friction", {{"stiffness", {5e5}}, {"yield_displacement", {2e-3}}, {"growth_displacement", {0.01}}}},
       {"viscoplastic_friction", {{"stiffness", {5e5}}, {"yield_displacement", {2e-3}}, {"half_rate", {0.1}}}}};
-  const auto values = diagnosis::headlineValuesOf(friction);
+  const auto values = headlineValuesOf(friction);
   ASSERT_EQ(values.size(), 2U);
   EXPECT_DOUBLE_EQ(named(values, "maximum_force"), 4000.0);
   EXPECT_DOUBLE_EQ(named(values, "displacement"), 1e-3);
-  EXPECT_DOUBLE_EQ(named(diagnosis::headlineValuesOf(friction), "maximum_force"), 4000.0);
-  const auto alone = diagnosis::headlineValuesOf({friction.back()});
+  EXPECT_DOUBLE_EQ(named(headlineValuesOf(friction), "maximum_force"), 4000.0);
+  const auto alone = headlineValuesOf({friction.back()});
   EXPECT_DOUBLE_EQ(named(alone, "maximum_force"), 1000.0);
 }
 
 // What people read is few numbers: seven terms of one effect are one, and what no fit moves is left out.
 TEST(Headline, IsShortForPeople) {
   const auto softening =
-      diagnosis::headlineValuesOf({{"stress_softening", {{"reduction", {0.2}}, {"width", {0.05}}, {"path", {1.0}}}},
-                                   {"stress_softening", {{"reduction", {0.3}}, {"width", {0.5}}, {"path", {2.0}}}}});
+      headlineValuesOf({{"stress_softening", {{"reduction", {0.2}}, {"width", {0.05}}, {"path", {1.0}}}},
+                        {"stress_softening", {{"reduction", {0.3}}, {"width", {0.5}}, {"path", {2.0}}}}});
   ASSERT_EQ(softening.size(), 1U);
   EXPECT_EQ(softening[0].name, "total_reduction");
   EXPECT_DOUBLE_EQ(softening[0].value, 0.5);
-  const auto stop = diagnosis::headlineValuesOf({{"bump_stop", {{"stiffness", {1e6}}, {"gap", {0.002}}}}});
+  const auto stop = headlineValuesOf({{"bump_stop", {{"stiffness", {1e6}}, {"gap", {0.002}}}}});
   EXPECT_DOUBLE_EQ(named(stop, "stiffness"), 1e6);
   EXPECT_DOUBLE_EQ(named(stop, "gap"), 0.002);
 }
 
 TEST(ReportText, TellsTheEndsOfAnIntervalApart) {
-  EXPECT_EQ(diagnosis::intervalText({"", "", "N/m", 0.0, 1.55e6, {1.5496e6, 1.5502e6}}), "1.5496 to 1.5502 kN/mm");
-  EXPECT_EQ(diagnosis::intervalText({"", "", "N", 0.0, 5.0, {5.0, 5.0}}), "5 to 5 N");
-  EXPECT_EQ(diagnosis::intervalText({"", "", "N", 0.0, 5.0, {4.0, 5.0}, {false, true}}),
+  EXPECT_EQ(diagnosis::words::intervalText({"", "", "N/m", 0.0, 1.55e6, {1.5496e6, 1.5502e6}}),
+            "1.5496 to 1.5502 kN/mm");
+  EXPECT_EQ(diagnosis::words::intervalText({"", "", "N", 0.0, 5.0, {5.0, 5.0}}), "5 to 5 N");
+  EXPECT_EQ(diagnosis::words::intervalText({"", "", "N", 0.0, 5.0, {4.0, 5.0}, {false, true}}),
             "4 N or more, the fit ends at a bound");
-  EXPECT_EQ(diagnosis::intervalText({"", "", "N", 0.0, 4.0, {4.0, 5.0}, {true, false}}),
+  EXPECT_EQ(diagnosis::words::intervalText({"", "", "N", 0.0, 4.0, {4.0, 5.0}, {true, false}}),
             "5 N or less, the fit ends at a bound");
 }
 
@@ -239,15 +240,15 @@ TEST(ModelValues, AreTheFactWhereTheLogsContradictThem) {
   const auto d = withSizes({{"specification", "static_stiffness", "N/m", 3.0e6, 3.05e6, {2.9e6, 3.2e6}},
                             {"specification", "dynamic_stiffness", "N/m", 3.4e6, 4.2e6, {4.1e6, 4.3e6}},
                             {"specification", "break_frequency", "Hz", 1.0, 1.1, {1.05, 1.2}}});
-  const auto changed = diagnosis::changedValues(d);
+  const auto changed = diagnosis::words::changedValues(d);
   ASSERT_EQ(changed.size(), 2U) << "the first one's interval holds the configured value";
-  EXPECT_EQ(diagnosis::offText(*changed[0]),
+  EXPECT_EQ(diagnosis::words::offText(*changed[0]),
             "K_n is 19 % too low in the component file (3.4 kN/mm instead of 4.2 kN/mm)");
 }
 
 TEST(ModelValues, MakeRoomForEffects) {
   const auto d = withSizes({{"specification", "dynamic_stiffness", "N/m", 4.2e6, 3.4e6, {3.3e6, 3.5e6}}});
-  EXPECT_EQ(diagnosis::besideText(d.model_sizes[0]), "K_n becomes 3.4 kN/mm (4.2 kN/mm in the component file)");
+  EXPECT_EQ(diagnosis::words::besideText(d.model_sizes[0]), "K_n becomes 3.4 kN/mm (4.2 kN/mm in the component file)");
 }
 
 TEST(Candidates, AreOutForAReason) {
@@ -259,14 +260,14 @@ TEST(Candidates, AreOutForAReason) {
   creep.gap = 0.11;
   creep.interval = {0.05, 0.1};
   creep.testable = true;
-  EXPECT_EQ(diagnosis::whyOut(d, creep), "leaves 11.0 %, where what is named leaves 2.0 %");
+  EXPECT_EQ(diagnosis::report::whyOut(d, creep), "leaves 11.0 %, where what is named leaves 2.0 %");
   creep.interval = {-0.1, 0.1};
-  EXPECT_THAT(diagnosis::whyOut(d, creep), HasSubstr("may remove nothing"));
+  EXPECT_THAT(diagnosis::report::whyOut(d, creep), HasSubstr("may remove nothing"));
   creep.testable = false;
   creep.visible_share = 0.03;
-  EXPECT_THAT(diagnosis::whyOut(d, creep), HasSubstr("leave 3 %"));
+  EXPECT_THAT(diagnosis::report::whyOut(d, creep), HasSubstr("leave 3 %"));
   creep.effect = "friction";
-  EXPECT_EQ(diagnosis::whyOut(d, creep), "");
+  EXPECT_EQ(diagnosis::report::whyOut(d, creep), "");
 }
 
 TEST(Findings, AllHaveAMeaningAndARemedy) {
@@ -275,8 +276,8 @@ TEST(Findings, AllHaveAMeaningAndARemedy) {
   const std::regex name(R"re(inline constexpr const char\* \w+ = "(\w+)")re");
   int count = 0;
   for (std::sregex_iterator m(text.begin(), text.end(), name); m != std::sregex_iterator(); ++m, ++count) {
-    EXPECT_FALSE(diagnosis::adviceOn((*m)[1]).meaning.empty()) << (*m)[1];
-    EXPECT_FALSE(diagnosis::adviceOn((*m)[1]).remedy.empty()) << (*m)[1];
+    EXPECT_FALSE(diagnosis::report::adviceOn((*m)[1]).meaning.empty()) << (*m)[1];
+    EXPECT_FALSE(diagnosis::report::adviceOn((*m)[1]).remedy.empty()) << (*m)[1];
   }
   EXPECT_GE(count, 15);
 }
@@ -303,7 +304,7 @@ TEST(FirstScreen, AnswersTheFiveQuestions) {
   d.proposed.dt = 0.01;
   d.proposed.displacement.assign(201, 0.0);
   d.workings = std::make_shared<diagnosis::Workings>();
-  const std::string html = diagnosis::firstScreen(d, "<figure>LOOP</figure>");
+  const std::string html = diagnosis::report::firstScreen(d, "<figure>LOOP</figure>");
   for (const char* answer :
        {"bush &lt;1&gt;", "<h1>The model lacks friction.</h1>", "maximum force 6 kN (5.7 to 6.4 kN)",
         "half of it at 0.35 mm (0.3 to 0.4 mm)", "97 % that friction", "gap 14.0 % as configured", "2.0 % after",

@@ -18,9 +18,12 @@
 namespace rubber_suspension {
 namespace {
 
+using diagnosis::words::headlineOf;
 using testing::HasSubstr;
 
-std::size_t numbersIn(const diagnosis::Entries& entries) { return diagnosis::numbersOf(entries).size(); }
+std::size_t numbersIn(const diagnosis::results::Entries& entries) {
+  return diagnosis::results::numbersOf(entries).size();
+}
 
 TEST(NumbersOfALaw, AreThoseThatAFitMoves) {
   EXPECT_EQ(numbersIn({{"friction", {{"maximum_force", {100.0}}, {"displacement", {1e-4}}, {"dead_band", {0.0}}}}}),
@@ -35,7 +38,7 @@ TEST(NumbersOfALaw, AreThoseThatAFitMoves) {
 // A component of which a law is missing, its logs, and the full law of the candidate fitted to them.
 class SimplestLaw : public testing::Test {
  protected:
-  void fit(const std::string& effect, const diagnosis::Entries& missing) {
+  void fit(const std::string& effect, const diagnosis::results::Entries& missing) {
     std::vector<log::Record> records;
     for (const int seed : {1, 2}) {
       records.push_back(log::makeRecord(runRig("log", seed, [](double, double, double) { return 0.0; })));
@@ -45,7 +48,7 @@ class SimplestLaw : public testing::Test {
       records[r].force += added[r];
     }
     fitter_ = std::make_unique<fit::Fitter>(records, model_);
-    candidates_ = diagnosis::candidates(fit::summarise(records));
+    candidates_ = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
     int member = 0;
     while (candidates_[static_cast<std::size_t>(member)].effect != effect) {
       ++member;
@@ -53,16 +56,18 @@ class SimplestLaw : public testing::Test {
     fit::findUnitEffects(candidates_, records, 1);
     full_.hypothesis = fit::makeHypothesis(candidates_, {member});
     full_.fit = fitter_->fit(full_.hypothesis, fitter_->configured(full_.hypothesis), {10});
-    simple_ = diagnosis::simplestLaw(*fitter_, candidates_, full_, {none_, no_zeros_}, 1.0, 1);
+    simple_ = diagnosis::results::simplestLaw(*fitter_, candidates_, full_, {none_, no_zeros_}, 1.0, 1);
   }
 
-  diagnosis::Entries found() const { return simple_.fitted.law.at(simple_.fitted.fit.parameters.scales).at(0); }
+  diagnosis::results::Entries found() const {
+    return simple_.fitted.law.at(simple_.fitted.fit.parameters.scales).at(0);
+  }
 
   void expectPaid() const {
     const double allowed = std::pow(full_.fit.held_out, 2) + std::pow(simple_.form_error.at(0), 2) +
-                           std::pow(diagnosis::fittedNumbers().accepted, 2);
+                           std::pow(diagnosis::judge::fittedNumbers().accepted, 2);
     EXPECT_LE(std::pow(simple_.fitted.fit.held_out, 2), allowed);
-    EXPECT_LT(numbersIn(found()), numbersIn(diagnosis::entriesOf(full_)));
+    EXPECT_LT(numbersIn(found()), numbersIn(diagnosis::hypotheses::entriesOf(full_)));
   }
 
   const fit::ModelParameters model_{rigComponent(), fit::Level::specification};
@@ -70,8 +75,8 @@ class SimplestLaw : public testing::Test {
   const std::vector<fit::DisplacementZero> no_zeros_ = {};
   std::unique_ptr<fit::Fitter> fitter_;
   std::vector<fit::Candidate> candidates_;
-  diagnosis::FittedHypothesis full_;
-  diagnosis::SimplestLaw simple_;
+  diagnosis::hypotheses::FittedHypothesis full_;
+  diagnosis::results::SimplestLaw simple_;
 };
 
 TEST_F(SimplestLaw, OfFrictionHasTwoNumbers) {
@@ -79,7 +84,7 @@ TEST_F(SimplestLaw, OfFrictionHasTwoNumbers) {
   expectPaid();
   ASSERT_EQ(found().size(), 1U);
   EXPECT_EQ(numbersIn(found()), 2U);
-  EXPECT_NEAR(diagnosis::headlineOf(found()).at("maximum_force"), 800.0, 80.0);
+  EXPECT_NEAR(headlineOf(found()).at("maximum_force"), 800.0, 80.0);
 }
 
 TEST_F(SimplestLaw, OfASymmetricStopIsOneEntry) {
@@ -99,10 +104,10 @@ TEST_F(SimplestLaw, OfFrictionMayBeBoucWens) {
     of_three += entry.type == "bouc_wen" && numbersIn({entry}) == 3 ? 1 : 0;
   }
   EXPECT_GE(of_three, 2U);
-  diagnosis::Law law;
+  diagnosis::results::Law law;
   law.members = {
       {full_.hypothesis.members[0], {}, {{"bouc_wen", {{"stiffness", {1.5e6}}, {"beta", {4e3}}, {"gamma", {2e3}}}}}}};
-  const diagnosis::LawFitter fitter(*fitter_, law, 1);
+  const diagnosis::results::LawFitter fitter(*fitter_, law, 1);
   const fit::Hypothesis hypothesis = law.hypothesis();
   const fit::Fit found = fitter.fit(hypothesis, fitter.configured(hypothesis), {20});
   const element::ElementDescription entry = law.at(found.parameters.scales).at(0).at(0);
@@ -144,11 +149,11 @@ TEST(WrittenComponent, HasNumbersThatAreKnown) {
   d.written = {written("specification.static_stiffness", "N/m", 0.9e6, 896345.6789, {886e3, 906e3}),
                written("specification.nominal_frequency", "Hz", 4.0, 4.0, {4.0, 4.0}),
                written("add[0].maximum_force", "N", std::nan(""), 216.18, {195.0, 240.0})};
-  d.augmented = diagnosis::rounded(exact, d.written, 0);
+  d.augmented = diagnosis::results::rounded(exact, d.written, 0);
   EXPECT_DOUBLE_EQ(d.augmented.specification().at("static_stiffness"), 896e3) << "half the interval is 10 N/mm";
   EXPECT_DOUBLE_EQ(d.augmented.add[0].value("maximum_force"), 216.0);
   EXPECT_DOUBLE_EQ(d.augmented.add[0].value("displacement"), 1.2345678e-4) << "nothing is known of its interval";
-  const std::string text = diagnosis::augmentedYaml(d);
+  const std::string text = diagnosis::results::augmentedYaml(d);
   EXPECT_THAT(text, HasSubstr("static_stiffness: 0.896 kN/mm  # 95 %: 0.886 to 0.906 kN/mm; was 0.9 kN/mm"));
   EXPECT_THAT(text, HasSubstr("# maximum_force: 95 %: 195 to 240 N"));
   const auto read = io::parseComponentFile(text, "augmented.yaml").front();
@@ -156,19 +161,19 @@ TEST(WrittenComponent, HasNumbersThatAreKnown) {
 }
 
 TEST(Headline, TellsFrictionOverAllTerms) {
-  const auto dahl = diagnosis::headlineOf({{"bouc_wen", {{"stiffness", {3e6}}, {"beta", {1e4}}, {"gamma", {0.0}}}}});
+  const auto dahl = headlineOf({{"bouc_wen", {{"stiffness", {3e6}}, {"beta", {1e4}}, {"gamma", {0.0}}}}});
   EXPECT_NEAR(dahl.at("maximum_force"), 300.0, 1e-9);
   EXPECT_NEAR(dahl.at("displacement"), std::log(2.0) * 1e-4, 1e-12);
-  const auto both = diagnosis::headlineOf({{"friction", {{"maximum_force", {200.0}}, {"displacement", {1e-4}}}},
-                                           {"iwan_table", {{"yield_displacement", {1e-4}}, {"stiffness", {2e6}}}}});
+  const auto both = headlineOf({{"friction", {{"maximum_force", {200.0}}, {"displacement", {1e-4}}}},
+                                {"iwan_table", {{"yield_displacement", {1e-4}}, {"stiffness", {2e6}}}}});
   EXPECT_NEAR(both.at("maximum_force"), 400.0, 1e-9);
   EXPECT_NEAR(both.at("displacement"), (std::sqrt(5.0) - 1.0) / 2.0 * 1e-4, 1e-9) << "z: 200 z/(z + 1) + 200 z = 200";
 }
 
 TEST(Headline, TellsStopsBySide) {
-  const auto values = diagnosis::headlineOf({{"bump_stop", {{"stiffness", {1e6}}, {"gap", {2e-3}}, {"side", {1.0}}}},
-                                             {"bump_stop", {{"stiffness", {2e6}}, {"gap", {3e-3}}, {"side", {1.0}}}},
-                                             {"bump_stop", {{"stiffness", {4e6}}, {"gap", {1e-3}}, {"side", {-1.0}}}}});
+  const auto values = headlineOf({{"bump_stop", {{"stiffness", {1e6}}, {"gap", {2e-3}}, {"side", {1.0}}}},
+                                  {"bump_stop", {{"stiffness", {2e6}}, {"gap", {3e-3}}, {"side", {1.0}}}},
+                                  {"bump_stop", {{"stiffness", {4e6}}, {"gap", {1e-3}}, {"side", {-1.0}}}}});
   EXPECT_DOUBLE_EQ(values.at("gap_at_z_above_0"), 2e-3);
   EXPECT_DOUBLE_EQ(values.at("stiffness_at_z_above_0"), 3e6);
   EXPECT_DOUBLE_EQ(values.at("gap_at_z_below_0"), 1e-3);
@@ -176,10 +181,9 @@ TEST(Headline, TellsStopsBySide) {
 }
 
 TEST(Headline, TellsTemperaturePerKelvinAtTheReference) {
-  const auto values =
-      diagnosis::headlineOf({{"vertical_shift", {{"coefficient", {-2e-3}}, {"reference", {20.0}}}},
-                             {"transition_shift", {{"share", {0.1}}, {"width", {50.0}}, {"reference", {20.0}}}},
-                             {"arrhenius_shift", {{"activation_energy", {7e4}}, {"reference", {20.0}}}}});
+  const auto values = headlineOf({{"vertical_shift", {{"coefficient", {-2e-3}}, {"reference", {20.0}}}},
+                                  {"transition_shift", {{"share", {0.1}}, {"width", {50.0}}, {"reference", {20.0}}}},
+                                  {"arrhenius_shift", {{"activation_energy", {7e4}}, {"reference", {20.0}}}}});
   EXPECT_DOUBLE_EQ(values.at("change_of_stiffness_at_20_degC"), -2e-3 - 0.1 / 50.0);
   EXPECT_NEAR(values.at("change_of_rates_at_20_degC"), 7e4 / (8.314462618 * 293.15 * 293.15), 1e-12);
 }

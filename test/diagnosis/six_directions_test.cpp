@@ -20,16 +20,17 @@ using component::kRz;
 using component::kX;
 using component::kY;
 using component::kZ;
+using results::crossShare;
 
 constexpr double kNoiseLeft = 5.0;  // of the residuals [N]
 
 // x, y and z move at frequencies of their own, rx as x does, the others stand still. What is left of x is
 // coupling(x, z) [N] of millimetres, with noise and a zero of the log; of the others nothing but noise.
 template <class Coupling>
-std::vector<DirectionResiduals> residuals(Coupling coupling) {
+std::vector<results::DirectionResiduals> residuals(Coupling coupling) {
   std::mt19937 generator(7);
   std::normal_distribution<double> noise(0.0, kNoiseLeft);
-  std::vector<DirectionResiduals> logs(2);
+  std::vector<results::DirectionResiduals> logs(2);
   for (std::size_t k = 0; k < logs.size(); ++k) {
     for (int i = 0; i < 6000; ++i) {
       const double t = 0.004 * i;
@@ -134,11 +135,12 @@ TEST(RequiredDirections, ErrorsNameDirectionAndWhatIsAccepted) {
 }
 
 TEST(RotationUnits, StandBehindNumbersAndInBracketsOnly) {
-  EXPECT_EQ(inRotationUnits("2 N (1.9 to 2.1 N) at 5 mm or 300 µm"), "2 N m (1.9 to 2.1 N m) at 5 mrad or 300 µrad");
-  EXPECT_EQ(inRotationUnits("4 kN/mm, 3 N/m, 2 kN s/m, [kN] over [mm]"),
+  EXPECT_EQ(words::inRotationUnits("2 N (1.9 to 2.1 N) at 5 mm or 300 µm"),
+            "2 N m (1.9 to 2.1 N m) at 5 mrad or 300 µrad");
+  EXPECT_EQ(words::inRotationUnits("4 kN/mm, 3 N/m, 2 kN s/m, [kN] over [mm]"),
             "4 kN m/mrad, 3 N m/rad, 2 kN m s/rad, [kN m] over [mrad]");
   const std::string other = "M 10 20 m 5 5, 5 N m, 3 N m/rad, 4 Nm, x_mm, 5 ms, K_n, 7 Hz, 2 m";
-  EXPECT_EQ(inRotationUnits(other), other);
+  EXPECT_EQ(words::inRotationUnits(other), other);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ Surrogate judged(const std::vector<double>& after) {
     }
   }
   Surrogate surrogate;
-  judgeRest(unseen, kFloor, true, surrogate);
+  results::judgeRest(unseen, kFloor, true, surrogate);
   return surrogate;
 }
 
@@ -40,21 +40,21 @@ TEST(JudgeRest, WhatIsPredictedInEachLogIsAFunctionOfTheMotion) {
   EXPECT_TRUE(surrogate.function_of_the_motion);
   // 1 - (mean of 4, 6.25 and 9 e-4, less 1e-4)/(1e-2 - 1e-4)
   EXPECT_NEAR(surrogate.share, 1.0 - 5.4167e-4 / 99e-4, 1e-4);
-  EXPECT_THAT(describeRest(surrogate), HasSubstr("is a function of the motion that is not in the list"));
-  EXPECT_THAT(describeRest(surrogate), HasSubstr("predicts 95 %"));
+  EXPECT_THAT(results::describeRest(surrogate), HasSubstr("is a function of the motion that is not in the list"));
+  EXPECT_THAT(results::describeRest(surrogate), HasSubstr("predicts 95 %"));
 }
 
 TEST(JudgeRest, ASmallPartOfItIsCalledThat) {
   const Surrogate surrogate = judged({0.085, 0.09, 0.088});
   EXPECT_FALSE(surrogate.function_of_the_motion);
   EXPECT_LT(surrogate.chance, 0.05);
-  EXPECT_THAT(describeRest(surrogate), HasSubstr("Only part of the rest"));
+  EXPECT_THAT(results::describeRest(surrogate), HasSubstr("Only part of the rest"));
 }
 
 TEST(JudgeRest, WhatIsNotPredictedIsNoFunctionOfTheMotion) {
   const Surrogate surrogate = judged({0.1, 0.101, 0.0999});
   EXPECT_FALSE(surrogate.function_of_the_motion);
-  EXPECT_THAT(describeRest(surrogate), HasSubstr("do not tell whether the motion causes it"));
+  EXPECT_THAT(results::describeRest(surrogate), HasSubstr("do not tell whether the motion causes it"));
 }
 
 // A noise floor that is higher than what is left cannot be right; it must not make all of the rest predicted.
@@ -124,7 +124,7 @@ TEST_F(UnlistedEffect, ReplayOfTheSurrogateFileGivesTheClaimedGap) {
 // On the map, too: what the surrogate adds is what is missing.
 TEST_F(UnlistedEffect, TheMapShowsWhatIsMissingAndThatTheSurrogateHasIt) {
   ASSERT_TRUE(result()->surrogate);
-  const MissingForce map = missingForce(*result());
+  const results::MissingForce map = results::missingForce(*result());
   double missing = 0.0;
   double left = 0.0;
   for (std::size_t cell = 0; cell < map.measured.size(); ++cell) {

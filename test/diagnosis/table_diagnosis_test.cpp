@@ -35,7 +35,7 @@ TEST(TableDiagnosis, NeverNamesWhatNoTableShows) {
     EXPECT_FALSE(candidate->testable) << effect;
     EXPECT_EQ(candidate->probability, 0.0) << effect;
   }
-  EXPECT_THAT(tableSection(found),
+  EXPECT_THAT(report::tableSection(found),
               HasSubstr("can never show stress softening, self heating, creep, force offset and force "
                         "drift, nor a delay that both channels share"));
 }
@@ -116,7 +116,8 @@ TEST(TableDiagnosis, WritesTheReport) {
   std::filesystem::remove_all(folder);
   writeReport(ofFrictionTable(), folder.string());
   std::ifstream page(folder / "report.html");
-  EXPECT_THAT(std::string(std::istreambuf_iterator<char>(page), {}), HasSubstr(tableSection(ofFrictionTable())));
+  EXPECT_THAT(std::string(std::istreambuf_iterator<char>(page), {}),
+              HasSubstr(report::tableSection(ofFrictionTable())));
   for (const char* name : {"report.json", "report.html", "augmented.yaml", "figure_stiffness.csv",
                            "figure_loss_angle.csv", "figure_where.csv"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
@@ -132,7 +133,7 @@ TEST(TableDiagnosis, WritesTheReport) {
 }
 
 TEST(Scatter, IsWhatTheLaboratoryStates) {
-  EXPECT_EQ(scatterOf(Laboratory(1).table(without(kZener)).points, 0.02).level, 0.02);
+  EXPECT_EQ(table::scatterOf(Laboratory(1).table(without(kZener)).points, 0.02).level, 0.02);
 }
 
 // The upper end of an interval of 84 %: above the truth in 84 of 100 tables, so of 40 in 25 to 40 (99.9 %).
@@ -151,7 +152,7 @@ TEST(Scatter, CoversTheNoiseOfRepeatsAndOfSmoothTables) {
           points.push_back(laboratory.measured(point));
         }
       }
-      const Scatter scatter = scatterOf(points, std::nullopt);
+      const table::Scatter scatter = table::scatterOf(points, std::nullopt);
       EXPECT_THAT(scatter.source, HasSubstr(repeats > 1 ? "repeated rows" : "smooth surface"));
       above += scatter.level > kNoise ? 1 : 0;
       mean += scatter.level / 40.0;
@@ -164,7 +165,7 @@ TEST(Scatter, CoversTheNoiseOfRepeatsAndOfSmoothTables) {
 TEST(Scatter, IsAssumedWhereNothingTellsIt) {
   std::vector<fit::TablePoint> points = Laboratory(1).table(without(kZener)).points;
   points = {points[0], points[2], points[19], points[22]};
-  const Scatter scatter = scatterOf(points, std::nullopt);
+  const table::Scatter scatter = table::scatterOf(points, std::nullopt);
   EXPECT_EQ(scatter.level, 0.01);
   EXPECT_THAT(scatter.source, HasSubstr("assumed"));
 }

@@ -37,8 +37,9 @@ class TakenOutTest : public ::testing::Test {
     record.nuisances = free.empty() ? columns : numerics::orthonormalColumns(columns);
     deviation_ = record.force_deviation;
     const auto elements = rigComponent().allElements();
-    const LogAccount account =
-        accountsOf(elements, {record}, {}, rawChannels({log_}, {}), gap::simulate(elements, {record}), {}, {}).front();
+    const results::LogAccount account = results::accountsOf(elements, {record}, {}, results::rawChannels({log_}, {}),
+                                                            gap::simulate(elements, {record}), {}, {})
+                                            .front();
     left_ = std::sqrt(account.left());
     double left = account.recorded();
     for (const TakenOut& part : account.entries()) {
@@ -74,8 +75,8 @@ double ramp(double seconds, double /*displacement*/, double /*rate*/) { return s
 
 TEST_F(TakenOutTest, TellsAZero) {
   const auto parts = accountFor([](double, double, double) { return 60.0; }, {one});
-  EXPECT_NEAR(shareOf(parts, taken_out::kZero), 60.0 / deviation_, 0.02 * 60.0 / deviation_);
-  EXPECT_LT(std::abs(shareOf(parts, taken_out::kDrift)), 0.002);
+  EXPECT_NEAR(shareOf(parts, results::taken_out::kZero), 60.0 / deviation_, 0.02 * 60.0 / deviation_);
+  EXPECT_LT(std::abs(shareOf(parts, results::taken_out::kDrift)), 0.002);
   EXPECT_LT(left_, 0.02);
 }
 
@@ -85,16 +86,17 @@ TEST_F(TakenOutTest, TellsADrift) {
   const double end = 20.0 * (5000.0 * (log_.time(1) - log_.time(0)) - 5.0);
   const double begin = -100.0;
   const double slope = 0.5 * (end - begin);
-  EXPECT_NEAR(shareOf(parts, taken_out::kDrift), slope / std::sqrt(3.0) / deviation_, 0.05 * slope / deviation_);
-  EXPECT_LT(std::abs(shareOf(parts, taken_out::kInitialState)), 0.03);
+  EXPECT_NEAR(shareOf(parts, results::taken_out::kDrift), slope / std::sqrt(3.0) / deviation_,
+              0.05 * slope / deviation_);
+  EXPECT_LT(std::abs(shareOf(parts, results::taken_out::kInitialState)), 0.03);
   EXPECT_LT(left_, 0.02);
 }
 
 TEST_F(TakenOutTest, TellsWhatIsLeftFromBefore) {
   const RigEffect decay = [](double t, double, double) { return 200.0 * std::exp(-t / 0.5); };
   const auto parts = accountFor(decay, {one, decay});
-  EXPECT_GT(shareOf(parts, taken_out::kInitialState), 0.01);
-  EXPECT_LT(std::abs(shareOf(parts, taken_out::kDrift)), 0.01);
+  EXPECT_GT(shareOf(parts, results::taken_out::kInitialState), 0.01);
+  EXPECT_LT(std::abs(shareOf(parts, results::taken_out::kDrift)), 0.01);
   EXPECT_LT(left_, 0.02);
 }
 
@@ -109,21 +111,22 @@ TEST_F(TakenOutTest, TellsAGain) {
   const auto elements = rigComponent().allElements();
   const gap::Forces forces = gap::simulate(elements, {record});
   record.nuisances = forces.front().normalized();
-  const auto parts = accountsOf(elements, {record}, {}, rawChannels({log}, {}), forces, {}, {}).front().entries();
-  EXPECT_NEAR(shareOf(parts, taken_out::kGain), 0.03 / 1.03, 0.002);
+  const auto parts =
+      results::accountsOf(elements, {record}, {}, results::rawChannels({log}, {}), forces, {}, {}).front().entries();
+  EXPECT_NEAR(shareOf(parts, results::taken_out::kGain), 0.03 / 1.03, 0.002);
 }
 
 TEST_F(TakenOutTest, TellsSpikes) {
   spike_ = 4000.0;
   const auto parts = accountFor([](double, double, double) { return 0.0; }, {});
-  EXPECT_NEAR(shareOf(parts, taken_out::kSpikes), 4000.0 / std::sqrt(5000.0) / deviation_,
+  EXPECT_NEAR(shareOf(parts, results::taken_out::kSpikes), 4000.0 / std::sqrt(5000.0) / deviation_,
               0.05 * 4000.0 / std::sqrt(5000.0) / deviation_);
 }
 
 TEST(DescribeTakenOut, SaysWhatIsMoreThanAHundredth) {
-  EXPECT_THAT(describeTakenOut({{"a", "zero", 0.032}, {"a", "drift", 0.1}, {"b", "spikes", 0.004}}),
+  EXPECT_THAT(results::describeTakenOut({{"a", "zero", 0.032}, {"a", "drift", 0.1}, {"b", "spikes", 0.004}}),
               ElementsAre("a: zero 3.2 %, drift 10 %"));
-  EXPECT_THAT(describeTakenOut({}), SizeIs(0));
+  EXPECT_THAT(results::describeTakenOut({}), SizeIs(0));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST(TemperatureEffect, RefusesATemperatureAtWhichTheShiftDoesNotHold) {
 std::size_t termsFor(const std::vector<log::Log>& logs) {
   std::vector<log::Record> records;
   std::transform(logs.begin(), logs.end(), std::back_inserter(records), log::makeRecord);
-  const auto all = diagnosis::candidates(fit::summarise(records));
+  const auto all = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
   return std::find_if(all.begin(), all.end(), [](const fit::Candidate& c) { return c.effect == "temperature"; })
       ->terms.size();
 }
@@ -60,12 +60,13 @@ TEST(TemperatureEffect, IsResampledWithTheLog) {
 
 TEST(TemperatureNote, StandsWithHeatingAndSofteningOfLogsWithoutATemperature) {
   fit::Excitation excitation;
-  EXPECT_EQ(diagnosis::temperatureNote({"friction"}, excitation), "");
-  EXPECT_THAT(diagnosis::temperatureNote({"friction", "self_heating"}, excitation),
+  EXPECT_EQ(diagnosis::words::temperatureNote({"friction"}, excitation), "");
+  EXPECT_THAT(diagnosis::words::temperatureNote({"friction", "self_heating"}, excitation),
               HasSubstr("self_heating is not certain"));
-  EXPECT_THAT(diagnosis::temperatureNote({"stress_softening"}, excitation), HasSubstr("column temperature_degC"));
+  EXPECT_THAT(diagnosis::words::temperatureNote({"stress_softening"}, excitation),
+              HasSubstr("column temperature_degC"));
   excitation.has_temperature = true;
-  EXPECT_EQ(diagnosis::temperatureNote({"self_heating"}, excitation), "");
+  EXPECT_EQ(diagnosis::words::temperatureNote({"self_heating"}, excitation), "");
 }
 
 }  // namespace

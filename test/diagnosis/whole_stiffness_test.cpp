@@ -21,7 +21,7 @@ TEST(WholeStiffness, IsToldBeforeTheComponentHasWarmed) {
   record.displacement = Eigen::VectorXd::LinSpaced(1000, 0.0, 1.0).unaryExpr([](double t) {
     return 2e-3 * std::sin(31.4159265358979 * t);
   });
-  const auto whole = diagnosis::wholeStiffness(before, after, {record});
+  const auto whole = diagnosis::results::wholeStiffness(before, after, {record});
   ASSERT_TRUE(whole.has_value());
   EXPECT_EQ(whole->frequency, 5.0);
   EXPECT_NEAR(whole->amplitude, 2e-3, 1e-5);

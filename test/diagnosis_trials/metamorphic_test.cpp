@@ -155,7 +155,7 @@ log::Log part(const log::Log& log, std::size_t begin, std::size_t end, const std
 
 // What other values leave beyond the noise is no more than what the judgement accepts.
 bool isHidden(const diagnosis::Gap& gap) {
-  const double accepted = diagnosis::fittedNumbers().accepted;
+  const double accepted = diagnosis::judge::fittedNumbers().accepted;
   return gap.re_estimated * gap.re_estimated < gap.noise_floor * gap.noise_floor + accepted * accepted;
 }
 

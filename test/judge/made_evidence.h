@@ -13,9 +13,9 @@ namespace rubber_suspension::test {
 /// Squares in units of the force's variance, the same in each log where one is given.
 constexpr double kFloor = 0.003;  // a gap
 
-inline diagnosis::HypothesisEvidence fitted(std::vector<int> members, std::vector<double> log_errors,
-                                            std::vector<std::vector<double>> sizes) {
-  diagnosis::HypothesisEvidence hypothesis;
+inline diagnosis::judge::HypothesisEvidence fitted(std::vector<int> members, std::vector<double> log_errors,
+                                                   std::vector<std::vector<double>> sizes) {
+  diagnosis::judge::HypothesisEvidence hypothesis;
   hypothesis.terms = 5 * members.size();
   hypothesis.members = std::move(members);
   hypothesis.sizes = std::move(sizes);
@@ -25,8 +25,8 @@ inline diagnosis::HypothesisEvidence fitted(std::vector<int> members, std::vecto
 
 /// A model that leaves `left` of each log (a gap), and effects that remove nothing of it and add no force. Effects have
 /// names that no case told anything of. Blocks are of all logs together.
-inline diagnosis::Evidence unexplained(std::size_t logs, int effects, double left, std::size_t blocks = 50) {
-  diagnosis::Evidence evidence;
+inline diagnosis::judge::Evidence unexplained(std::size_t logs, int effects, double left, std::size_t blocks = 50) {
+  diagnosis::judge::Evidence evidence;
   evidence.logs.assign(logs, {kFloor, 0.1, 1.0, false, 0});
   evidence.logs.front().blocks = blocks;
   const std::vector<double> errors(logs, left * left);
@@ -40,10 +40,10 @@ inline diagnosis::Evidence unexplained(std::size_t logs, int effects, double lef
 }
 
 /// Let a single effect leave another gap than the model without it: what it removes is its force.
-inline void explain(diagnosis::Evidence& evidence, int effect, double left) {
-  diagnosis::HypothesisEvidence& single =
-      evidence.hypotheses[static_cast<std::size_t>(diagnosis::Evidence::kFirstSingle + effect)];
-  const double before = evidence.at(diagnosis::Evidence::kReEstimated).log_errors.front();
+inline void explain(diagnosis::judge::Evidence& evidence, int effect, double left) {
+  diagnosis::judge::HypothesisEvidence& single =
+      evidence.hypotheses[static_cast<std::size_t>(diagnosis::judge::Evidence::kFirstSingle + effect)];
+  const double before = evidence.at(diagnosis::judge::Evidence::kReEstimated).log_errors.front();
   single = fitted({effect}, std::vector<double>(single.log_errors.size(), left * left),
                   {std::vector<double>(single.log_errors.size(), before - left * left)});
 }

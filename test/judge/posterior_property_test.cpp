@@ -14,12 +14,12 @@
 namespace rubber_suspension::test {
 namespace {
 
-using diagnosis::Answer;
-using diagnosis::Evidence;
-using diagnosis::HypothesisEvidence;
-using diagnosis::SetPosterior;
-using diagnosis::SetProbability;
 using diagnosis::Verdict;
+using diagnosis::judge::Answer;
+using diagnosis::judge::Evidence;
+using diagnosis::judge::HypothesisEvidence;
+using diagnosis::judge::SetPosterior;
+using diagnosis::judge::SetProbability;
 
 // The same evidence in every run, unless the environment asks for others.
 const bool kSeeded = setenv("RC_PARAMS", "seed=20261126", 0) == 0;
@@ -51,7 +51,7 @@ Evidence anyEvidence() {
 }
 
 SetPosterior posteriorOf(const Evidence& evidence) {
-  return setPosterior(scoreTable(evidence), diagnosis::fittedNumbers());
+  return setPosterior(scoreTable(evidence), diagnosis::judge::fittedNumbers());
 }
 
 double probabilityOf(const SetPosterior& posterior, const std::vector<int>& members) {
@@ -67,7 +67,7 @@ RC_GTEST_PROP(AnyEvidence, HasProbabilitiesThatAddUpToOne, ()) {
   const Evidence evidence = anyEvidence();
   const SetPosterior posterior = posteriorOf(evidence);
   RC_ASSERT(std::abs(posterior.none + posterior.parameter_error + posterior.unknown + posterior.ofSets() - 1.0) < 1e-9);
-  const Answer answer = diagnosis::answer(posterior, evidence.effects.size());
+  const Answer answer = diagnosis::judge::answer(posterior, evidence.effects.size());
   for (const double probability : answer.candidates) {
     RC_ASSERT(probability >= 0.0 && probability < posterior.ofSets() + 1e-9);
   }
@@ -77,7 +77,7 @@ RC_GTEST_PROP(AnyEvidence, HasProbabilitiesThatAddUpToOne, ()) {
 RC_GTEST_PROP(AnyEvidence, ListsTheFewestSets, ()) {
   const Evidence evidence = anyEvidence();
   const SetPosterior posterior = posteriorOf(evidence);
-  const Answer answer = diagnosis::answer(posterior, evidence.effects.size());
+  const Answer answer = diagnosis::judge::answer(posterior, evidence.effects.size());
   RC_PRE(namesEffects(answer.verdict));
   const auto improbable = [&](int effect) { return answer.candidates[static_cast<std::size_t>(effect)] < 0.02; };
   double sum = 0.0;
@@ -99,10 +99,10 @@ RC_GTEST_PROP(AnyEvidence, ListsTheFewestSets, ()) {
 // What is said is the likeliest of its kind, and the alternatives follow it, the likeliest first.
 RC_GTEST_PROP(AnyEvidence, ListsAlternativesByProbability, ()) {
   const Evidence evidence = anyEvidence();
-  const Answer answer = diagnosis::answer(evidence);
+  const Answer answer = diagnosis::judge::answer(evidence);
   double sum = answer.probability;
   double last = 1.0;
-  for (const diagnosis::Explained& other : answer.alternatives) {
+  for (const diagnosis::judge::Explained& other : answer.alternatives) {
     RC_ASSERT(sum < 0.9);
     RC_ASSERT(other.probability <= last);
     last = other.probability;
@@ -135,7 +135,7 @@ RC_GTEST_PROP(AnyEvidence, SaysTheSameAtAnyScaleOfTheWeights, ()) {
   Evidence evidence = anyEvidence();
   const SetPosterior before = posteriorOf(evidence);
   const double factor = std::pow(10.0, *rc::gen::inRange(-6, 7));
-  for (diagnosis::LogEvidence& log : evidence.logs) {
+  for (diagnosis::judge::LogEvidence& log : evidence.logs) {
     log.weight *= factor;
   }
   const SetPosterior after = posteriorOf(evidence);
@@ -175,7 +175,7 @@ RC_GTEST_PROP(AnEffectThatDoesNotApply, ChangesNothing, ()) {
 RC_GTEST_PROP(AnEffectThatRemovesNothing, IsNeverNamed, ()) {
   const auto logs = static_cast<std::size_t>(*rc::gen::inRange(1, 7));
   const Evidence evidence = unexplained(logs, *rc::gen::inRange(1, 25), anyGap(4, 500));
-  RC_ASSERT(!namesEffects(diagnosis::answer(evidence).verdict));
+  RC_ASSERT(!namesEffects(diagnosis::judge::answer(evidence).verdict));
 }
 
 // Two effects of the same kind, of which one leaves less: the more blocks say so, the surer it is.
@@ -199,7 +199,7 @@ RC_GTEST_PROP(MoreData, IsSurer, ()) {
 RC_GTEST_PROP(AnEffectThatExplainsTheGap, IsNamed, ()) {
   Evidence evidence = unexplained(5, *rc::gen::inRange(2, 20), anyGap(80, 400));
   explain(evidence, 1, anyGap(3, 6));
-  const Answer answer = diagnosis::answer(evidence);
+  const Answer answer = diagnosis::judge::answer(evidence);
   RC_ASSERT(answer.verdict == Verdict::named);
   RC_ASSERT(answer.effects == std::vector<int>{1});
 }
@@ -219,7 +219,7 @@ RC_GTEST_PROP(AListedEffectBesideARestInAnotherOctave, KeepsItsName, ()) {
     hypothesis.shares.assign(logs, {1.0 - beside, beside});
   }
   evidence.hypotheses[Evidence::kFirstSingle].shares.assign(logs, {0.0, 1.0});
-  const Answer answer = diagnosis::answer(evidence);
+  const Answer answer = diagnosis::judge::answer(evidence);
   RC_ASSERT(answer.verdict == Verdict::partly);
   RC_ASSERT(answer.effects == std::vector<int>{0});
 }
@@ -229,7 +229,7 @@ RC_GTEST_PROP(AListedEffectBesideAnUnlistedOne, KeepsItsName, ()) {
   const double left = anyGap(150, 400);
   Evidence evidence = unexplained(5, *rc::gen::inRange(2, 20), left);
   explain(evidence, 1, std::sqrt(0.2) * left);
-  const Answer answer = diagnosis::answer(evidence);
+  const Answer answer = diagnosis::judge::answer(evidence);
   RC_ASSERT(answer.verdict == Verdict::partly);
   RC_ASSERT(answer.effects == std::vector<int>{1});
 }

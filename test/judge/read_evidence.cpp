@@ -25,14 +25,14 @@ std::vector<double> numbersOf(const ordered_json& list) {
   return numbers;
 }
 
-LogEvidence logOf(const ordered_json& value) {
+judge::LogEvidence logOf(const ordered_json& value) {
   return {numberOf(value.at("floor")),           numberOf(value.at("floor_uncertainty")),
           numberOf(value.at("weight")),          value.at("unseen").get<bool>(),
           value.at("blocks").get<std::size_t>(), value.at("octaves").get<std::vector<double>>()};
 }
 
-HypothesisEvidence hypothesisOf(const ordered_json& value) {
-  HypothesisEvidence hypothesis;
+judge::HypothesisEvidence hypothesisOf(const ordered_json& value) {
+  judge::HypothesisEvidence hypothesis;
   value.at("members").get_to(hypothesis.members);
   value.at("terms").get_to(hypothesis.terms);
   value.at("free_trends").get_to(hypothesis.free_trends);
@@ -48,11 +48,11 @@ HypothesisEvidence hypothesisOf(const ordered_json& value) {
   return hypothesis;
 }
 
-Evidence evidenceOf(const ordered_json& value) {
+judge::Evidence evidenceOf(const ordered_json& value) {
   if (value.at("schema") != kEvidenceSchema) {
     throw std::invalid_argument(std::string("not evidence of a diagnosis: its schema is not ") + kEvidenceSchema);
   }
-  Evidence evidence;
+  judge::Evidence evidence;
   value.at("effects").get_to(evidence.effects);
   value.at("on_rig").get_to(evidence.on_rig);
   for (const ordered_json& hypothesis : value.at("hypotheses")) {
@@ -66,7 +66,7 @@ Evidence evidenceOf(const ordered_json& value) {
 
 }  // namespace
 
-Evidence parseEvidence(const std::string& text) {
+judge::Evidence parseEvidence(const std::string& text) {
   try {
     return evidenceOf(ordered_json::parse(text));
   } catch (const nlohmann::json::exception& error) {

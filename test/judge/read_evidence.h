@@ -8,6 +8,6 @@
 namespace rubber_suspension::diagnosis {
 
 /// As toJson() writes it; reads schema 3, too. Throws std::invalid_argument for text that is not such evidence.
-Evidence parseEvidence(const std::string& text);
+judge::Evidence parseEvidence(const std::string& text);
 
 }  // namespace rubber_suspension::diagnosis

@@ -16,8 +16,8 @@
 namespace rubber_suspension::test {
 namespace {
 
-using diagnosis::Evidence;
-using diagnosis::JudgeNumbers;
+using diagnosis::judge::Evidence;
+using diagnosis::judge::JudgeNumbers;
 
 TEST(ScoreTable, RefusesEvidenceWithoutLogs) {
   Evidence evidence = unexplained(3, 2, 0.1);
@@ -34,7 +34,7 @@ TEST(ScoreTable, HasNoFloorAboveWhatAHypothesisLeaves) {
   explain(evidence, 0, 0.015);
   explain(evidence, 1, 0.004);
   evidence.logs.front().floor = 0.02;
-  const diagnosis::ScoreTable table = scoreTable(evidence);
+  const diagnosis::judge::ScoreTable table = scoreTable(evidence);
   EXPECT_DOUBLE_EQ(table.floor[0], 0.004 * 0.004);
   EXPECT_DOUBLE_EQ(table.floor[1], kFloor * kFloor);
   EXPECT_DOUBLE_EQ(table.left(Evidence::kFirstSingle, 0), 0.015 * 0.015 - 0.004 * 0.004);
@@ -54,7 +54,7 @@ TEST(LogWeights, AreThoseOfTheEquations) {
   numbers.per_number = 0.2;
   numbers.rest = -2.0;
   numbers.effect = -3.0;
-  const diagnosis::LogWeights weights = logWeights(scoreTable(evidence), numbers);
+  const diagnosis::judge::LogWeights weights = logWeights(scoreTable(evidence), numbers);
   const double r2 = 0.02 * 0.02 - kFloor * kFloor;
   const double s2 = std::pow(0.5 * kFloor, 2) + 0.01 * 0.01 + 0.1 * 0.1 * (0.1 * 0.1 - 0.02 * 0.02);
   const double prior = -3.0 - 0.2 * std::log1p(5.0);
@@ -82,7 +82,7 @@ TEST(EvidenceJson, IsReadAsItWasWritten) {
   const Evidence read = diagnosis::parseEvidence(toJson(evidence));
   EXPECT_EQ(toJson(read), toJson(evidence));
   EXPECT_TRUE(std::isinf(read.hypotheses[2].log_errors[1]));
-  EXPECT_EQ(diagnosis::answer(read).candidates, diagnosis::answer(evidence).candidates);
+  EXPECT_EQ(diagnosis::judge::answer(read).candidates, diagnosis::judge::answer(evidence).candidates);
   for (const char* text : {"", "{}", "[]", R"({"schema": "rubber_suspension/evidence/2"})"}) {
     EXPECT_THROW(diagnosis::parseEvidence(text), std::invalid_argument) << text;
   }
@@ -101,13 +101,13 @@ TEST(LogWeights, CountUnseenLogs) {
 
 TEST(JudgeNumbers, AreEachInTheTableOnce) {
   JudgeNumbers numbers;
-  for (const diagnosis::NumberInfo& info : diagnosis::numberTable()) {
+  for (const diagnosis::judge::NumberInfo& info : diagnosis::judge::numberTable()) {
     EXPECT_EQ(numbers.*info.value, info.mean) << info.name;  // before any fit
     numbers.*info.value = -1e9;
   }
-  for (const diagnosis::NumberInfo& info : diagnosis::numberTable()) {
+  for (const diagnosis::judge::NumberInfo& info : diagnosis::judge::numberTable()) {
     EXPECT_EQ(numbers.*info.value, -1e9) << info.name;
-    EXPECT_TRUE(std::isfinite(diagnosis::fittedNumbers().*info.value)) << info.name;
+    EXPECT_TRUE(std::isfinite(diagnosis::judge::fittedNumbers().*info.value)) << info.name;
   }
 }
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Holds the layers apart: includes point one way only, and only ros_interface and the mains know ROS.
+"""Holds the layers apart: includes point one way only, only ros_interface and the mains know ROS, and each folder of
+diagnosis/ declares in its own namespace.
 
 Usage: layers.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """
@@ -64,6 +65,7 @@ ROS_HEADER = re.compile(
 )
 OWN_MESSAGE = re.compile(r"^rubber_suspension/[A-Z]\w*\.h$")
 OWN_HEADER = re.compile(r"^(?:rubber_suspension/)?([a-z_]+)/")
+NAMESPACE = re.compile(r"^namespace (rubber_suspension[\w:]*) \{", re.M)
 OF_DIAGNOSIS = re.compile(r"(?:^|/src/)diagnosis/([a-z_]+)/")
 
 
@@ -80,6 +82,19 @@ def violation_within(path, header):
         return None
     if other.group(1) not in WITHIN_DIAGNOSIS.get(own.group(1), ()):
         return f"diagnosis/{own.group(1)} must not depend on diagnosis/{other.group(1)}"
+    return None
+
+
+def violation_of_namespace(path, text, root):
+    """The same of a file of diagnosis/ and its namespaces: that of its folder, or of the layer for public headers."""
+    parts = path.relative_to(root).parts
+    if parts[:2] != ("src", "diagnosis"):
+        return None
+    layer = "rubber_suspension::diagnosis"
+    own = "::".join((layer,) + parts[2:-1])
+    opened = set(NAMESPACE.findall(text))
+    if opened - {own, layer} or own not in opened and path.suffix == ".h":
+        return f"declares in {', '.join(sorted(opened))}; the namespace of its folder is {own}"
     return None
 
 
@@ -107,7 +122,12 @@ def check(root):
             print(f"{path}: folder `{layer}` is no layer; layers are {', '.join(BELOW)}")
             found += 1
             continue
-        for number, line in enumerate(path.read_text().splitlines(), 1):
+        text = path.read_text()
+        reason = violation_of_namespace(path, text, root)
+        if reason:
+            print(f"{path}: {reason}")
+            found += 1
+        for number, line in enumerate(text.splitlines(), 1):
             match = INCLUDE.match(line)
             reason = match and (violation(layer, match.group(1)) or violation_within(path, match.group(1)))
             if reason:

@@ -19,7 +19,8 @@
 namespace rubber_suspension {
 namespace {
 
-using diagnosis::LiveDiagnosis;
+using diagnosis::live::LiveDiagnosis;
+using diagnosis::live::LiveSample;
 
 constexpr double kRate = 200.0;  // [Hz]
 constexpr std::int64_t kStart = 1700000000LL * 1000000000LL;
@@ -78,7 +79,7 @@ class VirtualBench {
   VirtualBench(const io::ComponentDescription& truth, unsigned seed)
       : track_(seed), random_(seed), component_(truth.makeComponent()), stream_(component_) {}
 
-  diagnosis::LiveSample next() {
+  LiveSample next() {
     const double t = static_cast<double>(count_) / kRate;
     const std::int64_t stamp = kStart + std::llround(1e9 * t);
     ++count_;
@@ -99,7 +100,7 @@ class VirtualBench {
   std::int64_t count_ = 0;
 };
 
-void feed(LiveDiagnosis& live, const diagnosis::LiveSample& sample) {
+void feed(LiveDiagnosis& live, const LiveSample& sample) {
   live.add(sample);
   if (live.lookIsDue()) {
     live.look();
@@ -113,8 +114,8 @@ TEST(LiveDiagnosis, AnEffectThatSetsInIsNamedWithItsOnset) {
   LiveDiagnosis live(configured());
   double named = 0.0;
   while (before.time() < kOnset + 120.0 && named == 0.0) {
-    const diagnosis::LiveSample old_one = before.next();
-    const diagnosis::LiveSample new_one = after.next();
+    const LiveSample old_one = before.next();
+    const LiveSample new_one = after.next();
     feed(live, before.time() < kOnset ? old_one : new_one);
     if (before.time() < kOnset) {
       ASSERT_TRUE(live.findings().now.effects.empty()) << before.time();
@@ -122,7 +123,7 @@ TEST(LiveDiagnosis, AnEffectThatSetsInIsNamedWithItsOnset) {
       named = before.time();
     }
   }
-  const diagnosis::LiveFindings findings = live.findings();
+  const diagnosis::live::LiveFindings findings = live.findings();
   std::cout << "named after " << named - kOnset << " s: " << findings.sentence << '\n';
   ASSERT_GT(named, 0.0) << "within two minutes of motion: " << findings.sentence;
   EXPECT_EQ(findings.now.effects.front(), "friction");
@@ -157,7 +158,7 @@ TEST(LiveDiagnosis, HoursWithoutAGapBringNoName) {
       const bool new_look = live.looks() != seen;
       if (new_look) {
         seen = live.looks();
-        const diagnosis::LiveFindings findings = live.findings();
+        const diagnosis::live::LiveFindings findings = live.findings();
         claims += !findings.now.verdict ? 1 : 0;
         most = std::max(most, findings.now.evidence);
         named = named || !findings.now.effects.empty();
@@ -180,7 +181,7 @@ TEST(LiveDiagnosis, HoursWithoutAGapBringNoName) {
 TEST(LiveDiagnosis, ANewRecordingForgetsTheOldOne) {
   VirtualBench bench(withFriction(), 2);
   LiveDiagnosis live(configured());
-  diagnosis::LiveSample sample = bench.next();
+  LiveSample sample = bench.next();
   while (bench.time() < 30.0) {
     feed(live, sample = bench.next());
   }

@@ -15,8 +15,8 @@
 namespace rubber_suspension {
 namespace {
 
-using diagnosis::LiveJudgement;
-using diagnosis::SequentialEvidence;
+using diagnosis::live::LiveJudgement;
+using diagnosis::live::SequentialEvidence;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -42,7 +42,7 @@ TEST(SequentialEvidence, KeepsItsInequalityWhereEveryBetIsFair) {
 }
 
 TEST(SequentialEvidence, ForgetsBetsLostBeforeTheEffect) {
-  SequentialEvidence evidence(diagnosis::LiveCriteria().threshold());
+  SequentialEvidence evidence(diagnosis::live::LiveCriteria().threshold());
   for (int i = 0; i < 100000; ++i) {
     evidence.add(false);
   }
@@ -68,7 +68,7 @@ std::vector<double> steps(const std::vector<std::pair<int, double>>& stretches, 
 
 TEST(Onset, IsWhereTheLevelChanges) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    const auto change = diagnosis::mostLikelyChange(steps({{200, 0.0}, {20, 0.5}}, 0.15, seed));
+    const auto change = diagnosis::live::mostLikelyChange(steps({{200, 0.0}, {20, 0.5}}, 0.15, seed));
     ASSERT_TRUE(change) << seed;
     EXPECT_NEAR(static_cast<double>(change->first), 200.0, 3.0) << seed;
     EXPECT_GT(change->after, change->before);
@@ -76,7 +76,7 @@ TEST(Onset, IsWhereTheLevelChanges) {
 }
 
 TEST(Onset, IsTheLastOfSeveral) {
-  const auto change = diagnosis::lastChange(steps({{100, 0.0}, {80, 1.0}, {60, 0.4}}, 0.1, 7));
+  const auto change = diagnosis::live::lastChange(steps({{100, 0.0}, {80, 1.0}, {60, 0.4}}, 0.1, 7));
   ASSERT_TRUE(change);
   EXPECT_NEAR(static_cast<double>(change->first), 180.0, 2.0);
   EXPECT_LT(change->after, change->before);
@@ -85,7 +85,7 @@ TEST(Onset, IsTheLastOfSeveral) {
 TEST(Onset, IsNotFoundInNoise) {
   int found = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
-    found += diagnosis::lastChange(steps({{400, 0.0}}, 0.15, seed)) ? 1 : 0;
+    found += diagnosis::live::lastChange(steps({{400, 0.0}}, 0.15, seed)) ? 1 : 0;
   }
   // Only the window of a look follows from it; one in a hundred is little against that.
   EXPECT_LE(found, 3);
@@ -93,7 +93,7 @@ TEST(Onset, IsNotFoundInNoise) {
 
 constexpr std::int64_t kSecond = 1000000000;
 
-diagnosis::BlockErrors block(int second, double configured, double augmented = std::nan("")) {
+diagnosis::live::BlockErrors block(int second, double configured, double augmented = std::nan("")) {
   return {second * kSecond, 1000.0, configured, configured, augmented};
 }
 
@@ -116,7 +116,7 @@ TEST(LiveJudgement, NamesAnEffectOnceTheBlocksConfirmItAndTellsTheOnset) {
   }
   EXPECT_EQ(judgement.now().verdict, std::nullopt);
   judgement.addBlock(block(145, 30.0, 11.0));
-  const diagnosis::LiveVerdict verdict = judgement.now();
+  const diagnosis::live::LiveVerdict verdict = judgement.now();
   EXPECT_EQ(verdict.verdict, diagnosis::Verdict::named);
   EXPECT_THAT(verdict.effects, ElementsAre("friction"));
   ASSERT_TRUE(verdict.since);

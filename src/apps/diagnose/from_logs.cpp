@@ -219,7 +219,7 @@ int runLogs(const DiagnoseOptions& options) {
   diagnosis::DiagnosisOptions settings = settingsOf(options);
   const io::FolderLock lock(options.output);
   const io::ComponentDescription component = oneDirection(options);
-  const std::optional<diagnosis::EarlierReport> earlier = earlierReport(options);
+  const std::optional<diagnosis::report::EarlierReport> earlier = earlierReport(options);
   showStage("reading the logs", 0.0);
   const OpenedLogs logs(options.logs, component, options);
   const OpenedLogs hold_out(options.hold_out, component, options);

@@ -56,10 +56,10 @@ void setTolerances(const std::vector<std::string>& assignments, io::ComponentDes
 /// What the terminal says of excerpts; empty where all samples were searched.
 std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis);
 
-std::optional<diagnosis::EarlierReport> earlierReport(const DiagnoseOptions& options);
+std::optional<diagnosis::report::EarlierReport> earlierReport(const DiagnoseOptions& options);
 
 /// Writes the report of a diagnosis, and says on the terminal what it comes to.
-int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::EarlierReport>& earlier,
+int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::report::EarlierReport>& earlier,
             const DiagnoseOptions& options);
 
 /// The runs, each of which returns the exit status.

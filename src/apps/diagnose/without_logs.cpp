@@ -80,7 +80,7 @@ int runTable(const DiagnoseOptions& options) {
   const io::FolderLock lock(options.output);
   io::ComponentDescription component = options.component.read("diagnose");
   setTolerances(options.rig, component);
-  const std::optional<diagnosis::EarlierReport> earlier = earlierReport(options);
+  const std::optional<diagnosis::report::EarlierReport> earlier = earlierReport(options);
   fit::MeasuredTable table = command::readTable(options.table_path);
   table.uncertainty = uncertainty;
   table.accept_units = options.log_options.acceptsUnits();

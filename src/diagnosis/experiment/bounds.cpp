@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 
 Stroke strokeOf(double low, double high) {
   constexpr double kSymmetric = 0.05;  // of the half stroke: a zero that nobody set
@@ -35,4 +35,4 @@ Bounds boundsOf(const fit::Excitation& excitation, const std::vector<log::Record
   return bounds;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

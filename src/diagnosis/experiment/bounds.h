@@ -7,7 +7,7 @@
 #include "rubber_suspension/diagnosis/experiment_limits.h"
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 
 /// Where a motion may be: about `centre`, by `half` to either side [m].
 struct Stroke {
@@ -32,4 +32,4 @@ struct Bounds {
 Bounds boundsOf(const fit::Excitation& excitation, const std::vector<log::Record>& records,
                 const ExperimentLimits& limits);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

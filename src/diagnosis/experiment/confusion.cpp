@@ -11,8 +11,12 @@
 #include "diagnosis/judge/answer.h"
 #include "rubber_suspension/gap/gap.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 namespace {
+
+using hypotheses::Implant;
+using hypotheses::Search;
+using judge::Answer;
 
 constexpr double kLeastSize = 1e-4;  // of the force, at which the search for the least size begins
 constexpr int kHalvings = 10;        // of the logarithm between that and all of the force: to 1 %
@@ -24,8 +28,8 @@ const char* outcomeName(Outcome outcome) {
   return names[static_cast<int>(outcome)];
 }
 
-HypothesisEvidence evidenceOf(const Leaves& leaves, double noise, double size) {
-  HypothesisEvidence evidence;
+judge::HypothesisEvidence evidenceOf(const hypotheses::Leaves& leaves, double noise, double size) {
+  judge::HypothesisEvidence evidence;
   evidence.log_errors = {noise * noise + std::pow(size * leaves.gap, 2)};
   evidence.penalty = size * leaves.penalty;
   return evidence;
@@ -61,7 +65,7 @@ Outcome commonest(std::map<Outcome, double> outcomes) {
 bool valuesWouldDo(const Answer& answer) {
   return !answer.effects.empty() &&
          std::any_of(answer.alternatives.begin(), answer.alternatives.end(),
-                     [](const Explained& other) { return other.verdict == Verdict::parameter_error; });
+                     [](const judge::Explained& other) { return other.verdict == Verdict::parameter_error; });
 }
 
 // The implants of one effect.
@@ -113,7 +117,7 @@ class EffectRow {
   }
 
   Answer answerTo(const Implant& implant, double size) const {
-    return implant.hidden_by_rig ? Answer{} : answer(diagnosis::evidenceOf(search_, implant, size));
+    return implant.hidden_by_rig ? Answer{} : judge::answer(experiment::evidenceOf(search_, implant, size));
   }
 
   // Named, or in a set of what may be; wrong values where they may be at work instead.
@@ -176,14 +180,14 @@ class EffectRow {
 
 }  // namespace
 
-Evidence evidenceOf(const Search& search, const Implant& implant, double size) {
-  Evidence evidence;
+judge::Evidence evidenceOf(const Search& search, const Implant& implant, double size) {
+  judge::Evidence evidence;
   evidence.logs = {{search.noise, 0.0, 1.0, false, implant.blocks}};
-  evidence.hypotheses.push_back(evidenceOf(Leaves{}, search.noise, size));
+  evidence.hypotheses.push_back(evidenceOf(hypotheses::Leaves{}, search.noise, size));
   evidence.hypotheses.push_back(evidenceOf(implant.model, search.noise, size));
   for (std::size_t c = 0; c < search.candidates.size(); ++c) {
     const fit::Candidate& candidate = search.candidates[c];
-    HypothesisEvidence single = evidenceOf(implant.singles[c], search.noise, size);
+    judge::HypothesisEvidence single = evidenceOf(implant.singles[c], search.noise, size);
     single.members = {static_cast<int>(c)};
     single.sizes = {{std::pow(size * implant.singles[c].added, 2)}};
     single.terms = candidate.terms.size();
@@ -213,9 +217,9 @@ CouldShow couldShow(const Search& search) {
   constexpr double kOfGap = 1.0 / 3.0;
   constexpr double kOfForce = 0.1;
   const double gap = gap::residualAboveFloor(search.configured_gap, search.noise);
-  return kOfGap * gap > std::max(fittedNumbers().accepted, search.noise)
+  return kOfGap * gap > std::max(judge::fittedNumbers().accepted, search.noise)
              ? couldShow(search, kOfGap * gap, "a third of the gap")
              : couldShow(search, kOfForce, "10 % of the force, since there is next to no gap");
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

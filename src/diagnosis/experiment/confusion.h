@@ -6,15 +6,15 @@
 #include "diagnosis/judge/evidence.h"
 #include "rubber_suspension/diagnosis/could_show.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 
 /// The evidence that an implant of this size would be, on logs that otherwise agree with the model.
-Evidence evidenceOf(const Search& search, const Implant& implant, double size);
+judge::Evidence evidenceOf(const hypotheses::Search& search, const hypotheses::Implant& implant, double size);
 
 /// The table of all implants of a search at a size (a gap), judged as logs are.
-CouldShow couldShow(const Search& search, double size, const std::string& why);
+CouldShow couldShow(const hypotheses::Search& search, double size, const std::string& why);
 
 /// The same at a third of the gap above the noise; where there is none, at 10 % of the force.
-CouldShow couldShow(const Search& search);
+CouldShow couldShow(const hypotheses::Search& search);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

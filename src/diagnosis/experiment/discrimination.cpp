@@ -12,7 +12,7 @@
 #include "numerics/bounded_least_squares.h"
 #include "rubber_suspension/gap/gap.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
 constexpr double kModelStep = 1e-4;   // of a logarithm, for difference quotients
@@ -45,12 +45,12 @@ Eigen::MatrixXd withoutFree(Eigen::MatrixXd columns, fit::FreeInLog free, const 
 
 }  // namespace
 
-Discriminator::Discriminator(const fit::Fitter& fitter, const Search& search,
+Discriminator::Discriminator(const fit::Fitter& fitter, const hypotheses::Search& search,
                              const std::vector<Explanation>& explanations, double force_limit, int threads)
     : fitter_(fitter),
       explanations_(explanations),
       noise_(std::max(search.noise, kLeastNoise) * search.excitation.force),
-      accepted_(std::max(fittedNumbers().accepted, search.discretisation)),
+      accepted_(std::max(judge::fittedNumbers().accepted, search.discretisation)),
       force_limit_(force_limit),
       threads_(threads),
       played_(fitter.records()) {}
@@ -125,7 +125,7 @@ std::vector<std::size_t> Discriminator::promising(const std::vector<std::size_t>
 void Discriminator::findNormalEquations() {
   normal_.resize(explanations_.size());
   for (std::size_t e = 0; e < normal_.size(); ++e) {
-    const FittedHypothesis& fitted = *explanations_[e].fitted;
+    const hypotheses::FittedHypothesis& fitted = *explanations_[e].fitted;
     const auto blocks = fitter_.linearise(fitted.hypothesis, fitted.fit.parameters, movable(e), threads_);
     const Eigen::Index unknowns = blocks.unknowns();
     Normal& normal = normal_[e];
@@ -154,7 +154,7 @@ std::vector<bool> Discriminator::movable(std::size_t explanation) const {
 
 // By difference quotients; terms that add up with all else are played alone.
 void Discriminator::sayDerivatives(std::size_t explanation) {
-  const FittedHypothesis& fitted = *explanations_[explanation].fitted;
+  const hypotheses::FittedHypothesis& fitted = *explanations_[explanation].fitted;
   const fit::ParameterVector& at = fitted.fit.parameters;
   const Eigen::Index of_model = at.model.size();
   const Eigen::Index count = of_model + at.scales.size();
@@ -283,4 +283,4 @@ Discrimination Discriminator::best(const std::vector<Experiment>& menu) {
   return best;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

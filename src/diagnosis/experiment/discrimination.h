@@ -7,7 +7,7 @@
 #include "diagnosis/experiment/played_motions.h"
 #include "fit/fitter.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 
 /// A motion and what it is expected to decide.
 struct Discrimination {
@@ -25,8 +25,8 @@ struct Discrimination {
 class Discriminator {
  public:
   /// All have to outlive it. `force_limit`: motions that any explanation says need more are out [N].
-  Discriminator(const fit::Fitter& fitter, const Search& search, const std::vector<Explanation>& explanations,
-                double force_limit, int threads);
+  Discriminator(const fit::Fitter& fitter, const hypotheses::Search& search,
+                const std::vector<Explanation>& explanations, double force_limit, int threads);
 
   void setForceLimit(double force_limit) { force_limit_ = force_limit; }
 
@@ -70,4 +70,4 @@ class Discriminator {
   std::vector<Says> says_;
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

@@ -8,7 +8,7 @@
 
 #include "diagnosis/judge/score.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
 constexpr std::size_t kMost = 4;  // explanations compared: each has to be fitted to each motion of the menu
@@ -16,14 +16,14 @@ constexpr std::size_t kMost = 4;  // explanations compared: each has to be fitte
 using Ranked = std::pair<double, int>;  // probability and hypothesis
 
 // The hypothesis judged first, then the others by their probability.
-std::vector<Ranked> rankedHypotheses(const Workings& workings, const ScoreTable& table) {
-  const SetPosterior posterior = setPosterior(table, fittedNumbers());
-  std::vector<Ranked> ranked = {{posterior.none, Evidence::kAsConfigured},
-                                {posterior.parameter_error, Evidence::kReEstimated}};
-  for (const SetProbability& set : posterior.sets) {
+std::vector<Ranked> rankedHypotheses(const Workings& workings, const judge::ScoreTable& table) {
+  const judge::SetPosterior posterior = judge::setPosterior(table, judge::fittedNumbers());
+  std::vector<Ranked> ranked = {{posterior.none, judge::Evidence::kAsConfigured},
+                                {posterior.parameter_error, judge::Evidence::kReEstimated}};
+  for (const judge::SetProbability& set : posterior.sets) {
     ranked.emplace_back(set.sum(), set.hypothesis);
   }
-  const Answer& answer = workings.answer;
+  const judge::Answer& answer = workings.answer;
   std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) { return a.first > b.first; });
   const auto judged =
       std::find_if(ranked.begin(), ranked.end(), [&](const Ranked& one) { return one.second == answer.model; });
@@ -35,17 +35,17 @@ std::vector<Ranked> rankedHypotheses(const Workings& workings, const ScoreTable&
 }  // namespace
 
 std::vector<Explanation> explanationsOf(const Workings& workings) {
-  const ScoreTable table = scoreTable(workings.evidence);
-  const Eigen::ArrayXXd squares = expectedSquares(table, fittedNumbers());
+  const judge::ScoreTable table = judge::scoreTable(workings.evidence);
+  const Eigen::ArrayXXd squares = judge::expectedSquares(table, judge::fittedNumbers());
   const auto onAverage = [&](const Eigen::ArrayXXd& ofLogs, int hypothesis) {
     return ofLogs.row(hypothesis).matrix().dot(table.weight.matrix());
   };
-  const Eigen::ArrayXXd losses =
-      table.left.binaryExpr(squares, [](double left, double s2) { return lossOf(left, s2, fittedNumbers()); });
+  const Eigen::ArrayXXd losses = table.left.binaryExpr(
+      squares, [](double left, double s2) { return judge::lossOf(left, s2, judge::fittedNumbers()); });
   std::vector<Explanation> explanations;
   double sum = 0.0;
   for (const auto& [probability, hypothesis] : rankedHypotheses(workings, table)) {
-    const FittedHypothesis& fitted = workings.search.at(hypothesis);
+    const hypotheses::FittedHypothesis& fitted = workings.search.at(hypothesis);
     if (explanations.size() < kMost && std::isfinite(fitted.fit.held_out) && probability > 0.0) {
       explanations.push_back({&fitted, probability, onAverage(squares, hypothesis), onAverage(losses, hypothesis)});
       sum += probability;
@@ -60,7 +60,7 @@ std::vector<Explanation> explanationsOf(const Workings& workings) {
 double standsAlone(std::size_t right, const std::vector<Explanation>& explanations, const std::vector<double>& more,
                    double logs) {
   constexpr int kDraws = 200;
-  const JudgeNumbers& numbers = fittedNumbers();
+  const judge::JudgeNumbers& numbers = judge::fittedNumbers();
   std::mt19937 generator(1);
   std::student_t_distribution<double> form(numbers.tails);
   int alone = 0;
@@ -70,17 +70,17 @@ double standsAlone(std::size_t right, const std::vector<Explanation>& explanatio
     double of_right = 0.0;
     for (std::size_t e = 0; e < explanations.size(); ++e) {
       const Explanation& one = explanations[e];
-      const double change = (lossOf(form_error + more[e], one.expected, numbers) - one.loss) / (logs + 1.0);
+      const double change = (judge::lossOf(form_error + more[e], one.expected, numbers) - one.loss) / (logs + 1.0);
       const double weight = one.probability * std::exp(-0.5 * numbers.sharpness * change);
       odds += weight;
       of_right = e == right ? weight : of_right;
     }
-    alone += of_right >= kListed * odds ? 1 : 0;
+    alone += of_right >= judge::kListed * odds ? 1 : 0;
   }
   return static_cast<double>(alone) / kDraws;
 }
 
-std::string nameOf(const Search& search, const FittedHypothesis& fitted) {
+std::string nameOf(const hypotheses::Search& search, const hypotheses::FittedHypothesis& fitted) {
   std::string text;
   for (const int member : fitted.hypothesis.members) {
     text += (text.empty() ? "" : " + ") + search.candidates[static_cast<std::size_t>(member)].effect;
@@ -88,4 +88,4 @@ std::string nameOf(const Search& search, const FittedHypothesis& fitted) {
   return text.empty() ? "the model as it is" : text;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

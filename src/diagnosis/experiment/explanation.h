@@ -6,11 +6,11 @@
 
 #include "diagnosis/hypotheses/workings.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 
 /// A fitted hypothesis and how probable it is among those to decide between.
 struct Explanation {
-  const FittedHypothesis* fitted = nullptr;
+  const hypotheses::FittedHypothesis* fitted = nullptr;
   double probability = 0.0;
   double expected = 1e-4;  ///< square that it is expected to leave of a log (expectedSquares())
   double loss = 0.0;       ///< of the logs so far, on average (lossOf())
@@ -26,6 +26,6 @@ double standsAlone(std::size_t right, const std::vector<Explanation>& explanatio
                    double logs);
 
 /// "friction + creep"; "the model as it is" without members.
-std::string nameOf(const Search& search, const FittedHypothesis& fitted);
+std::string nameOf(const hypotheses::Search& search, const hypotheses::FittedHypothesis& fitted);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

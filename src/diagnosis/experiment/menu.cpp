@@ -11,7 +11,7 @@
 
 #include "rubber_suspension/element/constants.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
 constexpr double kTwoPi = 2.0 * element::kPi;
@@ -291,4 +291,4 @@ std::vector<Experiment> experimentMenu(const Bounds& bounds) {
   return Menu(bounds).take();
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

@@ -7,7 +7,7 @@
 
 #include "diagnosis/experiment/bounds.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 
 /// A motion of the menu: what to do on the bench, and its displacement [m] at even steps dt [s].
 struct Experiment {
@@ -26,4 +26,4 @@ struct Experiment {
 /// room.
 std::vector<Experiment> experimentMenu(const Bounds& bounds);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

@@ -10,7 +10,7 @@
 #include "diagnosis/experiment/menu.h"
 #include "diagnosis/words/text.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
 constexpr double kSure = 0.95;  // probability of a verdict that no further experiment is proposed for
@@ -30,16 +30,16 @@ std::vector<Relaxation> relaxationsOf(const Bounds& bounds) {
   wider.stroke.half *= kWider;
   wider.speed *= kWider;
   wider.force *= kForce;
-  result.push_back({fmt::format("a stroke of {}", quantity(wider.stroke.half, "m")), wider});
+  result.push_back({fmt::format("a stroke of {}", words::quantity(wider.stroke.half, "m")), wider});
   Bounds faster = bounds;
   faster.speed *= kWider;
   faster.frequency *= kWider;
   faster.force *= kForce;
   result.push_back(
-      {fmt::format("{:.3g} Hz and a speed of {}", faster.frequency, quantity(faster.speed, "m/s")), faster});
+      {fmt::format("{:.3g} Hz and a speed of {}", faster.frequency, words::quantity(faster.speed, "m/s")), faster});
   Bounds longer = bounds;
   longer.duration *= kLonger;
-  result.push_back({fmt::format("a log of {}", quantity(longer.duration, "s")), longer});
+  result.push_back({fmt::format("a log of {}", words::quantity(longer.duration, "s")), longer});
   return result;
 }
 
@@ -77,7 +77,7 @@ class Proposer {
         "the nearest other one is off by {:.1f} times the noise on average. The right one alone remains in {} % of "
         "cases.",
         chosen.description, allNames(), nameOfExplanation(0), nameOfExplanation(best.nearest),
-        quantity(best.difference, "N"), best.floors, chance(best.probability));
+        words::quantity(best.difference, "N"), best.floors, words::chance(best.probability));
     next.proposed.description = chosen.description;
     next.proposed.dt = chosen.dt;
     next.proposed.displacement.assign(chosen.displacement.begin(), chosen.displacement.end());
@@ -96,7 +96,7 @@ class Proposer {
     for (std::size_t e = 0; e < explanations_.size(); ++e) {
       names.push_back(nameOfExplanation(e));
     }
-    return enumerated(names);
+    return words::enumerated(names);
   }
 
   NextExperiment none(const Discrimination& best) {
@@ -121,7 +121,7 @@ class Proposer {
             {}};
   }
 
-  const Search& search_;
+  const hypotheses::Search& search_;
   Bounds bounds_;
   std::vector<Explanation> explanations_;
   Discriminator discriminator_;
@@ -135,9 +135,9 @@ NextExperiment nextExperiment(const fit::Fitter& fitter, const Workings& working
     return {"None is needed: the model agrees with the measurement as far as these logs can show.", {}};
   }
   if (workings.answer.probability > kSure && !leavesRest(workings.answer.verdict)) {
-    return {fmt::format("None is needed: the verdict stands at {} %.", chance(workings.answer.probability)), {}};
+    return {fmt::format("None is needed: the verdict stands at {} %.", words::chance(workings.answer.probability)), {}};
   }
   return Proposer(fitter, workings, limits, threads).run();
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

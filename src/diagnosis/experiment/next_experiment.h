@@ -7,7 +7,7 @@
 #include "fit/fitter.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 
 /// An experiment in words, and what to play.
 struct NextExperiment {
@@ -23,4 +23,4 @@ constexpr double kLeastFloors = 2.0;
 NextExperiment nextExperiment(const fit::Fitter& fitter, const Workings& workings, const ExperimentLimits& limits,
                               int threads);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

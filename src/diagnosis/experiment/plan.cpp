@@ -73,21 +73,22 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   }
   std::vector<log::Record> none;
   const fit::ModelParameters model(component, fit::Level::specification);
-  setRigPriors(model, component.rig.value_or(io::RigTolerances{}), records, none, RigScatter::as_tolerated);
+  prepare::setRigPriors(model, component.rig.value_or(io::RigTolerances{}), records, none,
+                        prepare::RigScatter::as_tolerated);
   fit::Fitter fitter(records, model);
-  Search search;
+  hypotheses::Search search;
   search.excitation = fit::summarise(fitter.records());
-  search.candidates = candidates(search.excitation);
+  search.candidates = hypotheses::candidate::candidates(search.excitation);
   fitter.prepare(search.candidates, options.threads);
   search.noise = options.noise;
   search.re_estimated.fit.parameters = fitter.configured(search.re_estimated.hypothesis);
-  const Screening screening(fitter, search.candidates, search.re_estimated, options.threads);
+  const hypotheses::Screening screening(fitter, search.candidates, search.re_estimated, options.threads);
   screening.measureVisibility(search.noise, search);
-  search.implants = implantAll(fitter, screening, options.threads);
+  search.implants = hypotheses::implantAll(fitter, screening, options.threads);
   Plan result;
   result.component = component.name;
   std::transform(records.begin(), records.end(), std::back_inserter(result.logs), plannedLog);
-  result.could_show = couldShow(search, options.size, "as given");
+  result.could_show = experiment::couldShow(search, options.size, "as given");
   return result;
 }
 

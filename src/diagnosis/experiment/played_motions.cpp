@@ -6,7 +6,7 @@
 
 #include "rubber_suspension/component/component.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
 constexpr double kRipple = 0.02;  // of a log's range: a reversal smaller than that leaves no trace to speak of
@@ -77,4 +77,4 @@ std::vector<Eigen::VectorXd> PlayedMotions::forces(const std::vector<element::El
   return result;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

@@ -8,7 +8,7 @@
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::experiment {
 
 /// Motions on the component of the logs: relaxed and cooled, but softened by where it was. Each motion is played on its
 /// own, right after the logs.
@@ -35,4 +35,4 @@ class PlayedMotions {
   std::vector<const Experiment*> motions_;
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::experiment

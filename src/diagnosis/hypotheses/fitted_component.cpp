@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 // The common part of series compliances of either side as one, and one for the rest of the softer side.
@@ -65,4 +65,4 @@ io::ComponentDescription augmentedDescription(const fit::ModelParameters& model,
   return result;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

@@ -10,7 +10,7 @@
 #include "numerics/bounded_least_squares.h"
 #include "numerics/symmetric.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr std::size_t kMostShapes = 6;  // of an effect: the first, the last and those evenly between
@@ -151,4 +151,4 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
   return implants;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

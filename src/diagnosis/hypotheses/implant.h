@@ -6,7 +6,7 @@
 
 #include "fit/hypothesis_fitter.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 class Screening;
 
@@ -34,4 +34,4 @@ struct Implant {
 /// terms of each candidate are fitted within their bounds.
 std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Screening& screening, int threads);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

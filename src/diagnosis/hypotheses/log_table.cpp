@@ -15,7 +15,7 @@
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 // Of what the rig may not have added, in units of the variance of the force.
@@ -129,7 +129,7 @@ std::vector<double> whereCounted(const std::vector<double>& values, const std::v
 class LogTable {
  public:
   LogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen, int threads,
-           Evidence& evidence)
+           judge::Evidence& evidence)
       : prepared_(prepared), search_(search), unseen_(unseen), threads_(threads), evidence_(evidence) {}
 
   void add() {
@@ -151,12 +151,12 @@ class LogTable {
       const gap::Forces unseen = predict(prepared_.model, best, prepared_.held_out);
       addLogs(prepared_.held_out, unseen,
               noiseFloors(augmentedDescription(prepared_.model, best).allElements(), freeOfNoise(best.hypothesis),
-                          unseen, prepared_.held_out, noiseLimit(search_.record_noise, prepared_.training)),
+                          unseen, prepared_.held_out, prepare::noiseLimit(search_.record_noise, prepared_.training)),
               true);
     }
     countBlocks(search_.re_estimated.fit.blocks, 0);
     if (!unseen_.empty()) {
-      countBlocks(unseen_[Evidence::kReEstimated], prepared_.training.size());
+      countBlocks(unseen_[judge::Evidence::kReEstimated], prepared_.training.size());
     }
   }
 
@@ -170,15 +170,16 @@ class LogTable {
                bool unseen) {
     for (std::size_t r = 0; r < records.size(); ++r) {
       const double uncertainty = floorUncertainty(records[r], records[r].force - forces[r]);
-      const double floor = std::hypot(floors[r], rigCost(records[r], records[r].force - forces[r]));
+      const double floor = std::hypot(floors[r], prepare::rigCost(records[r], records[r].force - forces[r]));
       evidence_.logs.push_back({floor, uncertainty, records[r].weight, unseen, 0});
     }
   }
 
-  void addErrorsOf(int place, HypothesisEvidence& hypothesis) const {
+  void addErrorsOf(int place, judge::HypothesisEvidence& hypothesis) const {
     const FittedHypothesis& fitted = search_.at(place);
     hypothesis.log_errors.assign(evidence_.logs.size(), fitted.fit.held_out * fitted.fit.held_out);
-    addErrors(place == Evidence::kAsConfigured ? partsAsConfigured() : fitted.fit.blocks, 0, hypothesis.log_errors);
+    addErrors(place == judge::Evidence::kAsConfigured ? partsAsConfigured() : fitted.fit.blocks, 0,
+              hypothesis.log_errors);
     if (!unseen_.empty()) {
       addErrors(unseen_[static_cast<std::size_t>(place)], prepared_.training.size(), hypothesis.log_errors);
     }
@@ -190,7 +191,7 @@ class LogTable {
     return gap::partErrors(prepared_.training, *prepared_.fitter.forces().at(model.hypothesis, model.fit.parameters));
   }
 
-  void addSizesOf(int place, HypothesisEvidence& hypothesis) const {
+  void addSizesOf(int place, judge::HypothesisEvidence& hypothesis) const {
     const FittedHypothesis& fitted = search_.at(place);
     if (fitted.hypothesis.members.empty()) {
       return;
@@ -206,7 +207,7 @@ class LogTable {
   }
 
   // Of the logs of the fit; of unseen ones octaves are not told apart.
-  void addSharesOf(int place, HypothesisEvidence& hypothesis) const {
+  void addSharesOf(int place, judge::HypothesisEvidence& hypothesis) const {
     const FittedHypothesis& fitted = search_.at(place);
     const auto forces = prepared_.fitter.forces().at(fitted.hypothesis, fitted.fit.parameters);
     for (std::size_t r = 0; forces && r < forces->size(); ++r) {
@@ -215,12 +216,12 @@ class LogTable {
   }
 
   void addOctaves() {
-    const std::vector<std::vector<double>>& left = evidence_.at(Evidence::kReEstimated).shares;
+    const std::vector<std::vector<double>>& left = evidence_.at(judge::Evidence::kReEstimated).shares;
     const FittedHypothesis& model = search_.re_estimated;
     const auto forces = prepared_.fitter.forces().at(model.hypothesis, model.fit.parameters);
     for (std::size_t r = 0; r < left.size(); ++r) {
       const std::vector<double> octaves = octavesOf((*forces)[r], left[r]);
-      for (HypothesisEvidence& hypothesis : evidence_.hypotheses) {
+      for (judge::HypothesisEvidence& hypothesis : evidence_.hypotheses) {
         if (r < hypothesis.shares.size()) {
           hypothesis.shares[r] = whereCounted(hypothesis.shares[r], octaves);
         }
@@ -229,7 +230,7 @@ class LogTable {
     }
   }
 
-  static void setOctaves(std::vector<double> octaves, LogEvidence& log) {
+  static void setOctaves(std::vector<double> octaves, judge::LogEvidence& log) {
     const double sum = std::accumulate(octaves.begin(), octaves.end(), 0.0);
     for (double& octave : octaves) {
       octave /= sum;
@@ -243,7 +244,7 @@ class LogTable {
   const Search& search_;
   const std::vector<UnseenErrors>& unseen_;
   int threads_;
-  Evidence& evidence_;
+  judge::Evidence& evidence_;
 };
 
 }  // namespace
@@ -278,8 +279,8 @@ std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& 
 }
 
 void addLogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen,
-                 int threads, Evidence& evidence) {
+                 int threads, judge::Evidence& evidence) {
   LogTable(prepared, search, unseen, threads, evidence).add();
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

@@ -9,7 +9,7 @@
 #include "diagnosis/judge/evidence.h"
 #include "diagnosis/prepare/rig_noise.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 /// The parameters of a fitted hypothesis without the terms of one member, by its place among them: terms lie one member
 /// after the other.
@@ -26,6 +26,6 @@ std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& 
 /// Adds the logs of the fit and then the unseen ones to the evidence of a search: Evidence::logs, and log_errors and
 /// sizes of each hypothesis. `unseen`: errors of each on the unseen logs; empty where there are none.
 void addLogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen,
-                 int threads, Evidence& evidence);
+                 int threads, judge::Evidence& evidence);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

@@ -8,7 +8,7 @@
 #include "fit/hypothesis.h"
 #include "fit/hypothesis_fitter.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 /// A measurement of one component that hypotheses are fitted to.
 class Measured {
@@ -35,4 +35,4 @@ class Measured {
   virtual void estimateNoise(const FittedHypothesis& best, Search& result) const = 0;
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

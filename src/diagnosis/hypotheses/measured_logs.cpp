@@ -14,7 +14,7 @@
 #include "gap/simulate.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 // The gap that the best hypothesis leaves in the held-out blocks of all logs, but for those with trends, which take
@@ -61,7 +61,7 @@ fit::Excitation MeasuredLogs::excitation() const { return fit::summarise(fitter_
 
 std::vector<fit::Candidate> MeasuredLogs::candidates(const fit::Excitation& excitation,
                                                      const FittedHypothesis& re_estimated, int threads) const {
-  std::vector<fit::Candidate> all = diagnosis::candidates(excitation);
+  std::vector<fit::Candidate> all = candidate::candidates(excitation);
   settleShapes(fitter_, re_estimated, fitter_.records(), threads, all);
   fitter_.prepare(all, threads);
   return all;
@@ -94,7 +94,7 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
   if (result.record_caused.empty()) {
     const FittedHypothesis& model = result.re_estimated;
     result.record_caused =
-        frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
+        prepare::frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
   }
   const fit::FreeInLog free = freeOfNoise(best.hypothesis);
   const std::vector<double> least = leastLeftOfLogs(result, records.size());
@@ -105,7 +105,7 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
                                    : measurement::relativeFloor(records[r], residual);
     result.record_rest[r] = std::min(result.record_rest[r], left);
   }
-  const NoiseLimit limit = noiseLimit(result.record_rest, records);
+  const prepare::NoiseLimit limit = prepare::noiseLimit(result.record_rest, records);
   bool by_displacement = false;
   result.record_noise.clear();
   for (std::size_t r = 0; r < records.size(); ++r) {
@@ -124,7 +124,7 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
   }
   result.record_rig.clear();
   for (std::size_t r = 0; r < records.size(); ++r) {
-    result.record_rig.push_back(rigCost(records[r], records[r].force - forces[r]));
+    result.record_rig.push_back(prepare::rigCost(records[r], records[r].force - forces[r]));
   }
   result.least = std::hypot(result.noise, commonFloor(result.record_rig, records));
   result.noise_source = by_displacement
@@ -133,4 +133,4 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
                             : "spectrum of the residual outside the band of the excitation";
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

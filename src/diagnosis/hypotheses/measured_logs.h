@@ -7,7 +7,7 @@
 #include "fit/fitter.h"
 #include "rubber_suspension/element/parameter.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 /// The elements with dashpots that take the displacement as smooth, not as linear between samples; empty where there
 /// are no dashpots. A dashpot of the first kind lags by half a step, which looks like a delay.
@@ -29,4 +29,4 @@ class MeasuredLogs final : public Measured {
   fit::Fitter& fitter_;
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

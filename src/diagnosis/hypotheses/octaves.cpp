@@ -8,7 +8,7 @@
 
 #include "numerics/fourier.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 std::vector<double> octaveShares(const Eigen::VectorXd& values) {
   const auto spectrum = numerics::paddedSpectrum({values.data(), values.data() + values.size()});
@@ -30,4 +30,4 @@ std::vector<double> octaveShares(const Eigen::VectorXd& values) {
   return shares;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

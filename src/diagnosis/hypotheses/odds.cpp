@@ -8,7 +8,7 @@
 #include "diagnosis/judge/numbers.h"
 #include "diagnosis/judge/score.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 double square(double value) { return value * value; }
@@ -19,17 +19,17 @@ double Odds::ofError(double error) const {
   if (!std::isfinite(error)) {
     return -std::numeric_limits<double>::infinity();
   }
-  const JudgeNumbers& numbers = fittedNumbers();
+  const judge::JudgeNumbers& numbers = judge::fittedNumbers();
   const double removed = std::max(0.0, square(without_) - square(error));
   const double expected =
       square(numbers.floor_known * floor_) + square(numbers.accepted) + square(numbers.form_error) * removed;
   const double left = std::max(0.0, square(error) - square(floor_));
-  return -0.5 * numbers.sharpness * lossOf(left, expected, numbers);
+  return -0.5 * numbers.sharpness * judge::lossOf(left, expected, numbers);
 }
 
 double Odds::of(const std::vector<int>& members, double error) const {
-  const JudgeNumbers& numbers = fittedNumbers();
-  double prior = priorOfCount(members.size(), numbers);
+  const judge::JudgeNumbers& numbers = judge::fittedNumbers();
+  double prior = judge::priorOfCount(members.size(), numbers);
   std::size_t terms = 0;
   for (const int member : members) {
     const fit::Candidate& candidate = candidates_[static_cast<std::size_t>(member)];
@@ -40,9 +40,9 @@ double Odds::of(const std::vector<int>& members, double error) const {
 }
 
 double Odds::mostOf(std::size_t effects) const {
-  const JudgeNumbers& numbers = fittedNumbers();
-  return ofError(floor_) + priorOfCount(effects, numbers) -
+  const judge::JudgeNumbers& numbers = judge::fittedNumbers();
+  return ofError(floor_) + judge::priorOfCount(effects, numbers) -
          numbers.per_number * std::log1p(static_cast<double>(effects));
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

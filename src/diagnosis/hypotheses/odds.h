@@ -6,7 +6,7 @@
 
 #include "fit/hypothesis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 /// The weights of the judgement (judge/score.h) over all logs at once: what members add to the force is taken for what
 /// they remove of the error.
@@ -31,4 +31,4 @@ class Odds {
   double without_;
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

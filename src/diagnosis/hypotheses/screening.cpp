@@ -8,7 +8,7 @@
 #include "fit/parallel.h"
 #include "numerics/least_squares.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 // Whether a typical effect shows in logs: so much of its force re-estimation leaves, in parts of it and of the noise.
@@ -171,4 +171,4 @@ std::vector<Screened> Screening::screenAll(const std::vector<std::vector<int>>& 
   return result;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

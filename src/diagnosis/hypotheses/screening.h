@@ -6,7 +6,7 @@
 #include "diagnosis/hypotheses/search.h"
 #include "fit/hypothesis_fitter.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 /// A hypothesis by its members, and its held-out error.
 struct Screened {
@@ -70,4 +70,4 @@ class Screening {
   numerics::Limits bounds_;
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

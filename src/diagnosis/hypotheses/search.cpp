@@ -15,7 +15,7 @@
 #include "diagnosis/hypotheses/starts.h"
 #include "fit/parallel.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr int kBaseIterations = 14;
@@ -280,8 +280,8 @@ class Searcher {
   Search result_;
 };
 
-HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
-  HypothesisEvidence evidence;
+judge::HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
+  judge::HypothesisEvidence evidence;
   evidence.members = fitted.hypothesis.members;
   evidence.terms = fitted.hypothesis.terms.size();
   evidence.free_trends = fitted.hypothesis.free_in_log.trend;
@@ -294,10 +294,10 @@ HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
 }  // namespace
 
 const FittedHypothesis& Search::at(int hypothesis) const {
-  if (hypothesis < Evidence::kFirstSingle) {
-    return hypothesis == Evidence::kAsConfigured ? as_configured : re_estimated;
+  if (hypothesis < judge::Evidence::kFirstSingle) {
+    return hypothesis == judge::Evidence::kAsConfigured ? as_configured : re_estimated;
   }
-  std::size_t place = static_cast<std::size_t>(hypothesis - Evidence::kFirstSingle);
+  std::size_t place = static_cast<std::size_t>(hypothesis - judge::Evidence::kFirstSingle);
   for (const auto* list : {&singles, &pairs}) {
     if (place < list->size()) {
       return (*list)[place];
@@ -329,8 +329,8 @@ const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) con
   return *best;
 }
 
-Evidence evidenceOf(const Search& search) {
-  Evidence evidence;
+judge::Evidence evidenceOf(const Search& search) {
+  judge::Evidence evidence;
   evidence.hypotheses = {{}, evidenceOf(search.re_estimated)};
   for (const FittedHypothesis* fitted : search.withEffects()) {
     evidence.hypotheses.push_back(evidenceOf(*fitted));
@@ -346,4 +346,4 @@ Search search(const Measured& measured, int threads, const ProgressCallback& pro
   return Searcher(measured, threads, progress).run();
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

@@ -11,7 +11,7 @@
 #include "fit/excitation.h"
 #include "fit/hypothesis_fitter.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 /// A hypothesis fitted jointly with the model parameters.
 struct FittedHypothesis {
@@ -56,7 +56,7 @@ struct Search {
 
 /// The hypotheses of a search, each without what it leaves of logs and what its members add to them: of logs
 /// addLogTable() tells, of a table addRows().
-Evidence evidenceOf(const Search& search);
+judge::Evidence evidenceOf(const Search& search);
 
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;
@@ -66,4 +66,4 @@ class Measured;
 /// Fit all hypotheses about what was measured on `threads` threads.
 Search search(const Measured& measured, int threads, const ProgressCallback& progress = {});
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

@@ -6,7 +6,7 @@
 
 #include "diagnosis/hypotheses/screening.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr int kGrid = 5;         // values, even on a log axis
@@ -74,4 +74,4 @@ void settleShapes(const fit::HypothesisFitter& fitter, const FittedHypothesis& r
   }
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

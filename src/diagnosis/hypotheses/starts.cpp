@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr int kSingleIterations = 6;
@@ -136,4 +136,4 @@ void fitFurther(const fit::HypothesisFitter& fitter, const std::vector<fit::Cand
   }
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

@@ -6,7 +6,7 @@
 #include "diagnosis/hypotheses/search.h"
 #include "fit/hypothesis_fitter.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 /// A single effect, from where the normal equations promise its least error: `start`. From where it gets with the
 /// configured values kept, too, if the model parameters moved far or if it changes what the others do. Errors above
@@ -23,4 +23,4 @@ void fitFurther(const fit::HypothesisFitter& fitter, const std::vector<fit::Cand
                 const FittedHypothesis& from, const fit::ParameterVector& start, double reach,
                 FittedHypothesis& further);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

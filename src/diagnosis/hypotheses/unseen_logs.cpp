@@ -14,7 +14,7 @@
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                     const std::vector<log::Record>& records) {
@@ -66,8 +66,8 @@ fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis) { return {false, h
 
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, fit::FreeInLog free,
                                 const gap::Forces& simulated, const std::vector<log::Record>& records,
-                                const NoiseLimit& limit) {
-  std::vector<double> floors = frictionNoise(elements, records);
+                                const prepare::NoiseLimit& limit) {
+  std::vector<double> floors = prepare::frictionNoise(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd residual = records[r].force - simulated[r];
     const auto floor = [&](const log::Record& record) {
@@ -90,4 +90,4 @@ double commonFloor(const std::vector<double>& floors, const std::vector<log::Rec
   return std::sqrt(squares / weight);
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

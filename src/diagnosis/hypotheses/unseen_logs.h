@@ -11,7 +11,7 @@
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 /// Errors of parts of logs that took no part in the fit, by what a fitted hypothesis predicts from the displacement
 /// smoothed as for the fits, since the noise of that sensor is the rig's.
@@ -43,9 +43,9 @@ fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
 /// log.
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, fit::FreeInLog free,
                                 const gap::Forces& simulated, const std::vector<log::Record>& records,
-                                const NoiseLimit& limit);
+                                const prepare::NoiseLimit& limit);
 
 /// Floor of several records, each by its weight.
 double commonFloor(const std::vector<double>& floors, const std::vector<log::Record>& records);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses

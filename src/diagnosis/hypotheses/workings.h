@@ -16,12 +16,12 @@
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses {
 
 /// A component and its logs, ready for the fits.
 struct PreparedCase {
   PreparedCase(const io::ComponentDescription& configured, std::vector<log::Record> logs,
-               std::vector<log::Record> hold_out, ZeroPriors priors = {})
+               std::vector<log::Record> hold_out, prepare::ZeroPriors priors = {})
       : component(configured),
         records(std::make_shared<const std::vector<log::Record>>(std::move(logs))),
         training(*records),
@@ -40,22 +40,26 @@ struct PreparedCase {
   std::vector<log::Record> held_out;
   fit::ModelParameters model;
   fit::Fitter fitter;
-  ZeroPriors zeros;
+  prepare::ZeroPriors zeros;
 };
 
-/// Data that the report draws and lists besides the result.
+}  // namespace rubber_suspension::diagnosis::hypotheses
+
+namespace rubber_suspension::diagnosis {
+
+/// Data that the report draws and lists besides the result; a type that a public header declares.
 struct Workings {
-  Search search;
-  Evidence evidence;
+  hypotheses::Search search;
+  judge::Evidence evidence;
   bool write_evidence = false;  ///< the report is to have it, too
-  Answer answer;
+  judge::Answer answer;
   std::vector<log::Record> records;  ///< of the logs, then of the hold-outs
   std::size_t training = 0;          ///< how many of them took part in the fit
   gap::Forces force_configured;      ///< per record [N]
   gap::Forces force_re_estimated;
   gap::Forces force_augmented;
-  gap::Forces force_surrogate;       ///< empty without a surrogate
-  std::vector<UnseenErrors> unseen;  ///< of each hypothesis of the evidence; empty without hold-outs
+  gap::Forces force_surrogate;                   ///< empty without a surrogate
+  std::vector<hypotheses::UnseenErrors> unseen;  ///< of each hypothesis of the evidence; empty without hold-outs
 };
 
 }  // namespace rubber_suspension::diagnosis

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <numeric>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::judge {
 namespace {
 
 constexpr double kMajority = 0.5;       // of all sets, that one has to have to stand for itself
@@ -127,4 +127,4 @@ Answer answer(const Evidence& evidence, const JudgeNumbers& numbers) {
   return answer(setPosterior(scoreTable(evidence), numbers), evidence.effects.size());
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::judge

@@ -7,7 +7,7 @@
 #include "rubber_suspension/diagnosis/posterior.h"
 #include "rubber_suspension/diagnosis/verdict.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::judge {
 
 /// Of all, that lists are to hold the right one with: an explanation that has as much stands alone.
 constexpr double kListed = 0.9;
@@ -41,4 +41,4 @@ Answer answer(const SetPosterior& posterior, std::size_t effects);
 /// Evidence to answer. Throws std::invalid_argument as scoreTable() does.
 Answer answer(const Evidence& evidence, const JudgeNumbers& numbers = fittedNumbers());
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::judge

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::judge {
 
 /// A fitted hypothesis. Errors and sizes are mean squares in units of the variance of the force; what no model run
 /// follows is infinite.
@@ -48,4 +48,4 @@ struct Evidence {
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::judge

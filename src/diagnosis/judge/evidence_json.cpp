@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::judge {
 namespace {
 
 using nlohmann::ordered_json;
@@ -42,4 +42,4 @@ std::string toJson(const Evidence& evidence) {
   return value.dump() + "\n";
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::judge

@@ -3,7 +3,7 @@
 // 5 machine, 9 mixed, 42 none, 52 pair, 13 parameter_error, 174 single, 14 triple, 23 unknown.
 #include "diagnosis/judge/numbers.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::judge {
 
 const JudgeNumbers& fittedNumbers() {
   static const JudgeNumbers numbers = [] {
@@ -52,4 +52,4 @@ const JudgeNumbers& fittedNumbers() {
   return numbers;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::judge

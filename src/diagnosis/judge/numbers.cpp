@@ -1,7 +1,7 @@
 // The table of numbers.
 #include "diagnosis/judge/numbers.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::judge {
 
 double JudgeNumbers::rateOf(const std::string& name) const {
   const auto found = rates.find(name);
@@ -43,4 +43,4 @@ const std::vector<NumberInfo>& numberTable() {
   return table;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::judge

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::judge {
 
 /// Sizes are root mean squares in units of the standard deviation of the force; a prior is the logarithm of odds.
 struct JudgeNumbers {
@@ -52,4 +52,4 @@ constexpr double kRateDeviation = 0.7;
 /// The numbers as fitted last (fitted_numbers.cpp).
 const JudgeNumbers& fittedNumbers();
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::judge

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::judge {
 namespace {
 
 using Eigen::ArrayXd;
@@ -221,4 +221,4 @@ LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
   return weights;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::judge

@@ -8,7 +8,7 @@
 #include "diagnosis/judge/evidence.h"
 #include "diagnosis/judge/numbers.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::judge {
 
 /// An octave of a log.
 struct Band {
@@ -68,4 +68,4 @@ struct LogWeights {
 /// values of the model.
 LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::judge

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::judge {
 
 double SetPosterior::ofSets() const {
   return std::accumulate(sets.begin(), sets.end(), 0.0,
@@ -36,4 +36,4 @@ SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers) 
   return posterior;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::judge

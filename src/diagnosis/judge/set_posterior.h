@@ -5,7 +5,7 @@
 
 #include "diagnosis/judge/score.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::judge {
 
 /// A set of effects.
 struct SetProbability {
@@ -30,4 +30,4 @@ struct SetPosterior {
 
 SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::judge

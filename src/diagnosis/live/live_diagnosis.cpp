@@ -14,7 +14,7 @@
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::live {
 namespace {
 
 constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();
@@ -315,4 +315,4 @@ std::optional<io::ComponentDescription> LiveDiagnosis::found() const {
   return closes ? candidate_ : std::nullopt;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::live

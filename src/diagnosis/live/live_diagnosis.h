@@ -14,7 +14,7 @@
 #include "diagnosis/live/live_judgement.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::live {
 
 /// A displacement with the force measured at the same stamp.
 struct LiveSample {
@@ -108,4 +108,4 @@ class LiveDiagnosis {
   std::optional<io::ComponentDescription> candidate_;  // what the look that findings_ tell of would put in place
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::live

@@ -6,7 +6,7 @@
 
 #include "diagnosis/live/onset.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::live {
 namespace {
 
 constexpr std::size_t kMostPoints = 3600;  // an hour of blocks of a second
@@ -94,4 +94,4 @@ LiveVerdict LiveJudgement::now() const {
   return verdict;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::live

@@ -13,7 +13,7 @@
 #include "diagnosis/live/sequential_evidence.h"
 #include "rubber_suspension/diagnosis/verdict.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::live {
 
 /// The diagnosis of one window.
 struct Look {
@@ -97,4 +97,4 @@ class LiveJudgement {
   std::optional<Verdict> said_;
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::live

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::live {
 namespace {
 
 constexpr std::size_t kShortest = 4;
@@ -77,4 +77,4 @@ std::optional<ChangePoint> lastChange(const std::vector<double>& values) {
   return last;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::live

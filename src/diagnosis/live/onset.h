@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::live {
 
 /// A change between two stretches of a sequence.
 struct ChangePoint {
@@ -24,4 +24,4 @@ std::optional<ChangePoint> mostLikelyChange(const std::vector<double>& values);
 /// (binary segmentation: Scott and Knott, Biometrics 30, 1974).
 std::optional<ChangePoint> lastChange(const std::vector<double>& values);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::live

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::live {
 
 /// Bets on blocks that no fit has seen. Before a block comes it is settled which model is the claim; the claim wins the
 /// block where its squared error is smaller than those of the model as configured and of the re-estimated one. Where
@@ -43,4 +43,4 @@ class SequentialEvidence {
   double value_ = 1.0;
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::live

@@ -6,7 +6,7 @@
 #include "gap/simulate.h"
 #include "rubber_suspension/measurement/bench_check.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
 constexpr std::size_t kMostLogsOfFigure = 3;
@@ -43,4 +43,4 @@ BenchEvidence benchEvidence(const std::vector<element::ElementDescription>& elem
   return evidence;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

@@ -10,7 +10,7 @@
 #include "rubber_suspension/log/record.h"
 #include "rubber_suspension/measurement/rig_finding.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 
 /// A log and the force of the configured component on its displacement [N].
 struct ComparedLog {
@@ -25,13 +25,22 @@ struct CheckedLog {
   std::optional<ComparedLog> corrected;
 };
 
+}  // namespace rubber_suspension::diagnosis::prepare
+
+namespace rubber_suspension::diagnosis {
+
+/// A type that a public header declares.
 struct BenchEvidence {
-  std::vector<CheckedLog> logs;
+  std::vector<prepare::CheckedLog> logs;
 };
+
+}  // namespace rubber_suspension::diagnosis
+
+namespace rubber_suspension::diagnosis::prepare {
 
 /// Of the first logs with a fatal finding that can be simulated.
 BenchEvidence benchEvidence(const std::vector<element::ElementDescription>& elements,
                             const std::vector<log::Record>& records,
                             const std::vector<measurement::RigFinding>& findings);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

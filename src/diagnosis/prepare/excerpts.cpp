@@ -11,7 +11,7 @@
 
 #include "log/samples.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
 constexpr std::size_t kWindows = 8;        // of a log: its beginning, its largest motion, and six of other amplitudes
@@ -295,4 +295,4 @@ Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogS
   return result;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

@@ -8,7 +8,7 @@
 #include "diagnosis/prepare/log_survey.h"
 #include "rubber_suspension/log/log.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 
 /// Logs of one component as the search takes them.
 struct Excerpts {
@@ -32,4 +32,4 @@ struct Excerpts {
 /// Throws LogError where a log is no longer what it was in the survey.
 Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogSurvey>& hold_out, std::size_t most);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

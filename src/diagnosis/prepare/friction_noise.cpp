@@ -8,7 +8,7 @@
 #include "gap/simulate.h"
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
 // Berg's friction of a model, with its dead band (or one about the sensor's noise, if it has none) times a factor.
@@ -84,4 +84,4 @@ std::vector<Eigen::MatrixXd> frictionStarts(const std::vector<element::ElementDe
   return starts;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
 // Of the variance: means over a tenth of a cycle lose 1.6 % of the amplitude of a sine, and 3.2 % of its variance.
@@ -101,4 +101,4 @@ void addLeadIns(const std::vector<LeadIn>& lead_in, std::vector<log::Record>& re
   }
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

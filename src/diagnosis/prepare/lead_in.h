@@ -8,7 +8,7 @@
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 
 /// The motion that leads to the first sample of an excerpt, in steps of so many samples of the log each.
 struct LeadIn {
@@ -58,4 +58,4 @@ class LeadInBuilder {
 /// Give the records of excerpts, in their order, what leads into them.
 void addLeadIns(const std::vector<LeadIn>& lead_in, std::vector<log::Record>& records);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

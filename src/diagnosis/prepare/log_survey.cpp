@@ -9,7 +9,7 @@
 #include "log/samples.h"
 #include "rubber_suspension/gap/replay.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 
 double LogSurvey::duration() const { return static_cast<double>(steps.lastStamp() - steps.firstStamp()) * 1e-9; }
 
@@ -53,4 +53,4 @@ void readAgain(const LogSurvey& survey, const log::LogSource::Take& take) {
   }
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

@@ -10,7 +10,7 @@
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/log/log_source.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 
 /// A log that was read once.
 struct LogSurvey {
@@ -33,4 +33,4 @@ std::vector<LogSurvey> surveyLogs(const log::LogSources& sources, const componen
 /// Reads a surveyed log again. Throws LogError where it is no longer what it was.
 void readAgain(const LogSurvey& survey, const log::LogSource::Take& take);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

@@ -7,7 +7,7 @@
 
 #include "rubber_suspension/log/log.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
 // Every basis term of every candidate keeps its force over all samples, and each thread has columns of its own.
@@ -45,4 +45,4 @@ void requireMemory(std::size_t samples, std::size_t recorded, int threads, std::
   }
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

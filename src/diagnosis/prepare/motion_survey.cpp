@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
 constexpr std::size_t kMostStretches = 65536;
@@ -89,4 +89,4 @@ double MotionSurvey::samplesPerCycle() const {
   return 2.0 * static_cast<double>(samples_) / std::max(crossings, 1.0);
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 
 /// Moments and extremes of the displacement over stretches of equal length, which grows with the log: there are never
 /// more than 65,536 of them.
@@ -47,4 +47,4 @@ class MotionSurvey {
   std::vector<Stretch> stretches_;
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

@@ -18,7 +18,7 @@
 #include "rubber_suspension/measurement/prepared_log.h"
 #include "rubber_suspension/measurement/rig_model.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
 constexpr int kIterations = 8;          // of the fit by which a start in motion is told
@@ -323,4 +323,4 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
   return found;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

@@ -11,7 +11,7 @@
 #include "rubber_suspension/log/record.h"
 #include "rubber_suspension/measurement/rig_finding.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 
 /// Zeros of the displacement that records may have: those of the logs of the fit, and of unseen ones.
 struct ZeroPriors {
@@ -40,4 +40,4 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
                                                  const std::vector<log::Record>& records,
                                                  const std::vector<fit::DisplacementZero>& zeros, bool gains_are_named);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

@@ -9,7 +9,7 @@
 
 #include "numerics/median.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 
 double NoiseLimit::of(const log::Record& record) const { return std::max(force / record.force_deviation, share); }
 
@@ -53,4 +53,4 @@ void weighByNoise(const std::vector<double>& noise, std::vector<log::Record>& re
   }
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

@@ -5,7 +5,7 @@
 
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::prepare {
 
 /// All logs come from one rig. What a model lacks in some of them must not pass for noise there, so a log's noise is
 /// limited by that of the others: in newtons, or as a share of its force, whichever allows more.
@@ -30,4 +30,4 @@ double rigCost(const log::Record& record, const Eigen::VectorXd& residual);
 /// logs it would hide what the others show, and be the larger part of what is left. `noise`: of each log, as a gap.
 void weighByNoise(const std::vector<double>& noise, std::vector<log::Record>& records);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::prepare

@@ -9,8 +9,10 @@
 #include "diagnosis/words/text.h"
 #include "element/each.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 namespace {
+
+using words::percent;
 
 constexpr double kLikely = 0.01;  // less probable ones are folded
 
@@ -21,28 +23,29 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 bool isNamed(const Diagnosis& d, const CandidateResult& candidate) { return contains(d.effects, candidate.effect); }
 
 std::string parametersText(const CandidateResult& candidate) {
-  return element::joined(headlineValuesOf(candidate.add), ", ", [](const HeadlineValue& value) {
-    return spoken(value.name) + " " + quantity(value.value, value.unit);
+  return element::joined(words::headlineValuesOf(candidate.add), ", ", [](const words::HeadlineValue& value) {
+    return words::spoken(value.name) + " " + words::quantity(value.value, value.unit);
   });
 }
 
 std::string closedText(const CandidateResult& c) {
-  return fmt::format("{} % ({} to {} %)", wholePercent(c.closed), wholePercent(std::min(1.0, c.interval[0])),
-                     wholePercent(std::min(1.0, c.interval[1])));
+  return fmt::format("{} % ({} to {} %)", words::wholePercent(c.closed),
+                     words::wholePercent(std::min(1.0, c.interval[0])),
+                     words::wholePercent(std::min(1.0, c.interval[1])));
 }
 
-Row rowOf(const Diagnosis& d, const CandidateResult& c) {
-  return {fmt::format("<b>{}</b><br><span class=note>{}{}</span>", escape(c.effect), escape(c.documentation),
-                      c.on_rig ? " (on the rig, not in the rubber)" : ""),
-          chance(c.probability) + " %", percent(c.gap), closedText(c),
-          escape(isNamed(d, c) ? parametersText(c) : whyOut(d, c))};
+words::Row rowOf(const Diagnosis& d, const CandidateResult& c) {
+  return {fmt::format("<b>{}</b><br><span class=note>{}{}</span>", words::escape(c.effect),
+                      words::escape(c.documentation), c.on_rig ? " (on the rig, not in the rubber)" : ""),
+          words::chance(c.probability) + " %", percent(c.gap), closedText(c),
+          words::escape(isNamed(d, c) ? parametersText(c) : whyOut(d, c))};
 }
 
 std::string notTestable(const Diagnosis& d) {
   const auto hidden = element::those(d.candidates, [](const CandidateResult& c) { return !c.testable; });
-  const auto names = element::each(hidden, [](const CandidateResult& c) { return spoken(c.effect); });
-  return names.empty() ? "Every candidate would show in " + sourceOf(d) + "."
-                       : "A typical " + enumerated(names) + " would not show in " + sourceOf(d) +
+  const auto names = element::each(hidden, [](const CandidateResult& c) { return words::spoken(c.effect); });
+  return names.empty() ? "Every candidate would show in " + words::sourceOf(d) + "."
+                       : "A typical " + words::enumerated(names) + " would not show in " + words::sourceOf(d) +
                              ", so whether it is there stays open.";
 }
 
@@ -61,7 +64,7 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
   }
   if (!c.testable) {
     return fmt::format("not testable with {}: other parameter values leave {} % of a typical one, too little to see",
-                       sourceOf(d), wholePercent(c.visible_share));
+                       words::sourceOf(d), words::wholePercent(c.visible_share));
   }
   if (c.interval[0] <= 0.0) {
     return "on further logs it may remove nothing";
@@ -75,22 +78,24 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
 }
 
 std::string candidateSection(const Diagnosis& d) {
-  const Row titles = {"effect", "#probability", "#gap with it alone", "#removes (95 %)", "parameters, or why out"};
-  std::vector<Row> shown;
-  std::vector<Row> rest;
+  const words::Row titles = {"effect", "#probability", "#gap with it alone", "#removes (95 %)",
+                             "parameters, or why out"};
+  std::vector<words::Row> shown;
+  std::vector<words::Row> rest;
   for (const CandidateResult& c : d.candidates) {
     (c.probability >= kLikely || isNamed(d, c) ? shown : rest).push_back(rowOf(d, c));
   }
-  std::string html = shown.empty() ? "<p>No candidate reaches a probability of 1 %.</p>\n" : table(titles, shown);
+  std::string html =
+      shown.empty() ? "<p>No candidate reaches a probability of 1 %.</p>\n" : words::table(titles, shown);
   html += fmt::format(
       "<p>No gap: {} %. Wrong values of the model alone: {} %. None of these: {} %. All candidates at once, as a "
       "flexible fit without claim to a cause, "
       "would leave a gap of {} on parts of {} held out.</p>\n",
-      chance(d.posterior.none), chance(d.posterior.parameter_error), chance(d.posterior.none_of_these),
-      percent(d.workings->search.surrogate_gap), sourceOf(d));
-  html += fmt::format("<p class=note>{}</p>\n<p>{}</p>\n", kProbability, escape(notTestable(d)));
+      words::chance(d.posterior.none), words::chance(d.posterior.parameter_error),
+      words::chance(d.posterior.none_of_these), percent(d.workings->search.surrogate_gap), words::sourceOf(d));
+  html += fmt::format("<p class=note>{}</p>\n<p>{}</p>\n", kProbability, words::escape(notTestable(d)));
   const std::string title = fmt::format("{} candidates below 1 %, and why they are out", rest.size());
-  return rest.empty() ? html : html + folded(title, table(titles, rest));
+  return rest.empty() ? html : html + words::folded(title, words::table(titles, rest));
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

@@ -17,10 +17,11 @@
 #include "element/each.h"
 #include "log/text.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 namespace {
 
 using nlohmann::json;
+using words::escape;
 
 constexpr const char* kReportSchema = "rubber_suspension/gap_report/1";
 constexpr std::size_t kLargestReport = 16UL * 1024 * 1024;  // bytes; one about six logs has some 0.1 MB
@@ -42,7 +43,8 @@ Measured measuredOf(const json& entry) {
 
 std::string measuredText(const Measured& measured) {
   const SizedValue size{"", "", measured.unit, std::nan(""), measured.value, measured.interval};
-  return measured.interval[0] < measured.interval[1] ? quantity(size) : quantity(measured.value, measured.unit);
+  return measured.interval[0] < measured.interval[1] ? words::quantity(size)
+                                                     : words::quantity(measured.value, measured.unit);
 }
 
 bool differ(const Measured& before, const Measured& after) {
@@ -60,7 +62,7 @@ Values sizesIn(const json& report) {
     for (const json& entry : listIn(report, list)) {
       const std::string owner = entry.at("owner").get<std::string>();
       const std::string name = entry.at("name").get<std::string>();
-      values[owner == "specification" ? symbolOf(name) : spoken(owner + " " + name)] = measuredOf(entry);
+      values[owner == "specification" ? words::symbolOf(name) : words::spoken(owner + " " + name)] = measuredOf(entry);
     }
   }
   return values;
@@ -69,7 +71,7 @@ Values sizesIn(const json& report) {
 Values findingsIn(const json& report) {
   Values values;
   for (const json& entry : listIn(report, "rig_findings")) {
-    values[spoken(entry.at("finding").get<std::string>()) + " of " + entry.at("log").get<std::string>()] =
+    values[words::spoken(entry.at("finding").get<std::string>()) + " of " + entry.at("log").get<std::string>()] =
         measuredOf(entry);
   }
   return values;
@@ -77,7 +79,7 @@ Values findingsIn(const json& report) {
 
 std::string effectsIn(const json& report) {
   const auto effects = report.at("effects").get<std::vector<std::string>>();
-  return effects.empty() ? "none" : enumerated(effects);
+  return effects.empty() ? "none" : words::enumerated(effects);
 }
 
 // A place of the gap, over all logs: these have other names on another day.
@@ -104,8 +106,8 @@ std::map<Place, double> placesIn(const json& report) {
 
 std::string placeText(const Place& place) {
   const auto& [f_low, f_high, a_low, a_high, kind] = place;
-  const std::string band = f_high > 0.0 ? rangeText({f_low, f_high}, 1.0) + " Hz, " : "";
-  return fmt::format("{} at {}{} mm", kind, band, rangeText({a_low, a_high}, 1e3));
+  const std::string band = f_high > 0.0 ? words::rangeText({f_low, f_high}, 1.0) + " Hz, " : "";
+  return fmt::format("{} at {}{} mm", kind, band, words::rangeText({a_low, a_high}, 1e3));
 }
 
 class Comparer {
@@ -141,7 +143,7 @@ class Comparer {
       const double before = numberOf(before_.at("gap").at(name));
       const double after = numberOf(after_.at("gap").at(name));
       const bool differs = name != "noise_floor" && std::abs(after - before) > noise();
-      changes_.push_back({title, percent(before), percent(after), differs});
+      changes_.push_back({title, words::percent(before), words::percent(after), differs});
     }
   }
 
@@ -173,8 +175,8 @@ class Comparer {
     std::stable_sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) { return change(a) > change(b); });
     sorted.resize(std::min(sorted.size(), kMost));
     for (const auto& entry : sorted) {
-      changes_.push_back({"gap in " + placeText(entry.first), percent(entry.second.first), percent(entry.second.second),
-                          change(entry) > noise()});
+      changes_.push_back({"gap in " + placeText(entry.first), words::percent(entry.second.first),
+                          words::percent(entry.second.second), change(entry) > noise()});
     }
   }
 
@@ -235,18 +237,19 @@ std::string comparisonSection(const Comparison& comparison) {
   if (comparison.with.empty()) {
     return "";
   }
-  std::vector<Row> differing;
-  std::vector<Row> same;
+  std::vector<words::Row> differing;
+  std::vector<words::Row> same;
   for (const ReportChange& change : comparison.changes) {
     (change.differs ? differing : same).push_back({escape(change.what), escape(change.before), escape(change.after)});
   }
-  const Row titles = {"", "before", "now"};
+  const words::Row titles = {"", "before", "now"};
   return "<h2>What changed</h2>\n<p>Since <code>" + escape(comparison.with) + "</code>" +
          (comparison.date.empty() ? "" : ", " + escape(comparison.date)) +
          ". Values differ here where their 95 % intervals have nothing in common, gaps where they changed by more than "
          "both noise floors together.</p>\n" +
-         (differing.empty() ? "<p>Nothing differs beyond noise and intervals.</p>\n" : table(titles, differing)) +
-         (same.empty() ? "" : folded("As before, within noise and intervals", table(titles, same)));
+         (differing.empty() ? "<p>Nothing differs beyond noise and intervals.</p>\n"
+                            : words::table(titles, differing)) +
+         (same.empty() ? "" : words::folded("As before, within noise and intervals", words::table(titles, same)));
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

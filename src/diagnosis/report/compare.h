@@ -7,7 +7,7 @@
 
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 
 /// An earlier report.json.
 class EarlierReport {
@@ -31,4 +31,4 @@ std::string toText(const Comparison& comparison);
 /// All that was compared, as a table, HTML; empty without a comparison.
 std::string comparisonSection(const Comparison& comparison);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

@@ -20,6 +20,8 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 using nlohmann::ordered_json;
+using words::escape;
+using words::spoken;
 
 // Each outcome and what it is called.
 constexpr std::pair<const char*, const char*> kOutcomes[] = {{"found", "found"},
@@ -52,17 +54,17 @@ std::string leastSizeText(double size) { return std::isfinite(size) ? fmt::forma
 
 std::string namesText(const std::vector<std::string>& names, std::size_t most) {
   const auto shown = static_cast<std::ptrdiff_t>(std::min(most, names.size()));
-  return enumerated({names.begin(), names.begin() + shown}) +
+  return words::enumerated({names.begin(), names.begin() + shown}) +
          (names.size() > most ? fmt::format(" (and {} more)", names.size() - most) : "");
 }
 
 std::string outcomeTable(const CouldShow& could_show) {
-  return table({"implanted", "would be", "with, or as", "#left by other parameter values", "#least size seen"},
-               could_show.implanted, [](const ImplantedEffect& row) -> Row {
-                 return {escape(spoken(row.effect)), outcomeText(row.outcome),
-                         escape(spoken(namesText(row.taken_for, 4))), wholePercent(row.visible_share) + " %",
-                         leastSizeText(row.least_size)};
-               });
+  return words::table({"implanted", "would be", "with, or as", "#left by other parameter values", "#least size seen"},
+                      could_show.implanted, [](const ImplantedEffect& row) -> words::Row {
+                        return {escape(spoken(row.effect)), outcomeText(row.outcome),
+                                escape(spoken(namesText(row.taken_for, 4))),
+                                words::wholePercent(row.visible_share) + " %", leastSizeText(row.least_size)};
+                      });
 }
 
 // What the shapes of an effect would be named, largest share first.
@@ -75,22 +77,23 @@ std::string namedFirst(const CouldShow& could_show, const ImplantedEffect& row) 
   std::vector<std::string> texts;
   for (const auto& [share, name] : shares) {
     if (share > 0.0) {
-      texts.push_back(fmt::format("{} {} %", name, wholePercent(share)));
+      texts.push_back(fmt::format("{} {} %", name, words::wholePercent(share)));
     }
   }
-  return enumerated(texts);
+  return words::enumerated(texts);
 }
 
 std::string confusionTable(const CouldShow& could_show) {
-  return table({"implanted", "would be named first"}, could_show.implanted, [&](const ImplantedEffect& row) -> Row {
-    return {escape(spoken(row.effect)), escape(namedFirst(could_show, row))};
-  });
+  return words::table({"implanted", "would be named first"}, could_show.implanted,
+                      [&](const ImplantedEffect& row) -> words::Row {
+                        return {escape(spoken(row.effect)), escape(namedFirst(could_show, row))};
+                      });
 }
 
 // "Found: friction, creep. Out of reach: inertia.", which is all that fits on paper.
 std::string outcomesInWords(const CouldShow& could_show) {
   return eachOutcome(could_show, " ", [](const std::string& name, const std::vector<std::string>& effects) {
-    return capitalised(name) + ": " + enumerated(effects) + ".";
+    return words::capitalised(name) + ": " + words::enumerated(effects) + ".";
   });
 }
 
@@ -111,26 +114,26 @@ ordered_json rowJson(const CouldShow& could_show, const ImplantedEffect& row) {
 }
 
 std::string logTable(const Plan& plan) {
-  return table({"log", "#length [s]", "#rate [Hz]", "#largest |z|", "#largest speed", "#largest force"}, plan.logs,
-               [](const PlannedLog& log) -> Row {
-                 return {escape(log.log),
-                         fmt::format("{:.1f}", log.duration),
-                         fmt::format("{:.4g}", 1.0 / log.dt),
-                         quantity(log.largest_displacement, "m"),
-                         quantity(log.highest_rate, "m/s"),
-                         quantity(log.largest_force, "N")};
-               });
+  return words::table({"log", "#length [s]", "#rate [Hz]", "#largest |z|", "#largest speed", "#largest force"},
+                      plan.logs, [](const PlannedLog& log) -> words::Row {
+                        return {escape(log.log),
+                                fmt::format("{:.1f}", log.duration),
+                                fmt::format("{:.4g}", 1.0 / log.dt),
+                                words::quantity(log.largest_displacement, "m"),
+                                words::quantity(log.highest_rate, "m/s"),
+                                words::quantity(log.largest_force, "N")};
+                      });
 }
 
 }  // namespace
 
-std::string outcomesInNumbers(const CouldShow& could_show) {
+std::string report::outcomesInNumbers(const CouldShow& could_show) {
   return eachOutcome(could_show, ", ", [](const std::string& name, const std::vector<std::string>& effects) {
     return fmt::format("{} {}", effects.size(), name);
   });
 }
 
-std::string couldShowHtml(const CouldShow& could_show) {
+std::string report::couldShowHtml(const CouldShow& could_show) {
   return fmt::format(
              "<p class=\"note screen\">Each effect is implanted into this component, motion and noise, in several "
              "shapes of its "
@@ -140,7 +143,7 @@ std::string couldShowHtml(const CouldShow& could_show) {
              "of the model do not explain them.</p>\n",
              100.0 * could_show.size, escape(could_show.why), 100.0 * could_show.noise) +
          "<p>" + escape(outcomesInWords(could_show)) + "</p>\n<div class=screen>" + outcomeTable(could_show) +
-         "</div>\n" + folded("What would be taken for what", confusionTable(could_show));
+         "</div>\n" + words::folded("What would be taken for what", confusionTable(could_show));
 }
 
 std::string toText(const CouldShow& could_show) {
@@ -154,7 +157,7 @@ std::string toText(const CouldShow& could_show) {
   return text;
 }
 
-ordered_json toJson(const CouldShow& could_show) {
+ordered_json report::toJson(const CouldShow& could_show) {
   const auto row_json = [&](const ImplantedEffect& row) { return rowJson(could_show, row); };
   return {{"size", could_show.size},
           {"size_N", could_show.force},
@@ -175,19 +178,20 @@ std::string toJson(const Plan& plan) {
   const ordered_json report = {{"schema", "rubber_suspension/experiment_plan/1"},
                                {"component", plan.component},
                                {"logs", element::each(plan.logs, log_json)},
-                               {"could_show", toJson(plan.could_show)},
-                               {"meta", metaJson(plan.run)}};
+                               {"could_show", report::toJson(plan.could_show)},
+                               {"meta", report::metaJson(plan.run)}};
   return report.dump(2) + "\n";
 }
 
 std::string toHtml(const Plan& plan) {
   const std::string title = "Experiment plan: " + plan.component;
-  return page(title, fmt::format("<p class=kicker>{}</p>\n<h1>Of {} effects: {}.</h1>\n", escape(title),
-                                 plan.could_show.implanted.size(), outcomesInNumbers(plan.could_show)) +
-                         couldShowHtml(plan.could_show) + "<h2>The programmes</h2>\n" + logTable(plan) +
-                         fmt::format("<p class=note>Forces are those of the component as configured. Made by:</p>\n"
-                                     "<pre>{}</pre>\n",
-                                     escape(plan.run.command_line)));
+  return report::page(title,
+                      fmt::format("<p class=kicker>{}</p>\n<h1>Of {} effects: {}.</h1>\n", escape(title),
+                                  plan.could_show.implanted.size(), report::outcomesInNumbers(plan.could_show)) +
+                          report::couldShowHtml(plan.could_show) + "<h2>The programmes</h2>\n" + logTable(plan) +
+                          fmt::format("<p class=note>Forces are those of the component as configured. Made by:</p>\n"
+                                      "<pre>{}</pre>\n",
+                                      escape(plan.run.command_line)));
 }
 
 std::vector<std::string> planFiles() { return {"plan.json", "plan.html"}; }

@@ -8,7 +8,7 @@
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "element/each.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 namespace {
 
 // A spring of 3 MN/m at 2 mm and up to 10 Hz for a minute, from 10 to 40 degC; which elements a candidate takes does
@@ -49,11 +49,11 @@ std::string effectReference() {
       "is\nin [parameters.md](parameters.md), how the search works in [diagnosis.md](diagnosis.md). An effect of the "
       "rig is one of\nthe measurement and not of the rubber: it explains a gap, and does not belong into a vehicle.\n\n"
       "| effect | of the | what it is: how it shows | elements |\n|---|---|---|---|\n";
-  for (const fit::Candidate& candidate : candidates(typicalExcitation())) {
+  for (const fit::Candidate& candidate : hypotheses::candidate::candidates(typicalExcitation())) {
     text += fmt::format("| `{}` | {} | {} | {} |\n", candidate.effect, candidate.on_rig ? "rig" : "rubber",
                         candidate.documentation, elementsOf(candidate));
   }
   return text;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

@@ -3,10 +3,10 @@
 
 #include <string>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 
 /// Markdown: every candidate effect, whether it belongs to the rubber or to the rig, its signature, and the elements
 /// that its entries in a component file are made of.
 std::string effectReference();
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

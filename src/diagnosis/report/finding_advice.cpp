@@ -4,7 +4,7 @@
 #include "diagnosis/report/page.h"
 #include "rubber_suspension/measurement/rig_finding.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 
 const FindingAdvice& adviceOn(const std::string& finding) {
   namespace f = measurement::finding;
@@ -73,4 +73,4 @@ const FindingAdvice& adviceOn(const std::string& finding) {
   return found == table.end() ? nothing : found->second;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

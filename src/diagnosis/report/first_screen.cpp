@@ -12,8 +12,11 @@
 #include "diagnosis/words/text.h"
 #include "element/each.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 namespace {
+
+using words::percent;
+using words::wholePercent;
 
 std::string meaningOf(Verdict verdict) {
   static const std::map<Verdict, std::string> meanings = {
@@ -46,21 +49,22 @@ const CandidateResult* candidateOf(const Diagnosis& d, const std::string& effect
 std::string effectsHtml(const Diagnosis& d) {
   const auto text = [&](const std::string& effect) {
     const CandidateResult* const candidate = candidateOf(d, effect);
-    return "<b>" + escape(spoken(effect)) + "</b>" +
-           (candidate == nullptr ? "" : " <span class=note>" + escape(candidate->documentation) + "</span>");
+    return "<b>" + words::escape(words::spoken(effect)) + "</b>" +
+           (candidate == nullptr ? "" : " <span class=note>" + words::escape(candidate->documentation) + "</span>");
   };
   return d.effects.empty() && d.workings ? "none of the list is named" : lines(d.effects, text);
 }
 
 std::string sizesHtml(const Diagnosis& d) {
   std::vector<std::string> texts = element::each(d.effect_sizes, [&](const SizedValue& size) {
-    return fmt::format("{}{} {}", d.effects.size() > 1 ? escape(spoken(size.owner)) + ": " : "", escape(sizeName(size)),
-                       quantity(size));
+    return fmt::format("{}{} {}", d.effects.size() > 1 ? words::escape(words::spoken(size.owner)) + ": " : "",
+                       words::escape(words::sizeName(size)), words::quantity(size));
   });
-  for (const SizedValue* size : changedValues(d)) {
-    texts.push_back(escape(d.effects.empty() ? offText(*size) : besideText(*size)) + "; 95 %: " + intervalText(*size));
+  for (const SizedValue* size : words::changedValues(d)) {
+    texts.push_back(words::escape(d.effects.empty() ? words::offText(*size) : words::besideText(*size)) +
+                    "; 95 %: " + words::intervalText(*size));
   }
-  if (const std::string whole = escape(wholeText(d)); !whole.empty()) {
+  if (const std::string whole = words::escape(words::wholeText(d)); !whole.empty()) {
     texts.push_back(whole);
   }
   return fmt::format("{}", fmt::join(texts, "<br>"));
@@ -71,7 +75,7 @@ std::string sureHtml(const Diagnosis& d) {
     return "";
   }
   if (d.verdict == Verdict::unknown) {
-    return fmt::format("{} % that it is no effect of the list", chance(d.posterior.none_of_these));
+    return fmt::format("{} % that it is no effect of the list", words::chance(d.posterior.none_of_these));
   }
   if (d.effects.empty()) {
     const double above = d.gap.as_configured - d.gap.noise_floor;
@@ -82,12 +86,13 @@ std::string sureHtml(const Diagnosis& d) {
   }
   std::string html;
   if (const CandidateResult* const first = candidateOf(d, d.effects.front()); first != nullptr) {
-    html = fmt::format("{} % that {} is at work", chance(first->probability), escape(spoken(first->effect)));
+    html = fmt::format("{} % that {} is at work", words::chance(first->probability),
+                       words::escape(words::spoken(first->effect)));
   }
   if (d.confounded.size() > 1) {
     const auto sets =
         element::each(d.confounded, [](const auto& set) { return fmt::format("{}", fmt::join(set, " + ")); });
-    html += "<br>not to be told apart here: " + escape(enumerated(sets));
+    html += "<br>not to be told apart here: " + words::escape(words::enumerated(sets));
   }
   return html;
 }
@@ -110,16 +115,16 @@ std::string leftHtml(const Diagnosis& d) {
   return html;
 }
 
-std::string takenOutHtml(const Diagnosis& d) { return lines(describeTakenOut(d.taken_out), escape); }
+std::string takenOutHtml(const Diagnosis& d) { return lines(results::describeTakenOut(d.taken_out), escape); }
 
 std::string whereHtml(const Diagnosis& d) {
   if (d.where.empty()) {
     return "";
   }
   const gap::GapCell& cell = d.where.front();
-  const std::string band = cell.frequency[0] > 0.0 ? fmt::format(", {} Hz", rangeText(cell.frequency, 1.0)) : "";
+  const std::string band = cell.frequency[0] > 0.0 ? fmt::format(", {} Hz", words::rangeText(cell.frequency, 1.0)) : "";
   return fmt::format("largest in {}<b>{}</b>{}, {} mm: <b>{}</b>, {} % of the squared gap as configured",
-                     d.table ? "table " : "", escape(cell.log), band, rangeText(cell.amplitude, 1e3),
+                     d.table ? "table " : "", words::escape(cell.log), band, words::rangeText(cell.amplitude, 1e3),
                      gap::toString(cell.quantity), wholePercent(cell.share));
 }
 
@@ -127,8 +132,8 @@ std::string benchHtml(const Diagnosis& d) {
   const auto fatal = element::those(d.rig_findings, &measurement::RigFinding::fatal);
   return lines(fatal, [](const measurement::RigFinding& finding) {
     const FindingAdvice& advice = adviceOn(finding.finding);
-    return fmt::format("<b>{}</b>, log {}: {} <b>At the bench:</b> {}", escape(spoken(finding.finding)),
-                       escape(finding.log), escape(advice.meaning), escape(advice.remedy));
+    return fmt::format("<b>{}</b>, log {}: {} <b>At the bench:</b> {}", words::escape(words::spoken(finding.finding)),
+                       words::escape(finding.log), words::escape(advice.meaning), words::escape(advice.remedy));
   });
 }
 
@@ -151,10 +156,10 @@ std::string firstScreen(const Diagnosis& d, const std::string& loop) {
       fact("What is wrong", benchHtml(d)) + fact("Which", effectsHtml(d)) + fact("How large", sizesHtml(d)) +
       fact("How sure", sureHtml(d)) + fact("What is left", leftHtml(d)) +
       fact("Taken out before, in % of the force", takenOutHtml(d)) + fact("Where", whereHtml(d)) +
-      fact("Next experiment", escape(d.next_experiment) + (play.empty() ? "" : " To do so, " + play + "."));
+      fact("Next experiment", words::escape(d.next_experiment) + (play.empty() ? "" : " To do so, " + play + "."));
   return fmt::format("<p class=kicker>Gap report: {}{}</p>\n<h1>{}</h1>\n<div class=first>\n<dl>\n{}</dl>\n{}</div>\n",
-                     escape(d.component), d.run.date.empty() ? "" : ", " + escape(d.run.date), escape(d.sentence),
-                     facts, loop);
+                     words::escape(d.component), d.run.date.empty() ? "" : ", " + words::escape(d.run.date),
+                     words::escape(d.sentence), facts, loop);
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

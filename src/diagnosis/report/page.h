@@ -7,7 +7,7 @@
 #include "rubber_suspension/diagnosis/could_show.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 
 /// The style sheet. Colours of text and their backgrounds stand in variables, for both schemes, with the contrast that
 /// WCAG 2 asks for at level AA.
@@ -52,4 +52,4 @@ struct FindingAdvice {
 /// By the name that reports write. Of a name without an entry both are empty: the finding's own text says it.
 const FindingAdvice& adviceOn(const std::string& finding);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

@@ -4,7 +4,7 @@
 #include "diagnosis/report/page.h"
 #include "diagnosis/words/text.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 
 const char* const kPageStyle = R"(
 :root { color-scheme: light dark; --ink: #1d2125; --paper: #ffffff; --soft: #f1f3f5; --note: #555c63; --link: #0b5cad;
@@ -83,8 +83,8 @@ std::string page(const std::string& title, const std::string& body) {
   return fmt::format(
              "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport "
              "content=\"width=device-width\"><title>{}</title><style>{}</style></head><body>\n",
-             escape(title), kPageStyle) +
+             words::escape(title), kPageStyle) +
          body + "</body></html>\n";
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

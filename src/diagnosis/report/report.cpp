@@ -114,13 +114,13 @@ std::string mapRows(const io::Axes& axes) {
 
 std::string evidenceJson(const Diagnosis& diagnosis) {
   const bool wanted = diagnosis.workings && diagnosis.workings->write_evidence;
-  return wanted ? toJson(diagnosis.workings->evidence) : "";
+  return wanted ? judge::toJson(diagnosis.workings->evidence) : "";
 }
 
 std::vector<std::string> reportFiles() {
   std::vector<std::string> names = {"report.json", kComponent,    kFullComponent, kExperiment,
                                     kSurrogate,    kMissingForce, kEvidence};
-  const std::vector<std::string> figures = figureDataFiles();
+  const std::vector<std::string> figures = report::figureDataFiles();
   names.insert(names.end(), figures.begin(), figures.end());
   names.emplace_back(kPage);
   return names;
@@ -131,14 +131,14 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   NewReport report(folder);
   report.write("report.json", toJson(diagnosis));
   if (diagnosis.workings) {
-    report.write(kComponent, augmentedYaml(diagnosis));
+    report.write(kComponent, results::augmentedYaml(diagnosis));
   }
   if (diagnosis.write_full_law && diagnosis.workings) {
-    report.write(kFullComponent, fullYaml(diagnosis));
+    report.write(kFullComponent, results::fullYaml(diagnosis));
   }
   if (diagnosis.surrogate) {
     report.write(kSurrogate, io::toYaml({diagnosis.surrogate->component}));
-    report.write(kMissingForce, toCsv(missingForce(diagnosis)));
+    report.write(kMissingForce, results::toCsv(results::missingForce(diagnosis)));
   }
   if (const std::string evidence = evidenceJson(diagnosis); !evidence.empty()) {
     report.write(kEvidence, evidence);
@@ -146,16 +146,16 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   if (!diagnosis.proposed.displacement.empty()) {
     report.write(kExperiment, experimentCsv(diagnosis.proposed));
   }
-  for (const ReportFigure& figure : reportFigures(diagnosis)) {
+  for (const report::ReportFigure& figure : report::reportFigures(diagnosis)) {
     if (!figure.figure.axes.empty()) {
-      report.write(figureDataFile(figure.name), figureCsv(figure.figure));
+      report.write(report::figureDataFile(figure.name), report::figureCsv(figure.figure));
     }
   }
   report.write(kPage, toHtml(diagnosis));
   report.commit();
 }
 
-std::string figureCsv(const io::Figure& figure) {
+std::string report::figureCsv(const io::Figure& figure) {
   if (figure.axes.empty()) {
     return "curve,panel\n";
   }

@@ -16,7 +16,7 @@
 #include "log/text.h"
 #include "rubber_suspension/gap/gap.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 namespace {
 
 constexpr double kCyclesOfLoop = 3.0;       // of a loop: more run into one area
@@ -102,7 +102,7 @@ io::Figure loops(const Diagnosis& diagnosis) {
   return figure;
 }
 
-io::Axes comparedAxes(const ComparedLog& log, const std::string& as) {
+io::Axes comparedAxes(const prepare::ComparedLog& log, const std::string& as) {
   const Eigen::Index count = cyclesOf(log.record, kCyclesOfLoop);
   const Eigen::Index first = widestStretch(log.record, count);
   io::Axes axes{log.record.name + ", " + as, "displacement [mm]", "force [kN]"};
@@ -115,7 +115,7 @@ io::Axes comparedAxes(const ComparedLog& log, const std::string& as) {
 // Two panels for each log: as it is, and with the correction.
 io::Figure benchFigure(const Diagnosis& diagnosis) {
   io::Figure figure{"Measured and simulated"};
-  for (const CheckedLog& log : diagnosis.bench_evidence->logs) {
+  for (const prepare::CheckedLog& log : diagnosis.bench_evidence->logs) {
     figure.axes.push_back(comparedAxes(log.as_recorded, "as it is"));
     if (log.corrected) {
       figure.axes.push_back(comparedAxes(*log.corrected, log.correction));
@@ -280,7 +280,7 @@ std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
   if (diagnosis.surrogate) {
     figures.push_back({kMissing,
                        "Force that the model lacks, over displacement and velocity, and what a surrogate adds.",
-                       missingForceFigure(missingForce(diagnosis))});
+                       results::missingForceFigure(results::missingForce(diagnosis))});
   }
   return figures;
 }
@@ -305,4 +305,4 @@ std::vector<std::string> figureDataFiles() {
                        figureDataFile);
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

@@ -7,7 +7,7 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/io/figure.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 
 inline constexpr const char* kLoopsFigure = "loops";
 inline constexpr const char* kWhere = "where";
@@ -55,4 +55,4 @@ std::string figureDataFile(const std::string& name);
 /// Those of all figures.
 std::vector<std::string> figureDataFiles();
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

@@ -17,6 +17,10 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
+using words::escape;
+using words::percent;
+using words::Row;
+
 std::string heading(const std::string& title) { return "<h2>" + title + "</h2>\n"; }
 
 std::string gapTable(const Diagnosis& d) {
@@ -27,11 +31,11 @@ std::string gapTable(const Diagnosis& d) {
                         std::min(100.0, 100.0 * gap / widest)),
             meaning};
   };
-  return table({"model", "#gap", "", "what it is"},
-               {row("as configured", d.gap.as_configured, "the component file as it is"),
-                row("re-estimated", d.gap.re_estimated, "model parameters fitted to " + sourceOf(d)),
-                row("augmented", d.gap.augmented, "with the named effects added"),
-                row("noise floor", d.gap.noise_floor, escape(d.noise_source))});
+  return words::table({"model", "#gap", "", "what it is"},
+                      {row("as configured", d.gap.as_configured, "the component file as it is"),
+                       row("re-estimated", d.gap.re_estimated, "model parameters fitted to " + words::sourceOf(d)),
+                       row("augmented", d.gap.augmented, "with the named effects added"),
+                       row("noise floor", d.gap.noise_floor, escape(d.noise_source))});
 }
 
 std::string errorTable(const Diagnosis& d) {
@@ -39,8 +43,8 @@ std::string errorTable(const Diagnosis& d) {
     return {name, percent(e.stiffness), fmt::format("{:.2f}&deg;", e.loss_angle * 180.0 / element::kPi),
             percent(e.energy)};
   };
-  return table({"model", "#stiffness off by", "#loss angle off by", "#energy per cycle off by"},
-               {row("re-estimated", d.errors_re_estimated), row("augmented", d.errors_augmented)});
+  return words::table({"model", "#stiffness off by", "#loss angle off by", "#energy per cycle off by"},
+                      {row("re-estimated", d.errors_re_estimated), row("augmented", d.errors_augmented)});
 }
 
 std::string howFar(const Diagnosis& d) {
@@ -60,25 +64,26 @@ std::string whereTable(const Diagnosis& d) {
   constexpr std::size_t kMost = 6;
   const std::vector<gap::GapCell> largest(
       d.where.begin(), d.where.begin() + static_cast<std::ptrdiff_t>(std::min(kMost, d.where.size())));
-  return table({d.table ? "table" : "log", "#frequency [Hz]", "#amplitude [mm]", "what is wrong",
-                "#share of squared gap", "#times the noise"},
-               largest, [](const gap::GapCell& cell) -> Row {
-                 return {escape(cell.log),
-                         rangeText(cell.frequency, 1.0),
-                         rangeText(cell.amplitude, 1e3),
-                         gap::toString(cell.quantity),
-                         percent(cell.share),
-                         cell.noise_ratio > 0.0 ? fmt::format("{:.2g}", cell.noise_ratio) : ""};  // the mean has none
-               });
+  return words::table(
+      {d.table ? "table" : "log", "#frequency [Hz]", "#amplitude [mm]", "what is wrong", "#share of squared gap",
+       "#times the noise"},
+      largest, [](const gap::GapCell& cell) -> Row {
+        return {escape(cell.log),
+                words::rangeText(cell.frequency, 1.0),
+                words::rangeText(cell.amplitude, 1e3),
+                gap::toString(cell.quantity),
+                percent(cell.share),
+                cell.noise_ratio > 0.0 ? fmt::format("{:.2g}", cell.noise_ratio) : ""};  // the mean has none
+      });
 }
 
 // A figure of the page: one <svg> per panel.
 struct DrawnFigure {
-  ReportFigure figure;
+  report::ReportFigure figure;
   std::vector<std::string> panels;
 
   std::string numbers() const {
-    return fmt::format(" <a class=screen href=\"{0}\">{0}</a>", figureDataFile(figure.name));
+    return fmt::format(" <a class=screen href=\"{0}\">{0}</a>", report::figureDataFile(figure.name));
   }
 
   // All panels from `first` on, each with its kind below.
@@ -105,7 +110,7 @@ struct DrawnFigures {
 DrawnFigures drawFigures(const Diagnosis& d) {
   DrawnFigures drawn;
   std::vector<io::Figure> panels;
-  for (const ReportFigure& figure : reportFigures(d)) {
+  for (const report::ReportFigure& figure : report::reportFigures(d)) {
     drawn.figures.push_back({figure, {}});
     for (const io::Axes& axes : figure.figure.axes) {
       panels.push_back({"", {axes}, 1});
@@ -154,17 +159,17 @@ std::string furtherFigures(const DrawnFigures& drawn) {
 }
 
 std::string componentFile(const Diagnosis& d) {
-  return heading("Component file before and after") + componentChanges(d) +
+  return heading("Component file before and after") + words::componentChanges(d) +
          "<p class=screen>Node and <code>replay</code> run <a href=\"augmented.yaml\">augmented.yaml</a> as it is: the "
          "simplest law of each effect, rounded to what is known of it. All digits are in report.json.</p>\n" +
-         folded("augmented.yaml", "<pre>" + escape(augmentedYaml(d)) + "</pre>\n");
+         words::folded("augmented.yaml", "<pre>" + escape(results::augmentedYaml(d)) + "</pre>\n");
 }
 
 std::string findingText(const measurement::RigFinding& finding) {
-  std::string text = fmt::format("{}: {}", finding.log, quantity(finding.value, finding.unit));
+  std::string text = fmt::format("{}: {}", finding.log, words::quantity(finding.value, finding.unit));
   if (finding.interval_95[0] < finding.interval_95[1]) {
-    text += fmt::format(" ({} to {})", quantity(finding.interval_95[0], finding.unit),
-                        quantity(finding.interval_95[1], finding.unit));
+    text += fmt::format(" ({} to {})", words::quantity(finding.interval_95[0], finding.unit),
+                        words::quantity(finding.interval_95[1], finding.unit));
   }
   return "<span class=\"value\">" + escape(text) + "</span>" +
          (finding.beyond_tolerance && !finding.fatal ? " <b>beyond the rig's tolerance</b>" : "");
@@ -194,13 +199,13 @@ std::string findings(const Diagnosis& d) {
     if (!isSure(finding, d.rig_findings)) {
       continue;
     }
-    const FindingAdvice& advice = adviceOn(finding.finding);
+    const report::FindingAdvice& advice = report::adviceOn(finding.finding);
     const auto kind = std::find(kinds.begin(), kinds.end(), finding.finding);
     const auto r = static_cast<std::size_t>(kind - kinds.begin());
     if (kind == kinds.end()) {
       kinds.push_back(finding.finding);
-      rows.push_back(
-          {escape(spoken(finding.finding)), findingText(finding), escape(advice.meaning), escape(advice.remedy)});
+      rows.push_back({escape(words::spoken(finding.finding)), findingText(finding), escape(advice.meaning),
+                      escape(advice.remedy)});
     } else {
       rows[r][1] += "<br>" + findingText(finding);
     }
@@ -210,7 +215,7 @@ std::string findings(const Diagnosis& d) {
   }
   return heading("What the rig did to the logs") +
          (rows.empty() ? "<p>Nothing that is sure.</p>\n"
-                       : table({"finding", "log: value (95 %)", "what it means", "at the bench"}, rows));
+                       : words::table({"finding", "log: value (95 %)", "what it means", "at the bench"}, rows));
 }
 
 // One row per log, so that what was taken out can be added up.
@@ -220,7 +225,8 @@ std::string takenOut(const Diagnosis& d) {
     std::string parts;
     for (const TakenOut& part : d.taken_out) {
       if (part.log == log.log && std::abs(part.share) > kShown) {
-        parts += fmt::format("{}{} {:.2g}", parts.empty() ? "" : ", ", escape(spoken(part.kind)), 100.0 * part.share);
+        parts +=
+            fmt::format("{}{} {:.2g}", parts.empty() ? "" : ", ", escape(words::spoken(part.kind)), 100.0 * part.share);
       }
     }
     return {escape(log.log), percent(log.recorded), parts.empty() ? "nothing" : parts, percent(log.left)};
@@ -228,7 +234,7 @@ std::string takenOut(const Diagnosis& d) {
   return "<p>What the rig did is taken out of each log before it is compared with the model. Squares add up: the gap "
          "as "
          "recorded less what is taken out is the gap. A negative number made the gap larger.</p>\n" +
-         table({"log", "#gap as recorded", "taken out, in % of the force", "#gap"}, d.admission, row);
+         words::table({"log", "#gap as recorded", "taken out, in % of the force", "#gap"}, d.admission, row);
 }
 
 std::string excerptsTaken(const Diagnosis& d) {
@@ -245,18 +251,18 @@ std::string excerptsTaken(const Diagnosis& d) {
 
 std::string admission(const Diagnosis& d) {
   return heading("The logs") + excerptsTaken(d) +
-         table({"log", "#length [s]", "#rate [Hz]", "#largest |z| [mm]", "#excited up to [Hz]", "#noise floor",
-                "#repeats", "notes"},
-               d.admission, [](const Admission& log) -> Row {
-                 return {escape(log.log) + (log.hold_out ? " (held out)" : ""),
-                         fmt::format("{:.1f}", log.duration),
-                         fmt::format("{:.4g}", 1.0 / log.dt),
-                         fmt::format("{:.3g}", 1e3 * log.largest_displacement),
-                         fmt::format("{:.3g}", log.highest_frequency),
-                         percent(log.noise),
-                         wholePercent(log.repeats) + " %",
-                         escape(enumerated(log.notes))};
-               });
+         words::table({"log", "#length [s]", "#rate [Hz]", "#largest |z| [mm]", "#excited up to [Hz]", "#noise floor",
+                       "#repeats", "notes"},
+                      d.admission, [](const Admission& log) -> Row {
+                        return {escape(log.log) + (log.hold_out ? " (held out)" : ""),
+                                fmt::format("{:.1f}", log.duration),
+                                fmt::format("{:.4g}", 1.0 / log.dt),
+                                fmt::format("{:.3g}", 1e3 * log.largest_displacement),
+                                fmt::format("{:.3g}", log.highest_frequency),
+                                percent(log.noise),
+                                words::wholePercent(log.repeats) + " %",
+                                escape(words::enumerated(log.notes))};
+                      });
 }
 
 std::string runRecord(const Diagnosis& d) {
@@ -266,7 +272,7 @@ std::string runRecord(const Diagnosis& d) {
   return heading("Record of this run") +
          fmt::format("<p>rubber_suspension {}, {}. Again by:</p>\n<pre>{}</pre>\n", escape(d.run.version),
                      escape(d.run.date), escape(d.run.command_line)) +
-         table({"option", "file", "SHA-256"}, d.run.files, [](const InputFile& file) -> Row {
+         words::table({"option", "file", "SHA-256"}, d.run.files, [](const InputFile& file) -> Row {
            return {escape(file.option), escape(file.name), "<code>" + escape(file.sha256) + "</code>"};
          });
 }
@@ -278,7 +284,7 @@ std::string nextExperiment(const Diagnosis& d) {
   return heading("Next experiment") + "<p>" + escape(d.next_experiment) + "</p>\n<p class=note>It stays within the " +
          "limits given, and where none is, within the strokes, speeds, forces and duration of the logs of the fit. "
          "To " +
-         howToPlay(d) + " on the bench, or through the node:</p>\n<pre>" +
+         report::howToPlay(d) + " on the bench, or through the node:</p>\n<pre>" +
          escape(fmt::format("roslaunch rubber_suspension bench.launch config:=$PWD/augmented.yaml component:={} "
                             "log:=$PWD/next_experiment.csv output:=$PWD/next_run",
                             d.component)) +
@@ -288,7 +294,7 @@ std::string nextExperiment(const Diagnosis& d) {
 std::string couldShow(const Diagnosis& d) {
   return d.could_show.implanted.empty()
              ? ""
-             : heading("Could " + sourceOf(d) + " have shown it?") + couldShowHtml(d.could_show);
+             : heading("Could " + words::sourceOf(d) + " have shown it?") + report::couldShowHtml(d.could_show);
 }
 
 // Each log that cannot be what it says: as it is, and with the correction.
@@ -301,23 +307,26 @@ std::string benchLoops(const DrawnFigures& drawn) {
 
 // Of logs that cannot be what they say.
 std::string benchBody(const Diagnosis& d) {
-  return firstScreen(d, benchLoops(drawFigures(d))) + comparisonSection(d.comparison) + (d.table ? "" : findings(d)) +
+  return report::firstScreen(d, benchLoops(drawFigures(d))) + report::comparisonSection(d.comparison) +
+         (d.table ? "" : findings(d)) +
          "<p>No effect is named and no component file is written: physics would be fitted to a fault of the "
          "bench.</p>\n";
 }
 
 std::string body(const Diagnosis& d) {
   const DrawnFigures drawn = drawFigures(d);
-  return firstScreen(d, firstLoop(drawn)) + comparisonSection(d.comparison) + howFar(d) + heading("Which") +
-         candidateSection(d) + where(d, drawn) + furtherFigures(drawn) + componentFile(d) + nextExperiment(d) +
-         couldShow(d) + (d.table ? tableSection(d) : findings(d) + takenOut(d) + admission(d));
+  return report::firstScreen(d, firstLoop(drawn)) + report::comparisonSection(d.comparison) + howFar(d) +
+         heading("Which") + report::candidateSection(d) + where(d, drawn) + furtherFigures(drawn) + componentFile(d) +
+         nextExperiment(d) + couldShow(d) +
+         (d.table ? report::tableSection(d) : findings(d) + takenOut(d) + admission(d));
 }
 
 }  // namespace
 
 std::string toHtml(const Diagnosis& d) {
-  const std::string html = page("Gap report: " + d.component, (d.workings ? body(d) : benchBody(d)) + runRecord(d));
-  return d.turns ? inRotationUnits(html) : html;
+  const std::string html =
+      report::page("Gap report: " + d.component, (d.workings ? body(d) : benchBody(d)) + runRecord(d));
+  return d.turns ? words::inRotationUnits(html) : html;
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -102,9 +102,9 @@ ordered_json rowJson(const DiagnosedRow& row) {
 }
 
 // Every hypothesis that was fitted, with its held-out error.
-ordered_json hypothesesJson(const Search& search) {
+ordered_json hypothesesJson(const hypotheses::Search& search) {
   ordered_json result = ordered_json::array();
-  const auto add = [&](const FittedHypothesis& fitted) {
+  const auto add = [&](const hypotheses::FittedHypothesis& fitted) {
     const auto effect = [&](int member) { return search.candidates[static_cast<std::size_t>(member)].effect; };
     result.push_back({{"effects", each(fitted.hypothesis.members, effect)},
                       {"held_out", fitted.fit.held_out},
@@ -113,7 +113,7 @@ ordered_json hypothesesJson(const Search& search) {
                       {"departure", fitted.fit.penalty}});
   };
   add(search.re_estimated);
-  for (const FittedHypothesis* fitted : search.withEffects()) {
+  for (const hypotheses::FittedHypothesis* fitted : search.withEffects()) {
     add(*fitted);
   }
   return result;
@@ -220,10 +220,10 @@ std::string toJson(const Diagnosis& diagnosis) {
     report["experiment"] = experimentJson(diagnosis.proposed);
   }
   if (!diagnosis.could_show.implanted.empty()) {
-    report["could_show"] = toJson(diagnosis.could_show);
+    report["could_show"] = report::toJson(diagnosis.could_show);
   }
   if (!diagnosis.run.version.empty()) {
-    report["meta"] = metaJson(diagnosis.run);
+    report["meta"] = report::metaJson(diagnosis.run);
     report["meta"]["files"] = each(diagnosis.run.files, fileJson);
   }
   if (!diagnosis.comparison.with.empty()) {

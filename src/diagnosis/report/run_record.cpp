@@ -16,7 +16,7 @@
 #include "io/sha256.h"
 #include "log/text.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 namespace {
 
 std::time_t secondsSince1970() {
@@ -62,4 +62,4 @@ nlohmann::ordered_json metaJson(const RunRecord& run) {
   return {{"version", run.version}, {"date", run.date}, {"command_line", run.command_line}};
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

@@ -8,7 +8,7 @@
 
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 
 /// `arguments`: the command line, quoted where a shell needs it; `files`: the option that names each, and its path. The
 /// date is now in UTC, or that of the environment's SOURCE_DATE_EPOCH [s since 1970], with which the same run gives the
@@ -20,4 +20,4 @@ RunRecord makeRunRecord(const std::string& version, const std::vector<std::strin
 /// The same for programs, without the files that were read.
 nlohmann::ordered_json metaJson(const RunRecord& run);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

@@ -20,6 +20,8 @@ namespace {
 
 using element::each;
 using nlohmann::ordered_json;
+using words::escape;
+using words::percent;
 
 constexpr double kSaid = 0.1;  // share of a squared residual from which a pair is named
 constexpr const char* kSixDirectionsMeaning =
@@ -27,8 +29,8 @@ constexpr const char* kSixDirectionsMeaning =
     "another predicts beyond the motion of the direction itself, on parts of the logs that took no part in the fit";
 
 std::string forceText(const CrossShare& pair) {
-  const std::string text = quantity(pair.force, "N");
-  return component::isRotation(pair.of) ? inRotationUnits(text) : text;
+  const std::string text = words::quantity(pair.force, "N");
+  return component::isRotation(pair.of) ? words::inRotationUnits(text) : text;
 }
 
 std::vector<std::string> directionNames() {
@@ -44,7 +46,7 @@ std::vector<std::string> shareTexts(const std::vector<CrossShare>& map, componen
   std::vector<std::string> texts(component::kDirections);
   for (const CrossShare& pair : map) {
     if (pair.of == of) {
-      texts[pair.by] = std::isnan(pair.share) ? "-" : wholePercent(pair.share) + " %";
+      texts[pair.by] = std::isnan(pair.share) ? "-" : words::wholePercent(pair.share) + " %";
     }
   }
   return texts;
@@ -74,23 +76,23 @@ ordered_json shareJson(const CrossShare& pair) {
 }
 
 std::string directionTable(const SixDirectionsDiagnosis& diagnosis) {
-  return table({"direction", "verdict", "#gap as configured", "#augmented", "#noise floor", "finding"},
-               diagnosis.directions, [](const DirectionDiagnosis& found) -> Row {
-                 const Diagnosis& d = found.diagnosis;
-                 return {fmt::format("<a href=\"{0}/report.html\">{0}</a>", toString(found.direction)),
-                         toString(d.verdict),
-                         percent(d.gap.as_configured),
-                         percent(d.gap.augmented),
-                         percent(d.gap.noise_floor),
-                         escape(d.sentence)};
-               });
+  return words::table({"direction", "verdict", "#gap as configured", "#augmented", "#noise floor", "finding"},
+                      diagnosis.directions, [](const DirectionDiagnosis& found) -> words::Row {
+                        const Diagnosis& d = found.diagnosis;
+                        return {fmt::format("<a href=\"{0}/report.html\">{0}</a>", toString(found.direction)),
+                                toString(d.verdict),
+                                percent(d.gap.as_configured),
+                                percent(d.gap.augmented),
+                                percent(d.gap.noise_floor),
+                                escape(d.sentence)};
+                      });
 }
 
 std::string crossTable(const SixDirectionsDiagnosis& diagnosis) {
-  Row titles = each(directionNames(), [](const std::string& by) { return "#by " + by; });
+  words::Row titles = each(directionNames(), [](const std::string& by) { return "#by " + by; });
   titles.insert(titles.begin(), "left of");
-  return table(titles, diagnosis.directions, [&](const DirectionDiagnosis& found) {
-    Row row = shareTexts(diagnosis.cross_map, found.direction);
+  return words::table(titles, diagnosis.directions, [&](const DirectionDiagnosis& found) {
+    words::Row row = shareTexts(diagnosis.cross_map, found.direction);
     row.insert(row.begin(), toString(found.direction));
     return row;
   });
@@ -112,12 +114,12 @@ std::string componentText(const SixDirectionsDiagnosis& diagnosis) {
   io::YamlStyle style;
   style.number = [&](const std::string& place, double value) {
     const auto found = placeIn(diagnosis, place);
-    return found ? augmentedStyle(*found->first).number(found->second, value) : fmt::format("{}", value);
+    return found ? results::augmentedStyle(*found->first).number(found->second, value) : fmt::format("{}", value);
   };
   style.note = [&](const std::string& place) {
     const auto found = placeIn(diagnosis, place);
-    const std::string note = found ? augmentedStyle(*found->first).note(found->second) : "";
-    return found && found->first->turns ? inRotationUnits(note) : note;
+    const std::string note = found ? results::augmentedStyle(*found->first).note(found->second) : "";
+    return found && found->first->turns ? words::inRotationUnits(note) : note;
   };
   style.head = fmt::format("# Diagnosis of {} by direction; others are as configured, but for a radial_stiffness.\n",
                            diagnosis.component);
@@ -135,13 +137,13 @@ std::string crossMapSentence(const SixDirectionsDiagnosis& diagnosis) {
   const auto said = element::those(diagnosis.cross_map, [](const CrossShare& pair) { return pair.share >= kSaid; });
   const std::vector<std::string> pairs = each(said, [](const CrossShare& pair) {
     return fmt::format("{} couples with {} ({} % of the squared residual, {} RMS)", toString(pair.of),
-                       toString(pair.by), wholePercent(pair.share), forceText(pair));
+                       toString(pair.by), words::wholePercent(pair.share), forceText(pair));
   });
   return pairs.empty() ? fmt::format(
                              "No displacement predicts {} % or more of what is left of the squared force of "
                              "another direction.",
-                             wholePercent(kSaid))
-                       : enumerated(pairs) + ".";
+                             words::wholePercent(kSaid))
+                       : words::enumerated(pairs) + ".";
 }
 
 std::string crossMapText(const SixDirectionsDiagnosis& diagnosis) {
@@ -161,24 +163,24 @@ std::string toJson(const SixDirectionsDiagnosis& diagnosis) {
                                 {{"meaning", kSixDirectionsMeaning},
                                  {"sentence", crossMapSentence(diagnosis)},
                                  {"shares", each(diagnosis.cross_map, shareJson)}}},
-                               {"meta", metaJson(diagnosis.run)}};
+                               {"meta", report::metaJson(diagnosis.run)}};
   return report.dump(2) + "\n";
 }
 
 std::string toHtml(const SixDirectionsDiagnosis& diagnosis) {
   const std::string title = "Gap report: " + diagnosis.component;
-  return page(title,
-              fmt::format("<p class=kicker>{}</p>\n<h1>Where {} differs from the logs, by direction</h1>\n",
-                          escape(title), escape(diagnosis.component)) +
-                  directionTable(diagnosis) + "<h2>Where directions couple</h2>\n<p>" +
-                  escape(crossMapSentence(diagnosis)) + "</p>\n" + crossTable(diagnosis) +
-                  fmt::format("<p class=note>{}. -: the other direction stands still, or moves as this one does.</p>\n",
-                              kSixDirectionsMeaning) +
-                  "<h2>Component file</h2>\n<p>Node and <code>replay</code> run "
-                  "<a href=\"augmented.yaml\">augmented.yaml</a> as it is; directions that were not diagnosed are as "
-                  "configured, but for a radial_stiffness that they share.</p>\n" +
-                  folded("augmented.yaml", "<pre>" + escape(componentText(diagnosis)) + "</pre>\n") +
-                  fmt::format("<p class=note>Made by:</p>\n<pre>{}</pre>\n", escape(diagnosis.run.command_line)));
+  return report::page(
+      title, fmt::format("<p class=kicker>{}</p>\n<h1>Where {} differs from the logs, by direction</h1>\n",
+                         escape(title), escape(diagnosis.component)) +
+                 directionTable(diagnosis) + "<h2>Where directions couple</h2>\n<p>" +
+                 escape(crossMapSentence(diagnosis)) + "</p>\n" + crossTable(diagnosis) +
+                 fmt::format("<p class=note>{}. -: the other direction stands still, or moves as this one does.</p>\n",
+                             kSixDirectionsMeaning) +
+                 "<h2>Component file</h2>\n<p>Node and <code>replay</code> run "
+                 "<a href=\"augmented.yaml\">augmented.yaml</a> as it is; directions that were not diagnosed are as "
+                 "configured, but for a radial_stiffness that they share.</p>\n" +
+                 words::folded("augmented.yaml", "<pre>" + escape(componentText(diagnosis)) + "</pre>\n") +
+                 fmt::format("<p class=note>Made by:</p>\n<pre>{}</pre>\n", escape(diagnosis.run.command_line)));
 }
 
 std::vector<std::string> sixDirectionsFiles() { return {"report.json", "augmented.yaml", "report.html"}; }

@@ -11,7 +11,7 @@
 #include "element/each.h"
 #include "rubber_suspension/element/constants.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::report {
 namespace {
 
 constexpr std::size_t kMostPanels = 6;
@@ -124,22 +124,23 @@ std::string rowsHtml(const std::vector<DiagnosedRow>& rows) {
   };
   const bool means = any([](const fit::TablePoint& point) { return point.mean != 0.0; });
   const bool temperatures = any([](const fit::TablePoint& point) { return point.temperature.has_value(); });
-  const auto with = [&](Row fields, const std::string& mean, const std::string& temperature, const Row& rest) {
+  const auto with = [&](words::Row fields, const std::string& mean, const std::string& temperature,
+                        const words::Row& rest) {
     fields.insert(fields.end(), means ? 1 : 0, mean);
     fields.insert(fields.end(), temperatures ? 1 : 0, temperature);
     fields.insert(fields.end(), rest.begin(), rest.end());
     return fields;
   };
-  const Row titles = with({"#frequency [Hz]", "#amplitude [mm]"}, "#about [mm]", "#temperature [&deg;C]",
-                          {"#measured", "#as configured", "#augmented", "#still off by"});
-  return table(titles, rows, [&](const DiagnosedRow& row) {
+  const words::Row titles = with({"#frequency [Hz]", "#amplitude [mm]"}, "#about [mm]", "#temperature [&deg;C]",
+                                 {"#measured", "#as configured", "#augmented", "#still off by"});
+  return words::table(titles, rows, [&](const DiagnosedRow& row) {
     const fit::TablePoint& point = row.measured;
     const std::complex<double> measured = point.complexStiffness();
     return with({fmt::format("{:.4g}", point.frequency), fmt::format("{:.4g}", 1e3 * point.amplitude)},
                 fmt::format("{:.4g}", 1e3 * point.mean),
                 point.temperature ? fmt::format("{:.4g}", *point.temperature) : "",
                 {stiffnessText(measured), stiffnessText(row.as_configured), stiffnessText(row.augmented),
-                 percent(std::abs(row.augmented - measured) / std::abs(measured))});
+                 words::percent(std::abs(row.augmented - measured) / std::abs(measured))});
   });
 }
 
@@ -158,12 +159,13 @@ std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis) {
 std::string tableSection(const Diagnosis& diagnosis) {
   const DiagnosedTable& diagnosed = *diagnosis.table;
   const std::string notes = element::joined(
-      diagnosed.notes, "", [](const std::string& note) { return "<p class=note>" + escape(note) + "</p>\n"; });
-  return "<h2>The table</h2>\n<p>Rows of " + escape(diagnosed.name) +
+      diagnosed.notes, "", [](const std::string& note) { return "<p class=note>" + words::escape(note) + "</p>\n"; });
+  return "<h2>The table</h2>\n<p>Rows of " + words::escape(diagnosed.name) +
          ": stiffness and loss angle of settled loops under single sines. Such a table can never show " +
-         escape(enumerated(element::each(diagnosed.never_shown, spoken))) +
+         words::escape(words::enumerated(element::each(diagnosed.never_shown, words::spoken))) +
          ", nor a delay that both channels share: these are neither found nor excluded here.</p>\n" + notes +
-         folded(fmt::format("All {} rows, measured and simulated", diagnosed.rows.size()), rowsHtml(diagnosed.rows));
+         words::folded(fmt::format("All {} rows, measured and simulated", diagnosed.rows.size()),
+                       rowsHtml(diagnosed.rows));
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::report

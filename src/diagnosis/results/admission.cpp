@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 // Share of a log whose displacement repeats what it did one period before, the period being where the displacement
@@ -46,4 +46,4 @@ Admission admit(const log::Record& record, bool hold_out, double noise) {
   return admission;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

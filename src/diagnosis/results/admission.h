@@ -4,9 +4,9 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// `noise`: its floor in units of the force's standard deviation.
 Admission admit(const log::Record& record, bool hold_out, double noise);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

@@ -13,7 +13,7 @@
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 double closedBy(const Diagnosis& diagnosis, double gap) {
@@ -21,7 +21,7 @@ double closedBy(const Diagnosis& diagnosis, double gap) {
 }
 
 // Predicted of further logs; those that the gap is of are further logs, too.
-std::array<double, 2> holding(double closed, const Closing& closing, const Evidence& evidence,
+std::array<double, 2> holding(double closed, const Closing& closing, const judge::Evidence& evidence,
                               const DiagnosisOptions& options) {
   const std::array<double, 2> interval = closedOnFurtherLogs(evidence, closing, options.resamplings, options.seed);
   return {std::min(interval[0], closed), std::max(interval[1], closed)};
@@ -29,9 +29,9 @@ std::array<double, 2> holding(double closed, const Closing& closing, const Evide
 
 CandidateResult candidateResult(const Workings& workings, const DiagnosisOptions& options, const Diagnosis& diagnosis,
                                 std::size_t candidate, double gap) {
-  const Search& search = workings.search;
+  const hypotheses::Search& search = workings.search;
   const std::vector<int>& named = workings.answer.effects;
-  const int hypothesis = Evidence::kFirstSingle + static_cast<int>(candidate);
+  const int hypothesis = judge::Evidence::kFirstSingle + static_cast<int>(candidate);
   CandidateResult result;
   result.effect = search.candidates[candidate].effect;
   result.documentation = search.candidates[candidate].documentation;
@@ -45,14 +45,14 @@ CandidateResult candidateResult(const Workings& workings, const DiagnosisOptions
   result.visible_share = search.visible_share[candidate];
   result.testable =
       search.testable[candidate] || std::count(named.begin(), named.end(), static_cast<int>(candidate)) > 0;
-  result.add = entriesOf(search.singles[candidate]);
-  result.parameters = headlineOf(result.add);
+  result.add = hypotheses::entriesOf(search.singles[candidate]);
+  result.parameters = words::headlineOf(result.add);
   return result;
 }
 
 }  // namespace
 
-void addAnswer(const Answer& answer, const Evidence& evidence, Diagnosis& diagnosis) {
+void addAnswer(const judge::Answer& answer, const judge::Evidence& evidence, Diagnosis& diagnosis) {
   const auto names = [&](const std::vector<int>& effects) {
     std::vector<std::string> result;
     std::transform(effects.begin(), effects.end(), std::back_inserter(result),
@@ -64,7 +64,7 @@ void addAnswer(const Answer& answer, const Evidence& evidence, Diagnosis& diagno
   diagnosis.effects = names(answer.effects);
   diagnosis.posterior = answer.posterior;
   std::transform(answer.confounded.begin(), answer.confounded.end(), std::back_inserter(diagnosis.confounded), names);
-  for (const Explained& other : answer.alternatives) {
+  for (const judge::Explained& other : answer.alternatives) {
     diagnosis.alternatives.push_back({other.verdict, names(other.effects), other.probability});
   }
 }
@@ -97,4 +97,4 @@ std::array<io::ComponentDescription, 2> valuesAndEffects(const Diagnosis& diagno
   return parts;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

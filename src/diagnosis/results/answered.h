@@ -9,10 +9,10 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/gap/gap.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// Sets verdict and effects, the sets that cannot be told apart, the alternatives and the posterior of a diagnosis.
-void addAnswer(const Answer& answer, const Evidence& evidence, Diagnosis& diagnosis);
+void addAnswer(const judge::Answer& answer, const judge::Evidence& evidence, Diagnosis& diagnosis);
 
 /// Sets the gap, of which noise is no more than what any of the models leaves, and the fraction of it that the answer
 /// closes, with its interval on further logs; and each effect alone, which leaves these errors, the likeliest first.
@@ -23,4 +23,4 @@ void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alon
 /// The component with the values of the augmented one, without its effects; and as configured, with these.
 std::array<io::ComponentDescription, 2> valuesAndEffects(const Diagnosis& diagnosis);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

@@ -6,7 +6,7 @@
 
 #include "numerics/fourier.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 // Of the mean frequency in a window: a window does not end where a cycle does, which a dozen make little of, and
@@ -86,4 +86,4 @@ CharacteristicErrors characteristicErrors(const std::vector<log::Record>& record
   return sum;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// RMS over windows of a dozen mean cycles of the relative error of stiffness, the error of the loss angle and the
 /// relative error of the energy lost, each window taken as one loop: stiffness and loss angle from the force's part
@@ -11,4 +11,4 @@ namespace rubber_suspension::diagnosis {
 CharacteristicErrors characteristicErrors(const std::vector<log::Record>& records,
                                           const std::vector<Eigen::VectorXd>& simulated);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

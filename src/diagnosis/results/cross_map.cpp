@@ -8,7 +8,7 @@
 
 #include "numerics/least_squares.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr std::size_t kFolds = 5;
@@ -161,4 +161,4 @@ CrossShare crossShare(const std::vector<DirectionResiduals>& logs, component::Di
   return {of, by, squares > 0.0 ? std::min(1.0, gained / squares) : 0.0, std::sqrt(gained / rows)};
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

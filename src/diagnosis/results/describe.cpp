@@ -25,16 +25,16 @@
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr double kHidesTheRig = 0.1;  // of the force: a rest in which what rigs do gets lost
 
 class Describer {
  public:
-  Describer(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const std::vector<LogSurvey>& recorded,
-            const std::vector<RawChannels>& raw, std::vector<measurement::RigFinding> findings,
-            const DiagnosisOptions& options)
+  Describer(const hypotheses::PreparedCase& prepared, std::shared_ptr<Workings> workings,
+            const std::vector<prepare::LogSurvey>& recorded, const std::vector<RawChannels>& raw,
+            std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options)
       : prepared_(prepared),
         recorded_(recorded),
         raw_(raw),
@@ -50,7 +50,7 @@ class Describer {
     result_.component = prepared_.component.name;
     result_.configured = prepared_.component;
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
-    before_ = hasUnseenLogs() ? unseenParts(Evidence::kReEstimated) : search_.re_estimated.fit.blocks;
+    before_ = hasUnseenLogs() ? unseenParts(judge::Evidence::kReEstimated) : search_.re_estimated.fit.blocks;
     written_ = addWrittenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_), options_, result_);
     simulateAll();
     measureGap();
@@ -106,15 +106,15 @@ class Describer {
   std::vector<std::vector<gap::PartError>> errorsAlone() const {
     std::vector<std::vector<gap::PartError>> errors(search_.singles.size());
     fit::parallelFor(errors.size(), options_.threads, [&](std::size_t c) {
-      const FittedHypothesis& single = search_.singles[c];
+      const hypotheses::FittedHypothesis& single = search_.singles[c];
       errors[c] = single.fit.blocks;
       if (hasUnseenLogs()) {
         // Where it is not named, a drift or a gain is what a simulation predicts of it: what is free in a log would
         // take slow noise, or a law's error, with it.
         const bool as_predicted = single.hypothesis.free_in_log.any() && &single != &judged_;
-        errors[c] = as_predicted
-                        ? gap::partErrors(prepared_.held_out, predict(prepared_.model, single, prepared_.held_out))
-                        : unseenParts(Evidence::kFirstSingle + static_cast<int>(c));
+        errors[c] = as_predicted ? gap::partErrors(prepared_.held_out,
+                                                   hypotheses::predict(prepared_.model, single, prepared_.held_out))
+                                 : unseenParts(judge::Evidence::kFirstSingle + static_cast<int>(c));
       }
     });
     return errors;
@@ -126,12 +126,12 @@ class Describer {
     Gap gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(written_.errors), search_.noise};
     if (hasUnseenLogs()) {
       const std::vector<double> floors =
-          noiseFloors(result_.augmented_full.allElements(), freeOfNoise(judged_.hypothesis),
-                      predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
-                      noiseLimit(search_.record_noise, prepared_.training));
+          hypotheses::noiseFloors(result_.augmented_full.allElements(), hypotheses::freeOfNoise(judged_.hypothesis),
+                                  hypotheses::predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
+                                  prepare::noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
-      gap.as_configured = gap::gapOfParts(unseenParts(Evidence::kAsConfigured));
-      gap.noise_floor = commonFloor(floors, prepared_.held_out);
+      gap.as_configured = gap::gapOfParts(unseenParts(judge::Evidence::kAsConfigured));
+      gap.noise_floor = hypotheses::commonFloor(floors, prepared_.held_out);
     }
     addGap(gap, errorsAlone(), *workings_, options_, result_);
   }
@@ -195,11 +195,12 @@ class Describer {
     }
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
     const auto elements = result_.augmented_full.allElements();
-    const auto rival = augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
+    const auto rival =
+        hypotheses::augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
     for (const bool held_out : {false, true}) {
-      const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
-                                     held_out ? prepared_.zeros.held_out : prepared_.zeros.training,
-                                     judged_.hypothesis.free_in_log.gain);
+      const auto found = prepare::rigFindings(
+          elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
+          held_out ? prepared_.zeros.held_out : prepared_.zeros.training, judged_.hypothesis.free_in_log.gain);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
   }
@@ -237,12 +238,13 @@ class Describer {
 
   void describeAnswer() {
     addAnswer(answer_, workings_->evidence, result_);
-    NextExperiment next = nextExperiment(prepared_.fitter, *workings_, options_.limits, options_.threads);
+    experiment::NextExperiment next =
+        experiment::nextExperiment(prepared_.fitter, *workings_, options_.limits, options_.threads);
     result_.next_experiment = std::move(next.text);
     result_.proposed = std::move(next.proposed);
-    result_.sentence = sentence(result_);
-    result_.could_show = couldShow(search_);
-    if (const std::string note = temperatureNote(result_.effects, search_.excitation); !note.empty()) {
+    result_.sentence = words::sentence(result_);
+    result_.could_show = experiment::couldShow(search_);
+    if (const std::string note = words::temperatureNote(result_.effects, search_.excitation); !note.empty()) {
       result_.sentence += " " + note;
       result_.next_experiment += " Record temperature_degC with it.";
     }
@@ -263,14 +265,14 @@ class Describer {
     result_.surrogate = std::move(surrogate);
   }
 
-  const PreparedCase& prepared_;
-  const std::vector<LogSurvey>& recorded_;
+  const hypotheses::PreparedCase& prepared_;
+  const std::vector<prepare::LogSurvey>& recorded_;
   const std::vector<RawChannels>& raw_;
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
-  const Search& search_;
-  const Answer& answer_;
-  const FittedHypothesis& judged_;
+  const hypotheses::Search& search_;
+  const judge::Answer& answer_;
+  const hypotheses::FittedHypothesis& judged_;
   std::vector<double> noise_;  // floor of each record
   std::vector<gap::PartError> before_;
   WrittenLaw written_;
@@ -279,10 +281,10 @@ class Describer {
 
 }  // namespace
 
-Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<LogSurvey>& recorded, const std::vector<RawChannels>& raw,
+Diagnosis describe(const hypotheses::PreparedCase& prepared, std::shared_ptr<Workings> workings,
+                   const std::vector<prepare::LogSurvey>& recorded, const std::vector<RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options) {
   return Describer(prepared, std::move(workings), recorded, raw, std::move(findings), options).run();
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

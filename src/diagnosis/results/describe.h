@@ -9,13 +9,13 @@
 #include "diagnosis/results/taken_out.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// Fills in the records and forces of the workings, which have search and judgement. `recorded`: the logs that the gaps
 /// are of with all that the rig did to them; `raw`: of each record; `findings`: what single samples of the logs
 /// told.
-Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<LogSurvey>& recorded, const std::vector<RawChannels>& raw,
+Diagnosis describe(const hypotheses::PreparedCase& prepared, std::shared_ptr<Workings> workings,
+                   const std::vector<prepare::LogSurvey>& recorded, const std::vector<RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

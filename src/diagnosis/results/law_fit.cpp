@@ -10,7 +10,7 @@
 #include "fit/parallel.h"
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr double kFarthest = 5.0;     // logarithm of a number over its start: a factor of 150
@@ -77,10 +77,10 @@ std::vector<NumberPlace> numbersOf(const Entries& entries) {
 
 Entries MemberLaw::at(const Eigen::VectorXd& scales) const {
   if (!terms.empty()) {
-    FittedHypothesis alone;
+    hypotheses::FittedHypothesis alone;
     alone.hypothesis.terms = terms;
     alone.fit.parameters.scales = scales;
-    return entriesOf(alone);
+    return hypotheses::entriesOf(alone);
   }
   Entries entries = start;
   Eigen::Index next = 0;
@@ -255,4 +255,4 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedLaw& fitted,
   return forces;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

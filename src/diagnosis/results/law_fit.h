@@ -12,7 +12,7 @@
 #include "gap/simulate.h"
 #include "rubber_suspension/element/parameter.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 using Entries = std::vector<element::ElementDescription>;
 
@@ -124,4 +124,4 @@ class LawFitter final : public fit::HypothesisFitter {
 gap::Forces predict(const fit::ModelParameters& model, const FittedLaw& fitted,
                     const std::vector<log::Record>& records);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

@@ -9,7 +9,7 @@
 
 #include "diagnosis/hypotheses/workings.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr std::size_t kCells = 32;  // along each axis
@@ -133,4 +133,4 @@ io::Figure missingForceFigure(const MissingForce& map) {
   return figure;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

@@ -7,7 +7,7 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/io/figure.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// Means over cells of displacement and velocity, all logs together.
 struct MissingForce {
@@ -28,4 +28,4 @@ std::string toCsv(const MissingForce& map);
 /// Two maps: what is missing, and what the surrogate makes of it.
 io::Figure missingForceFigure(const MissingForce& map);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

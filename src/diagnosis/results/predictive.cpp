@@ -10,7 +10,7 @@
 #include "diagnosis/judge/score.h"
 #include "rubber_suspension/gap/gap.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 using Eigen::ArrayXd;
@@ -18,13 +18,13 @@ using Eigen::Index;
 
 class FurtherLogs {
  public:
-  FurtherLogs(const Evidence& evidence, const Closing& closing, unsigned seed)
+  FurtherLogs(const judge::Evidence& evidence, const Closing& closing, unsigned seed)
       : evidence_(evidence), closing_(closing), generator_(seed) {
-    const ScoreTable table = scoreTable(evidence);
-    const JudgeNumbers& numbers = fittedNumbers();
+    const judge::ScoreTable table = judge::scoreTable(evidence);
+    const judge::JudgeNumbers& numbers = judge::fittedNumbers();
     weight_ = table.weight;
     floor_ = table.floor;
-    expected_ = expectedSquares(table, numbers).row(closing.hypothesis);
+    expected_ = judge::expectedSquares(table, numbers).row(closing.hypothesis);
     tails_ = numbers.tails;
     logs_ = 1.0 / weight_.square().sum();
     pick_ = std::discrete_distribution<int>(weight_.data(), weight_.data() + weight_.size());
@@ -33,7 +33,7 @@ class FurtherLogs {
   // Nothing where this draw leaves no gap to close, or an effect that is at work does not close any of it.
   std::optional<double> draw() {
     const ArrayXd floor = drawnFloors();
-    const ArrayXd before = beyond(Evidence::kReEstimated, floor);
+    const ArrayXd before = beyond(judge::Evidence::kReEstimated, floor);
     const double variance = drawnVariance(beyond(closing_.hypothesis, floor));
     double gap = 0.0;
     double left = 0.0;
@@ -74,7 +74,7 @@ class FurtherLogs {
     return squares / std::chi_squared_distribution<double>(before + logs_)(generator_);
   }
 
-  const Evidence& evidence_;
+  const judge::Evidence& evidence_;
   const Closing& closing_;
   std::mt19937 generator_;
   std::normal_distribution<double> normal_{0.0, 1.0};
@@ -88,9 +88,10 @@ class FurtherLogs {
 
 }  // namespace
 
-Closing closingOf(const Answer& answer) { return {answer.model, 1.0 - answer.beside, !answer.effects.empty()}; }
+Closing closingOf(const judge::Answer& answer) { return {answer.model, 1.0 - answer.beside, !answer.effects.empty()}; }
 
-std::array<double, 2> closedOnFurtherLogs(const Evidence& evidence, const Closing& closing, int draws, unsigned seed) {
+std::array<double, 2> closedOnFurtherLogs(const judge::Evidence& evidence, const Closing& closing, int draws,
+                                          unsigned seed) {
   FurtherLogs further(evidence, closing, seed);
   std::vector<double> fractions;
   for (int i = 0; i < draws; ++i) {
@@ -108,4 +109,4 @@ std::array<double, 2> closedOnFurtherLogs(const Evidence& evidence, const Closin
   return {at(0.025), at(0.975)};
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

@@ -6,17 +6,17 @@
 #include "diagnosis/judge/answer.h"
 #include "diagnosis/judge/evidence.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// A hypothesis whose share in closing the gap is asked for.
 struct Closing {
-  int hypothesis = Evidence::kReEstimated;
+  int hypothesis = judge::Evidence::kReEstimated;
   double alone = 1.0;    ///< probability that nothing else is at work: then what it leaves is the form error of its law
   bool at_work = false;  ///< a law that is at work closes some of the gap
 };
 
 /// The effects and values that an answer names.
-Closing closingOf(const Answer& answer);
+Closing closingOf(const judge::Answer& answer);
 
 /// 95 % interval of the fraction of the gap that a hypothesis closes of as many further logs of the same rig as there
 /// are.
@@ -28,6 +28,7 @@ Closing closingOf(const Answer& answer);
 /// their standard error. Logs are drawn by their weights. Draws without a gap do not count, nor, of a law that is at
 /// work, those in which it closes none of it; without any the interval is that from 0 to 1. Throws
 /// std::invalid_argument as scoreTable() does.
-std::array<double, 2> closedOnFurtherLogs(const Evidence& evidence, const Closing& closing, int draws, unsigned seed);
+std::array<double, 2> closedOnFurtherLogs(const judge::Evidence& evidence, const Closing& closing, int draws,
+                                          unsigned seed);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

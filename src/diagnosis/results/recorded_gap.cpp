@@ -9,7 +9,7 @@
 #include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 using Piece = log::EvenBlocks::Piece;
@@ -113,7 +113,7 @@ class Driven {
 }  // namespace
 
 std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementDescription>>& models,
-                                 const std::vector<LogSurvey>& logs, Recorded recorded, int threads) {
+                                 const std::vector<prepare::LogSurvey>& logs, Recorded recorded, int threads) {
   std::vector<Driven> driven(models.begin(), models.end());
   std::vector<double> squared_gaps(models.size(), 0.0);
   for (std::size_t l = 0; l < logs.size(); ++l) {
@@ -127,7 +127,7 @@ std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementD
       deviation.add(piece);
       fit::parallelFor(driven.size(), threads, [&](std::size_t m) { driven[m].add(piece, steps.dt); });
     };
-    readAgain(logs[l], [&](const log::Log& block, std::size_t) {
+    prepare::readAgain(logs[l], [&](const log::Log& block, std::size_t) {
       log::requireForce(block);
       even.add(block, add);
       return true;
@@ -143,4 +143,4 @@ std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementD
   return squared_gaps;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

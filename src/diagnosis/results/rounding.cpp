@@ -11,7 +11,7 @@
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr int kMostDigits = 15;
@@ -86,8 +86,8 @@ std::string originOf(const Diagnosis& d, double gap) {
   return fmt::format(
       "# Diagnosis of {}: {}{}.\n# Logs: {}.\n# Gap {} as configured, {} re-estimated, {} with this file; "
       "noise floor {}.\n",
-      d.component, by, toString(d.verdict), log::oneLine(logsOf(d)), percent(d.gap.as_configured),
-      percent(d.gap.re_estimated), percent(gap), percent(d.gap.noise_floor));
+      d.component, by, toString(d.verdict), log::oneLine(logsOf(d)), words::percent(d.gap.as_configured),
+      words::percent(d.gap.re_estimated), words::percent(gap), words::percent(d.gap.noise_floor));
 }
 
 }  // namespace
@@ -105,9 +105,9 @@ io::YamlStyle augmentedStyle(const Diagnosis& d) {
   style.note = [&](const std::string& place) {
     const SizedValue* const size = at(d.written, place);
     return size == nullptr || isAsConfigured(*size) || !(size->interval_95[0] < size->interval_95[1]) ? ""
-           : std::isfinite(size->configured)
-               ? fmt::format("95 %: {}; was {}", intervalText(*size), quantity(size->configured, size->unit))
-               : "95 %: " + intervalText(*size);
+           : std::isfinite(size->configured) ? fmt::format("95 %: {}; was {}", words::intervalText(*size),
+                                                           words::quantity(size->configured, size->unit))
+                                             : "95 %: " + words::intervalText(*size);
   };
   return style;
 }
@@ -125,4 +125,4 @@ std::string fullYaml(const Diagnosis& d) {
   return io::toYaml({d.augmented_full}, style);
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

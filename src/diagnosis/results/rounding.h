@@ -6,7 +6,7 @@
 
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// The component as its file reads back: each of the `written` numbers that is not as configured rounded to a tenth of
 /// half its interval in the unit of the configured file, and `finer` digits finer. Throws std::runtime_error where the
@@ -23,4 +23,4 @@ std::string augmentedYaml(const Diagnosis& diagnosis);
 /// Text of Diagnosis::augmented_full, with its origin.
 std::string fullYaml(const Diagnosis& diagnosis);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

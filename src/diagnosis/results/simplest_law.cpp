@@ -14,7 +14,7 @@
 #include "numerics/bounded_least_squares.h"
 #include "rubber_suspension/gap/gap.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr std::size_t kMostTerms = 3;    // of a law
@@ -125,8 +125,8 @@ class Subsets {
 
 class Chooser {
  public:
-  Chooser(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& judged,
-          const HeldOut& held_out, double before, int threads)
+  Chooser(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
+          const hypotheses::FittedHypothesis& judged, const HeldOut& held_out, double before, int threads)
       : fitter_(fitter),
         candidates_(candidates),
         judged_(judged),
@@ -140,7 +140,7 @@ class Chooser {
       return std::move(result_);
     }
     linearise();
-    const JudgeNumbers& numbers = fittedNumbers();
+    const judge::JudgeNumbers& numbers = judge::fittedNumbers();
     const double full = std::pow(gapOf(result_.fitted), 2);
     const double most = 0.5 * (full + std::pow(before_, 2));  // closes half of what the full law does
     double allowed = full + std::pow(numbers.accepted, 2);
@@ -296,7 +296,7 @@ class Chooser {
 
   const fit::Fitter& fitter_;
   const std::vector<fit::Candidate>& candidates_;
-  const FittedHypothesis& judged_;
+  const hypotheses::FittedHypothesis& judged_;
   const HeldOut& held_out_;
   const double before_;
   const int threads_;
@@ -310,7 +310,7 @@ class Chooser {
 
 }  // namespace
 
-FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates) {
+FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates) {
   FittedLaw result{{}, judged.fit};
   result.law.about.free_in_log = judged.hypothesis.free_in_log;
   std::vector<double> scales;
@@ -338,12 +338,13 @@ std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, cons
   for (const Entries& entries : fitted.law.at(fitted.fit.parameters.scales)) {
     elements.insert(elements.end(), entries.begin(), entries.end());
   }
-  return unseenErrors(fitted.law.hypothesis(), elements, forces, held_out.records, held_out.zeros);
+  return hypotheses::unseenErrors(fitted.law.hypothesis(), elements, forces, held_out.records, held_out.zeros);
 }
 
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
-                        const FittedHypothesis& judged, const HeldOut& held_out, double before, int threads) {
+                        const hypotheses::FittedHypothesis& judged, const HeldOut& held_out, double before,
+                        int threads) {
   return Chooser(fitter, candidates, judged, held_out, before, threads).run();
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

@@ -8,7 +8,7 @@
 #include "fit/fitter.h"
 #include "rubber_suspension/gap/gap.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// Logs that take no part in the fit, and what is known of the zeros of their displacement.
 struct HeldOut {
@@ -17,7 +17,7 @@ struct HeldOut {
 };
 
 /// The hypothesis as it was judged, each member by all its terms.
-FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates);
+FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates);
 
 /// Errors of parts of the logs held out under a fitted law, of which these are the forces [N].
 std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,
@@ -36,6 +36,7 @@ struct SimplestLaw {
 /// places; gaps are those of the logs held out, or else of held-out blocks. It closes more than half of what the full
 /// law closes of the squared gap `before`.
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
-                        const FittedHypothesis& judged, const HeldOut& held_out, double before, int threads);
+                        const hypotheses::FittedHypothesis& judged, const HeldOut& held_out, double before,
+                        int threads);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

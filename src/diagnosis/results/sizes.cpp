@@ -14,7 +14,7 @@
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 using Key = std::pair<std::string, std::string>;  // owner and name
@@ -201,7 +201,7 @@ class Resampling {
     sizes.model = modelValues(description);
     const std::vector<Entries> entries = fitted_.law.at(parameters.scales);
     for (std::size_t m = 0; m < entries.size(); ++m) {
-      for (const HeadlineValue& value : headlineValuesOf(entries[m])) {
+      for (const words::HeadlineValue& value : words::headlineValuesOf(entries[m])) {
         sizes.effects.push_back({effects_[m], value.name, value.unit, kNone, value.value});
         if (value.is_scale) {
           may_vanish_.insert({effects_[m], value.name});
@@ -271,4 +271,4 @@ void addSizes(const std::vector<SizedLaw>& laws, const std::vector<double>& form
   diagnosis.written = std::move(sizes.written);
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

@@ -7,7 +7,7 @@
 #include "fit/hypothesis_fitter.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// A law and what fitted it.
 struct SizedLaw {
@@ -24,4 +24,4 @@ struct SizedLaw {
 void addSizes(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
               const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options, Diagnosis& diagnosis);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

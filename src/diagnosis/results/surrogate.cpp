@@ -13,7 +13,7 @@
 
 #include "rubber_suspension/gap/gap.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr double kChanceOfGain = 0.05;  // of a gain on unseen blocks without there being any
@@ -125,4 +125,4 @@ std::string describeRest(const Surrogate& surrogate) {
          "the motion causes it.";
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

@@ -8,7 +8,7 @@
 #include "gap/simulate.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// Logs that a surrogate is fitted to, and those that are not.
 struct SurrogateLogs {
@@ -30,4 +30,4 @@ void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, 
 /// One sentence, for the verdict.
 std::string describeRest(const Surrogate& surrogate);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

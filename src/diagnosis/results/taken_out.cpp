@@ -15,7 +15,7 @@
 #include "rubber_suspension/io/rig_tolerances.h"
 #include "rubber_suspension/measurement/rig_model.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 using Eigen::Index;
@@ -163,7 +163,7 @@ LogAccount accountOf(const log::Record& record, const RawChannels& raw, const St
 // The effect of a zero of the displacement on each record.
 std::vector<VectorXd> byZeros(const std::vector<element::ElementDescription>& elements,
                               const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                              const ZeroPriors& zeros) {
+                              const prepare::ZeroPriors& zeros) {
   std::vector<VectorXd> columns = fit::byZero(elements, of_the_fit, zeros.training);
   for (std::size_t i = 0; i < held_out.size(); ++i) {
     columns.push_back(fit::byZero(elements, {held_out[i]}, {zeros.held_out[i]}).front());
@@ -211,7 +211,7 @@ std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const st
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
                                    const std::vector<RawChannels>& raw, const gap::Forces& judged, fit::FreeInLog free,
-                                   const ZeroPriors& zeros) {
+                                   const prepare::ZeroPriors& zeros) {
   Displacements recorded;
   Displacements bridged;
   std::transform(raw.begin(), raw.end(), std::back_inserter(recorded),
@@ -259,4 +259,4 @@ std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out
   return phrases;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

@@ -14,7 +14,7 @@
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// Kinds, as reports write them.
 namespace taken_out {
@@ -65,10 +65,10 @@ std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const st
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
                                    const std::vector<RawChannels>& raw, const gap::Forces& judged, fit::FreeInLog free,
-                                   const ZeroPriors& zeros);
+                                   const prepare::ZeroPriors& zeros);
 
 /// The parts taken out of logs that are more than a hundredth of the force, a phrase for each log; empty where there
 /// are none.
 std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

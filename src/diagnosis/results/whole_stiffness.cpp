@@ -8,7 +8,7 @@
 #include "numerics/median.h"
 #include "rubber_suspension/response/sweep.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 double amplitudeOf(const log::Record& record) {
@@ -66,4 +66,4 @@ std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& bef
   return whole;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

@@ -6,7 +6,7 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// At the nominal frequency and amplitude of `before`. Without such a frequency it is the median of the mean
 /// frequencies of the logs; without such an amplitude the median amplitude of the logs within an octave of the
@@ -15,4 +15,4 @@ std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& bef
                                              const io::ComponentDescription& after,
                                              const std::vector<log::Record>& logs);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

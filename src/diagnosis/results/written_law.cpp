@@ -11,7 +11,7 @@
 #include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/sizes.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr int kMostFiner = 8;
@@ -52,8 +52,8 @@ void addRounding(const gap::Forces& exact, const gap::Forces& rounded, gap::Forc
 }
 
 // Forces of the law that is written on the logs of the fit, then on those held out.
-gap::Forces writtenForces(const PreparedCase& prepared, const FittedLaw& law, const io::ComponentDescription& exact,
-                          const io::ComponentDescription& rounded) {
+gap::Forces writtenForces(const hypotheses::PreparedCase& prepared, const FittedLaw& law,
+                          const io::ComponentDescription& exact, const io::ComponentDescription& rounded) {
   gap::Forces forces = *LawForces(prepared.fitter.sharedRecords(), prepared.model, law.law).at(law.fit.parameters);
   addRounding(gap::simulate(exact.allElements(), prepared.training),
               gap::simulate(rounded.allElements(), prepared.training), forces);
@@ -63,7 +63,7 @@ gap::Forces writtenForces(const PreparedCase& prepared, const FittedLaw& law, co
   return forces;
 }
 
-io::ComponentDescription componentOf(const PreparedCase& prepared, const FittedLaw& fitted) {
+io::ComponentDescription componentOf(const hypotheses::PreparedCase& prepared, const FittedLaw& fitted) {
   io::ComponentDescription result = prepared.model.apply(fitted.fit.parameters.model);
   for (const Entries& entries : fitted.law.at(fitted.fit.parameters.scales)) {
     result.add.insert(result.add.end(), entries.begin(), entries.end());
@@ -75,8 +75,8 @@ io::ComponentDescription componentOf(const PreparedCase& prepared, const FittedL
 
 }  // namespace
 
-WrittenLaw addWrittenLaw(const PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
-                         const FittedHypothesis& judged, double before, const DiagnosisOptions& options,
+WrittenLaw addWrittenLaw(const hypotheses::PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
+                         const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options,
                          Diagnosis& diagnosis) {
   const HeldOut held_out{prepared.held_out, prepared.zeros.held_out};
   const SimplestLaw chosen = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
@@ -109,4 +109,4 @@ WrittenLaw addWrittenLaw(const PreparedCase& prepared, const std::vector<fit::Ca
   return written;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

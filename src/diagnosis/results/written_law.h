@@ -7,7 +7,7 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/gap/gap.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::results {
 
 /// What the component that is written comes to.
 struct WrittenLaw {
@@ -17,8 +17,8 @@ struct WrittenLaw {
 
 /// Sets the component that a diagnosis writes, the full law of the hypothesis that was judged, their sizes and the gap
 /// of the full law. `before`: gap of the re-estimated model.
-WrittenLaw addWrittenLaw(const PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
-                         const FittedHypothesis& judged, double before, const DiagnosisOptions& options,
+WrittenLaw addWrittenLaw(const hypotheses::PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
+                         const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options,
                          Diagnosis& diagnosis);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::results

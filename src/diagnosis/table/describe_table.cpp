@@ -20,7 +20,7 @@
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/response/sweep.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::table {
 namespace {
 
 constexpr int kSteps = 7;        // of frequency and of amplitude
@@ -77,11 +77,11 @@ struct Difference {
 };
 
 Difference largestDifference(const std::vector<fit::TablePoint>& menu, const MeasuredRows& measured,
-                             const std::vector<Explanation>& explanations) {
+                             const std::vector<experiment::Explanation>& explanations) {
   const fit::TableLoops loops(menu);
   std::vector<std::vector<std::complex<double>>> stiffness;
-  for (const Explanation& explanation : explanations) {
-    const FittedHypothesis& fitted = *explanation.fitted;
+  for (const experiment::Explanation& explanation : explanations) {
+    const hypotheses::FittedHypothesis& fitted = *explanation.fitted;
     stiffness.push_back(
         loops.stiffnessOf(*fit::elementsOf(measured.model(), fitted.hypothesis, fitted.fit.parameters)));
   }
@@ -104,37 +104,39 @@ Difference largestDifference(const std::vector<fit::TablePoint>& menu, const Mea
 
 std::string recordALog() {
   std::vector<std::string> names;
-  std::transform(neverShownByTables().begin(), neverShownByTables().end(), std::back_inserter(names), spoken);
-  return "Record a log: it also shows " + enumerated(names) + ", which no table does.";
+  std::transform(neverShownByTables().begin(), neverShownByTables().end(), std::back_inserter(names), words::spoken);
+  return "Record a log: it also shows " + words::enumerated(names) + ", which no table does.";
 }
 
 // The row, within the range of the table or up to twice as far, in which the explanations that compete differ most; or
 // that no row tells them apart, and a log is needed.
 std::string nextRow(const MeasuredRows& measured, const Workings& workings) {
-  const Search& search = workings.search;
+  const hypotheses::Search& search = workings.search;
   if (workings.answer.verdict == Verdict::none) {
     return "None is needed for what a table can show. " + recordALog();
   }
-  const std::vector<Explanation> explanations = explanationsOf(workings);
+  const std::vector<experiment::Explanation> explanations = experiment::explanationsOf(workings);
   if (explanations.size() < 2) {
     return recordALog();
   }
-  const std::string names = nameOf(search, *explanations[0].fitted);
+  const std::string names = experiment::nameOf(search, *explanations[0].fitted);
   for (const double beyond : {1.0, kBeyond}) {
     const std::vector<fit::TablePoint> menu = menuOf(measured.loops().points(), beyond);
     if (menu.size() < 2) {
       continue;
     }
     const Difference best = largestDifference(menu, measured, explanations);
-    if (best.size >= kLeastFloors * search.noise) {
+    if (best.size >= experiment::kLeastFloors * search.noise) {
       return fmt::format(
           "Measure a row at {:.3g} Hz and {}{}: {} and {} differ there by {} of K*, {:.1f} times the noise floor.",
-          best.row.frequency, quantity(best.row.amplitude, "m"), beyond > 1.0 ? ", beyond what the table covers" : "",
-          names, nameOf(search, *explanations[best.rival].fitted), percent(best.size), best.size / search.noise);
+          best.row.frequency, words::quantity(best.row.amplitude, "m"),
+          beyond > 1.0 ? ", beyond what the table covers" : "", names,
+          experiment::nameOf(search, *explanations[best.rival].fitted), words::percent(best.size),
+          best.size / search.noise);
     }
   }
   return fmt::format("No row up to twice the range of the table tells {} from {}. {}", names,
-                     nameOf(search, *explanations[1].fitted), recordALog());
+                     experiment::nameOf(search, *explanations[1].fitted), recordALog());
 }
 
 using Complex = std::complex<double>;
@@ -170,7 +172,7 @@ class TableDescriber {
     result_.component = component_.name;
     result_.configured = component_;
     result_.re_estimated = measured_.model().apply(search_.re_estimated.fit.parameters.model);
-    result_.augmented = augmentedDescription(measured_.model(), judged_);
+    result_.augmented = hypotheses::augmentedDescription(measured_.model(), judged_);
     result_.augmented_full = result_.augmented;
     describeRows();
     measureGap();
@@ -212,16 +214,16 @@ class TableDescriber {
   void measureGap() {
     Gap gap = {search_.configured_gap, gap::gapOfParts(search_.re_estimated.fit.blocks),
                gap::gapOfParts(judged_.fit.blocks), search_.noise};
-    if (answer_.model == Evidence::kAsConfigured) {
+    if (answer_.model == judge::Evidence::kAsConfigured) {
       gap.augmented = gap.as_configured;
     }
     std::vector<std::vector<gap::PartError>> alone;
     std::transform(search_.singles.begin(), search_.singles.end(), std::back_inserter(alone),
-                   [](const FittedHypothesis& single) { return single.fit.blocks; });
+                   [](const hypotheses::FittedHypothesis& single) { return single.fit.blocks; });
     result_.noise_source = search_.noise_source;
     result_.gap_of_full_law = gap.augmented;
-    addGap(gap, alone, *workings_, options_, result_);
-    const auto [values, effects] = valuesAndEffects(result_);
+    results::addGap(gap, alone, *workings_, options_, result_);
+    const auto [values, effects] = results::valuesAndEffects(result_);
     result_.gap_of_values = gapOf(values);
     result_.gap_of_effects = gapOf(effects);
   }
@@ -251,14 +253,15 @@ class TableDescriber {
 
   void describeParameters() {
     result_.parameter_ratios = measured_.model().ratios(search_.re_estimated.fit.parameters.model);
-    addSizes({{measured_.fitter(), fullLaw(judged_, search_.candidates)}}, {}, search_.candidates, options_, result_);
+    results::addSizes({{measured_.fitter(), results::fullLaw(judged_, search_.candidates)}}, {}, search_.candidates,
+                      options_, result_);
   }
 
   void describeAnswer() {
-    addAnswer(answer_, workings_->evidence, result_);
+    results::addAnswer(answer_, workings_->evidence, result_);
     result_.next_experiment = nextRow(measured_, *workings_);
-    result_.sentence = sentence(result_);
-    result_.could_show = couldShow(search_);
+    result_.sentence = words::sentence(result_);
+    result_.could_show = experiment::couldShow(search_);
   }
 
   const io::ComponentDescription& component_;
@@ -266,9 +269,9 @@ class TableDescriber {
   const MeasuredRows& measured_;
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
-  const Search& search_;
-  const Answer& answer_;
-  const FittedHypothesis& judged_;
+  const hypotheses::Search& search_;
+  const judge::Answer& answer_;
+  const hypotheses::FittedHypothesis& judged_;
   Diagnosis result_;
 };
 
@@ -280,4 +283,4 @@ Diagnosis describeTable(const io::ComponentDescription& component, const fit::Me
   return TableDescriber(component, table, measured, std::move(workings), options).run();
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::table

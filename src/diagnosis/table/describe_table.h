@@ -7,10 +7,10 @@
 #include "diagnosis/table/measured_rows.h"
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::table {
 
 Diagnosis describeTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                         const MeasuredRows& measured, std::shared_ptr<Workings> workings,
                         const DiagnosisOptions& options);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::table

@@ -7,7 +7,7 @@
 #include "diagnosis/hypotheses/measured_logs.h"
 #include "diagnosis/hypotheses/shapes.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::table {
 
 // Softening and heat are over before a loop has settled; what creeps has crept; a constant force and a trend are no
 // part of a loop.
@@ -27,8 +27,9 @@ MeasuredRows::MeasuredRows(const io::ComponentDescription& component, const std:
 fit::Excitation MeasuredRows::excitation() const { return fit::summarise(*loops_->records()); }
 
 std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& excitation,
-                                                     const FittedHypothesis& re_estimated, int threads) const {
-  std::vector<fit::Candidate> all = diagnosis::candidates(excitation);
+                                                     const hypotheses::FittedHypothesis& re_estimated,
+                                                     int threads) const {
+  std::vector<fit::Candidate> all = hypotheses::candidate::candidates(excitation);
   const std::vector<std::string>& never = neverShownByTables();
   for (fit::Candidate& candidate : all) {
     if (std::find(never.begin(), never.end(), candidate.effect) != never.end()) {
@@ -42,14 +43,14 @@ std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& exci
     candidate.terms.erase(std::remove_if(candidate.terms.begin(), candidate.terms.end(), has_side),
                           candidate.terms.end());
   }
-  settleShapes(fitter_, re_estimated, *loops_->records(), threads, all);
+  hypotheses::settleShapes(fitter_, re_estimated, *loops_->records(), threads, all);
   fit::findUnitEffects(all, *loops_->records(), threads);
   return all;
 }
 
-double MeasuredRows::discretisationError(const FittedHypothesis& model) const {
+double MeasuredRows::discretisationError(const hypotheses::FittedHypothesis& model) const {
   const auto elements = *fit::elementsOf(model_, model.hypothesis, model.fit.parameters);
-  const auto smooth = withSmoothDashpots(elements);
+  const auto smooth = hypotheses::withSmoothDashpots(elements);
   if (smooth.empty()) {
     return 0.0;
   }
@@ -63,11 +64,11 @@ double MeasuredRows::discretisationError(const FittedHypothesis& model) const {
   return fit::gapOfTable(points, lagging);
 }
 
-void MeasuredRows::estimateNoise(const FittedHypothesis& best, Search& result) const {
+void MeasuredRows::estimateNoise(const hypotheses::FittedHypothesis& best, hypotheses::Search& result) const {
   result.noise = std::min(scatter_.level, best.fit.held_out);
   result.noise_source = scatter_.source + (result.noise < scatter_.level ? ", no more than what a model leaves" : "");
   result.record_noise.assign(loops_->points().size(), result.noise);
   result.least = result.noise;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::table

@@ -9,12 +9,12 @@
 #include "diagnosis/table/scatter.h"
 #include "fit/table_fitter.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::table {
 
 /// Effects that the settled loops under single sines never show.
 const std::vector<std::string>& neverShownByTables();
 
-class MeasuredRows final : public Measured {
+class MeasuredRows final : public hypotheses::Measured {
  public:
   MeasuredRows(const io::ComponentDescription& component, const std::vector<fit::TablePoint>& points, Scatter scatter);
 
@@ -23,10 +23,10 @@ class MeasuredRows final : public Measured {
 
   const fit::TableFitter& fitter() const override { return fitter_; }
   fit::Excitation excitation() const override;
-  std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, const FittedHypothesis& re_estimated,
-                                         int threads) const override;
-  double discretisationError(const FittedHypothesis& model) const override;
-  void estimateNoise(const FittedHypothesis& best, Search& result) const override;
+  std::vector<fit::Candidate> candidates(const fit::Excitation& excitation,
+                                         const hypotheses::FittedHypothesis& re_estimated, int threads) const override;
+  double discretisationError(const hypotheses::FittedHypothesis& model) const override;
+  void estimateNoise(const hypotheses::FittedHypothesis& best, hypotheses::Search& result) const override;
 
  private:
   Scatter scatter_;
@@ -35,4 +35,4 @@ class MeasuredRows final : public Measured {
   fit::TableFitter fitter_;
 };
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::table

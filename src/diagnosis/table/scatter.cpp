@@ -13,7 +13,7 @@
 
 #include "numerics/least_squares.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::table {
 namespace {
 
 using Points = std::vector<fit::TablePoint>;
@@ -154,4 +154,4 @@ Scatter scatterOf(const Points& points, std::optional<double> stated) {
   return {kAssumed, fmt::format("assumed, since the table has too few rows to tell ({:g} %)", 100.0 * kAssumed)};
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::table

@@ -7,7 +7,7 @@
 
 #include "rubber_suspension/fit/measured_table.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::table {
 
 /// The noise of a row, RMS of |error of K*|/|K*|, and how it is known.
 struct Scatter {
@@ -21,4 +21,4 @@ struct Scatter {
 /// end of its one-sided interval of 84 %, a standard error of the normal distribution.
 Scatter scatterOf(const std::vector<fit::TablePoint>& points, std::optional<double> stated);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::table

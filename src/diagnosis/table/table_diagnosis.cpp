@@ -23,6 +23,8 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
+using table::MeasuredRows;
+
 using Stiffness = std::vector<std::complex<double>>;
 
 std::vector<double> squaresOf(const std::vector<fit::TablePoint>& points, const Stiffness& one,
@@ -35,7 +37,7 @@ std::vector<double> squaresOf(const std::vector<fit::TablePoint>& points, const 
   return squares;
 }
 
-std::vector<double> errorsAsConfigured(const MeasuredRows& measured, const FittedHypothesis& configured) {
+std::vector<double> errorsAsConfigured(const MeasuredRows& measured, const hypotheses::FittedHypothesis& configured) {
   const std::vector<fit::TablePoint>& points = measured.loops().points();
   Stiffness of_table;
   std::transform(points.begin(), points.end(), std::back_inserter(of_table),
@@ -50,13 +52,13 @@ std::vector<double> heldOutErrors(const fit::Fit& fit) {
   return errors;
 }
 
-std::vector<std::vector<double>> sizesOf(const MeasuredRows& measured, const Search& search,
-                                         const FittedHypothesis& fitted) {
+std::vector<std::vector<double>> sizesOf(const MeasuredRows& measured, const hypotheses::Search& search,
+                                         const hypotheses::FittedHypothesis& fitted) {
   const Stiffness with = *measured.fitter().stiffness(fitted.hypothesis, fitted.fit.parameters);
   std::vector<std::vector<double>> sizes;
   for (std::size_t m = 0; m < fitted.hypothesis.members.size(); ++m) {
     const Stiffness without =
-        *measured.fitter().stiffness(fitted.hypothesis, withoutMember(search.candidates, fitted, m));
+        *measured.fitter().stiffness(fitted.hypothesis, hypotheses::withoutMember(search.candidates, fitted, m));
     sizes.push_back(squaresOf(measured.loops().points(), with, without));
   }
   return sizes;
@@ -64,12 +66,12 @@ std::vector<std::vector<double>> sizesOf(const MeasuredRows& measured, const Sea
 
 // Adds the rows of a table to the evidence of a search, each as a log under one sine: Evidence::logs, and log_errors
 // and sizes of each hypothesis, squares of differences of K* over |K*|.
-void addRows(const MeasuredRows& measured, const Search& search, int threads, Evidence& evidence) {
+void addRows(const MeasuredRows& measured, const hypotheses::Search& search, int threads, judge::Evidence& evidence) {
   evidence.logs.assign(measured.loops().points().size(), {search.noise, 0.0, 1.0, false, 1});
   fit::parallelFor(evidence.hypotheses.size(), threads, [&](std::size_t h) {
-    const FittedHypothesis& fitted = search.at(static_cast<int>(h));
+    const hypotheses::FittedHypothesis& fitted = search.at(static_cast<int>(h));
     evidence.hypotheses[h].log_errors =
-        h == Evidence::kAsConfigured ? errorsAsConfigured(measured, fitted) : heldOutErrors(fitted.fit);
+        h == judge::Evidence::kAsConfigured ? errorsAsConfigured(measured, fitted) : heldOutErrors(fitted.fit);
     evidence.hypotheses[h].sizes = sizesOf(measured, search, fitted);
   });
 }
@@ -128,19 +130,19 @@ std::optional<measurement::RigFinding> benchFinding(const io::ComponentDescripti
 Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                         const DiagnosisOptions& options) {
   checkRows(component, table);
-  const MeasuredRows measured(component, table.points, scatterOf(table.points, table.uncertainty));
+  const MeasuredRows measured(component, table.points, table::scatterOf(table.points, table.uncertainty));
   if (const auto finding = benchFinding(component, table, measured)) {
     Diagnosis result = refused(component, {*finding});
-    result.table = DiagnosedTable{table.name, {}, neverShownByTables(), table.notes};
+    result.table = DiagnosedTable{table.name, {}, table::neverShownByTables(), table.notes};
     return result;
   }
   auto workings = std::make_shared<Workings>();
-  workings->search = search(measured, options.threads, options.progress);
-  workings->evidence = evidenceOf(workings->search);
+  workings->search = hypotheses::search(measured, options.threads, options.progress);
+  workings->evidence = hypotheses::evidenceOf(workings->search);
   addRows(measured, workings->search, options.threads, workings->evidence);
   workings->write_evidence = options.evidence;
-  workings->answer = answer(workings->evidence);
-  return describeTable(component, table, measured, std::move(workings), options);
+  workings->answer = judge::answer(workings->evidence);
+  return table::describeTable(component, table, measured, std::move(workings), options);
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -11,7 +11,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::words {
 namespace {
 
 bool isSlider(const element::ElementDescription& entry) {
@@ -177,4 +177,4 @@ std::map<std::string, double> headlineOf(const std::vector<element::ElementDescr
   return result;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::words

@@ -11,7 +11,7 @@
 #include "diagnosis/words/text.h"
 #include "rubber_suspension/element/constants.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::words {
 namespace {
 
 double farOff(const SizedValue& size) { return std::abs(std::log(size.value / size.configured)); }
@@ -126,4 +126,4 @@ std::string componentChanges(const Diagnosis& d) {
   return html;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::words

@@ -6,7 +6,7 @@
 
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::words {
 
 /// A value that the fit would have moved on: it is not told what it is.
 bool isAtBound(const SizedValue& size);
@@ -33,4 +33,4 @@ std::string besideText(const SizedValue& size);
 /// The component file before and after: values that differ, and entries added. HTML.
 std::string componentChanges(const Diagnosis& diagnosis);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::words

@@ -12,7 +12,7 @@
 #include "diagnosis/words/model_values.h"
 #include "diagnosis/words/text.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::words {
 namespace {
 
 std::string setText(const std::vector<std::string>& set) { return fmt::format("{}", fmt::join(set, " + ")); }
@@ -192,4 +192,4 @@ std::string temperatureNote(const std::vector<std::string>& effects, const fit::
       fmt::join(doubtful, " and "));
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::words

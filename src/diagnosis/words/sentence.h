@@ -7,7 +7,7 @@
 #include "fit/excitation.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::words {
 
 /// The verdict for an engineer, from the numbers and names of a diagnosis.
 std::string sentence(const Diagnosis& diagnosis);
@@ -15,4 +15,4 @@ std::string sentence(const Diagnosis& diagnosis);
 /// A sentence for logs without a temperature that name softening or heating; empty for all others.
 std::string temperatureNote(const std::vector<std::string>& effects, const fit::Excitation& excitation);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::words

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::words {
 namespace {
 
 // A unit for display, worth `factor` of the SI unit, for values from `least` on.
@@ -178,4 +178,4 @@ std::string folded(const std::string& title, const std::string& html) {
   return "<details><summary>" + title + "</summary>\n" + html + "</details>\n";
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::words

@@ -9,7 +9,7 @@
 
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::words {
 
 /// "these logs" or "this table": what a diagnosis was made from.
 std::string sourceOf(const Diagnosis& diagnosis);
@@ -75,4 +75,4 @@ std::string table(const Row& titles, const List& list, Function row) {
 /// A part that is closed until it is clicked at, and not printed.
 std::string folded(const std::string& title, const std::string& html);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::words

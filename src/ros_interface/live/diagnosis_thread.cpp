@@ -19,14 +19,14 @@ namespace {
 constexpr std::chrono::milliseconds kPause(200);
 constexpr std::size_t kPiece = 4096;  // samples that are read at a time
 
-std::unique_ptr<diagnosis::LiveDiagnosis> liveDiagnosis(const io::ComponentDescription& configured,
-                                                        const LiveDiagnoserSettings& settings) {
-  diagnosis::LiveSettings live;
+std::unique_ptr<diagnosis::live::LiveDiagnosis> liveDiagnosis(const io::ComponentDescription& configured,
+                                                              const LiveDiagnoserSettings& settings) {
+  diagnosis::live::LiveSettings live;
   live.memory = static_cast<std::size_t>(settings.memory);
-  return std::make_unique<diagnosis::LiveDiagnosis>(configured, live);
+  return std::make_unique<diagnosis::live::LiveDiagnosis>(configured, live);
 }
 
-Diagnosis diagnosisMessage(const diagnosis::LiveFindings& findings) {
+Diagnosis diagnosisMessage(const diagnosis::live::LiveFindings& findings) {
   Diagnosis message;
   message.header.stamp.fromNSec(static_cast<std::uint64_t>(findings.stamp));
   message.verdict = toString(findings.now);
@@ -117,9 +117,9 @@ void DiagnosisThread::serve(Watched& watched) {
 }
 
 void DiagnosisThread::tell(Watched& watched) {
-  const diagnosis::LiveFindings findings = watched.live->findings();
+  const diagnosis::live::LiveFindings findings = watched.live->findings();
   auto found = watched.live->found();
-  const diagnosis::LiveVerdict& told = watched.findings.now;
+  const diagnosis::live::LiveVerdict& told = watched.findings.now;
   const bool other = told.verdict != findings.now.verdict || told.effects != findings.now.effects;
   const bool news = other || told.since != findings.now.since || watched.findings.looks != findings.looks;
   {
@@ -147,7 +147,7 @@ void DiagnosisThread::fillStatus(const std::string& component,
                                  diagnostic_updater::DiagnosticStatusWrapper& status) const {
   const Watched& watched = watched_.at(component);
   const std::lock_guard<std::mutex> lock(mutex_);
-  const diagnosis::LiveFindings& findings = watched.findings;
+  const diagnosis::live::LiveFindings& findings = watched.findings;
   using diagnostic_msgs::DiagnosticStatus;
   const std::string verdict = toString(findings.now);
   const auto level = findings.now.verdict == diagnosis::Verdict::check_bench ? DiagnosticStatus::ERROR

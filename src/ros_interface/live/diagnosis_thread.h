@@ -36,10 +36,10 @@ class DiagnosisThread final : public LiveDiagnoser {
   struct Watched {
     node::ComponentChannel* channel = nullptr;
     std::shared_ptr<const io::ComponentDescription> configured;
-    std::unique_ptr<diagnosis::LiveDiagnosis> live;
+    std::unique_ptr<diagnosis::live::LiveDiagnosis> live;
     std::uint64_t next = 0;  // number of the next sample
     ros::Publisher publisher;
-    diagnosis::LiveFindings findings{};               // under the mutex
+    diagnosis::live::LiveFindings findings{};         // under the mutex
     std::optional<io::ComponentDescription> found{};  // under the mutex
   };
 

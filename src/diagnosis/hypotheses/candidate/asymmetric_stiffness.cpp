@@ -3,7 +3,7 @@
 
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::Candidate asymmetricStiffness(const fit::Excitation& excitation) {
@@ -30,4 +30,4 @@ fit::Candidate asymmetricStiffness(const fit::Excitation& excitation) {
 const CandidateEntry kAsymmetricStiffnessEntry(60, asymmetricStiffness);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

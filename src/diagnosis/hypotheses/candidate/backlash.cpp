@@ -1,7 +1,7 @@
 // Candidate effect: friction or a damper that a clearance of its own leaves without force after each reversal.
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 // Friction and a damper behind one clearance; dampers that blow off or are filled with what thins, and one with an
@@ -47,4 +47,4 @@ fit::Candidate backlash(const fit::Excitation& excitation) {
 const CandidateEntry kBacklashEntry(85, backlash);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,7 +1,7 @@
 // Candidate effect: a stop that is met beyond a gap.
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::Candidate bumpStop(const fit::Excitation& excitation) {
@@ -22,4 +22,4 @@ fit::Candidate bumpStop(const fit::Excitation& excitation) {
 const CandidateEntry kBumpStopEntry(70, bumpStop);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

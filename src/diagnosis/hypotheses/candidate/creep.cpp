@@ -5,7 +5,7 @@
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::Candidate creep(const fit::Excitation& excitation) {
@@ -29,4 +29,4 @@ fit::Candidate creep(const fit::Excitation& excitation) {
 const CandidateEntry kCreepEntry(30, creep);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -5,7 +5,7 @@
 
 #include "fit/excitation.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 
 /// The relaxation time [s] beyond which relaxation is creep: thirty cycles of the fastest log, which is 5 s at 6 Hz; a
 /// tenth of the longest log where that is shorter, so that a decade of creep shows; and no less than the slowest loop
@@ -17,4 +17,4 @@ inline double longestRelaxationTime(const fit::Excitation& excitation) {
   return std::max(slower_than_motion, excitation.slowest_loop);
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -2,7 +2,7 @@
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 // A track with a resonance [rad/s], damping as a share of the critical one, and free travel of a decoupler [m]; the
@@ -60,4 +60,4 @@ fit::Candidate fluidInertia(const fit::Excitation& excitation) {
 const CandidateEntry kFluidInertiaEntry(45, fluidInertia);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,7 +1,7 @@
 // Candidate effect: a force that drifts with time.
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::Candidate forceDrift(const fit::Excitation& excitation) {
@@ -17,4 +17,4 @@ fit::Candidate forceDrift(const fit::Excitation& excitation) {
 const CandidateEntry kForceDriftEntry(150, forceDrift);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,7 +1,7 @@
 // Candidate effect: a constant force.
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::Candidate forceOffset(const fit::Excitation& excitation) {
@@ -15,4 +15,4 @@ fit::Candidate forceOffset(const fit::Excitation& excitation) {
 const CandidateEntry kForceOffsetEntry(140, forceOffset);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

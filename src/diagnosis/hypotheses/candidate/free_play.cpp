@@ -1,7 +1,7 @@
 // Candidate effect: a dead zone about zero.
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 // Dead zones one after the other, each taking a share of the motion within it: sharp or soft edges.
@@ -20,4 +20,4 @@ fit::Candidate freePlay(const fit::Excitation& excitation) {
 const CandidateEntry kFreePlayEntry(80, freePlay);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

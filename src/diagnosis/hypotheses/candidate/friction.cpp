@@ -1,7 +1,7 @@
 // Candidate effect: friction of any smoothness, the same at any displacement or not, of any rate or reached with it.
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::BasisTerm sliderTerm(double yield, double typical) {
@@ -60,4 +60,4 @@ fit::Candidate friction(const fit::Excitation& excitation) {
 const CandidateEntry kFrictionEntry(10, friction);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -3,7 +3,7 @@
 #include "fit/excitation.h"
 #include "rubber_suspension/element/constants.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::Candidate inertia(const fit::Excitation& excitation) {
@@ -18,4 +18,4 @@ fit::Candidate inertia(const fit::Excitation& excitation) {
 const CandidateEntry kInertiaEntry(120, inertia);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

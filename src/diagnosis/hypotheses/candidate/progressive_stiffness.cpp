@@ -3,7 +3,7 @@
 
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::Candidate progressiveStiffness(const fit::Excitation& excitation) {
@@ -26,4 +26,4 @@ fit::Candidate progressiveStiffness(const fit::Excitation& excitation) {
 const CandidateEntry kProgressiveStiffnessEntry(50, progressiveStiffness);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

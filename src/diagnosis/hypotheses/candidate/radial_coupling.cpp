@@ -3,7 +3,7 @@
 
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 // All of a law by the radius is missing where the configured one is linear; where that is right along each direction
@@ -31,4 +31,4 @@ fit::Candidate radialCoupling(const fit::Excitation& excitation) {
 const CandidateEntry kRadialCouplingEntry(65, radialCoupling);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -3,7 +3,7 @@
 
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 constexpr std::array<double, 3> kBands = {0.03, 0.15,
@@ -67,4 +67,4 @@ fit::Candidate rateAmplitudeCoupling(const fit::Excitation& excitation) {
 const CandidateEntry kRateAmplitudeCouplingEntry(160, rateAmplitudeCoupling);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 using Entry = std::pair<int, CandidateFactory>;
@@ -40,4 +40,4 @@ std::vector<fit::Candidate> candidates(const fit::Excitation& excitation) {
   return result;
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -6,7 +6,7 @@
 #include "fit/excitation.h"
 #include "fit/hypothesis.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 
 /// A candidate for logs of this excitation.
 using CandidateFactory = fit::Candidate (*)(const fit::Excitation& excitation);
@@ -21,4 +21,4 @@ struct CandidateEntry {
 /// Throws std::logic_error where two effects claim the same place.
 std::vector<fit::Candidate> candidates(const fit::Excitation& excitation);
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -3,7 +3,7 @@
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 // Faster than creep. Of all that is faster than the motion, as a spectrum without an end has it, the logs show damping
@@ -28,4 +28,4 @@ fit::Candidate relaxation(const fit::Excitation& excitation) {
 const CandidateEntry kRelaxationEntry(20, relaxation);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,7 +1,7 @@
 // Candidate effect: stiffness that falls as the rubber warms.
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::Candidate selfHeating(const fit::Excitation& excitation) {
@@ -19,4 +19,4 @@ fit::Candidate selfHeating(const fit::Excitation& excitation) {
 const CandidateEntry kSelfHeatingEntry(100, selfHeating);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,7 +1,7 @@
 // Candidate effect: a force channel of wrong gain.
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 // One factor on all logs is what wrong values are. Where an amplifier's range was changed between logs, their gains
@@ -26,4 +26,4 @@ fit::Candidate sensorGain(const fit::Excitation& excitation) {
 const CandidateEntry kSensorGainEntry(145, sensorGain);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

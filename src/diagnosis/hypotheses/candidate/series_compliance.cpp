@@ -1,7 +1,7 @@
 // Candidate effect: a bracket or rig that yields.
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::BasisTerm complianceTerm(const fit::Excitation& excitation, double closing_force, double side) {
@@ -37,4 +37,4 @@ fit::Candidate seriesCompliance(const fit::Excitation& excitation) {
 const CandidateEntry kSeriesComplianceEntry(110, seriesCompliance);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

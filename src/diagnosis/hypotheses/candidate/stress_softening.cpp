@@ -1,7 +1,7 @@
 // Candidate effect: softening by past displacement.
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::BasisTerm factorTerm(const element::ParameterValues& shape) {
@@ -88,4 +88,4 @@ fit::Candidate stressSoftening(const fit::Excitation& excitation) {
 const CandidateEntry kStressSofteningEntry(90, stressSoftening);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

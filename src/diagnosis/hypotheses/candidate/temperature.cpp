@@ -3,7 +3,7 @@
 
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 constexpr double kLeastRange = 1.5;  // [K]; the tolerance of a thermocouple of class 1 (IEC 60584-1) is as much
@@ -56,4 +56,4 @@ fit::Candidate temperature(const fit::Excitation& excitation) {
 const CandidateEntry kTemperatureEntry(105, temperature);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -3,7 +3,7 @@
 
 #include "diagnosis/hypotheses/candidate/registry.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::Candidate timeDelay(const fit::Excitation& excitation) {
@@ -18,4 +18,4 @@ fit::Candidate timeDelay(const fit::Excitation& excitation) {
 const CandidateEntry kTimeDelayEntry(130, timeDelay);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate

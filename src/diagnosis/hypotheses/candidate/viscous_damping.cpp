@@ -2,7 +2,7 @@
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 fit::Candidate viscousDamping(const fit::Excitation& excitation) {
@@ -33,4 +33,4 @@ fit::Candidate viscousDamping(const fit::Excitation& excitation) {
 const CandidateEntry kViscousDampingEntry(40, viscousDamping);
 
 }  // namespace
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate
