@@ -29,7 +29,7 @@ void withoutDirection(const Eigen::VectorXd& direction, Eigen::MatrixXd& columns
 }
 
 // Without what is free in a new log: its zero; a ramp, where trends are; a multiple of the force, where a gain is.
-Eigen::MatrixXd withoutFree(Eigen::MatrixXd columns, fit::FreeInLog free, const Eigen::VectorXd& force) {
+Eigen::MatrixXd withoutFree(Eigen::MatrixXd columns, const fit::FreeInLog& free, const Eigen::VectorXd& force) {
   columns.rowwise() -= columns.colwise().mean().eval();
   const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(columns.rows(), -1.0, 1.0);
   Eigen::VectorXd gain = force.array() - force.mean();

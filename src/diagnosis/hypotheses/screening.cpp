@@ -100,7 +100,7 @@ fit::ParameterVector Screening::bestOf(const std::vector<int>& members) const {
   return best;
 }
 
-std::vector<Eigen::Index> Screening::freeColumns(fit::FreeInLog free) const {
+std::vector<Eigen::Index> Screening::freeColumns(const fit::FreeInLog& free) const {
   std::vector<Eigen::Index> columns;
   const Eigen::Index first = model_size_ + static_cast<Eigen::Index>(all_.terms.size());
   const Eigen::Index of_log = all_.free_in_log.count();

@@ -45,7 +45,7 @@ class Screening {
   const std::vector<fit::Candidate>& candidates() const { return candidates_; }
 
   /// The columns of what is free in each log.
-  std::vector<Eigen::Index> freeColumns(fit::FreeInLog free) const;
+  std::vector<Eigen::Index> freeColumns(const fit::FreeInLog& free) const;
 
   /// Part of each candidate's force that the model parameters cannot take over, and whether a typical size of it stands
   /// out of the noise.

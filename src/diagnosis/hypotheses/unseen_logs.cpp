@@ -64,7 +64,7 @@ std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, cons
 
 fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis) { return {false, hypothesis.free_in_log.gain}; }
 
-std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, fit::FreeInLog free,
+std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const fit::FreeInLog& free,
                                 const gap::Forces& simulated, const std::vector<log::Record>& records,
                                 const prepare::NoiseLimit& limit) {
   std::vector<double> floors = prepare::frictionNoise(elements, records);

@@ -41,7 +41,7 @@ fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
 
 /// Noise floor of each record, by what a component leaves of its force, up to a limit; without what is free in each
 /// log.
-std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, fit::FreeInLog free,
+std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const fit::FreeInLog& free,
                                 const gap::Forces& simulated, const std::vector<log::Record>& records,
                                 const prepare::NoiseLimit& limit);
 
