@@ -165,7 +165,7 @@ ForceColumn HypothesisForces::modelColumn(const Hypothesis& hypothesis, const Pa
     column = at(hypothesis, moved);
   }
   // Without a model on either side the parameter cannot move.
-  return quotient(column ? *column : base, base, step);
+  return quotient(std::move(column).value_or(base), base, step);
 }
 
 ForceColumn HypothesisForces::termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,

@@ -32,7 +32,7 @@ struct ScoreTable {
   Eigen::ArrayXd gains;       ///< likewise
   std::vector<std::vector<double>>
       sizes;                ///< logarithm of the size of each member over all logs; of wrong values, alone
-  Eigen::ArrayXd floor;     ///< of each log, squared
+  Eigen::ArrayXd floor;     ///< of each log, squared; no more than a hypothesis leaves of it
   Eigen::ArrayXd weight;    ///< of each log; they add up to 1
   std::vector<Band> bands;  ///< the columns of `in_bands`
   double blocks = 0.0;      ///< of the logs that errors are known of

@@ -22,41 +22,50 @@ gap::Forces smoothedForces(const io::ComponentDescription& component, const std:
                            [](const log::Record& record) { return record.displacement; });
 }
 
-double squareInSample(const io::ComponentDescription& component, const std::vector<log::Record>& records) {
-  return std::pow(gap::gapOfParts(gap::partErrors(records, gap::simulate(component.allElements(), records))), 2);
+double squaredGap(const std::vector<log::Record>& records, const gap::Forces& forces) {
+  return std::pow(gap::gapOfParts(gap::partErrors(records, forces)), 2);
 }
 
-// The exact component rounded as far as the gap allows, and by how much that changes the squared gap in sample.
-double roundTo(const io::ComponentDescription& exact, const std::vector<log::Record>& records, Diagnosis& diagnosis) {
-  const double square = squareInSample(exact, records);
+// What rounding changes of the logs of the fit.
+struct Rounding {
+  double ratio = 1.0;   // of the squared gap to that before
+  gap::Forces exact;    // forces before [N]
+  gap::Forces rounded;  // and after; both none where nothing is rounded
+};
+
+// The exact component rounded as far as the gap allows.
+Rounding roundTo(const io::ComponentDescription& exact, const std::vector<log::Record>& records, Diagnosis& diagnosis) {
+  Rounding result{1.0, gap::simulate(exact.allElements(), records), {}};
+  const double square = squaredGap(records, result.exact);
   for (diagnosis.finer = 0; diagnosis.finer < kMostFiner; ++diagnosis.finer) {
     try {
       diagnosis.augmented = rounded(exact, diagnosis.written, diagnosis.finer);
     } catch (const std::runtime_error&) {
       continue;  // so roughly there is no such component
     }
-    const double ratio = squareInSample(diagnosis.augmented, records) / square;
-    if (ratio <= std::pow(1.0 + kShows, 2)) {
-      return ratio;
+    result.rounded = gap::simulate(diagnosis.augmented.allElements(), records);
+    result.ratio = squaredGap(records, result.rounded) / square;
+    if (result.ratio <= std::pow(1.0 + kShows, 2)) {
+      return result;
     }
   }
   diagnosis.augmented = exact;
-  return 1.0;
+  return {};
 }
 
-// What rounding adds to forces on given logs: the force of a mass itself samples to come tell better than its entry.
+// Adds to forces what rounding changes: the force of a mass itself samples to come tell better than its entry.
 void addRounding(const gap::Forces& exact, const gap::Forces& rounded, gap::Forces& forces) {
-  for (std::size_t r = 0; r < forces.size(); ++r) {
+  for (std::size_t r = 0; r < rounded.size(); ++r) {
     forces[r] += rounded[r] - exact[r];
   }
 }
 
 // Forces of the law that is written on the logs of the fit, then on those held out.
 gap::Forces writtenForces(const hypotheses::PreparedCase& prepared, const FittedLaw& law,
-                          const io::ComponentDescription& exact, const io::ComponentDescription& rounded) {
+                          const io::ComponentDescription& exact, const io::ComponentDescription& rounded,
+                          const Rounding& rounding) {
   gap::Forces forces = *LawForces(prepared.fitter.sharedRecords(), prepared.model, law.law).at(law.fit.parameters);
-  addRounding(gap::simulate(exact.allElements(), prepared.training),
-              gap::simulate(rounded.allElements(), prepared.training), forces);
+  addRounding(rounding.exact, rounding.rounded, forces);
   gap::Forces unseen = predict(prepared.model, law, prepared.held_out);
   addRounding(smoothedForces(exact, prepared.held_out), smoothedForces(rounded, prepared.held_out), unseen);
   forces.insert(forces.end(), unseen.begin(), unseen.end());
@@ -92,8 +101,8 @@ WrittenLaw addWrittenLaw(const hypotheses::PreparedCase& prepared, const std::ve
   addSizes(laws, chosen.form_error, candidates, options, diagnosis);
   diagnosis.augmented_full = componentOf(prepared, full);
   const io::ComponentDescription exact = componentOf(prepared, simple);
-  const double ratio = roundTo(exact, prepared.training, diagnosis);
-  WrittenLaw written{simple.fit.blocks, writtenForces(prepared, simple, exact, diagnosis.augmented)};
+  const Rounding rounding = roundTo(exact, prepared.training, diagnosis);
+  WrittenLaw written{simple.fit.blocks, writtenForces(prepared, simple, exact, diagnosis.augmented, rounding)};
   if (!prepared.held_out.empty()) {
     const gap::Forces unseen(written.forces.begin() + static_cast<std::ptrdiff_t>(prepared.training.size()),
                              written.forces.end());
@@ -104,7 +113,7 @@ WrittenLaw addWrittenLaw(const hypotheses::PreparedCase& prepared, const std::ve
   }
   diagnosis.gap_of_full_law = gap::gapOfParts(judged.fit.blocks);
   for (gap::PartError& error : written.errors) {
-    error.error *= ratio;
+    error.error *= rounding.ratio;
   }
   return written;
 }
