@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <utility>
 
 #include "diagnosis/judge/numbers.h"
 #include "fit/hypothesis_forces.h"
@@ -19,6 +21,7 @@ constexpr double kModelStep = 1e-4;   // of a logarithm, for difference quotient
 constexpr double kTermStep = 0.02;    // of the typical scale
 constexpr double kMostFloors = 10.0;  // count: what decides one question beyond doubt leaves the others open
 constexpr std::size_t kRefitted = 8;  // motions that explanations are fitted to
+constexpr std::size_t kAtOnce = 2;    // of these, before it is known whether a further one can tell more
 constexpr double kLeastNoise = 1e-4;  // of the force
 
 void withoutDirection(const Eigen::VectorXd& direction, Eigen::MatrixXd& columns) {
@@ -65,6 +68,7 @@ void Discriminator::sayForces() {
   says_.assign(explanations_.size(), {});
   fit::parallelFor(says_.size(), threads_, [&](std::size_t e) {
     says_[e].force = played_.forces(elementsOf(e, explanations_[e].fitted->fit.parameters));
+    says_[e].on_motion.resize(says_[e].force.size());
   });
 }
 
@@ -100,25 +104,29 @@ double Discriminator::unrefitted(std::size_t motion) const {
   return expected;
 }
 
-// The best of each kind, as far as there is time to refit: motions of a kind are taken by the same parameters.
-std::vector<std::size_t> Discriminator::promising(const std::vector<std::size_t>& motions) const {
-  std::vector<std::pair<double, std::size_t>> order;
+// The best of each kind, as far as there is time to refit: motions of a kind are taken by the same parameters. Those
+// that may tell most first.
+std::vector<Discriminator::Bounded> Discriminator::promising(const std::vector<std::size_t>& motions,
+                                                             double needed) const {
+  std::vector<Bounded> order;
   for (const std::size_t motion : motions) {
-    order.emplace_back(-unrefitted(motion), motion);
+    order.push_back({unrefitted(motion), motion});
   }
-  std::sort(order.begin(), order.end());
-  std::map<std::string, int> of_kind;
-  std::vector<std::size_t> chosen;
-  for (int round = 1; chosen.size() < std::min(kRefitted, motions.size()); ++round) {
-    for (const auto& [negative, motion] : order) {
-      const bool taken = std::find(chosen.begin(), chosen.end(), motion) != chosen.end();
-      int& count = of_kind[played_.motions()[motion]->kind];
-      if (!taken && count < round && chosen.size() < kRefitted) {
-        chosen.push_back(motion);
-        ++count;
-      }
+  const auto byBound = [](const Bounded& a, const Bounded& b) { return a.most > b.most; };
+  std::stable_sort(order.begin(), order.end(), byBound);
+  std::map<std::string, std::size_t> of_kind;
+  std::vector<std::pair<std::size_t, Bounded>> by_round;
+  for (const Bounded& one : order) {
+    by_round.emplace_back(of_kind[played_.motions()[one.motion]->kind]++, one);
+  }
+  std::stable_sort(by_round.begin(), by_round.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Bounded> chosen;
+  for (const auto& [round, one] : by_round) {
+    if (chosen.size() < kRefitted && one.most >= needed) {
+      chosen.push_back(one);
     }
   }
+  std::stable_sort(chosen.begin(), chosen.end(), byBound);
   return chosen;
 }
 
@@ -135,11 +143,14 @@ void Discriminator::findNormalEquations() {
   }
 }
 
+bool Discriminator::addsUp(std::size_t explanation) const {
+  return explanations_[explanation].fitted->hypothesis.isAdditive() && fitter_.forces().isAdditive();
+}
+
 // Whether the force of a term is the same beside all others.
 bool Discriminator::isPlayedAlone(std::size_t explanation, Eigen::Index term) const {
   const fit::Hypothesis& hypothesis = explanations_[explanation].fitted->hypothesis;
-  return hypothesis.terms[static_cast<std::size_t>(term)].on_rig ||
-         (hypothesis.isAdditive() && fitter_.forces().isAdditive());
+  return hypothesis.terms[static_cast<std::size_t>(term)].on_rig || addsUp(explanation);
 }
 
 // As in fits, terms at nothing whose force would have to be simulated beside the others stay there.
@@ -152,78 +163,114 @@ std::vector<bool> Discriminator::movable(std::size_t explanation) const {
   return movable;
 }
 
-// By difference quotients; terms that add up with all else are played alone.
-void Discriminator::sayDerivatives(std::size_t explanation) {
+// Moves one parameter; terms that add up with all else are played alone, and so is then the model.
+Discriminator::Derivative Discriminator::derivativeBy(std::size_t explanation, Eigen::Index unknown) const {
+  const fit::Hypothesis& hypothesis = explanations_[explanation].fitted->hypothesis;
+  fit::ParameterVector moved = explanations_[explanation].fitted->fit.parameters;
+  const Eigen::Index of_model = moved.model.size();
+  if (unknown < of_model) {
+    const bool alone = addsUp(explanation);
+    moved.scales *= alone ? 0.0 : 1.0;
+    const double at = moved.model[unknown];
+    double step = kModelStep;
+    moved.model[unknown] = at + step;
+    std::vector<element::ElementDescription> elements = elementsOf(explanation, moved);
+    if (elements.empty()) {
+      step = -step;
+      moved.model[unknown] = at + step;
+      elements = elementsOf(explanation, moved);
+    }
+    return {std::move(elements), step, alone ? Base::model_alone : Base::whole};
+  }
+  const Eigen::Index t = unknown - of_model;
+  const fit::BasisTerm& term = hypothesis.terms[static_cast<std::size_t>(t)];
+  if (!movable(explanation)[static_cast<std::size_t>(t)]) {
+    return {};
+  }
+  if (isPlayedAlone(explanation, t)) {
+    return {{term.at(term.typical)}, term.typical, Base::nothing};
+  }
+  const double step = (moved.scales[t] + term.typical > term.upper ? -kTermStep : kTermStep) * term.typical;
+  moved.scales[t] += step;
+  return {elementsOf(explanation, moved), step, Base::whole};
+}
+
+// On each of the motions played, by difference quotients, without what is free in a new log. `whole`: its forces there.
+std::vector<Eigen::MatrixXd> Discriminator::derivatives(std::size_t explanation,
+                                                        const std::vector<Eigen::VectorXd>& whole) const {
   const hypotheses::FittedHypothesis& fitted = *explanations_[explanation].fitted;
   const fit::ParameterVector& at = fitted.fit.parameters;
-  const Eigen::Index of_model = at.model.size();
-  const Eigen::Index count = of_model + at.scales.size();
-  const std::vector<bool> moves = movable(explanation);
-  Says& says = says_[explanation];
-  for (const Eigen::VectorXd& force : says.force) {
-    says.derivatives.emplace_back(Eigen::MatrixXd::Zero(force.size(), count));
+  const std::vector<Eigen::VectorXd> of_model =
+      addsUp(explanation) ? played_.forces(elementsOf(explanation, {at.model, 0.0 * at.scales}))
+                          : std::vector<Eigen::VectorXd>();
+  const auto count = static_cast<std::size_t>(at.model.size() + at.scales.size());
+  std::vector<Eigen::MatrixXd> columns;
+  for (const Eigen::VectorXd& force : whole) {
+    columns.emplace_back(Eigen::MatrixXd::Zero(force.size(), static_cast<Eigen::Index>(count)));
   }
-  fit::parallelFor(static_cast<std::size_t>(count), threads_, [&](std::size_t column) {
-    const auto j = static_cast<Eigen::Index>(column);
-    fit::ParameterVector moved = at;
-    double step = kModelStep;
-    std::vector<element::ElementDescription> elements;
-    bool alone = false;
-    if (j < of_model) {
-      moved.model[j] += step;
-      elements = elementsOf(explanation, moved);
-      if (elements.empty()) {
-        step = -step;
-        moved.model[j] = at.model[j] + step;
-        elements = elementsOf(explanation, moved);
-      }
-    } else if (const std::size_t place = column - static_cast<std::size_t>(of_model); moves[place]) {
-      const fit::BasisTerm& term = fitted.hypothesis.terms[place];
-      double& scale = moved.scales[j - of_model];
-      alone = isPlayedAlone(explanation, j - of_model);
-      step = (alone ? 1.0 : scale + term.typical > term.upper ? -kTermStep : kTermStep) * term.typical;
-      scale += step;
-      elements = alone ? std::vector{term.at(step)} : elementsOf(explanation, moved);
-    }
-    if (elements.empty()) {  // no model on either side, or a term that stays: it cannot move
+  fit::parallelFor(count, threads_, [&](std::size_t unknown) {
+    const auto j = static_cast<Eigen::Index>(unknown);
+    const Derivative by = derivativeBy(explanation, j);
+    if (by.elements.empty()) {  // no model on either side, or a term that stays: it cannot move
       return;
     }
-    const auto forces = played_.forces(elements);
-    for (std::size_t m = 0; m < forces.size(); ++m) {
-      says.derivatives[m].col(j) = (alone ? forces[m] : (forces[m] - says.force[m]).eval()) / step;
+    const std::vector<Eigen::VectorXd> moved = played_.forces(by.elements);
+    for (std::size_t m = 0; m < moved.size(); ++m) {
+      columns[m].col(j) = moved[m] / by.step;
+      if (by.base != Base::nothing) {
+        columns[m].col(j) -= (by.base == Base::whole ? whole : of_model)[m] / by.step;
+      }
     }
   });
-  for (std::size_t m = 0; m < says.force.size(); ++m) {
-    says.derivatives[m] = withoutFree(says.derivatives[m], fitted.hypothesis.free_in_log, says.force[m]);
-    says.grams.emplace_back(says.derivatives[m].transpose() * says.derivatives[m]);
+  for (std::size_t m = 0; m < whole.size(); ++m) {
+    columns[m] = withoutFree(std::move(columns[m]), fitted.hypothesis.free_in_log, whole[m]);
+  }
+  return columns;
+}
+
+// What an explanation, were it wrong, would be fitted to: the columns themselves are too many to be kept.
+void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& motions) {
+  Says& said = says_[wrong];
+  std::vector<Eigen::VectorXd> whole;
+  for (const std::size_t motion : motions) {
+    whole.push_back(said.force[motion]);
+  }
+  const std::vector<Eigen::MatrixXd> columns = derivatives(wrong, whole);
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    OnMotion& on_motion = said.on_motion[motions[m]];
+    on_motion.gram = columns[m].transpose() * columns[m];
+    for (const Says& right : says_) {
+      const Eigen::VectorXd difference = withoutFree(right.force[motions[m]] - whole[m], normal_[wrong].free, whole[m]);
+      on_motion.moment.emplace_back(columns[m].transpose() * difference);
+      on_motion.square.push_back(difference.squaredNorm());
+    }
   }
 }
 
 // RMS force by which the wrong explanation is off, wherever it puts that: on the motion, or on the logs before [N].
 double Discriminator::leftAfterRefit(std::size_t right, std::size_t wrong, std::size_t motion) const {
   const Normal& normal = normal_[wrong];
+  const OnMotion& on_motion = says_[wrong].on_motion[motion];
   const Eigen::VectorXd& force = says_[right].force[motion];
-  const Eigen::VectorXd& said = says_[wrong].force[motion];
-  const double deviation = gap::standardDeviation(force);
-  const auto samples = static_cast<double>(force.size());
   const auto logs = static_cast<double>(fitter_.records().size());
   // Relative to the force of the new log, which weighs as much as each of the others.
-  const double unit = 1.0 / (deviation * std::sqrt(samples));
-  const Eigen::VectorXd difference = unit * withoutFree(force - said, normal.free, said);
-  const Eigen::MatrixXd& columns = says_[wrong].derivatives[motion];
+  const double variance = std::pow(gap::standardDeviation(force), 2);
+  const double unit = 1.0 / (variance * static_cast<double>(force.size()));
+  const Eigen::Index count = on_motion.gram.cols();
   Eigen::MatrixXd gram = logs * normal.gram;
-  gram.topLeftCorner(columns.cols(), columns.cols()) += unit * unit * says_[wrong].grams[motion];
+  gram.topLeftCorner(count, count) += unit * on_motion.gram;
   Eigen::VectorXd moment = Eigen::VectorXd::Zero(gram.rows());
-  moment.head(columns.cols()) = unit * (columns.transpose() * difference);
+  moment.head(count) = unit * on_motion.moment[right];
   const Eigen::VectorXd step = numerics::boundedLeastSquares(gram, moment, normal.bounds.lower, normal.bounds.upper);
-  const double cost = difference.squaredNorm() - 2.0 * step.dot(moment) + step.dot(gram * step);
-  return deviation * std::sqrt(std::clamp(cost, 0.0, difference.squaredNorm()));
+  const double square = unit * on_motion.square[right];
+  const double cost = square - 2.0 * step.dot(moment) + step.dot(gram * step);
+  return std::sqrt(variance * std::clamp(cost, 0.0, square));
 }
 
-Discrimination Discriminator::weigh(std::size_t motion) const {
+Discrimination Discriminator::weigh(const Experiment& experiment, std::size_t motion) const {
   const auto logs = static_cast<double>(fitter_.records().size());
   Discrimination result;
-  result.experiment = played_.motions()[motion];
+  result.experiment = &experiment;
   for (std::size_t right = 0; right < explanations_.size(); ++right) {
     const double deviation = gap::standardDeviation(says_[right].force[motion]);
     double least = std::numeric_limits<double>::infinity();
@@ -246,39 +293,40 @@ Discrimination Discriminator::weigh(std::size_t motion) const {
   return result;
 }
 
-Discrimination Discriminator::best(const std::vector<Experiment>& menu) {
-  std::vector<const Experiment*> motions;
-  for (const Experiment& experiment : menu) {
-    motions.push_back(&experiment);
-  }
-  played_.play(motions);
-  sayForces();
-  const std::vector<std::size_t> chosen = promising(playable());
-  if (chosen.empty()) {
-    return {};
-  }
-  std::vector<const Experiment*> few;
-  for (const std::size_t motion : chosen) {
-    few.push_back(motions[motion]);
-  }
-  for (Says& says : says_) {
-    std::vector<Eigen::VectorXd> forces;
-    for (const std::size_t motion : chosen) {
-      forces.push_back(std::move(says.force[motion]));
+Discrimination Discriminator::best(const std::vector<Experiment>& menu, double needed) {
+  const auto play = [&](const std::vector<std::size_t>& places) {
+    std::vector<const Experiment*> motions;
+    for (const std::size_t place : places) {
+      motions.push_back(&menu[place]);
     }
-    says.force = std::move(forces);
-  }
-  played_.play(few);
-  if (normal_.empty()) {
+    played_.play(std::move(motions));
+  };
+  std::vector<std::size_t> all(menu.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  play(all);
+  sayForces();
+  const std::vector<Bounded> chosen = promising(playable(), needed);
+  if (normal_.empty() && !chosen.empty()) {
     findNormalEquations();
   }
-  for (std::size_t e = 0; e < explanations_.size(); ++e) {
-    sayDerivatives(e);
-  }
   Discrimination best;
-  for (std::size_t motion = 0; motion < few.size(); ++motion) {
-    const Discrimination here = weigh(motion);
-    best = best.experiment == nullptr || here.floors > best.floors ? here : best;
+  std::size_t next = 0;
+  const auto mayTellMore = [&] {
+    return next < chosen.size() && (best.experiment == nullptr || chosen[next].most > best.floors);
+  };
+  while (mayTellMore()) {
+    std::vector<std::size_t> some;
+    while (mayTellMore() && some.size() < kAtOnce) {
+      some.push_back(chosen[next++].motion);
+    }
+    play(some);
+    for (std::size_t e = 0; e < explanations_.size(); ++e) {
+      project(e, some);
+    }
+    for (const std::size_t motion : some) {
+      const Discrimination here = weigh(menu[motion], motion);
+      best = best.experiment == nullptr || here.floors > best.floors ? here : best;
+    }
   }
   return best;
 }

@@ -30,8 +30,9 @@ class Discriminator {
 
   void setForceLimit(double force_limit) { force_limit_ = force_limit; }
 
-  /// Of a menu, the motion that tells most in noise floors; without experiment where none can be played.
-  Discrimination best(const std::vector<Experiment>& menu);
+  /// Of a menu, the motion that tells most in noise floors; without experiment where none can be played that may tell
+  /// as much as is needed.
+  Discrimination best(const std::vector<Experiment>& menu, double needed = 0.0);
 
  private:
   struct Normal {
@@ -39,24 +40,46 @@ class Discriminator {
     numerics::Limits bounds;  // of a step
     fit::FreeInLog free;
   };
+  // Products of the derivatives C of an explanation on a motion and of its difference d to each of the others, all
+  // without what is free in a new log.
+  struct OnMotion {
+    Eigen::MatrixXd gram;                 // C'C
+    std::vector<Eigen::VectorXd> moment;  // C'd
+    std::vector<double> square;           // d'd
+  };
   // The forces of an explanation on the motions.
   struct Says {
     std::vector<Eigen::VectorXd> force;
-    std::vector<Eigen::MatrixXd> derivatives;  // by model parameters and scales, without what is free in a new log
-    std::vector<Eigen::MatrixXd> grams;        // of these
+    std::vector<OnMotion> on_motion;
+  };
+  // What a derivative is a difference of.
+  enum class Base { nothing, model_alone, whole };
+  struct Derivative {
+    std::vector<element::ElementDescription> elements;  // with one parameter moved; none where it cannot move
+    double step = 1.0;
+    Base base = Base::nothing;
+  };
+
+  // The most that a motion can tell, in noise floors.
+  struct Bounded {
+    double most;
+    std::size_t motion;
   };
 
   void sayForces();
   std::vector<std::size_t> playable() const;
-  std::vector<std::size_t> promising(const std::vector<std::size_t>& motions) const;
+  std::vector<Bounded> promising(const std::vector<std::size_t>& motions, double needed) const;
   void findNormalEquations();
+  bool addsUp(std::size_t explanation) const;
   bool isPlayedAlone(std::size_t explanation, Eigen::Index term) const;
   std::vector<bool> movable(std::size_t explanation) const;
-  void sayDerivatives(std::size_t explanation);
+  Derivative derivativeBy(std::size_t explanation, Eigen::Index unknown) const;
+  std::vector<Eigen::MatrixXd> derivatives(std::size_t explanation, const std::vector<Eigen::VectorXd>& whole) const;
+  void project(std::size_t wrong, const std::vector<std::size_t>& motions);
   double floorOf(double force_deviation) const;
   double unrefitted(std::size_t motion) const;
   double leftAfterRefit(std::size_t right, std::size_t wrong, std::size_t motion) const;
-  Discrimination weigh(std::size_t motion) const;
+  Discrimination weigh(const Experiment& experiment, std::size_t motion) const;
   std::vector<element::ElementDescription> elementsOf(std::size_t explanation, const fit::ParameterVector& at) const;
 
   const fit::Fitter& fitter_;

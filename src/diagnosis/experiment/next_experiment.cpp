@@ -107,7 +107,7 @@ class Proposer {
     for (const Relaxation& relaxation : relaxationsOf(bounds_)) {
       const std::vector<Experiment> menu = experimentMenu(relaxation.bounds);
       discriminator_.setForceLimit(relaxation.bounds.force);
-      const Discrimination wider = discriminator_.best(menu);
+      const Discrimination wider = discriminator_.best(menu, kLeastFloors);
       if (wider.experiment != nullptr && wider.floors >= kLeastFloors) {
         return {text + fmt::format("It would take {}: {}, {:.1f} times the noise.", relaxation.text,
                                    wider.experiment->description, wider.floors),

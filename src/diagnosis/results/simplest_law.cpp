@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t kMostTerms = 3;    // of a law
 constexpr std::size_t kMostNumbers = 6;  // likewise
 constexpr int kSteps = 12;               // of a fit
+constexpr double kHopeless = 2.0;        // times the gap allowed: a fit that promises no less ends
 constexpr double kOfTypical = 1e-6;      // a scale below this is none
 
 using Indices = std::vector<Eigen::Index>;
@@ -250,7 +251,7 @@ class Chooser {
         continue;
       }
       try {
-        FittedLaw simple = fitted(m, start.entries);
+        FittedLaw simple = fitted(m, start.entries, kHopeless * std::sqrt(allowed));
         const double gap = gapOf(simple);
         if (gap * gap <= allowed) {
           laws.emplace_back(gap, std::move(simple));
@@ -263,7 +264,7 @@ class Chooser {
     return laws;
   }
 
-  FittedLaw fitted(std::size_t m, const Entries& start) const {
+  FittedLaw fitted(std::size_t m, const Entries& start, double reach) const {
     FittedLaw simple{result_.fitted.law, {}};
     MemberLaw& member = simple.law.members[m];
     member.terms.clear();
@@ -282,7 +283,7 @@ class Chooser {
       to += size;
       of += static_cast<Eigen::Index>(result_.fitted.law.members[i].size());
     }
-    simple.fit = fitter.fit(hypothesis, from, {kSteps});
+    simple.fit = fitter.fit(hypothesis, from, {kSteps, reach});
     return simple;
   }
 
