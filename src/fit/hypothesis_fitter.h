@@ -18,9 +18,10 @@ namespace rubber_suspension::fit {
 /// A fitted hypothesis. Gaps are RMS residuals in units of the standard deviation of the force.
 struct Fit {
   ParameterVector parameters;
-  double gap = 0.0;                    ///< in sample
-  double penalty = 0.0;                ///< regularisation penalty of changed model parameters, as a gap
-  double held_out = 0.0;               ///< gap on blocks that took no part in the fit, by cross validation
+  double gap = std::numeric_limits<double>::infinity();  ///< in sample
+  double penalty = 0.0;  ///< regularisation penalty of changed model parameters, as a gap
+  /// Gap on blocks that took no part in the fit, by cross validation.
+  double held_out = std::numeric_limits<double>::infinity();
   std::vector<gap::PartError> blocks;  ///< held-out errors of these blocks
 
   /// Held-out gap and penalty together, by which fits compete.

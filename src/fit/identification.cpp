@@ -13,10 +13,10 @@
 #include "element/refuse.h"
 #include "element/suggestion.h"
 #include "fit/force_model.h"
-#include "fit/gram.h"
 #include "fit/residual_covariance.h"
 #include "fit/variable_projection.h"
 #include "log/even_blocks.h"
+#include "numerics/gram.h"
 #include "numerics/median.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"
@@ -281,7 +281,7 @@ void describeFit(Identification& result, const ForceModel& model, const ModelFit
                  const std::vector<Eigen::Index>& runs) {
   const Autoregression noise = fitAutoregression(fit.residual, runs);
   const auto count = static_cast<double>(fit.residual.size());
-  Covariance covariance = covarianceOf(gramOf(jacobian), projectedCovariance(jacobian, runs, noise));
+  Covariance covariance = covarianceOf(numerics::gramOf(jacobian), projectedCovariance(jacobian, runs, noise));
   result.independent_samples = count / std::max(1.0, correlationFactor(noise, fit.residual.squaredNorm() / count));
   // The fit takes as many independent samples out of the residuals as it has unknowns, and their variance is an
   // estimate itself: Student's distribution with the samples that are left.

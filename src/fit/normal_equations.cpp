@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "element/each.h"
-#include "fit/gram.h"
 #include "fit/parallel.h"
 #include "numerics/bounded_least_squares.h"
+#include "numerics/gram.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -108,7 +108,7 @@ LogBlocks::LogBlocks(const std::vector<log::Record>& records, std::vector<double
       Eigen::MatrixXd columns(block.size, count + records[r].nuisances.cols());
       fill(known_, with({}, 0, count), r, block.first, weights_[r], columns);
       finish(records[r], block.first, columns);
-      block.known = gramOf(columns);
+      block.known = numerics::gramOf(columns);
     }
   });
 }
@@ -156,11 +156,11 @@ std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request&
   for (const Block& block : blocks_[r]) {
     const auto rows = columns.middleRows(block.first, block.size);
     Eigen::MatrixXd& gram = grams.emplace_back(Eigen::MatrixXd::Zero(request.width + rig, request.width + rig));
-    gram(own_and_rig, own_and_rig) = gramOf(rows);
+    gram(own_and_rig, own_and_rig) = numerics::gramOf(rows);
     if (!request.known.empty()) {
       Eigen::MatrixXd known(block.size, static_cast<Eigen::Index>(request.known.size()));
       fill(known_, request.index, r, block.first, weights_[r], known);
-      const Eigen::MatrixXd mixed = rows.leftCols(static_cast<Eigen::Index>(own.size())).transpose() * known;
+      const Eigen::MatrixXd mixed = numerics::productOf(rows.leftCols(static_cast<Eigen::Index>(own.size())), known);
       gram(own, request.known) = mixed;
       gram(request.known, own) = mixed.transpose();
       gram(known_and_rig, known_and_rig) = block.known(index, index);

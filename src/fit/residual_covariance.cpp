@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/gram.h"
+#include "numerics/gram.h"
 #include "numerics/symmetric.h"
 
 namespace rubber_suspension::fit {
@@ -105,7 +105,7 @@ Eigen::MatrixXd projectedCovariance(const Eigen::MatrixXd& jacobian, const std::
     }
     begin += length;
   }
-  return model.innovation * gramOf(filtered);
+  return model.innovation * numerics::gramOf(filtered);
 }
 
 double correlationFactor(const Autoregression& model, double variance) {

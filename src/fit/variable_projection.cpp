@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "fit/gram.h"
 #include "numerics/bounded_least_squares.h"
+#include "numerics/gram.h"
 #include "numerics/least_squares.h"
 
 namespace rubber_suspension::fit {
@@ -16,7 +16,7 @@ ModelFit VariableProjection::fitAt(const Eigen::VectorXd& search) {
   const Eigen::Index size = model_.basis().cols();
   Eigen::MatrixXd columns(model_.size(), size + 1);
   columns << model_.basis(), force_ - model_.rest();
-  const Eigen::MatrixXd products = gramOf(columns);
+  const Eigen::MatrixXd products = numerics::gramOf(columns);
   ModelFit fit;
   fit.search = search;
   fit.coefficients = numerics::nonNegativeLeastSquares(products.topLeftCorner(size, size),
@@ -45,7 +45,7 @@ numerics::SumOfSquares::Slope VariableProjection::slope() {
   const Eigen::Index unknowns = last_.search.size();
   Eigen::MatrixXd columns(model_.size(), basis + unknowns);
   columns << model_.basis()(Eigen::all, taken), derivatives(last_);
-  const Eigen::MatrixXd products = gramOf(columns);
+  const Eigen::MatrixXd products = numerics::gramOf(columns);
   const Eigen::VectorXd moments = columns.transpose() * last_.residual;
   const Eigen::VectorXd scale = products.diagonal().head(basis).array().max(1e-300).rsqrt();
   const Eigen::MatrixXd of_basis = scale.asDiagonal() * products.topLeftCorner(basis, basis) * scale.asDiagonal();

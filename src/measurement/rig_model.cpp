@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "measurement/statistics.h"
+#include "numerics/gram.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
@@ -194,12 +195,12 @@ struct NormalEquations {
 
 NormalEquations robustEquations(const MatrixXd& columns, const VectorXd& residual, const VectorXd& priors) {
   constexpr int kRounds = 3;  // weights of few outliers settle at once
-  NormalEquations equations{columns.transpose() * columns, columns.transpose() * residual};
+  NormalEquations equations{numerics::gramOf(columns), columns.transpose() * residual};
   for (int round = 0; round < kRounds; ++round) {
     const VectorXd left = residual - columns * solveWithPriors(equations.gram, equations.moment, priors).values;
     const VectorXd weights = huberWeights(left);
     const MatrixXd weighted = weights.asDiagonal() * columns;
-    equations = {weighted.transpose() * columns, weighted.transpose() * residual};
+    equations = {numerics::productOf(weighted, columns), weighted.transpose() * residual};
   }
   return equations;
 }
@@ -464,7 +465,7 @@ RigFit RigModel::fit(std::size_t log, const RigColumns& columns, int iterations)
   const VectorXd counted = mask.cast<double>();
   const double scale = std::max(gap::standardDeviation(residual), 1e-12 * rangeOf(record.force));
   const MatrixXd masked = counted.asDiagonal() * columns.columns / scale;
-  NormalEquations equations{masked.transpose() * masked, masked.transpose() * residual / scale};
+  NormalEquations equations{numerics::gramOf(masked), masked.transpose() * residual / scale};
   Solution solution = solveWithPriors(equations.gram, equations.moment, columns.priors);
   for (int i = 0; i < iterations; ++i) {
     fit.noise = estimateNoise(residual - columns.columns * solution.values, mask);

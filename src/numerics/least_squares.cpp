@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/gram.h"
+
 namespace rubber_suspension::numerics {
 
 Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
@@ -44,7 +46,7 @@ Eigen::MatrixXd whiteningColumns(const Eigen::MatrixXd& c) {
   if (c.cols() == 0) {
     return c;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(c.transpose() * c);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gramOf(c));
   const Eigen::VectorXd& squares = solver.eigenvalues();
   const double least = kNothing * std::max(1.0, squares[squares.size() - 1]);
   const Eigen::Index dropped = (squares.array() <= least).count();

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "fit/gram.h"
+#include "numerics/gram.h"
 #include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -152,7 +152,7 @@ TEST(WhiteningColumns, MakeErrorsAndUnknownsWhite) {
 TEST(Gram, IsTheProductOfTheColumns) {
   for (const auto& [rows, columns] : {std::pair(1, 1), {7, 2}, {255, 3}, {256, 4}, {300, 7}, {1031, 40}}) {
     const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(rows, columns);
-    const Eigen::MatrixXd gram = gramOf(matrix);
+    const Eigen::MatrixXd gram = numerics::gramOf(matrix);
     const Eigen::MatrixXd expected = matrix.transpose() * matrix;
     EXPECT_LT((gram - expected).cwiseAbs().maxCoeff(), 1e-12 * rows) << rows << " x " << columns;
     EXPECT_EQ(gram, Eigen::MatrixXd(gram.transpose()));

@@ -17,7 +17,7 @@ BELOW = {
     "component": {"element", "kernel"},
     "response": {"element", "component"},
     "estimation": {"element", "component", "response", "numerics"},
-    "numerics": set(),
+    "numerics": {"processor"},
     "log": {"element", "kernel", "numerics"},
     "io": {"element", "component", "response", "estimation", "log"},
     "gap": {"element", "component", "response", "estimation", "numerics", "log", "io"},

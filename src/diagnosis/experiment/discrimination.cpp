@@ -12,6 +12,7 @@
 #include "fit/hypothesis_forces.h"
 #include "fit/parallel.h"
 #include "numerics/bounded_least_squares.h"
+#include "numerics/gram.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis::experiment {
@@ -238,7 +239,7 @@ void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& m
   const std::vector<Eigen::MatrixXd> columns = derivatives(wrong, whole);
   for (std::size_t m = 0; m < motions.size(); ++m) {
     OnMotion& on_motion = said.on_motion[motions[m]];
-    on_motion.gram = columns[m].transpose() * columns[m];
+    on_motion.gram = numerics::gramOf(columns[m]);
     for (const Says& right : says_) {
       const Eigen::VectorXd difference = withoutFree(right.force[motions[m]] - whole[m], normal_[wrong].free, whole[m]);
       on_motion.moment.emplace_back(columns[m].transpose() * difference);

@@ -85,28 +85,42 @@ class Searcher {
     fit::parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });
   }
 
+  // The most promising ones first: what they arrive at tells which of the others are hopeless.
   void fitSingles(const Screening& screening) {
-    double least = result_.re_estimated.fit.gap;
-    std::vector<fit::ParameterVector> starts;
+    std::vector<Screened> order;
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
       result_.singles.push_back({fit::makeHypothesis(result_.candidates, {c}), {}});
-      starts.push_back(screening.bestOf({c}));
-      if (result_.singles.back().hypothesis.competes()) {
-        least = std::min(least, screening.screen({c}).error);
+      order.push_back(screening.screen({c}));
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [](const Screened& x, const Screened& y) { return x.error < y.error; });
+    const auto others = order.begin() + static_cast<std::ptrdiff_t>(std::min(kAtOnce, order.size()));
+    fitSingles(screening, {order.begin(), others});
+    // Hypotheses that have to be simulated take longest and come first, so that no thread waits for them at the end.
+    std::stable_partition(others, order.end(), [&](const Screened& single) {
+      return !result_.singles[static_cast<std::size_t>(single.members.front())].hypothesis.isAdditive();
+    });
+    fitSingles(screening, {others, order.end()});
+    measured_.estimateNoise(*bestOfAll(), result_);
+  }
+
+  void fitSingles(const Screening& screening, const std::vector<Screened>& some) {
+    double least = bestOfAll()->fit.gap;
+    for (const Screened& screened : some) {
+      if (singleOf(screened).hypothesis.competes()) {
+        least = std::min(least, screened.error);
       }
     }
     const double reach = kHopeless * std::max(least, result_.discretisation);
-    // Hypotheses that have to be simulated take longest and come first, so that no thread waits for them at the end.
-    std::vector<std::size_t> order(result_.singles.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_partition(order.begin(), order.end(),
-                          [&](std::size_t c) { return !result_.singles[c].hypothesis.isAdditive(); });
-    fit::parallelFor(order.size(), threads_, [&](std::size_t i) {
-      FittedHypothesis& single = result_.singles[order[i]];
+    fit::parallelFor(some.size(), threads_, [&](std::size_t i) {
+      FittedHypothesis& single = singleOf(some[i]);
       const auto fit = single.hypothesis.free_in_log.gain ? fitGains : fitSingle;
-      fit(fitter_, result_.re_estimated, starts[order[i]], reach, single);
+      fit(fitter_, result_.re_estimated, screening.bestOf(some[i].members), reach, single);
     });
-    measured_.estimateNoise(*bestOfAll(), result_);
+  }
+
+  FittedHypothesis& singleOf(const Screened& screened) {
+    return result_.singles[static_cast<std::size_t>(screened.members.front())];
   }
 
   // The visible candidates, and the gap that a flexible fit could close.

@@ -2,6 +2,7 @@
 #include "diagnosis/prepare/rig.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <iterator>
@@ -10,7 +11,9 @@
 #include "diagnosis/prepare/friction_noise.h"
 #include "diagnosis/prepare/rig_noise.h"
 #include "fit/fitter.h"
+#include "fit/parallel.h"
 #include "gap/simulate.h"
+#include "numerics/gram.h"
 #include "numerics/least_squares.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"
@@ -52,7 +55,7 @@ void allowError(const log::Record& record, double one_deviation, measurement::Ri
     residual.array() *= record.counts.array();
   }
   const Eigen::Index count = columns.cols();
-  const numerics::Cholesky factor(columns.transpose() * columns + Eigen::MatrixXd::Identity(count, count));
+  const numerics::Cholesky factor(numerics::gramOf(columns) + Eigen::MatrixXd::Identity(count, count));
   fit.values = fit.rig.priors.cwiseProduct(factor.solve(Eigen::VectorXd(columns.transpose() * residual)));
   fit.covariance = fit.rig.priors.asDiagonal() *
                    factor.solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count))) * fit.rig.priors.asDiagonal();
@@ -303,11 +306,12 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
                                                  const std::vector<log::Record>& records,
-                                                 const std::vector<fit::DisplacementZero>& zeros,
-                                                 bool gains_are_named) {
+                                                 const std::vector<fit::DisplacementZero>& zeros, bool gains_are_named,
+                                                 int threads) {
   const measurement::RigModel rig(records, masksOf(records), gains_are_named ? withAnyGain(tolerances) : tolerances);
-  const std::vector<measurement::RigFit> fits = fitRig(rig, judged, zeros);
-  const std::vector<measurement::RigFit> by_rival = fitRig(rig, rival, zeros);
+  std::array<std::vector<measurement::RigFit>, 2> by;
+  fit::parallelFor(by.size(), threads, [&](std::size_t i) { by[i] = fitRig(rig, i == 0 ? judged : rival, zeros); });
+  const auto& [fits, by_rival] = by;
   std::vector<measurement::RigFinding> found;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const auto of_log = rig.findings(r, fits[r]);

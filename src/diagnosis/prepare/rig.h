@@ -38,6 +38,7 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
                                                  const std::vector<log::Record>& records,
-                                                 const std::vector<fit::DisplacementZero>& zeros, bool gains_are_named);
+                                                 const std::vector<fit::DisplacementZero>& zeros, bool gains_are_named,
+                                                 int threads);
 
 }  // namespace rubber_suspension::diagnosis::prepare

@@ -198,9 +198,10 @@ class Describer {
     const auto rival =
         hypotheses::augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
     for (const bool held_out : {false, true}) {
-      const auto found = prepare::rigFindings(
-          elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
-          held_out ? prepared_.zeros.held_out : prepared_.zeros.training, judged_.hypothesis.free_in_log.gain);
+      const auto found =
+          prepare::rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
+                               held_out ? prepared_.zeros.held_out : prepared_.zeros.training,
+                               judged_.hypothesis.free_in_log.gain, options_.threads);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
   }

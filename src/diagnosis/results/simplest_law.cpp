@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMostTerms = 3;    // of a law
 constexpr std::size_t kMostNumbers = 6;  // likewise
 constexpr int kSteps = 12;               // of a fit
-constexpr double kHopeless = 2.0;        // times the gap allowed: a fit that promises no less ends
+constexpr double kHopeless = 2.0;        // times the gap allowed: a law that promises no less is not fitted
 constexpr double kOfTypical = 1e-6;      // a scale below this is none
 
 using Indices = std::vector<Eigen::Index>;
@@ -208,7 +208,7 @@ class Chooser {
     Eigen::VectorXd moment = blocks_.sum.col(last);
     double square = blocks_.sum(last, last);
     for (const Eigen::Index t : own_[m]) {  // without the member
-      square += scaleAt(t) * (blocks_.sum(t, last) + moment[t]);
+      square += scaleAt(t) * (2.0 * moment[t] + scaleAt(t) * blocks_.sum(t, t));
       moment += scaleAt(t) * blocks_.sum.col(t);
     }
     Indices free;
@@ -247,7 +247,7 @@ class Chooser {
                                                       double allowed) const {
     std::vector<std::pair<double, FittedLaw>> laws;
     for (const auto& [kind, start] : starts) {
-      if (start.entries.empty()) {
+      if (start.entries.empty() || start.square > kHopeless * kHopeless * allowed) {
         continue;
       }
       try {

@@ -9,6 +9,7 @@
 
 #include "fit/free_in_log.h"
 #include "gap/simulate.h"
+#include "numerics/gram.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
@@ -114,8 +115,7 @@ void takeNuisances(const log::Record& record, const VectorXd& counts, const Vect
       kinds.columns.col(j) = (1.0 - record.withoutRig(column).norm()) * column;
     }
     const Index size = kinds.columns.cols();
-    const Eigen::MatrixXd gram =
-        kinds.columns.transpose() * kinds.columns + kRidge * Eigen::MatrixXd::Identity(size, size);
+    const Eigen::MatrixXd gram = numerics::gramOf(kinds.columns) + kRidge * Eigen::MatrixXd::Identity(size, size);
     const VectorXd values = numerics::Cholesky(gram).solve(VectorXd(kinds.columns.transpose() * taken));
     // |residual|^2 - |left|^2 is the product of both, in which the parts of what was taken add up.
     const VectorXd both = residual + left;

@@ -1,4 +1,4 @@
-// Products of all columns with each other, for one kind of processor. Sums run over eight lanes on each of them, so
+// Products of columns with columns, for one kind of processor. Sums run over eight lanes on each of them, so
 // that all give the same bits. See instruction_sets.h.
 #include "processor/lanes.h"
 
@@ -24,12 +24,13 @@ inline void addTile(const double* const* left, const double* const* right, std::
   }
 }
 
-/// Adds the products of all columns, tile by tile of the upper triangle, to their sums. The number of samples is a
-/// multiple of eight.
-inline void addGram(const double* const* columns, std::size_t tiles, std::size_t count, double* sums) {
-  for (std::size_t row = 0; row < tiles; ++row) {
-    for (std::size_t column = row; column < tiles; ++column) {
-      addTile(columns + row * kTile, columns + column * kTile, count, sums);
+/// Adds the products of columns with others, tile by tile, to their sums; with the same ones, of the upper triangle
+/// alone. The number of samples is a multiple of eight.
+inline void addProducts(const double* const* left, std::size_t left_tiles, const double* const* right,
+                        std::size_t right_tiles, bool same, std::size_t count, double* sums) {
+  for (std::size_t row = 0; row < left_tiles; ++row) {
+    for (std::size_t column = same ? row : 0; column < right_tiles; ++column) {
+      addTile(left + row * kTile, right + column * kTile, count, sums);
       sums += kTileSums;
     }
   }

@@ -1,0 +1,15 @@
+// Products of columns of samples: few columns, many rows.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rubber_suspension::numerics {
+
+/// The Gram matrix of some columns, columns^T * columns, to the same bits on all processors.
+Eigen::MatrixXd gramOf(const Eigen::Ref<const Eigen::MatrixXd>& columns);
+
+/// left^T * right, likewise. Both have the same number of rows.
+Eigen::MatrixXd productOf(const Eigen::Ref<const Eigen::MatrixXd>& left,
+                          const Eigen::Ref<const Eigen::MatrixXd>& right);
+
+}  // namespace rubber_suspension::numerics
