@@ -129,16 +129,12 @@ std::vector<LogBlocks::Block> LogBlocks::cut(const log::Record& record) {
   return blocks;
 }
 
-// Columns, what is free in the log, its residual, and what the rig may have added.
-Eigen::MatrixXd LogBlocks::fresh(const Request& request, std::size_t r) const {
-  const log::Record& record = records_[r];
-  const auto count = static_cast<Eigen::Index>(request.fresh.size());
+// What is free in a log, and its residual.
+Eigen::MatrixXd LogBlocks::ownOf(const Request& request, std::size_t r) const {
   const Eigen::Index free = request.free.count();
-  Eigen::MatrixXd columns(record.size(), count + free + 1 + record.nuisances.cols());
-  fill(request.columns, request.fresh, r, 0, weights_[r], columns);
-  columns.middleCols(count, free) = weights_[r] * request.free.columns(record, r, request.base[r]);
-  columns.col(count + free) = weights_[r] * (record.force - request.base[r]);
-  finish(record, 0, columns);
+  Eigen::MatrixXd columns(records_[r].size(), free + 1);
+  columns.leftCols(free) = weights_[r] * request.free.columns(records_[r], r, request.base[r]);
+  columns.col(free) = weights_[r] * (records_[r].force - request.base[r]);
   return columns;
 }
 
@@ -151,16 +147,20 @@ std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request&
   const Places own_and_rig = with(own, request.width, rig);
   const Places known_and_rig = with(request.known, request.width, rig);
   const Places index = with(request.index, static_cast<Eigen::Index>(known_.size()), rig);
-  const Eigen::MatrixXd columns = fresh(request, r);
+  const Eigen::MatrixXd of_log = ownOf(request, r);
   std::vector<Eigen::MatrixXd> grams;
   for (const Block& block : blocks_[r]) {
-    const auto rows = columns.middleRows(block.first, block.size);
+    Eigen::MatrixXd columns(block.size, static_cast<Eigen::Index>(own_and_rig.size()));
+    fill(request.columns, request.fresh, r, block.first, weights_[r], columns);
+    columns.middleCols(static_cast<Eigen::Index>(request.fresh.size()), of_log.cols()) =
+        of_log.middleRows(block.first, block.size);
+    finish(records_[r], block.first, columns);
     Eigen::MatrixXd& gram = grams.emplace_back(Eigen::MatrixXd::Zero(request.width + rig, request.width + rig));
-    gram(own_and_rig, own_and_rig) = numerics::gramOf(rows);
+    gram(own_and_rig, own_and_rig) = numerics::gramOf(columns);
     if (!request.known.empty()) {
       Eigen::MatrixXd known(block.size, static_cast<Eigen::Index>(request.known.size()));
       fill(known_, request.index, r, block.first, weights_[r], known);
-      const Eigen::MatrixXd mixed = numerics::productOf(rows.leftCols(static_cast<Eigen::Index>(own.size())), known);
+      const Eigen::MatrixXd mixed = numerics::productOf(columns.leftCols(static_cast<Eigen::Index>(own.size())), known);
       gram(own, request.known) = mixed;
       gram(request.known, own) = mixed.transpose();
       gram(known_and_rig, known_and_rig) = block.known(index, index);

@@ -59,7 +59,7 @@ class LogBlocks {
   };
   struct Request;
   static std::vector<Block> cut(const log::Record& record);
-  Eigen::MatrixXd fresh(const Request& request, std::size_t r) const;
+  Eigen::MatrixXd ownOf(const Request& request, std::size_t r) const;
   std::vector<Eigen::MatrixXd> productsIn(std::size_t r, const Request& request) const;
   Eigen::MatrixXd priorOf(const Request& request) const;
 
