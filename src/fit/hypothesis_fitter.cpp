@@ -11,6 +11,7 @@ namespace rubber_suspension::fit {
 namespace {
 
 constexpr double kEnoughGain = 1e-3;  // of the gap, for a further step
+constexpr double kSlow = 0.2;         // of what a fit still lacks: at least five more such steps would be needed
 constexpr int kMostHalvings = 6;      // of a step that does not lead down
 constexpr double kPenalty = 5.0;      // of a logarithm's change, times the noise of the force, between hypotheses
 constexpr double kPrior = 2.0;        // the same within a fit, where it must not keep parameters from what logs tell
@@ -141,7 +142,8 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
     const double left = std::sqrt(std::max(0.0, squaresLeft(blocks.sum, step)));
     const double promise = std::hypot(left, priorOf(place.parameters.model));
     const bool hopeless = iteration > 0 && promise > limits.reach;
-    if (hopeless || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
+    const bool too_slow = place.cost - promise < kSlow * (place.cost - limits.needed);
+    if (hopeless || too_slow || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
       break;
     }
     // Terms that the first step leaves at nothing take no further part: their force would have to be simulated each

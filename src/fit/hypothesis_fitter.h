@@ -37,6 +37,8 @@ struct FitLimits {
   /// A step that promises to leave more than this, as a gap, is the last.
   double reach = std::numeric_limits<double>::infinity();
   std::vector<bool> active = {};  ///< terms that may move in the first step; all where it is empty
+  /// A fit that gains too little to come down to this, as a gap, ends.
+  double needed = std::numeric_limits<double>::infinity();
 };
 
 /// Fits hypotheses to measurements: Gauss-Newton steps within bounds, and cross validation by blocks. What was

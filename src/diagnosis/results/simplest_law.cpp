@@ -251,7 +251,7 @@ class Chooser {
         continue;
       }
       try {
-        FittedLaw simple = fitted(m, start.entries, kHopeless * std::sqrt(allowed));
+        FittedLaw simple = fitted(m, start.entries, std::sqrt(allowed));
         const double gap = gapOf(simple);
         if (gap * gap <= allowed) {
           laws.emplace_back(gap, std::move(simple));
@@ -264,7 +264,7 @@ class Chooser {
     return laws;
   }
 
-  FittedLaw fitted(std::size_t m, const Entries& start, double reach) const {
+  FittedLaw fitted(std::size_t m, const Entries& start, double needed) const {
     FittedLaw simple{result_.fitted.law, {}};
     MemberLaw& member = simple.law.members[m];
     member.terms.clear();
@@ -283,7 +283,7 @@ class Chooser {
       to += size;
       of += static_cast<Eigen::Index>(result_.fitted.law.members[i].size());
     }
-    simple.fit = fitter.fit(hypothesis, from, {kSteps, reach});
+    simple.fit = fitter.fit(hypothesis, from, {kSteps, kHopeless * needed, {}, needed});
     return simple;
   }
 
