@@ -218,6 +218,28 @@ TEST_F(Rivals, OneSineCannotTellADashpotFromRelaxationTwoCan) {
   EXPECT_GT(two, 5.0 * one);
 }
 
+// What is needed leaves out motions that cannot tell so much, and changes nothing about the best one.
+TEST_F(Rivals, AMotionThatIsNeededIsTheBestOfAll) {
+  single("viscous_damping").fit.parameters.scales[0] = 2e3;
+  std::vector<Experiment> menu;
+  for (const double frequency : {0.5, 2.0, 8.0, 15.0}) {
+    const auto law = [&](double t) { return 1e-4 * std::sin(2.0 * element::kPi * frequency * t); };
+    menu.push_back(motion([&](double t) { return law(t) + 0.3 * law(3.0 * t); }));
+  }
+  const std::vector<diagnosis::experiment::Explanation> explanations = {{&single("viscous_damping"), 0.6},
+                                                                        {&search_.re_estimated, 0.4}};
+  diagnosis::experiment::Discriminator discriminator(fitter_, search_, explanations, 1e9, 1);
+  const auto best = discriminator.best(menu);
+  ASSERT_NE(best.experiment, nullptr);
+  for (const Experiment& experiment : menu) {
+    EXPECT_LE(discriminator.best({experiment}).floors, best.floors);
+  }
+  const auto needed = discriminator.best(menu, best.floors);
+  EXPECT_EQ(needed.experiment, best.experiment);
+  EXPECT_EQ(needed.floors, best.floors);
+  EXPECT_EQ(discriminator.best(menu, 1e9).experiment, nullptr);
+}
+
 TEST_F(Rivals, ProposeNothingBelowTwoFloors) {
   for (diagnosis::hypotheses::FittedHypothesis& other : search_.singles) {
     other.fit.held_out = std::numeric_limits<double>::infinity();  // against the model as it is alone

@@ -156,6 +156,9 @@ TEST(Gram, IsTheProductOfTheColumns) {
     const Eigen::MatrixXd expected = matrix.transpose() * matrix;
     EXPECT_LT((gram - expected).cwiseAbs().maxCoeff(), 1e-12 * rows) << rows << " x " << columns;
     EXPECT_EQ(gram, Eigen::MatrixXd(gram.transpose()));
+    const Eigen::MatrixXd other = Eigen::MatrixXd::Random(rows, columns + 5);
+    const Eigen::MatrixXd mixed = matrix.transpose() * other;
+    EXPECT_LT((numerics::productOf(matrix, other) - mixed).cwiseAbs().maxCoeff(), 1e-12 * rows);
   }
 }
 
