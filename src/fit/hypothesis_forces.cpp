@@ -63,12 +63,14 @@ std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelPa
 
 HypothesisForces::HypothesisForces(std::shared_ptr<const std::vector<log::Record>> records,
                                    const ModelParameters& model)
-    : records_(std::move(records)), model_(model), of_model_(interactionOf(model)) {}
+    : records_(std::move(records)), model_(model) {
+  if (const auto elements = model.elements(Eigen::VectorXd::Zero(model.size()))) {
+    add(*elements, of_model_);
+  }
+}
 
-HypothesisForces::Interaction HypothesisForces::interactionOf(const ModelParameters& model) {
-  Interaction interaction;
-  const auto elements = model.elements(Eigen::VectorXd::Zero(model.size()));
-  for (const element::ElementDescription& description : elements.value_or(std::vector<element::ElementDescription>{})) {
+void HypothesisForces::add(const std::vector<element::ElementDescription>& elements, Interaction& interaction) {
+  for (const element::ElementDescription& description : elements) {
     const element::ElementPointer element = element::makeElement(description);
     if (const element::ParallelElement* parallel = element::parallelLaw(element)) {
       interaction.on_rig = interaction.on_rig || parallel->onRig();
@@ -78,7 +80,6 @@ HypothesisForces::Interaction HypothesisForces::interactionOf(const ModelParamet
       interaction.displaces = true;
     }
   }
-  return interaction;
 }
 
 HypothesisForces::Interaction HypothesisForces::interactionOf(const Hypothesis& hypothesis,
@@ -102,18 +103,21 @@ bool HypothesisForces::isKnown(const BasisTerm& term, const Interaction& interac
   return !interaction.displaces && factors_known && (term.softening || !interaction.scales);
 }
 
-std::optional<gap::Forces> HypothesisForces::at(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
+std::optional<gap::Forces> HypothesisForces::at(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                                const std::vector<element::ElementDescription>& further) const {
   // Terms known by their unit effect are added or multiplied; the others have to be simulated.
-  const Interaction interaction = interactionOf(hypothesis, parameters);
+  Interaction interaction = interactionOf(hypothesis, parameters);
+  add(further, interaction);
   ParameterVector rest = parameters;
   ParameterVector known = parameters;
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
     (isKnown(hypothesis.terms[t], interaction) ? rest : known).scales[static_cast<Eigen::Index>(t)] = 0.0;
   }
-  const auto elements = elementsOf(model_, hypothesis, rest);
+  auto elements = elementsOf(model_, hypothesis, rest);
   if (!elements) {
     return std::nullopt;
   }
+  elements->insert(elements->end(), further.begin(), further.end());
   auto result = gap::simulate(*elements, records());
   for (std::size_t r = 0; r < records().size(); ++r) {
     addForces(hypothesis, known, false, r, result[r]);

@@ -33,8 +33,10 @@ class HypothesisForces {
   /// True where the force of the model is the sum of those of its elements.
   bool isAdditive() const { return !of_model_.displaces && !of_model_.scales; }
 
-  /// Force of each log [N]; nothing where the model parameters have no solution.
-  std::optional<gap::Forces> at(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
+  /// Force of each log [N], with further elements besides the hypothesis; nothing where the model parameters have no
+  /// solution.
+  std::optional<gap::Forces> at(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                const std::vector<element::ElementDescription>& further = {}) const;
 
   /// The force of each log beyond that with other scales of the same terms [N]. Throws std::invalid_argument
   /// where there is no model.
@@ -54,7 +56,7 @@ class HypothesisForces {
     bool softens = false;    ///< softening terms
     bool on_rig = false;     ///< elements of the model that sit on the rig
   };
-  static Interaction interactionOf(const ModelParameters& model);
+  static void add(const std::vector<element::ElementDescription>& elements, Interaction& interaction);
   Interaction interactionOf(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 
   /// True where the effect of a term on the force follows from its unit effect, without simulation.

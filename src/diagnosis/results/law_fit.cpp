@@ -42,11 +42,6 @@ fit::BasisTerm unknownOf(const Entries& start, const NumberPlace& place) {
   return unknown;
 }
 
-bool addsUp(const element::ElementDescription& entry) {
-  const element::ElementPointer element = element::makeElement(entry);
-  return std::holds_alternative<std::shared_ptr<const element::ParallelElement>>(element);
-}
-
 // Numbers that move each by itself may leave what a law allows of them together.
 bool canBeMade(const Entries& entries) {
   try {
@@ -117,15 +112,12 @@ LawForces::LawForces(std::shared_ptr<const std::vector<log::Record>> records, co
                      const Law& law)
     : forces_(std::move(records), model), law_(law) {
   Eigen::Index place = 0;
-  adds_up_ = forces_.isAdditive();
   for (const MemberLaw& member : law.members) {
     for (const fit::BasisTerm& term : member.terms) {
       terms_.terms.push_back(term);
       places_.push_back(place++);
-      adds_up_ = adds_up_ && term.additive;
     }
     place += member.terms.empty() ? static_cast<Eigen::Index>(member.size()) : 0;
-    adds_up_ = adds_up_ && std::all_of(member.start.begin(), member.start.end(), addsUp);
   }
 }
 
@@ -144,51 +136,9 @@ Entries LawForces::entriesAt(const Eigen::VectorXd& scales) const {
   return entries;
 }
 
-void LawForces::keep(const fit::ParameterVector& parameters) const {
-  const fit::ParameterVector of_terms = ofTerms(parameters);
-  if (!rest_ || rest_->first.model != of_terms.model || rest_->first.scales != of_terms.scales) {
-    rest_ = {of_terms, forces_.at(terms_, of_terms)};
-  }
-  if (!added_ || added_->first != parameters.scales) {
-    added_ = {parameters.scales, gap::simulate(entriesAt(parameters.scales), forces_.records())};
-  }
-}
-
 std::optional<gap::Forces> LawForces::at(const fit::ParameterVector& parameters) const {
-  if (adds_up_ && canBeMade(entriesAt(parameters.scales))) {
-    keep(parameters);
-  }
-  return forcesAt(parameters);
-}
-
-std::optional<gap::Forces> LawForces::forcesAt(const fit::ParameterVector& parameters) const {
-  const fit::ParameterVector of_terms = ofTerms(parameters);
   const Entries entries = entriesAt(parameters.scales);
-  if (!canBeMade(entries)) {
-    return std::nullopt;
-  }
-  if (adds_up_) {
-    const bool kept = rest_->first.model == of_terms.model && rest_->first.scales == of_terms.scales;
-    auto forces = kept ? rest_->second : forces_.at(terms_, of_terms);
-    if (!forces || entries.empty()) {
-      return forces;
-    }
-    const bool added = added_->first == parameters.scales;
-    const gap::Forces anew = added ? gap::Forces() : gap::simulate(entries, forces_.records());
-    for (std::size_t r = 0; r < forces->size(); ++r) {
-      (*forces)[r] += (added ? added_->second : anew)[r];
-    }
-    return forces;
-  }
-  if (entries.empty()) {
-    return forces_.at(terms_, of_terms);
-  }
-  auto elements = fit::elementsOf(forces_.model(), terms_, of_terms);
-  if (!elements) {
-    return std::nullopt;
-  }
-  elements->insert(elements->end(), entries.begin(), entries.end());
-  return gap::simulate(*elements, forces_.records());
+  return canBeMade(entries) ? forces_.at(terms_, ofTerms(parameters), entries) : std::nullopt;
 }
 
 fit::ForceColumn LawForces::difference(const fit::ParameterVector& parameters, const gap::Forces& base,
@@ -196,7 +146,7 @@ fit::ForceColumn LawForces::difference(const fit::ParameterVector& parameters, c
   const Eigen::Index of_model = parameters.model.size();
   fit::ParameterVector moved = parameters;
   (unknown < of_model ? moved.model[unknown] : moved.scales[unknown - of_model]) += step;
-  auto forces = forcesAt(moved);
+  auto forces = at(moved);
   if (!forces) {
     forces = base;  // no model there: the parameter cannot move
   }
@@ -218,9 +168,6 @@ std::vector<fit::ForceColumn> LawForces::columns(const fit::ParameterVector& par
                                                  int threads) const {
   const Eigen::Index of_model = parameters.model.size();
   const fit::Hypothesis all = law_.hypothesis();
-  if (adds_up_) {
-    keep(parameters);
-  }
   std::vector<fit::ForceColumn> columns(static_cast<std::size_t>(of_model + parameters.scales.size()));
   fit::parallelFor(columns.size(), threads, [&](std::size_t j) {
     const auto unknown = static_cast<Eigen::Index>(j);

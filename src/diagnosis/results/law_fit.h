@@ -57,8 +57,7 @@ struct FittedLaw {
   fit::Fit fit;
 };
 
-/// Forces of a law about a model over some records [N]. Not for several threads of a caller at once: it keeps what it
-/// simulated last.
+/// Forces of a law about a model over some records [N].
 class LawForces {
  public:
   /// The model has to outlive it.
@@ -76,10 +75,6 @@ class LawForces {
   // Scales of the members that have terms, in the order of terms_.
   fit::ParameterVector ofTerms(const fit::ParameterVector& parameters) const;
   Entries entriesAt(const Eigen::VectorXd& scales) const;
-  // Makes rest_ and added_ those at these parameters, where forces add up.
-  void keep(const fit::ParameterVector& parameters) const;
-  // Takes from rest_ and added_ what these parameters do not change.
-  std::optional<gap::Forces> forcesAt(const fit::ParameterVector& parameters) const;
   double stepOf(const fit::ParameterVector& parameters, const fit::BasisTerm& unknown, Eigen::Index t) const;
   fit::ForceColumn difference(const fit::ParameterVector& parameters, const gap::Forces& base, Eigen::Index unknown,
                               double step) const;
@@ -88,9 +83,6 @@ class LawForces {
   Law law_;
   fit::Hypothesis terms_;             // of the members that have terms
   std::vector<Eigen::Index> places_;  // of these among all scales
-  bool adds_up_ = false;              // the entries' force is added to that of the rest
-  mutable std::optional<std::pair<fit::ParameterVector, std::optional<gap::Forces>>> rest_;
-  mutable std::optional<std::pair<Eigen::VectorXd, gap::Forces>> added_;
 };
 
 /// Fits a law to the records of a fitter, which has to outlive it, on up to `threads` threads.
