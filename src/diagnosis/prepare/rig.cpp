@@ -37,11 +37,9 @@ std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) 
 
 gap::Forces simulateAt(const std::vector<element::ElementDescription>& elements,
                        const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& displacements) {
-  std::vector<log::Record> moved = records;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    moved[r].displacement = displacements[r];
-  }
-  return gap::simulate(elements, moved);
+  return gap::simulate(elements, records, [&](const log::Record& record) {
+    return displacements[static_cast<std::size_t>(&record - records.data())];
+  });
 }
 
 // The same values by a model that may err by what is accepted: then the logs tell no more of them than a few errors of
