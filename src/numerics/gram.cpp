@@ -50,13 +50,13 @@ Eigen::MatrixXd product(const Columns& left, const Columns& right, bool same) {
   const std::size_t rows = tilesOf(left);
   const std::size_t columns = tilesOf(right);
   std::vector<double> sums((same ? rows * (rows + 1) / 2 : rows * columns) * kTileSums, 0.0);
+  const auto add = RUBBER_SUSPENSION_KERNEL(addProducts);
   std::vector<double> left_copy;
   std::vector<double> right_copy;
   for (Eigen::Index first = 0; first < left.rows(); first += kBlock) {
     const std::vector<const double*> of_left = block(left, first, rows, left_copy);
     const std::vector<const double*> of_right = same ? of_left : block(right, first, columns, right_copy);
-    RUBBER_SUSPENSION_KERNEL(addProducts)
-    (of_left.data(), rows, of_right.data(), columns, same, static_cast<std::size_t>(kBlock), sums.data());
+    add(of_left.data(), rows, of_right.data(), columns, same, static_cast<std::size_t>(kBlock), sums.data());
   }
   Eigen::MatrixXd result(left.cols(), right.cols());
   const double* tile = sums.data();

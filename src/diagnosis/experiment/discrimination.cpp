@@ -155,11 +155,15 @@ bool Discriminator::isPlayedAlone(std::size_t explanation, Eigen::Index term) co
 }
 
 // As in fits, terms at nothing whose force would have to be simulated beside the others stay there.
+bool Discriminator::isMovable(std::size_t explanation, Eigen::Index term) const {
+  return explanations_[explanation].fitted->fit.parameters.scales[term] != 0.0 || isPlayedAlone(explanation, term);
+}
+
 std::vector<bool> Discriminator::movable(std::size_t explanation) const {
-  const Eigen::VectorXd& scales = explanations_[explanation].fitted->fit.parameters.scales;
+  const Eigen::Index terms = explanations_[explanation].fitted->fit.parameters.scales.size();
   std::vector<bool> movable;
-  for (Eigen::Index t = 0; t < scales.size(); ++t) {
-    movable.push_back(scales[t] != 0.0 || isPlayedAlone(explanation, t));
+  for (Eigen::Index t = 0; t < terms; ++t) {
+    movable.push_back(isMovable(explanation, t));
   }
   return movable;
 }
@@ -171,7 +175,9 @@ Discriminator::Derivative Discriminator::derivativeBy(std::size_t explanation, E
   const Eigen::Index of_model = moved.model.size();
   if (unknown < of_model) {
     const bool alone = addsUp(explanation);
-    moved.scales *= alone ? 0.0 : 1.0;
+    if (alone) {
+      moved.scales.setZero();
+    }
     const double at = moved.model[unknown];
     double step = kModelStep;
     moved.model[unknown] = at + step;
@@ -185,7 +191,7 @@ Discriminator::Derivative Discriminator::derivativeBy(std::size_t explanation, E
   }
   const Eigen::Index t = unknown - of_model;
   const fit::BasisTerm& term = hypothesis.terms[static_cast<std::size_t>(t)];
-  if (!movable(explanation)[static_cast<std::size_t>(t)]) {
+  if (!isMovable(explanation, t)) {
     return {};
   }
   if (isPlayedAlone(explanation, t)) {

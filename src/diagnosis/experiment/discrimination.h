@@ -72,6 +72,7 @@ class Discriminator {
   void findNormalEquations();
   bool addsUp(std::size_t explanation) const;
   bool isPlayedAlone(std::size_t explanation, Eigen::Index term) const;
+  bool isMovable(std::size_t explanation, Eigen::Index term) const;
   std::vector<bool> movable(std::size_t explanation) const;
   Derivative derivativeBy(std::size_t explanation, Eigen::Index unknown) const;
   std::vector<Eigen::MatrixXd> derivatives(std::size_t explanation, const std::vector<Eigen::VectorXd>& whole) const;

@@ -97,9 +97,8 @@ class Searcher {
     const auto others = order.begin() + static_cast<std::ptrdiff_t>(std::min(kAtOnce, order.size()));
     fitSingles(screening, {order.begin(), others});
     // Hypotheses that have to be simulated take longest and come first, so that no thread waits for them at the end.
-    std::stable_partition(others, order.end(), [&](const Screened& single) {
-      return !result_.singles[static_cast<std::size_t>(single.members.front())].hypothesis.isAdditive();
-    });
+    std::stable_partition(others, order.end(),
+                          [&](const Screened& screened) { return !singleOf(screened).hypothesis.isAdditive(); });
     fitSingles(screening, {others, order.end()});
     measured_.estimateNoise(*bestOfAll(), result_);
   }
@@ -259,8 +258,8 @@ class Searcher {
     const FittedHypothesis* best = &result_.singles[static_cast<std::size_t>(members.front())];
     for (const FittedHypothesis* fitted : result_.withEffects()) {
       const std::vector<int>& part = fitted->hypothesis.members;
-      const bool within = !fitted->fit.blocks.empty() && part.size() < members.size() &&
-                          std::includes(members.begin(), members.end(), part.begin(), part.end());
+      const bool within =
+          part.size() < members.size() && std::includes(members.begin(), members.end(), part.begin(), part.end());
       best = within && fitted->fit.score() < best->fit.score() ? fitted : best;
     }
     return *best;

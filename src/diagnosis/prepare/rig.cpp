@@ -37,6 +37,7 @@ std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) 
 
 gap::Forces simulateAt(const std::vector<element::ElementDescription>& elements,
                        const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& displacements) {
+  // It asks for the drive of each of these very records.
   return gap::simulate(elements, records, [&](const log::Record& record) {
     return displacements[static_cast<std::size_t>(&record - records.data())];
   });
