@@ -2,6 +2,7 @@
 #include "fit/hypothesis.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "element/each.h"
@@ -50,6 +51,38 @@ gap::Forces addedForce(const BasisTerm& term, const std::vector<log::Record>& re
   return result;
 }
 
+std::vector<int> containedBy(const std::vector<Candidate>& candidates, int larger) {
+  std::vector<int> contained;
+  for (std::size_t other = 0; other < candidates.size(); ++other) {
+    if (contains(candidates[static_cast<std::size_t>(larger)], candidates[other])) {
+      contained.push_back(static_cast<int>(other));
+    }
+  }
+  return contained;
+}
+
+// Those that the hypothesis does not have yet.
+void addTerms(const std::vector<Candidate>& candidates, int candidate, Hypothesis& hypothesis) {
+  const std::vector<BasisTerm>& terms = candidates[static_cast<std::size_t>(candidate)].terms;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const TermPlace place{candidate, t};
+    if (std::find(hypothesis.places.begin(), hypothesis.places.end(), place) == hypothesis.places.end()) {
+      hypothesis.terms.push_back(terms[t]);
+      hypothesis.places.push_back(place);
+    }
+  }
+}
+
+// Of those from `first` on that are at work, the ones that are not of a candidate.
+std::size_t atWorkBeside(int candidate, const Hypothesis& hypothesis, const Eigen::VectorXd& scales, std::size_t first,
+                         std::size_t count) {
+  std::size_t numbers = 0;
+  for (std::size_t t = first; t < first + count; ++t) {
+    numbers += scales[static_cast<Eigen::Index>(t)] != 0.0 && hypothesis.places[t].candidate != candidate ? 1 : 0;
+  }
+  return numbers;
+}
+
 gap::Forces unitEffect(const BasisTerm& term, const std::vector<log::Record>& records) {
   return term.softening ? softenedShare(term, records)
          : term.exact   ? element::each(records, term.exact)
@@ -79,11 +112,46 @@ Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::v
   hypothesis.members = members;
   for (const int member : members) {
     const Candidate& candidate = candidates[static_cast<std::size_t>(member)];
-    hypothesis.terms.insert(hypothesis.terms.end(), candidate.terms.begin(), candidate.terms.end());
+    const std::size_t before = hypothesis.terms.size();
+    addTerms(candidates, member, hypothesis);
+    for (const int other : containedBy(candidates, member)) {
+      addTerms(candidates, other, hypothesis);
+    }
+    hypothesis.counts.push_back(hypothesis.terms.size() - before);
     hypothesis.free_in_log = hypothesis.free_in_log | candidate.free_in_log;
     hypothesis.like_parameters = hypothesis.like_parameters || candidate.like_parameters;
   }
   return hypothesis;
+}
+
+bool contains(const Candidate& larger, const Candidate& smaller) {
+  return std::find(larger.contains.begin(), larger.contains.end(), smaller.effect) != larger.contains.end();
+}
+
+bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& larger, const std::vector<int>& smaller) {
+  return std::all_of(smaller.begin(), smaller.end(), [&](int one) {
+    return std::any_of(larger.begin(), larger.end(), [&](int member) {
+      return member == one ||
+             contains(candidates[static_cast<std::size_t>(member)], candidates[static_cast<std::size_t>(one)]);
+    });
+  });
+}
+
+std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypothesis& hypothesis,
+                          const Eigen::VectorXd& scales) {
+  std::size_t numbers = 0;
+  std::size_t first = 0;
+  for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
+    const std::size_t shapes = candidates[static_cast<std::size_t>(hypothesis.members[m])].terms_at ? 1 : 0;
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    const std::vector<int> contained = containedBy(candidates, hypothesis.members[m]);
+    for (const int other : contained) {
+      least = std::min(least, shapes + atWorkBeside(other, hypothesis, scales, first, hypothesis.counts[m]));
+    }
+    numbers += contained.empty() ? 0 : std::max<std::size_t>(least, 1);
+    first += hypothesis.counts[m];
+  }
+  return numbers;
 }
 
 void findUnitEffects(std::vector<Candidate>& candidates, const std::vector<log::Record>& records, int threads) {

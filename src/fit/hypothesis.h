@@ -43,6 +43,8 @@ struct Candidate {
   std::string documentation;  ///< what it is and its signature, one sentence
   bool on_rig = false;        ///< belongs to the rig, not to the rubber
   std::vector<BasisTerm> terms;
+  /// Effects that its law has as a limit: it holds their terms besides its own.
+  std::vector<std::string> contains = {};
   FreeInLog free_in_log = {};  ///< belongs to it
   /// What its terms do, all of the model's parameters do together: told beside parameter_error, and named only for
   /// gains that differ from log to log.
@@ -67,10 +69,23 @@ struct Candidate {
 BasisTerm additiveTerm(const std::string& type, const std::string& scaled, double typical,
                        const element::ParameterValues& others = {});
 
+/// A basis term by its candidate, and by its place among the terms of that.
+struct TermPlace {
+  int candidate = 0;
+  std::size_t term = 0;
+
+  friend bool operator==(const TermPlace& a, const TermPlace& b) {
+    return a.candidate == b.candidate && a.term == b.term;
+  }
+};
+
 /// Candidates at work beside a model. Without members it is the model alone, its parameters free.
 struct Hypothesis {
-  std::vector<int> members;      ///< the candidates at work by their index, ascending
-  std::vector<BasisTerm> terms;  ///< of all members, one member after the other
+  std::vector<int> members;       ///< the candidates at work by their index, ascending
+  std::vector<BasisTerm> terms;   ///< of all members, one member after the other
+  std::vector<TermPlace> places;  ///< of these among the candidates
+  /// Terms of each member: its own, then those of what it contains, without those of an earlier member.
+  std::vector<std::size_t> counts;
   FreeInLog free_in_log;         ///< is free as well
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
 
@@ -83,6 +98,18 @@ struct Hypothesis {
 
 /// The hypothesis that these candidates are at work.
 Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members);
+
+/// Whether a candidate contains another one.
+bool contains(const Candidate& larger, const Candidate& smaller);
+
+/// Whether a set of candidates can do all that another one can: each of these is one of its members, or contained in
+/// one.
+bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& larger, const std::vector<int>& smaller);
+
+/// The numbers at these scales that are not at their limits and that the members have beyond the laws that they
+/// contain, of several the one that leaves fewest: at least one for each member that contains any.
+std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypothesis& hypothesis,
+                          const Eigen::VectorXd& scales);
 
 /// Where a fit of a hypothesis is.
 struct ParameterVector {

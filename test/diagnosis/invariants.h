@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/experiment/explanation.h"
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/words/model_values.h"
 #include "diagnosis/words/text.h"
@@ -158,6 +160,26 @@ inline void checkCandidates(const Diagnosis& d) {
   }
 }
 
+/// A hypothesis leaves no more of the logs of the fit than one whose terms are among its own, a law that contains
+/// another than that one above all.
+inline void checkContainment(const Diagnosis& d) {
+  using diagnosis::hypotheses::FittedHypothesis;
+  constexpr double kAsMuch = 1.01;
+  constexpr double kOfFloor = 0.1;
+  const diagnosis::hypotheses::Search& search = d.workings->search;
+  const std::vector<const FittedHypothesis*> all = search.withEffects();
+  for (const FittedHypothesis* larger : all) {
+    for (const FittedHypothesis* smaller : all) {
+      if (larger != smaller && smaller->hypothesis.competes() &&
+          fit::holds(search.candidates, larger->hypothesis.members, smaller->hypothesis.members)) {
+        EXPECT_LE(larger->fit.gap, kAsMuch * smaller->fit.gap + kOfFloor * search.noise)
+            << diagnosis::experiment::nameOf(search, *larger) << " above "
+            << diagnosis::experiment::nameOf(search, *smaller);
+      }
+    }
+  }
+}
+
 inline void checkInvariants(const Diagnosis& d) {
   SCOPED_TRACE(d.sentence);
   if (d.verdict == diagnosis::Verdict::check_bench) {
@@ -171,6 +193,7 @@ inline void checkInvariants(const Diagnosis& d) {
   checkCandidates(d);
   checkTakenOut(d);
   checkThatTakenOutExplainsTheGaps(d);
+  checkContainment(d);
   const double where = std::accumulate(d.where.begin(), d.where.end(), 0.0,
                                        [](double sum, const gap::GapCell& cell) { return sum + cell.share; });
   EXPECT_TRUE(d.where.empty() || std::abs(where - 1.0) < kRounding) << where;

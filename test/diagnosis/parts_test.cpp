@@ -1,10 +1,12 @@
 // Model parameters, records, what noise does, and the menu of experiments.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
@@ -216,6 +218,53 @@ TEST(Candidates, RadialCouplingNeedsAnotherDisplacement) {
   EXPECT_TRUE(offered(1.0, 1.0));
   EXPECT_FALSE(offered(1.0, 0.0));
   EXPECT_FALSE(offered(0.0, 0.01));
+}
+
+// The table of laws that have others as a limit: they have their terms, once each, and their further numbers count.
+TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
+  const std::vector<fit::Candidate> all =
+      diagnosis::hypotheses::candidate::candidates(fit::summarise({log::makeRecord(noisyLog(0.0))}));
+  const auto placeOf = [&](const std::string& effect) {
+    return static_cast<int>(std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.effect == effect; }) -
+                            all.begin());
+  };
+  const auto termsOf = [&](int candidate) { return all[static_cast<std::size_t>(candidate)].terms.size(); };
+  const int friction = placeOf("friction");
+  const int relaxation = placeOf("relaxation");
+  const int backlash = placeOf("backlash");
+  const int coupling = placeOf("rate_amplitude_coupling");
+  std::set<std::pair<std::string, std::string>> contained;
+  for (const fit::Candidate& larger : all) {
+    for (const fit::Candidate& smaller : all) {
+      if (fit::contains(larger, smaller)) {
+        contained.emplace(larger.effect, smaller.effect);
+      }
+    }
+  }
+  EXPECT_EQ(contained, (std::set<std::pair<std::string, std::string>>{{"backlash", "friction"},
+                                                                      {"fluid_inertia", "inertia"},
+                                                                      {"rate_amplitude_coupling", "friction"},
+                                                                      {"rate_amplitude_coupling", "relaxation"}}));
+  const fit::Hypothesis both = fit::makeHypothesis(all, {backlash, coupling});
+  EXPECT_EQ(both.counts,
+            (std::vector<std::size_t>{termsOf(backlash) + termsOf(friction), termsOf(coupling) + termsOf(relaxation)}));
+  EXPECT_TRUE(fit::holds(all, {backlash, coupling}, {friction, relaxation}));
+  EXPECT_FALSE(fit::holds(all, {backlash}, {relaxation}));
+
+  const auto beyond = [&](int member, const std::map<int, std::size_t>& at_work) {
+    const fit::Hypothesis hypothesis = fit::makeHypothesis(all, {member});
+    Eigen::VectorXd scales = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hypothesis.terms.size()));
+    for (std::size_t t = 0; t < hypothesis.places.size(); ++t) {
+      const auto count = at_work.find(hypothesis.places[t].candidate);
+      scales[static_cast<Eigen::Index>(t)] = count != at_work.end() && hypothesis.places[t].term < count->second;
+    }
+    return fit::numbersBeyond(all, hypothesis, scales);
+  };
+  EXPECT_EQ(beyond(friction, {{friction, 5}}), 0U);
+  EXPECT_EQ(beyond(backlash, {{friction, 5}}), 1U) << "the clearance";
+  EXPECT_EQ(beyond(backlash, {{friction, 5}, {backlash, 2}}), 3U);
+  EXPECT_EQ(beyond(coupling, {{relaxation, 4}}), 1U) << "at its limit it is not free";
+  EXPECT_EQ(beyond(coupling, {{friction, 3}, {relaxation, 4}, {coupling, 2}}), 5U) << "beyond relaxation";
 }
 
 class KnownEffects : public testing::TestWithParam<std::vector<element::ElementDescription>> {};

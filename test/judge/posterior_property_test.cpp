@@ -204,6 +204,22 @@ RC_GTEST_PROP(AnEffectThatExplainsTheGap, IsNamed, ()) {
   RC_ASSERT(answer.effects == std::vector<int>{1});
 }
 
+// Of two laws that leave and add the same, the one that contains the other loses by what its further numbers cost.
+RC_GTEST_PROP(ALawBeyondAnother, LosesByItsCostAlone, ()) {
+  const auto blocks = static_cast<std::size_t>(*rc::gen::inRange(10, 300));
+  const double left = anyGap(3, 100);
+  Evidence evidence = unexplained(5, 2, anyGap(100, 400), blocks);
+  explain(evidence, 0, left);
+  explain(evidence, 1, left);
+  HypothesisEvidence& larger = evidence.hypotheses.back();
+  larger.beyond = static_cast<std::size_t>(*rc::gen::inRange(1, 8));
+  const SetPosterior posterior = posteriorOf(evidence);
+  const double cost = diagnosis::judge::costOfNumbers(static_cast<double>(larger.beyond), static_cast<double>(blocks),
+                                                      diagnosis::judge::fittedNumbers());
+  RC_ASSERT(cost > 0.0);
+  RC_ASSERT(std::abs(std::log(probabilityOf(posterior, {0}) / probabilityOf(posterior, {1})) - cost) < 1e-9 * cost);
+}
+
 // A rest in an octave of its own does not hide what an effect removes of the others.
 RC_GTEST_PROP(AListedEffectBesideARestInAnotherOctave, KeepsItsName, ()) {
   const auto logs = static_cast<std::size_t>(*rc::gen::inRange(2, 7));

@@ -44,6 +44,7 @@ TEST(ScoreTable, HasNoFloorAboveWhatAHypothesisLeaves) {
 TEST(LogWeights, AreThoseOfTheEquations) {
   Evidence evidence = unexplained(1, 1, 0.1, 50);
   explain(evidence, 0, 0.02);
+  evidence.hypotheses.back().beyond = 3;
   JudgeNumbers numbers;
   numbers.sharpness = 6.0;
   numbers.tails = 3.0;
@@ -51,13 +52,13 @@ TEST(LogWeights, AreThoseOfTheEquations) {
   numbers.accepted = 0.01;
   numbers.form_error = 0.1;
   numbers.least_size = 0.001;  // below the sizes here
-  numbers.per_number = 0.2;
+  numbers.per_number_beyond = 0.4;
   numbers.rest = -2.0;
   numbers.effect = -3.0;
   const diagnosis::judge::LogWeights weights = logWeights(scoreTable(evidence), numbers);
   const double r2 = 0.02 * 0.02 - kFloor * kFloor;
   const double s2 = std::pow(0.5 * kFloor, 2) + 0.01 * 0.01 + 0.1 * 0.1 * (0.1 * 0.1 - 0.02 * 0.02);
-  const double prior = -3.0 - 0.2 * std::log1p(5.0);
+  const double prior = -3.0 - 0.4 * 3.0 * 0.5 * std::log(50.0);
   EXPECT_NEAR(weights.alone[Evidence::kFirstSingle], -3.0 * (std::log(s2) + 4.0 * std::log1p(r2 / (3.0 * s2))) + prior,
               1e-9);
   EXPECT_NEAR(weights.beside[Evidence::kFirstSingle], -3.0 * (std::log(std::max(r2, s2)) + 1.0) - 2.0 + prior, 1e-9);
@@ -77,6 +78,7 @@ TEST(EvidenceJson, IsReadAsItWasWritten) {
   evidence.logs.back().unseen = true;
   evidence.logs.front().octaves = {0.25, 0.75};
   evidence.hypotheses.back().free_gains = true;
+  evidence.hypotheses.back().beyond = 2;
   evidence.hypotheses.back().shares = {{0.5, 0.5}, {1.0}, {1.0}};
   evidence.hypotheses[2].log_errors[1] = std::numeric_limits<double>::infinity();
   const Evidence read = diagnosis::parseEvidence(toJson(evidence));

@@ -191,6 +191,7 @@ judge::Evidence evidenceOf(const Search& search, const Implant& implant, double 
     single.members = {static_cast<int>(c)};
     single.sizes = {{std::pow(size * implant.singles[c].added, 2)}};
     single.terms = candidate.terms.size();
+    single.beyond = implant.singles[c].beyond;
     single.free_trends = candidate.free_in_log.trend;
     single.free_gains = candidate.free_in_log.gain;
     evidence.hypotheses.push_back(std::move(single));

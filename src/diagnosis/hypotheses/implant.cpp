@@ -16,11 +16,19 @@ namespace {
 constexpr std::size_t kMostShapes = 6;  // of an effect: the first, the last and those evenly between
 constexpr double kNothing = 1e-9;       // of a typical effect's force: what the rig takes entirely
 
+// Unknowns that a candidate is fitted with: its basis terms, and those free in each log with it.
+struct Fitted {
+  fit::Hypothesis hypothesis;
+  std::vector<Eigen::Index> columns;
+  std::vector<bool> is_signed;
+};
+
 // Normal equations with the model parameters taken out.
 class Projected {
  public:
   Projected(const fit::HypothesisFitter& fitter, const Screening& screening)
       : fitter_(fitter),
+        candidates_(screening.candidates()),
         model_(screening.modelSize()),
         size_(screening.blocks().sum.rows() - 1),
         plain_((screening.blocks().sum - screening.blocks().prior).topLeftCorner(size_, size_)),
@@ -38,8 +46,8 @@ class Projected {
   double gapOf(Eigen::Index column) const { return std::sqrt(squares_[column]); }
 
   // The rest of `scale` times a column that the model parameters and the columns of a candidate leave.
-  Leaves leave(Eigen::Index column, double scale, const std::vector<Eigen::Index>& columns,
-               const std::vector<bool>& is_signed) const {
+  Leaves leave(Eigen::Index column, double scale, const Fitted& by) const {
+    const std::vector<Eigen::Index>& columns = by.columns;
     const auto count = static_cast<Eigen::Index>(columns.size());
     Eigen::MatrixXd gram(count, count);
     Eigen::VectorXd moment(count);
@@ -48,22 +56,23 @@ class Projected {
     for (Eigen::Index i = 0; i < count; ++i) {
       const Eigen::Index row = columns[static_cast<std::size_t>(i)] - model_;
       moment[i] = scale * projected_(row, column - model_);
-      lower[i] = is_signed[static_cast<std::size_t>(i)] ? -upper[i] : 0.0;
+      lower[i] = by.is_signed[static_cast<std::size_t>(i)] ? -upper[i] : 0.0;
       for (Eigen::Index j = 0; j < count; ++j) {
         gram(i, j) = projected_(row, columns[static_cast<std::size_t>(j)] - model_);
       }
     }
+    Leaves leaves;
     Eigen::VectorXd added = Eigen::VectorXd::Zero(size_);  // coefficients of all columns
     if (count > 0) {
       const Eigen::VectorXd fitted = numerics::boundedLeastSquares(gram, moment, lower, upper);
       for (Eigen::Index i = 0; i < count; ++i) {
         added[columns[static_cast<std::size_t>(i)]] = fitted[i];
       }
+      leaves.beyond = fit::numbersBeyond(candidates_, by.hypothesis, fitted);
     }
     Eigen::VectorXd rest = -added;
     rest[column] += scale;
     rest.head(model_) = -taken_ * rest.tail(size_ - model_);
-    Leaves leaves;
     leaves.gap = std::sqrt(std::clamp(rest.dot(plain_ * rest), 0.0, 1.0));
     leaves.penalty = fitter_.penaltyOf(rest.head(model_));
     leaves.added = std::sqrt(std::max(0.0, added.dot(plain_ * added)));
@@ -72,6 +81,7 @@ class Projected {
 
  private:
   const fit::HypothesisFitter& fitter_;
+  const std::vector<fit::Candidate>& candidates_;
   Eigen::Index model_;
   Eigen::Index size_;
   Eigen::MatrixXd plain_;      // without priors
@@ -90,14 +100,8 @@ std::vector<std::size_t> shapesOf(std::size_t terms) {
   return places;
 }
 
-// Unknowns that a candidate is fitted with: its basis terms, and those free in each log with it.
-struct Fitted {
-  std::vector<Eigen::Index> columns;
-  std::vector<bool> is_signed;
-};
-
 Fitted fittedBy(const Screening& screening, std::size_t candidate) {
-  Fitted fitted;
+  Fitted fitted{fit::makeHypothesis(screening.candidates(), {static_cast<int>(candidate)}), {}, {}};
   for (const Eigen::Index column : screening.columnsOf()[candidate]) {
     fitted.columns.push_back(column);
     fitted.is_signed.push_back(screening.terms()[static_cast<std::size_t>(column - screening.modelSize())].lower < 0.0);
@@ -119,7 +123,7 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
   std::vector<Eigen::Index> column_of;
   for (std::size_t c = 0; c < candidates; ++c) {
     fitted.push_back(fittedBy(screening, c));
-    for (const std::size_t place : shapesOf(screening.columnsOf()[c].size())) {
+    for (const std::size_t place : shapesOf(screening.candidates()[c].terms.size())) {
       const Eigen::Index column = screening.columnsOf()[c][place];
       const fit::BasisTerm& term = screening.terms()[static_cast<std::size_t>(column - screening.modelSize())];
       const double gap = projected.gapOf(column);
@@ -143,9 +147,9 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
     if (implant.hidden_by_rig) {
       return;
     }
-    implant.model = projected.leave(column_of[i], implant.scale, {}, {});
+    implant.model = projected.leave(column_of[i], implant.scale, {});
     for (const Fitted& by : fitted) {
-      implant.singles.push_back(projected.leave(column_of[i], implant.scale, by.columns, by.is_signed));
+      implant.singles.push_back(projected.leave(column_of[i], implant.scale, by));
     }
   });
   return implants;

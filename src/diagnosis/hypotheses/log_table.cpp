@@ -249,18 +249,12 @@ class LogTable {
 
 }  // namespace
 
-fit::ParameterVector withoutMember(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted,
-                                   std::size_t member) {
+fit::ParameterVector withoutMember(const FittedHypothesis& fitted, std::size_t member) {
   fit::ParameterVector parameters = fitted.fit.parameters;
-  const auto terms = [&](std::size_t m) {
-    const auto candidate = static_cast<std::size_t>(fitted.hypothesis.members[m]);
-    return static_cast<Eigen::Index>(candidates[candidate].terms.size());
-  };
-  Eigen::Index first = 0;
-  for (std::size_t m = 0; m < member; ++m) {
-    first += terms(m);
-  }
-  parameters.scales.segment(first, terms(member)).setZero();
+  const std::vector<std::size_t>& counts = fitted.hypothesis.counts;
+  const auto first =
+      std::accumulate(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(member), std::size_t{0});
+  parameters.scales.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(counts[member])).setZero();
   return parameters;
 }
 
@@ -269,7 +263,7 @@ std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& 
   std::vector<std::vector<double>> sizes;
   for (std::size_t m = 0; m < fitted.hypothesis.members.size(); ++m) {
     const fit::Candidate& candidate = candidates[static_cast<std::size_t>(fitted.hypothesis.members[m])];
-    const Eigen::VectorXd others = withoutMember(candidates, fitted, m).scales;
+    const Eigen::VectorXd others = withoutMember(fitted, m).scales;
     const gap::Forces added = forces.moreThanWith(others, fitted.hypothesis, fitted.fit.parameters);
     const bool frees = candidate.free_in_log.any();
     sizes.push_back(sizesOfMember(candidate, forces.records(), added,

@@ -13,8 +13,7 @@ namespace rubber_suspension::diagnosis::hypotheses {
 
 /// The parameters of a fitted hypothesis without the terms of one member, by its place among them: terms lie one member
 /// after the other.
-fit::ParameterVector withoutMember(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted,
-                                   std::size_t member);
+fit::ParameterVector withoutMember(const FittedHypothesis& fitted, std::size_t member);
 
 /// Mean square of the force that each member of a fitted hypothesis adds to each record, in units of the variance of
 /// its force: of the force with the member less that without it, all other numbers as fitted; without its mean, which

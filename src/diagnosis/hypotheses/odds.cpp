@@ -27,22 +27,19 @@ double Odds::ofError(double error) const {
   return -0.5 * numbers.sharpness * judge::lossOf(left, expected, numbers);
 }
 
-double Odds::of(const std::vector<int>& members, double error) const {
+double Odds::of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales, double error) const {
   const judge::JudgeNumbers& numbers = judge::fittedNumbers();
-  double prior = judge::priorOfCount(members.size(), numbers);
-  std::size_t terms = 0;
-  for (const int member : members) {
-    const fit::Candidate& candidate = candidates_[static_cast<std::size_t>(member)];
-    prior += numbers.rateOf(candidate.effect);
-    terms += candidate.terms.size();
+  double prior = judge::priorOfCount(hypothesis.members.size(), numbers);
+  for (const int member : hypothesis.members) {
+    prior += numbers.rateOf(candidates_[static_cast<std::size_t>(member)].effect);
   }
-  return ofError(error) + prior - numbers.per_number * std::log1p(static_cast<double>(terms));
+  const std::size_t beyond = fit::numbersBeyond(candidates_, hypothesis, scales);
+  return ofError(error) + prior - judge::costOfNumbers(static_cast<double>(beyond), blocks_, numbers);
 }
 
 double Odds::mostOf(std::size_t effects) const {
   const judge::JudgeNumbers& numbers = judge::fittedNumbers();
-  return ofError(floor_) + judge::priorOfCount(effects, numbers) -
-         numbers.per_number * std::log1p(static_cast<double>(effects));
+  return ofError(floor_) + judge::priorOfCount(effects, numbers);
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -1,6 +1,7 @@
 // How much likelier one hypothesis is than another by what it leaves of all logs, as far as a search needs to know.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -13,12 +14,12 @@ namespace rubber_suspension::diagnosis::hypotheses {
 class Odds {
  public:
   /// `floor`: noise of all logs; `without`: error of the model without effects. Both in units of the force's standard
-  /// deviation.
-  Odds(const std::vector<fit::Candidate>& candidates, double floor, double without)
-      : candidates_(candidates), floor_(floor), without_(without) {}
+  /// deviation. `blocks`: of all logs.
+  Odds(const std::vector<fit::Candidate>& candidates, double floor, double without, std::size_t blocks)
+      : candidates_(candidates), floor_(floor), without_(without), blocks_(static_cast<double>(blocks)) {}
 
-  /// Logarithm of the weight of a set of effects that leaves this error, penalty included.
-  double of(const std::vector<int>& members, double error) const;
+  /// Logarithm of the weight of a hypothesis at these scales that leaves this error, penalty included.
+  double of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales, double error) const;
 
   /// Most that any set of so many effects can have.
   double mostOf(std::size_t effects) const;
@@ -29,6 +30,7 @@ class Odds {
   const std::vector<fit::Candidate>& candidates_;
   double floor_;
   double without_;
+  double blocks_;
 };
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

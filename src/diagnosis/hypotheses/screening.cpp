@@ -30,22 +30,25 @@ Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit:
       threads_(threads),
       all_(fit::makeHypothesis(candidates, allOf(candidates))) {
   all_.free_in_log = {true, true};
-  Eigen::Index column = model_size_;
-  for (const fit::Candidate& candidate : candidates) {
-    columns_of_.emplace_back(candidate.terms.size());
-    std::iota(columns_of_.back().begin(), columns_of_.back().end(), column);
-    column += static_cast<Eigen::Index>(candidate.terms.size());
+  for (const int candidate : allOf(candidates)) {
+    columns_of_.push_back(columnsOf(fit::makeHypothesis(candidates, {candidate})));
   }
   about_ = fitter.configured(all_);
   about_.model = about.fit.parameters.model;
   Eigen::Index fitted = 0;
-  for (const int member : about.hypothesis.members) {
-    for (const Eigen::Index of_member : columns_of_[static_cast<std::size_t>(member)]) {
-      about_.scales[of_member - model_size_] = about.fit.parameters.scales[fitted++];
-    }
+  for (const Eigen::Index column : columnsOf(about.hypothesis)) {
+    about_.scales[column - model_size_] = about.fit.parameters.scales[fitted++];
   }
   blocks_ = fitter.linearise(all_, about_, {}, threads);
   bounds_ = fitter.stepBounds(all_, about_, blocks_.unknowns());
+}
+
+std::vector<Eigen::Index> Screening::columnsOf(const fit::Hypothesis& hypothesis) const {
+  std::vector<Eigen::Index> columns;
+  for (const fit::TermPlace& place : hypothesis.places) {
+    columns.push_back(model_size_ + (std::find(all_.places.begin(), all_.places.end(), place) - all_.places.begin()));
+  }
+  return columns;
 }
 
 Screening::Part Screening::partOf(const std::vector<int>& members) const {
@@ -54,8 +57,11 @@ Screening::Part Screening::partOf(const std::vector<int>& members) const {
   std::iota(part.columns.begin(), part.columns.end(), 0);
   fit::FreeInLog free;
   for (const int member : members) {
-    const auto& more = columns_of_[static_cast<std::size_t>(member)];
-    part.columns.insert(part.columns.end(), more.begin(), more.end());
+    for (const Eigen::Index column : columns_of_[static_cast<std::size_t>(member)]) {
+      if (std::find(part.columns.begin(), part.columns.end(), column) == part.columns.end()) {
+        part.columns.push_back(column);
+      }
+    }
     free = free | candidates_[static_cast<std::size_t>(member)].free_in_log;
   }
   const std::vector<Eigen::Index> in_log = freeColumns(free);
@@ -113,11 +119,17 @@ std::vector<Eigen::Index> Screening::freeColumns(const fit::FreeInLog& free) con
   return columns;
 }
 
+bool Screening::joins(int candidate, const std::vector<int>& members) const {
+  return candidates_[static_cast<std::size_t>(candidate)].competes() &&
+         std::none_of(members.begin(), members.end(), [&](int member) {
+           return fit::holds(candidates_, {member}, {candidate}) || fit::holds(candidates_, {candidate}, {member});
+         });
+}
+
 std::vector<Screened> Screening::additions(const std::vector<int>& members) const {
   std::vector<std::vector<int>> sets;
   for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
-    const bool joins = candidates_[static_cast<std::size_t>(c)].competes();
-    if (joins && std::find(members.begin(), members.end(), c) == members.end()) {
+    if (joins(c, members)) {
       sets.push_back(members);
       sets.back().push_back(c);
     }
@@ -130,7 +142,7 @@ std::vector<Screened> Screening::pairs() const {
   const int count = static_cast<int>(candidates_.size());
   for (int a = 0; a < count; ++a) {
     for (int b = a + 1; b < count; ++b) {
-      if (candidates_[static_cast<std::size_t>(a)].competes() && candidates_[static_cast<std::size_t>(b)].competes()) {
+      if (candidates_[static_cast<std::size_t>(a)].competes() && joins(b, {a})) {
         sets.push_back({a, b});
       }
     }

@@ -37,7 +37,7 @@ class Screening {
   fit::ParameterVector bestOf(const std::vector<int>& members) const;
 
   /// The normal equations: model parameters, basis terms of one candidate after the other, what is free
-  /// in each log, residual.
+  /// in each log, residual. A candidate's own terms come first among its columns.
   const fit::BlockGrams& blocks() const { return blocks_; }
   Eigen::Index modelSize() const { return model_size_; }
   const std::vector<std::vector<Eigen::Index>>& columnsOf() const { return columns_of_; }
@@ -58,6 +58,10 @@ class Screening {
     numerics::Limits bounds;
   };
   Part partOf(const std::vector<int>& members) const;
+  /// The columns of the terms of a hypothesis.
+  std::vector<Eigen::Index> columnsOf(const fit::Hypothesis& hypothesis) const;
+  /// Whether a candidate makes a further set: neither does what the other can.
+  bool joins(int candidate, const std::vector<int>& members) const;
   std::vector<Screened> screenAll(const std::vector<std::vector<int>>& sets) const;
 
   const std::vector<fit::Candidate>& candidates_;

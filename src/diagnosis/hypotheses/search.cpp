@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "diagnosis/hypotheses/measured.h"
@@ -39,6 +40,10 @@ struct Planned {
   fit::ParameterVector start;
 };
 
+Odds oddsAt(const Search& search, double floor) {
+  return {search.candidates, floor, search.re_estimated.fit.score(), search.re_estimated.fit.blocks.size()};
+}
+
 class Searcher {
  public:
   Searcher(const Measured& measured, int threads, const ProgressCallback& progress)
@@ -59,6 +64,7 @@ class Searcher {
       fitSets(plan(screening, kMostEffects), result_.triples);
     }
     fitPartsOfTriples();
+    settle(result_.triples);
     return std::move(result_);
   }
 
@@ -100,6 +106,7 @@ class Searcher {
     std::stable_partition(others, order.end(),
                           [&](const Screened& screened) { return !singleOf(screened).hypothesis.isAdditive(); });
     fitSingles(screening, {others, order.end()});
+    settle(result_.singles);
     measured_.estimateNoise(*bestOfAll(), result_);
   }
 
@@ -135,10 +142,46 @@ class Searcher {
     result_.surrogate_gap = screening.screen(all).error;
   }
 
-  Odds odds() const { return {result_.candidates, floor_, result_.re_estimated.fit.score()}; }
+  // A law can do what one that it contains can, and a set what its parts can: where its own starts led to more, it is
+  // fitted from there.
+  void settle(std::vector<FittedHypothesis>& list) const {
+    constexpr double kAsGood = 1.005;
+    std::vector<std::optional<FittedHypothesis>> again(list.size());
+    fit::parallelFor(list.size(), threads_, [&](std::size_t i) {
+      const FittedHypothesis* held = leastHeldBy(list[i].hypothesis.members);
+      if (held != nullptr && kAsGood * held->fit.gap < list[i].fit.gap) {
+        again[i] = list[i];
+        fitBeyond(fitter_, *held, *again[i]);
+      }
+    });
+    bool better = false;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (again[i] && again[i]->fit.gap < list[i].fit.gap) {
+        list[i] = std::move(*again[i]);
+        better = true;
+      }
+    }
+    if (better) {  // what holds these may do better, too
+      settle(list);
+    }
+  }
+
+  // Of the sets that this one holds the fit that leaves least of the logs; null: it holds none.
+  const FittedHypothesis* leastHeldBy(const std::vector<int>& members) const {
+    const FittedHypothesis* least = nullptr;
+    for (const FittedHypothesis* fitted : result_.withEffects()) {
+      const std::vector<int>& part = fitted->hypothesis.members;
+      const bool held =
+          part != members && fitted->hypothesis.competes() && fit::holds(result_.candidates, members, part);
+      least = held && (least == nullptr || fitted->fit.gap < least->fit.gap) ? fitted : least;
+    }
+    return least;
+  }
+
+  Odds odds() const { return oddsAt(result_, floor_); }
 
   double oddsOf(const FittedHypothesis& fitted) const {
-    return odds().of(fitted.hypothesis.members, fitted.fit.score());
+    return odds().of(fitted.hypothesis, fitted.fit.parameters.scales, fitted.fit.score());
   }
 
   // Of those that compete.
@@ -209,7 +252,7 @@ class Searcher {
     }
     std::vector<Planned> sorted;
     for (auto& [members, planned] : best) {
-      planned.odds = odds().of(members, planned.error);
+      planned.odds = odds().of(fit::makeHypothesis(result_.candidates, members), planned.start.scales, planned.error);
       sorted.push_back(std::move(planned));
     }
     std::stable_sort(sorted.begin(), sorted.end(), [](const Planned& x, const Planned& y) { return x.odds > y.odds; });
@@ -246,20 +289,20 @@ class Searcher {
       from.push_back(&bestFitted(set.members));
     }
     fit::parallelFor(planned.size(), threads_, [&](std::size_t i) {
-      fitFurther(fitter_, result_.candidates, *from[i], planned[i].start, kHopeless * least, list[first + i]);
+      fitFurther(fitter_, *from[i], planned[i].start, kHopeless * least, list[first + i]);
     });
+    settle(list);
     std::stable_sort(list.begin(), list.end(), [](const FittedHypothesis& x, const FittedHypothesis& y) {
       return x.fit.score() < y.fit.score();
     });
   }
 
-  // The best fit of a part of a set: of one of its members, or of the pairs of a triple.
+  // The best fit of a part of a set: of one of its members, of the pairs of a triple, or with a law that one contains.
   const FittedHypothesis& bestFitted(const std::vector<int>& members) const {
     const FittedHypothesis* best = &result_.singles[static_cast<std::size_t>(members.front())];
     for (const FittedHypothesis* fitted : result_.withEffects()) {
       const std::vector<int>& part = fitted->hypothesis.members;
-      const bool within =
-          part.size() < members.size() && std::includes(members.begin(), members.end(), part.begin(), part.end());
+      const bool within = part != members && fit::holds(result_.candidates, members, part);
       best = within && fitted->fit.score() < best->fit.score() ? fitted : best;
     }
     return *best;
@@ -293,10 +336,11 @@ class Searcher {
   Search result_;
 };
 
-judge::HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
+judge::HypothesisEvidence evidenceOf(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted) {
   judge::HypothesisEvidence evidence;
   evidence.members = fitted.hypothesis.members;
   evidence.terms = fitted.hypothesis.terms.size();
+  evidence.beyond = fit::numbersBeyond(candidates, fitted.hypothesis, fitted.fit.parameters.scales);
   evidence.free_trends = fitted.hypothesis.free_in_log.trend;
   evidence.free_gains = fitted.hypothesis.free_in_log.gain;
   const bool applies = !fitted.hypothesis.terms.empty() || fitted.hypothesis.members.empty();
@@ -330,9 +374,9 @@ std::vector<const FittedHypothesis*> Search::withEffects() const {
 }
 
 const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) const {
-  const Odds odds(candidates, least, re_estimated.fit.score());
+  const Odds odds = oddsAt(*this, least);
   const auto oddsOf = [&](const FittedHypothesis& fitted) {
-    return odds.of(fitted.hypothesis.members, fitted.fit.score());
+    return odds.of(fitted.hypothesis, fitted.fit.parameters.scales, fitted.fit.score());
   };
   const FittedHypothesis* best = &re_estimated;
   for (const FittedHypothesis* fitted : withEffects()) {
@@ -344,9 +388,9 @@ const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) con
 
 judge::Evidence evidenceOf(const Search& search) {
   judge::Evidence evidence;
-  evidence.hypotheses = {{}, evidenceOf(search.re_estimated)};
+  evidence.hypotheses = {{}, evidenceOf(search.candidates, search.re_estimated)};
   for (const FittedHypothesis* fitted : search.withEffects()) {
-    evidence.hypotheses.push_back(evidenceOf(*fitted));
+    evidence.hypotheses.push_back(evidenceOf(search.candidates, *fitted));
   }
   for (const fit::Candidate& candidate : search.candidates) {
     evidence.effects.push_back(candidate.effect);

@@ -1,6 +1,7 @@
 // Clearances and the like, by a grid and then ever closer to its best value.
 #include "diagnosis/hypotheses/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,14 +21,16 @@ struct Shape {
   double step = 0.0;        // to the values that are looked at next, a factor
 };
 
-// Values to look at, which share the columns of the model.
+// Values to look at, which share the columns of the model and of the effects that they contain.
 void lookAt(const std::vector<std::pair<Shape*, double>>& looks, const fit::HypothesisFitter& fitter,
-            const FittedHypothesis& re_estimated, const std::vector<log::Record>& records, int threads) {
+            const FittedHypothesis& re_estimated, const std::vector<log::Record>& records,
+            const std::vector<fit::Candidate>& contained, int threads) {
   std::vector<fit::Candidate> tried;
   for (const auto& [shape, value] : looks) {
     tried.push_back(*shape->candidate);
     tried.back().terms = shape->candidate->terms_at(value);
   }
+  tried.insert(tried.end(), contained.begin(), contained.end());
   fit::findUnitEffects(tried, records, threads);
   const Screening screening(fitter, tried, re_estimated, threads);
   for (std::size_t i = 0; i < looks.size(); ++i) {
@@ -50,6 +53,15 @@ void settleShapes(const fit::HypothesisFitter& fitter, const FittedHypothesis& r
       shapes.push_back({&candidate});
     }
   }
+  std::vector<fit::Candidate> contained;
+  for (const fit::Candidate& candidate : candidates) {
+    const bool any = std::any_of(shapes.begin(), shapes.end(),
+                                 [&](const Shape& shape) { return fit::contains(*shape.candidate, candidate); });
+    if (any) {
+      contained.push_back(candidate);
+    }
+  }
+  fit::findUnitEffects(contained, records, threads);
   std::vector<std::pair<Shape*, double>> looks;
   for (Shape& shape : shapes) {
     const double ratio = shape.candidate->largest_shape / shape.candidate->least_shape;
@@ -59,7 +71,7 @@ void settleShapes(const fit::HypothesisFitter& fitter, const FittedHypothesis& r
     }
   }
   for (int refinement = 0; !looks.empty(); ++refinement) {
-    lookAt(looks, fitter, re_estimated, records, threads);
+    lookAt(looks, fitter, re_estimated, records, contained, threads);
     looks.clear();
     for (Shape& shape : shapes) {
       if (refinement < kRefinements) {

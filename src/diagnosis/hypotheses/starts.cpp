@@ -2,6 +2,8 @@
 #include "diagnosis/hypotheses/starts.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace rubber_suspension::diagnosis::hypotheses {
@@ -39,36 +41,32 @@ void fitFrom(const fit::HypothesisFitter& fitter, const fit::ParameterVector& st
   keepBetter(std::move(fitted), best);
 }
 
-// Terms of new members, and those of others that are additive or at work: what was left at nothing has to be simulated.
-std::vector<bool> mayMove(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& from,
-                          const fit::Hypothesis& hypothesis, const fit::ParameterVector& start) {
-  const std::vector<int>& fitted = from.hypothesis.members;
+// The place of a term of one hypothesis among those of another one, which may lack it.
+std::optional<Eigen::Index> placeIn(const fit::Hypothesis& other, const fit::TermPlace& term) {
+  const auto found = std::find(other.places.begin(), other.places.end(), term);
+  return found == other.places.end() ? std::nullopt : std::optional(found - other.places.begin());
+}
+
+// New terms, and those of others that are additive or at work: what was left at nothing has to be simulated.
+std::vector<bool> mayMove(const FittedHypothesis& from, const fit::Hypothesis& hypothesis,
+                          const fit::ParameterVector& start) {
   std::vector<bool> active;
-  for (const int member : hypothesis.members) {
-    const bool known = std::find(fitted.begin(), fitted.end(), member) != fitted.end();
-    for (const fit::BasisTerm& term : candidates[static_cast<std::size_t>(member)].terms) {
-      const double scale = start.scales[static_cast<Eigen::Index>(active.size())];
-      active.push_back(!known || term.additive || scale != 0.0);
-    }
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    active.push_back(!placeIn(from.hypothesis, hypothesis.places[t]) || hypothesis.terms[t].additive ||
+                     start.scales[static_cast<Eigen::Index>(t)] != 0.0);
   }
   return active;
 }
 
-// The same model parameters and scales, for those members that are of both.
-fit::ParameterVector taken(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
-                           const FittedHypothesis& from, const fit::Hypothesis& hypothesis) {
-  const std::vector<int>& fitted = from.hypothesis.members;
+// The same model parameters and scales, for those terms that are of both.
+fit::ParameterVector taken(const fit::HypothesisFitter& fitter, const FittedHypothesis& from,
+                           const fit::Hypothesis& hypothesis) {
   fit::ParameterVector start = fitter.configured(hypothesis);
   start.model = from.fit.parameters.model;
-  Eigen::Index place = 0;
-  Eigen::Index place_from = 0;
-  for (const int member : hypothesis.members) {
-    const auto terms = static_cast<Eigen::Index>(candidates[static_cast<std::size_t>(member)].terms.size());
-    if (std::find(fitted.begin(), fitted.end(), member) != fitted.end()) {
-      start.scales.segment(place, terms) = from.fit.parameters.scales.segment(place_from, terms);
-      place_from += terms;
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    if (const auto place = placeIn(from.hypothesis, hypothesis.places[t])) {
+      start.scales[static_cast<Eigen::Index>(t)] = from.fit.parameters.scales[*place];
     }
-    place += terms;
   }
   return start;
 }
@@ -120,20 +118,27 @@ void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_es
   }
 }
 
-void fitFurther(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
-                const FittedHypothesis& from, const fit::ParameterVector& start, double reach,
-                FittedHypothesis& further) {
+void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, const fit::ParameterVector& start,
+                double reach, FittedHypothesis& further) {
   const fit::Hypothesis hypothesis = further.hypothesis;
-  const fit::ParameterVector as_fitted = taken(fitter, candidates, from, hypothesis);
+  const fit::ParameterVector as_fitted = taken(fitter, from, hypothesis);
   const bool promising = fitter.gapAt(hypothesis, start) < from.fit.gap;
   const fit::ParameterVector& first = promising ? start : as_fitted;
-  fitFrom(fitter, first, {kFurtherIterations, reach, mayMove(candidates, from, hypothesis, first)}, further);
+  fitFrom(fitter, first, {kFurtherIterations, reach, mayMove(from, hypothesis, first)}, further);
   if (further.fit.gap <= reach && from.fit.parameters.largestChange() > kFar && hypothesis.isAdditive()) {
     FittedHypothesis again{hypothesis, {}};
     fitFrom(fitter, fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1), {kSingleIterations, reach},
             again);
     keepBetter(std::move(again), further);
   }
+}
+
+void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, FittedHypothesis& larger) {
+  larger.hypothesis.free_in_log.by_zero = from.hypothesis.free_in_log.by_zero;
+  const fit::ParameterVector start = taken(fitter, from, larger.hypothesis);
+  larger.fit = fitter.fit(
+      larger.hypothesis, start,
+      {kFurtherIterations, std::numeric_limits<double>::infinity(), mayMove(from, larger.hypothesis, start)});
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -19,8 +19,10 @@ void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_es
               const fit::ParameterVector& start, double reach, FittedHypothesis& single);
 
 /// Several effects, from where the normal equations about some of them promise the least error, or where these arrived.
-void fitFurther(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
-                const FittedHypothesis& from, const fit::ParameterVector& start, double reach,
-                FittedHypothesis& further);
+void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, const fit::ParameterVector& start,
+                double reach, FittedHypothesis& further);
+
+/// A hypothesis from where one arrived whose terms are among its own. It leaves no more of the logs than that.
+void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, FittedHypothesis& larger);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -21,7 +21,6 @@ const JudgeNumbers& fittedNumbers() {
     fitted.effect = -4.52;
     fitted.second = -2.011;
     fitted.third = -0.3519;
-    fitted.per_number = 0.1352;
     fitted.per_trend = 0.566;
     fitted.per_gain = 0.6392;
     fitted.least_size = 0.05876;

@@ -22,7 +22,7 @@ struct JudgeNumbers {
   double effect = -3.0;
   double second = -1.0;
   double third = -1.0;
-  double per_number = 0.2;
+  double per_number_beyond = 0.2;
   double per_trend = 0.4;
   double per_gain = 0.4;
   double least_size = 0.03;

@@ -77,7 +77,7 @@ void fillErrors(const HypothesisEvidence& hypothesis, Index row, ScoreTable& tab
 
 void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
   const auto logs = static_cast<double>(table.weight.size());
-  table.numbers[row] = static_cast<double>(hypothesis.terms);
+  table.beyond[row] = static_cast<double>(hypothesis.beyond);
   table.trends[row] = hypothesis.free_trends ? logs : 0.0;
   table.gains[row] = hypothesis.free_gains ? logs : 0.0;
   table.sizes.emplace_back();
@@ -104,7 +104,7 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
   for (const int member : members) {
     prior += numbers.rateOf(table.effects[static_cast<std::size_t>(member)]);
   }
-  return prior - numbers.per_number * std::log1p(table.numbers[row]) - numbers.per_trend * table.trends[row] -
+  return prior - costOfNumbers(table.beyond[row], table.blocks, numbers) - numbers.per_trend * table.trends[row] -
          numbers.per_gain * table.gains[row];
 }
 
@@ -164,7 +164,7 @@ ScoreTable scoreTable(const Evidence& evidence) {
   const auto rows = static_cast<Index>(evidence.hypotheses.size());
   table.left = table.added = table.added_rig = ArrayXXd::Zero(rows, table.weight.size());
   table.in_bands = ArrayXXd::Zero(rows, static_cast<Index>(table.bands.size()));
-  table.moved = table.numbers = table.trends = table.gains = ArrayXd::Zero(rows);
+  table.moved = table.beyond = table.trends = table.gains = ArrayXd::Zero(rows);
   for (Index row = 0; row < rows; ++row) {
     const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
     table.members.push_back(hypothesis.members);
@@ -192,6 +192,10 @@ double priorOfCount(std::size_t effects, const JudgeNumbers& numbers) {
     prior += further[n - 1];
   }
   return prior;
+}
+
+double costOfNumbers(double beyond, double blocks, const JudgeNumbers& numbers) {
+  return numbers.per_number_beyond * beyond * 0.5 * std::log(std::max(blocks, 1.0));
 }
 
 double sharpnessOf(const ScoreTable& table, const JudgeNumbers& numbers) {

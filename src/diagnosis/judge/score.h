@@ -27,7 +27,7 @@ struct ScoreTable {
   Eigen::ArrayXXd added_rig;  ///< of those that belong to the rig
   Eigen::ArrayXXd in_bands;   ///< squares beyond the noise floor by band of a log, each over what the band counts
   Eigen::ArrayXd moved;       ///< square of the penalty of moved model parameters
-  Eigen::ArrayXd numbers;     ///< that the members add
+  Eigen::ArrayXd beyond;      ///< numbers beyond the laws that the members contain
   Eigen::ArrayXd trends;      ///< of logs, that are free
   Eigen::ArrayXd gains;       ///< likewise
   std::vector<std::vector<double>>
@@ -49,6 +49,10 @@ double sharpnessOf(const ScoreTable& table, const JudgeNumbers& numbers);
 
 /// Prior of so many effects at work, whichever they are.
 double priorOfCount(std::size_t effects, const JudgeNumbers& numbers);
+
+/// The cost of numbers that laws have beyond those that they contain: of each a multiple of half the logarithm of the
+/// blocks.
+double costOfNumbers(double beyond, double blocks, const JudgeNumbers& numbers);
 
 /// The cost of squares left where these are expected: ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2)).
 double lossOf(double left, double expected, const JudgeNumbers& numbers);

@@ -37,7 +37,9 @@ std::string elementsOf(const fit::Candidate& candidate) {
   for (const fit::BasisTerm& term : candidate.terms) {
     types.insert(term.at(term.typical).type);
   }
-  return element::joined(types, ", ", [](const std::string& type) { return "`" + type + "`"; });
+  const auto quoted = [](const std::string& name) { return "`" + name + "`"; };
+  const std::string of_others = element::joined(candidate.contains, ", ", quoted);
+  return element::joined(types, ", ", quoted) + (of_others.empty() ? "" : ", and those of " + of_others);
 }
 
 }  // namespace

@@ -25,6 +25,10 @@ constexpr double kOfTypical = 1e-6;      // a scale below this is none
 
 using Indices = std::vector<Eigen::Index>;
 
+bool has(const Indices& columns, Eigen::Index column) {
+  return std::find(columns.begin(), columns.end(), column) != columns.end();
+}
+
 // A law before its fit, and the squared gap that it leaves by the normal equations about the full law.
 struct Start {
   Entries entries;
@@ -136,7 +140,7 @@ class Chooser {
         threads_(threads) {}
 
   SimplestLaw run() {
-    result_.fitted = fullLaw(judged_, candidates_);
+    result_.fitted = fullLaw(judged_);
     if (result_.fitted.law.members.empty()) {
       return std::move(result_);
     }
@@ -167,11 +171,16 @@ class Chooser {
     std::size_t first = 0;
     for (std::size_t m = 0; m < judged_.hypothesis.members.size(); ++m) {
       Indices own;
-      for (std::size_t t = 0; t < candidateOf(m).terms.size(); ++t) {
-        own.push_back(columnOf(first++));
+      Indices beyond;
+      for (std::size_t t = 0; t < judged_.hypothesis.counts[m]; ++t, ++first) {
+        own.push_back(columnOf(first));
+        if (judged_.hypothesis.places[first].candidate == judged_.hypothesis.members[m]) {
+          beyond.push_back(columnOf(first));
+        }
       }
       own_.push_back(own);
-      pool_.push_back(own);
+      of_candidate_.push_back(beyond.size());
+      pool_.push_back(beyond);
       std::vector<fit::Candidate> laws = {fit::Candidate{}};
       laws.front().terms = candidateOf(m).laws;
       fit::findUnitEffects(laws, fitter_.records(), threads_);
@@ -214,7 +223,7 @@ class Chooser {
     Indices free;
     for (Eigen::Index j = 0; j < last; ++j) {
       const bool is_term = j >= fitter_.model().size() && j < fitter_.model().size() + scales_.size();
-      const bool is_own = std::find(pool_[m].begin(), pool_[m].end(), j) != pool_[m].end();
+      const bool is_own = has(pool_[m], j) || has(own_[m], j);
       if (!is_own && (!is_term || scaleAt(j) != 0.0)) {
         free.push_back(j);
       }
@@ -223,7 +232,7 @@ class Chooser {
     for (const Eigen::Index t : pool_[m]) {
       terms.push_back(termAt(t));
     }
-    return Subsets(blocks_.sum, std::move(terms), own_[m].size(), pool_[m], free, moment, square).best();
+    return Subsets(blocks_.sum, std::move(terms), of_candidate_[m], pool_[m], free, moment, square).best();
   }
 
   void simplify(std::size_t m, double allowed) {
@@ -302,16 +311,17 @@ class Chooser {
   const double before_;
   const int threads_;
   fit::Hypothesis extended_;
-  Eigen::VectorXd scales_;     // of its terms in the full law
-  std::vector<Indices> own_;   // columns of each member's terms
-  std::vector<Indices> pool_;  // and of its further laws
+  Eigen::VectorXd scales_;                 // of its terms in the full law
+  std::vector<Indices> own_;               // columns of each member's terms
+  std::vector<Indices> pool_;              // of those of the candidate itself, then of its further laws
+  std::vector<std::size_t> of_candidate_;  // how many the first are
   fit::BlockGrams blocks_;
   SimplestLaw result_;
 };
 
 }  // namespace
 
-FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates) {
+FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged) {
   FittedLaw result{{}, judged.fit};
   result.law.about.free_in_log = judged.hypothesis.free_in_log;
   std::vector<double> scales;
@@ -319,8 +329,9 @@ FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged, const std::vector<
   for (const int member : judged.hypothesis.members) {
     MemberLaw law;
     law.member = member;
-    for (std::size_t t = 0; t < candidates[static_cast<std::size_t>(member)].terms.size(); ++t, ++next) {
-      const bool last = t + 1 == candidates[static_cast<std::size_t>(member)].terms.size() && law.terms.empty();
+    const std::size_t terms = judged.hypothesis.counts[result.law.members.size()];
+    for (std::size_t t = 0; t < terms; ++t, ++next) {
+      const bool last = t + 1 == terms && law.terms.empty();
       if (judged.fit.parameters.scales[next] != 0.0 || last) {
         law.terms.push_back(judged.hypothesis.terms[static_cast<std::size_t>(next)]);
         scales.push_back(judged.fit.parameters.scales[next]);

@@ -17,7 +17,7 @@ struct HeldOut {
 };
 
 /// The hypothesis as it was judged, each member by all its terms.
-FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates);
+FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged);
 
 /// Errors of parts of the logs held out under a fitted law, of which these are the forces [N].
 std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,
@@ -33,8 +33,8 @@ struct SimplestLaw {
 /// effect can know: gap^2 <= full gap^2 + sum (eta A)^2 + delta^2 over the members so far, A being the force that the
 /// member adds, eta the form error of laws and delta what is accepted (JudgeNumbers). A member that needs more keeps
 /// its terms. Laws are one to three terms of one kind, of those of the candidate and of its `laws`, at their best
-/// places; gaps are those of the logs held out, or else of held-out blocks. It closes more than half of what the full
-/// law closes of the squared gap `before`.
+/// places; no term of what an effect contains stands for it. Gaps are those of the logs held out, or else of held-out
+/// blocks. It closes more than half of what the full law closes of the squared gap `before`.
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
                         const hypotheses::FittedHypothesis& judged, const HeldOut& held_out, double before,
                         int threads);

@@ -90,7 +90,7 @@ WrittenLaw addWrittenLaw(const hypotheses::PreparedCase& prepared, const std::ve
   const HeldOut held_out{prepared.held_out, prepared.zeros.held_out};
   const SimplestLaw chosen = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
   const FittedLaw& simple = chosen.fitted;
-  const FittedLaw full = fullLaw(judged, candidates);
+  const FittedLaw full = fullLaw(judged);
   std::deque<LawFitter> fitters;
   std::vector<SizedLaw> laws;
   const auto addLaw = [&](const FittedLaw& law) {

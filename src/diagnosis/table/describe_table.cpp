@@ -253,8 +253,7 @@ class TableDescriber {
 
   void describeParameters() {
     result_.parameter_ratios = measured_.model().ratios(search_.re_estimated.fit.parameters.model);
-    results::addSizes({{measured_.fitter(), results::fullLaw(judged_, search_.candidates)}}, {}, search_.candidates,
-                      options_, result_);
+    results::addSizes({{measured_.fitter(), results::fullLaw(judged_)}}, {}, search_.candidates, options_, result_);
   }
 
   void describeAnswer() {

@@ -52,13 +52,11 @@ std::vector<double> heldOutErrors(const fit::Fit& fit) {
   return errors;
 }
 
-std::vector<std::vector<double>> sizesOf(const MeasuredRows& measured, const hypotheses::Search& search,
-                                         const hypotheses::FittedHypothesis& fitted) {
+std::vector<std::vector<double>> sizesOf(const MeasuredRows& measured, const hypotheses::FittedHypothesis& fitted) {
   const Stiffness with = *measured.fitter().stiffness(fitted.hypothesis, fitted.fit.parameters);
   std::vector<std::vector<double>> sizes;
   for (std::size_t m = 0; m < fitted.hypothesis.members.size(); ++m) {
-    const Stiffness without =
-        *measured.fitter().stiffness(fitted.hypothesis, hypotheses::withoutMember(search.candidates, fitted, m));
+    const Stiffness without = *measured.fitter().stiffness(fitted.hypothesis, hypotheses::withoutMember(fitted, m));
     sizes.push_back(squaresOf(measured.loops().points(), with, without));
   }
   return sizes;
@@ -72,7 +70,7 @@ void addRows(const MeasuredRows& measured, const hypotheses::Search& search, int
     const hypotheses::FittedHypothesis& fitted = search.at(static_cast<int>(h));
     evidence.hypotheses[h].log_errors =
         h == judge::Evidence::kAsConfigured ? errorsAsConfigured(measured, fitted) : heldOutErrors(fitted.fit);
-    evidence.hypotheses[h].sizes = sizesOf(measured, search, fitted);
+    evidence.hypotheses[h].sizes = sizesOf(measured, fitted);
   });
 }
 

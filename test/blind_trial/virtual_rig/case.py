@@ -58,7 +58,8 @@ FAMILIES = (((1e5, 6e5), (3e-4, 1.5e-3)), ((8e5, 6e6), (3e-4, 2e-3)), ((5e5, 1.2
 # Pairs that no log can tell from one effect, or that undo each other.
 HOPELESS = ({"relaxation", "creep"}, {"relaxation", "series_compliance"}, {"viscous_damping", "time_delay"},
             {"relaxation", "viscous_damping"}, {"creep", "force_drift"}, {"force_offset", "asymmetric_stiffness"},
-            {"creep", "series_compliance"}, {"force_offset", "force_drift"}, {"progressive_stiffness", "bump_stop"})
+            {"creep", "series_compliance"}, {"force_offset", "force_drift"}, {"progressive_stiffness", "bump_stop"},
+            {"friction", "backlash"}, {"inertia", "fluid_inertia"})  # one contains the other
 # Coupling is what is left where no two effects explain the gap, so it is in no pair.
 PAIRED = [effect for effect in laws.EFFECTS if effect != "rate_amplitude_coupling"]
 

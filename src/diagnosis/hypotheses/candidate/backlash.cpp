@@ -10,7 +10,7 @@ std::vector<fit::BasisTerm> termsAt(const fit::Excitation& excitation, double ga
   const double typical = 0.1 * excitation.stiffness;
   const double largest = excitation.largest_displacement;
   std::vector<fit::BasisTerm> terms;
-  for (const double yield : {0.02, 0.1}) {
+  for (const double yield : {0.006, 0.02, 0.06, 0.15, 0.35}) {
     terms.push_back(fit::additiveTerm("friction_behind_play", "stiffness", typical,
                                       {{"yield_displacement", {yield * largest}}, {"gap", {gap}}}));
   }
@@ -37,6 +37,7 @@ fit::Candidate backlash(const fit::Excitation& excitation) {
                            "reversal, none at small amplitude",
                            true,
                            {}};
+  candidate.contains = {"friction"};
   candidate.least_shape = kLeastGap * excitation.largest_displacement;
   candidate.largest_shape = kLargestGap * excitation.largest_displacement;
   candidate.terms_at = [excitation](double gap) { return termsAt(excitation, gap); };

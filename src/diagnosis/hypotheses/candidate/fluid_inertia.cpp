@@ -50,6 +50,7 @@ fit::Candidate fluidInertia(const fit::Excitation& excitation) {
                            "frequency, below which stiffness falls and above which it is higher",
                            false,
                            {}};
+  candidate.contains = {"inertia"};
   candidate.least_shape = kLeast * excitation.highest_frequency;
   candidate.largest_shape = kLargest * excitation.highest_frequency;
   candidate.terms_at = [excitation](double frequency) { return termsAt(excitation, frequency); };

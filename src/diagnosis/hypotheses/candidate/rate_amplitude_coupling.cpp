@@ -51,13 +51,14 @@ void addThixotropy(const fit::Excitation& excitation, std::vector<fit::BasisTerm
   }
 }
 
-// It can look like friction and like relaxation, which are the simpler explanations: named only where they fail.
+// Flow at a limit of the force is friction, and flow at any force relaxation: named only where these fail.
 fit::Candidate rateAmplitudeCoupling(const fit::Excitation& excitation) {
   fit::Candidate candidate{"rate_amplitude_coupling",
                            "flow that large forces or fast motion accelerate: stiffness falls with amplitude, and more "
                            "so at higher frequency",
                            false,
                            {}};
+  candidate.contains = {"friction", "relaxation"};
   addFlow(excitation, candidate.terms);
   addOverstress(excitation, candidate.terms);
   addThixotropy(excitation, candidate.terms);
