@@ -189,16 +189,27 @@ std::string describe(const ros_interface::BenchCount& count) {
 }
 
 // A playback without end ends by being interrupted; any other has to come to its end.
+std::string failureOf(const ros_interface::BenchCount& count, bool endless) {
+  if (!count.exactlyOneEach()) {
+    return "not every sample had exactly one force";
+  }
+  return count.complete || endless
+             ? ""
+             : fmt::format("interrupted before the end: every sample that was sent, of {}, had exactly one force",
+                           count.of);
+}
+
 int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
   std::string failed;
   for (const ros_interface::BenchCount& count : counts) {
-    if (count.exactlyOneEach() && (count.complete || endless)) {
+    const std::string failure = failureOf(count, endless);
+    if (failure.empty()) {
       std::cout << describe(count) << "; every sample had exactly one force\n";
     } else {
-      failed += (failed.empty() ? "" : "; ") + describe(count);
+      failed += (failed.empty() ? "" : "; ") + describe(count) + "; " + failure;
     }
   }
-  element::refuseIf<ros_interface::PlayError>(!failed.empty(), "{}; not every sample had exactly one force", failed);
+  element::refuseIf<ros_interface::PlayError>(!failed.empty(), "{}", failed);
   return kSuccess;
 }
 

@@ -65,6 +65,7 @@ void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follo
   }
   last_forces_[track] = result.totals();
   BenchCount& count = counts_[track];
+  count.of += log.size();
   // Once ROS is shut down nothing comes any more, so what was on its way then is no loss.
   count.samples += ros::ok() ? result.sent : result.answered();
   count.answered += result.answered();

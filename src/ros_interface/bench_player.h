@@ -25,6 +25,7 @@ struct BenchTrack {
 /// Sums over all passes of one component.
 struct BenchCount {
   std::string component;
+  std::size_t of = 0;          ///< samples of the logs that were to be played
   std::size_t samples = 0;     ///< sent
   std::size_t answered = 0;    ///< with at least one force
   std::size_t repeated = 0;    ///< forces too many for a sample

@@ -1,11 +1,14 @@
 #!/usr/bin/python3
-"""Tests of what the scripts say: why apt failed, from logs that apt-get 2.6.1 and dpkg 1.21.22 of Debian 12 wrote, and
-the progress of a build.
+"""Tests of what the scripts say: why apt failed, from logs that apt-get 2.6.1 and dpkg 1.21.22 of Debian 12 wrote, the
+progress of a build, and nothing where they are interrupted.
 
 Run in this folder: python3 -m unittest scripts_test
 """
 import pathlib
+import signal
 import subprocess
+import tempfile
+import time
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -73,6 +76,22 @@ class Progress(unittest.TestCase):
     def test_what_else_is_said_is_kept(self):
         lines = ["[1/3] Building CXX object a.o", "a.cpp:1: error: no", "[2/3] Building CXX object b.o", "FAILED: b.o"]
         self.assertEqual(self.thinned("\n".join(lines)), [lines[0], lines[1], lines[3]])
+
+
+class Interrupted(unittest.TestCase):
+    """A launch file that fails interrupts its other nodes: its message is the last word, no traceback follows."""
+
+    def test_live_plot_ends_without_a_traceback(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for imported in ("numpy", "matplotlib"):
+                process = subprocess.Popen([SCRIPTS / "live_plot", "--component", "bush", "--headless", "--picture",
+                                            f"{folder}/bush.png"], stderr=subprocess.PIPE, text=True,
+                                           env={"PATH": "/usr/bin:/bin", "ROS_MASTER_URI": "http://127.0.0.1:9"})
+                maps = pathlib.Path(f"/proc/{process.pid}/maps")
+                while process.poll() is None and imported not in maps.read_text(encoding="utf-8"):
+                    time.sleep(0.005)
+                process.send_signal(signal.SIGINT)
+                self.assertNotIn("KeyboardInterrupt", process.communicate(timeout=60)[1])
 
 
 if __name__ == "__main__":

@@ -185,28 +185,31 @@ class InterruptPlayback(unittest.TestCase):
         self.start("rosmaster", "--core", "-p", str(port))
         self.start(PROGRAMS / "simulate", "_config_file:=component.yaml")
 
-    def start(self, *words):
+    def start(self, *words, stderr=subprocess.DEVNULL):
         process = subprocess.Popen(words, cwd=self.folder, env=self.environment, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL, start_new_session=True)
+                                   stderr=stderr, text=True, start_new_session=True)
         self.addCleanup(process.wait, 60)
         self.addCleanup(process.terminate)
         return process
 
     def interrupt(self, *words):
-        """Ctrl-C once it has begun to write and has played for a second."""
-        process = self.start(*words)
+        """Ctrl-C once it has begun to write and has played for a second; what it says."""
+        process = self.start(*words, stderr=subprocess.PIPE)
         out = self.folder / "out"
         end = time.monotonic() + 60
         while not any(out.iterdir()) and process.poll() is None and time.monotonic() < end:
             time.sleep(0.01)
         time.sleep(1)
         os.killpg(process.pid, signal.SIGINT)
-        process.wait(60)
+        return process.communicate(timeout=60)[1]
 
     def test_play_log(self):
         (self.folder / "out").mkdir()
-        self.interrupt(PROGRAMS / "play_log", "--component", "primary_bush", "--log", "log.csv", "--playback-speed", "1",
-                       "--output", "out/force.csv", "--bag", "out/run.bag", "--plot", "out/force.svg")
+        errors = self.interrupt(PROGRAMS / "play_log", "--component", "primary_bush", "--log", "log.csv",
+                                "--playback-speed", "1", "--output", "out/force.csv", "--bag", "out/run.bag", "--plot",
+                                "out/force.svg")
+        self.assertIn("interrupted before the end: every sample that was sent", errors)
+        self.assertNotIn("not every sample", errors)
         left = {path.name for path in (self.folder / "out").iterdir()}
         self.assertLessEqual(left, {"force.csv", "run.bag"})
         if "force.csv" in left:
