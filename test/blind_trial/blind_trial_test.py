@@ -15,6 +15,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import numpy as np  # noqa: E402
 
 import generate  # noqa: E402
+import refit  # noqa: E402
 import score  # noqa: E402
 from virtual_rig import base, case, effect, excitation, form_error, laws, rig, sealed  # noqa: E402
 
@@ -256,6 +257,22 @@ class CaseTest(unittest.TestCase):
             self.assertIn(label["parameter_error"]["level"], ("element", "specification"))
             sizes.append(label["gap"]["as_configured"])
         self.assertGreater(min(sizes), 0.005)
+
+
+class RefitTest(unittest.TestCase):
+    """When evidence and fit are repeated."""
+
+    def test_the_tree_s_numbers_are_read(self):
+        numbers = refit.read_numbers()
+        self.assertLessEqual(refit.positive_numbers(), set(numbers))
+        self.assertIn('rates["friction"]', numbers)
+        self.assertNotIn("effect", refit.positive_numbers())
+
+    def test_a_number_moves_by_a_share_of_itself_and_odds_by_a_share_of_the_odds(self):
+        old = {"sharpness": 10.0, "effect": -4.0, "second": -0.01}
+        self.assertEqual(refit.moved(old, {"sharpness": 10.4, "effect": -4.04, "second": 0.03}, {"sharpness"}), {})
+        self.assertEqual(set(refit.moved(old, {"sharpness": 10.6, "effect": -4.1}, {"sharpness"})),
+                         {"sharpness", "effect", "second"})
 
 
 class ScoreTest(unittest.TestCase):
