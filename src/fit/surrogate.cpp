@@ -48,7 +48,8 @@ Eigen::Index strideOf(const std::vector<log::Record>& records) {
   return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::ceil(samples / kMostRows)));
 }
 
-// Every so many samples of a record; its nuisances stay orthonormal.
+// Every so many samples of a record. What the rig may have added is as probable as before, in units of the error of
+// so many samples.
 log::Record thinned(const log::Record& record, Eigen::Index stride) {
   const auto kept = Eigen::seq(0, Eigen::last, stride);
   log::Record result = record;
@@ -58,7 +59,9 @@ log::Record thinned(const log::Record& record, Eigen::Index stride) {
     *channel = (*channel)(kept).eval();
   }
   if (stride > 1 && record.nuisances.cols() > 0) {
-    result.nuisances = numerics::orthonormalColumns(record.nuisances(kept, Eigen::all));
+    const Eigen::MatrixXd columns = numerics::columnsOfWhitening(record.nuisances);
+    result.nuisances =
+        numerics::whiteningColumns(columns(kept, Eigen::all) * std::sqrt(record.counted() / result.counted()));
   }
   return result;
 }

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "gap/simulate.h"
+#include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -132,6 +133,23 @@ TEST(Surrogate, ClosesAResonance) {
     }
     return force;
   });
+}
+
+// What the rig may have added has its prior however long the logs are: beyond 40,000 samples, where neighbours are left
+// out, a zero of 200 N is no more of the rig than in shorter logs.
+TEST(Surrogate, LeavesTheRigItsPriorAtEveryLength) {
+  const auto leftBefore = [](std::size_t logs) {
+    std::vector<log::Record> records;
+    for (std::size_t r = 0; r < logs; ++r) {
+      log::Record& one =
+          records.emplace_back(record(1, [](const auto& z) { return std::vector<double>(z.size(), 200.0); }));
+      const double deviation = 20.0;  // of the zero [N], where an error of a tenth of the force is one
+      const double error = 0.1 * one.force_deviation * std::sqrt(one.counted());
+      one.nuisances = numerics::whiteningColumns(Eigen::VectorXd::Constant(one.size(), deviation / error));
+    }
+    return errorsOf(fitTo(records).unseen).before;
+  };
+  EXPECT_NEAR(leftBefore(4), leftBefore(1), 1e-3 * leftBefore(1));
 }
 
 // What has no cause in the motion is not learned: nothing is gained where it was not fitted, and the weights are so

@@ -40,8 +40,8 @@ struct Record {
   /// Most that noise slower than the motion, or a drift, may add and still be noise [N]: its standard deviation.
   double slow_noise = std::numeric_limits<double>::infinity();
   double weight = 1.0;  ///< of its mean squares among those of several logs, about 1 on average
-  /// Orthonormal columns of what the rig may have added to the force (zero, state left from before the log), 0 where
-  /// samples do not count; may be empty.
+  /// Whitening columns N (numerics::whiteningColumns) of what the rig may have added to the force (zero, lag, gain,
+  /// slow noise, state left from before the log), each within its prior; 0 where samples do not count; may be empty.
   Eigen::MatrixXd nuisances;
   /// Error that one standard deviation of any of them counts as, over the force's standard deviation.
   double one_deviation = 0.0;
@@ -53,8 +53,8 @@ struct Record {
   double counted(Eigen::Index first, Eigen::Index count) const;
   double counted() const { return counted(0, size()); }
 
-  /// The rest of a residual or of a derivative of the force [N] once samples that do not count and everything that
-  /// the rig may have added are taken out (Frisch and Waugh, Econometrica 1, 1933).
+  /// A residual or a derivative of the force [N], r - N N'r: samples that do not count are 0, and what the rig may have
+  /// added is taken out as far as its priors let it explain r (Frisch and Waugh, Econometrica 1, 1933, with a prior).
   Eigen::VectorXd withoutRig(const Eigen::VectorXd& column) const;
 };
 
