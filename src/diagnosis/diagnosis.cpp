@@ -8,6 +8,7 @@
 
 #include "diagnosis/hypotheses/log_table.h"
 #include "diagnosis/hypotheses/measured_logs.h"
+#include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/hypotheses/workings.h"
@@ -91,8 +92,8 @@ std::unique_ptr<hypotheses::PreparedCase> withRigPriors(const io::ComponentDescr
                                                         std::vector<log::Record> training,
                                                         std::vector<log::Record> held_out) {
   const fit::ModelParameters model(component, fit::Level::specification);
-  prepare::ZeroPriors zeros =
-      prepare::setRigPriors(model, component.rig.value_or(io::RigTolerances{}), training, held_out);
+  prepare::ZeroPriors zeros = prepare::setRigPriors(model, component.rig.value_or(io::RigTolerances{}),
+                                                    hypotheses::errorScale(), training, held_out);
   return std::make_unique<hypotheses::PreparedCase>(component, std::move(training), std::move(held_out),
                                                     std::move(zeros));
 }

@@ -11,7 +11,6 @@
 #include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
-#include "rubber_suspension/measurement/noise_model.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -229,6 +228,11 @@ double noiseFloor(const log::Record& record, const VectorXd& residual, const Mas
   floor = floor > 0.0 ? std::min(floor, left) : left;
   // A step of the sensor, evenly rounded; and what rounding in arithmetic leaves.
   return std::max({floor, smallestStep(record.force) / std::sqrt(12.0), 1e-12 * rangeOf(record.force)});
+}
+
+std::optional<NoiseModel> noiseAlone(const log::Record& record, const VectorXd& residual, const Mask& mask) {
+  const VectorXd rest = withoutFunctionsOfMotion(record, residual, mask);
+  return continuesInto(motionBand(record), rest, mask) ? std::make_optional(estimateNoise(rest, mask)) : std::nullopt;
 }
 
 double relativeFloor(const log::Record& record, const Eigen::VectorXd& residual) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "rubber_suspension/log/record.h"
 #include "rubber_suspension/measurement/faults.h"
+#include "rubber_suspension/measurement/noise_model.h"
 
 namespace rubber_suspension::measurement {
 
@@ -12,6 +14,10 @@ namespace rubber_suspension::measurement {
 /// of the same cycle, else by the spectrum beside the motion, else where the displacement stands still. Never above
 /// what a model leaves; never below what the force's resolution allows.
 double noiseFloor(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
+
+/// The law of the noise in such a residual [N], where the band of the motion holds nothing else: what a model errs by
+/// follows no law that holds beside the motion as well.
+std::optional<NoiseModel> noiseAlone(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
 
 /// The floor of what a model leaves of a record, as a gap [-]; the rig's part and samples that do not count are taken
 /// out first.

@@ -11,6 +11,7 @@
 
 #include "diagnosis/experiment/confusion.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/screening.h"
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/prepare/rig.h"
@@ -73,7 +74,7 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   }
   std::vector<log::Record> none;
   const fit::ModelParameters model(component, fit::Level::specification);
-  prepare::setRigPriors(model, component.rig.value_or(io::RigTolerances{}), records, none,
+  prepare::setRigPriors(model, component.rig.value_or(io::RigTolerances{}), hypotheses::errorScale(), records, none,
                         prepare::RigScatter::as_tolerated);
   fit::Fitter fitter(records, model);
   hypotheses::Search search;

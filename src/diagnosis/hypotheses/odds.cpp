@@ -42,4 +42,9 @@ double Odds::mostOf(std::size_t effects) const {
   return ofError(floor_) + judge::priorOfCount(effects, numbers);
 }
 
+prepare::ErrorScale errorScale() {
+  const judge::JudgeNumbers& numbers = judge::fittedNumbers();
+  return {numbers.accepted, numbers.floor_known, numbers.sharpness};
+}
+
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "diagnosis/prepare/rig_noise.h"
 #include "fit/hypothesis.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
@@ -32,5 +33,8 @@ class Odds {
   double without_;
   double blocks_;
 };
+
+/// The judgement's numbers for how much a model may err, as fitted last.
+prepare::ErrorScale errorScale();
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

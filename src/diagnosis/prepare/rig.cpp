@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "diagnosis/prepare/friction_noise.h"
-#include "diagnosis/prepare/rig_noise.h"
 #include "fit/fitter.h"
 #include "fit/parallel.h"
 #include "gap/simulate.h"
@@ -180,15 +179,6 @@ Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
   return columns * (deviation / std::sqrt(squares));
 }
 
-// One standard deviation of anything that the rig does counts as an error of this size in one of `logs` logs, in units
-// of the force's standard deviation: the judgement takes it for as improbable as any number at its deviation.
-double oneDeviation(double floor, std::size_t logs) {
-  constexpr double kAccepted = 0.005;  // of the force, that a model may err by
-  constexpr double kFloorKnown = 0.5;  // of the floor, that it may be off by
-  constexpr double kSharpness = 9.0;   // independent errors that all logs are worth
-  return std::hypot(kAccepted, kFloorKnown * floor) * std::sqrt(static_cast<double>(logs) / kSharpness);
-}
-
 // Everything that the rig may have added, each column of one standard deviation [N]. Zeros of the displacement are left
 // out: what they do depends on the law that is supposed.
 Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& limits, const Eigen::MatrixXd& starts,
@@ -257,10 +247,10 @@ Noise noiseOf(const std::vector<element::ElementDescription>& elements, const st
   return noise;
 }
 
-std::vector<double> oneDeviations(const std::vector<double>& floors, std::size_t logs) {
+std::vector<double> oneDeviations(const ErrorScale& scale, const std::vector<double>& floors, std::size_t logs) {
   std::vector<double> result;
   std::transform(floors.begin(), floors.end(), std::back_inserter(result),
-                 [&](double floor) { return oneDeviation(floor, logs); });
+                 [&](double floor) { return scale.oneDeviation(floor, logs); });
   return result;
 }
 
@@ -278,25 +268,25 @@ std::vector<fit::DisplacementZero> zerosOf(const std::vector<log::Record>& recor
 
 }  // namespace
 
-ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
+ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances, const ErrorScale& scale,
                         std::vector<log::Record>& training, std::vector<log::Record>& held_out, RigScatter scatter) {
   const std::size_t logs = training.size();
   const auto configured = model.apply(Eigen::VectorXd::Zero(model.size())).allElements();
   setNuisances(configured, gap::simulate(configured, training), tolerances, {},
-               oneDeviations(std::vector<double>(logs, 0.0), logs), training);
+               oneDeviations(scale, std::vector<double>(logs, 0.0), logs), training);
   const fit::Fitter fitter(training, model);
   const fit::Hypothesis alone;
   const fit::ParameterVector parameters = fitter.fit(alone, fitter.configured(alone), {kIterations}).parameters;
   const auto elements = model.apply(parameters.model).allElements();
   const Noise noise = noiseOf(elements, training, held_out);
   const Limits limits = scatter == RigScatter::as_found ? limitsBy(elements, tolerances, training, held_out) : Limits();
-  const std::vector<double> of_training = oneDeviations(noise.training, logs);
-  const std::vector<double> of_held_out = oneDeviations(noise.held_out, logs);
+  const std::vector<double> of_training = oneDeviations(scale, noise.training, logs);
+  const std::vector<double> of_held_out = oneDeviations(scale, noise.held_out, logs);
   setNuisances(elements, gap::simulate(elements, training), tolerances, limits, of_training, training);
-  weighByNoise(noise.training, training);
+  weighByNoise(noise.training, scale.accepted, training);
   if (!held_out.empty()) {
     setNuisances(elements, gap::simulateEach(elements, held_out), tolerances, limits, of_held_out, held_out);
-    weighByNoise(noise.held_out, held_out);
+    weighByNoise(noise.held_out, scale.accepted, held_out);
   }
   return {zerosOf(training, tolerances, of_training), zerosOf(held_out, tolerances, of_held_out)};
 }
@@ -311,17 +301,23 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
   std::array<std::vector<measurement::RigFit>, 2> by;
   fit::parallelFor(by.size(), threads, [&](std::size_t i) { by[i] = fitRig(rig, i == 0 ? judged : rival, zeros); });
   const auto& [fits, by_rival] = by;
+  const auto findingsBy = [&](std::size_t r, const measurement::RigFit& fit) {
+    std::vector<measurement::RigFinding> all = rig.findings(r, fit);
+    const auto noise = measurement::noiseAlone(records[r], fit.residual, rig.mask(r));
+    const auto colour = noise ? measurement::colouredNoiseFinding(records[r].name, *noise) : std::nullopt;
+    if (colour) {
+      all.push_back(*colour);
+    }
+    return all;
+  };
   std::vector<measurement::RigFinding> found;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const auto of_log = rig.findings(r, fits[r]);
-    const auto of_rival = rig.findings(r, by_rival[r]);
+    const auto of_log = findingsBy(r, fits[r]);
+    const auto of_rival = findingsBy(r, by_rival[r]);
     std::copy_if(of_log.begin(), of_log.end(), std::back_inserter(found), [&](const measurement::RigFinding& finding) {
       const bool is_named = gains_are_named && finding.finding == "sensor_gain";
       return isBeyondChance(finding) && (is_named || agrees(finding, of_rival));
     });
-    if (const auto colour = measurement::colouredNoiseFinding(records[r].name, fits[r].noise)) {
-      found.push_back(*colour);
-    }
   }
   return found;
 }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "diagnosis/prepare/rig_noise.h"
 #include "fit/free_in_log.h"
 #include "fit/model_parameters.h"
 #include "rubber_suspension/element/parameter.h"
@@ -24,10 +25,10 @@ enum class RigScatter { as_found, as_tolerated };
 
 /// Give each record what the rig may have added to it (Record::nuisances): zero, lag, clock, gain, what a motion before
 /// the log left, and noise slower than the motion as a random walk, each as wide as its tolerance. One standard
-/// deviation of any of them counts as much as an error that an engineer accepts. Zeros and lags that are much alike in
+/// deviation of any of them counts as ErrorScale::oneDeviation(). Zeros and lags that are much alike in
 /// all logs are no scatter of the rig: then they are no wider than they differ, and what they have in common is left to
 /// the effects. The model is re-estimated for that, and for how much each log counts (weighByNoise()).
-ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
+ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances, const ErrorScale& scale,
                         std::vector<log::Record>& training, std::vector<log::Record>& held_out,
                         RigScatter scatter = RigScatter::as_found);
 

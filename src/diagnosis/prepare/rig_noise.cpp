@@ -11,6 +11,10 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
+double ErrorScale::oneDeviation(double floor, std::size_t logs) const {
+  return std::hypot(accepted, floor_known * floor) * std::sqrt(static_cast<double>(logs) / sharpness);
+}
+
 double NoiseLimit::of(const log::Record& record) const { return std::max(force / record.force_deviation, share); }
 
 NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::Record>& records) {
@@ -35,12 +39,11 @@ double rigCost(const log::Record& record, const Eigen::VectorXd& residual) {
   return std::min(cost, record.one_deviation * std::sqrt(boost::math::quantile(values, kWithin)));
 }
 
-void weighByNoise(const std::vector<double>& noise, std::vector<log::Record>& records) {
-  constexpr double kAccepted = 0.02;  // of the force, by an engineer
-  const double accepted = std::max(kAccepted, *std::min_element(noise.begin(), noise.end()));
+void weighByNoise(const std::vector<double>& noise, double accepted, std::vector<log::Record>& records) {
+  const double most = std::max(accepted, *std::min_element(noise.begin(), noise.end()));
   double sum = 0.0;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    records[r].weight = std::pow(std::min(1.0, accepted / noise[r]), 2);
+    records[r].weight = std::pow(std::min(1.0, most / noise[r]), 2);
     sum += records[r].weight;
     if (records[r].weight < 1.0) {
       records[r].notes.push_back(

@@ -1,11 +1,23 @@
 // How loud the noise of one rig may be, by all of its logs together.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::prepare {
+
+/// How much a model may err without being wrong: numbers of the judgement (judge/numbers.h), handed over as values.
+struct ErrorScale {
+  double accepted = 0.0;     ///< error that is accepted, in units of the force's standard deviation
+  double floor_known = 0.0;  ///< share of itself that a floor may be too low by
+  double sharpness = 0.0;    ///< independent errors that all logs together are worth
+
+  /// Error in one of `logs` logs that one standard deviation of anything that the rig does counts as, in units of the
+  /// force's standard deviation: the judgement takes it for as improbable as any number at its deviation.
+  double oneDeviation(double floor, std::size_t logs) const;
+};
 
 /// All logs come from one rig. What a model lacks in some of them must not pass for noise there, so a log's noise is
 /// limited by that of the others: in newtons, or as a share of its force, whichever allows more.
@@ -26,8 +38,9 @@ NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::R
 double rigCost(const log::Record& record, const Eigen::VectorXd& residual);
 
 /// Let logs whose force is little more than noise, as of a hold, count less (Record::weight): one with more noise than
-/// an engineer accepts of a model, and than the quietest log, counts as if it had so much. In the mean square over all
-/// logs it would hide what the others show, and be the larger part of what is left. `noise`: of each log, as a gap.
-void weighByNoise(const std::vector<double>& noise, std::vector<log::Record>& records);
+/// the error that is accepted of a model, and than the quietest log, counts as if it had so much. In the mean square
+/// over all logs it would hide what the others show, and be the larger part of what is left. `noise`: of each log, as a
+/// gap.
+void weighByNoise(const std::vector<double>& noise, double accepted, std::vector<log::Record>& records);
 
 }  // namespace rubber_suspension::diagnosis::prepare
