@@ -46,8 +46,8 @@ struct Candidate {
   /// Effects that its law has as a limit: it holds their terms besides its own.
   std::vector<std::string> contains = {};
   FreeInLog free_in_log = {};  ///< belongs to it
-  /// What its terms do, all of the model's parameters do together: told beside parameter_error, and named only for
-  /// gains that differ from log to log.
+  /// What its terms do, all of the model's parameters do together: beside right ones it is another reading of wrong
+  /// ones, beside other effects it takes part only for gains that differ from log to log.
   bool like_parameters = false;
 
   /// The terms at a value of a number that the force is not linear in, which lies between these; null: there is none.
@@ -91,6 +91,9 @@ struct Hypothesis {
 
   /// Whether it competes with others: it has terms, and may do what parameters do not.
   bool competes() const { return !terms.empty() && (!like_parameters || free_in_log.gain); }
+
+  /// Whether model parameters stay as configured: it says that they are right, and its terms do what others would.
+  bool keepsParameters() const { return !terms.empty() && !competes(); }
 
   /// True if the force is that of the model plus those of the terms.
   bool isAdditive() const;

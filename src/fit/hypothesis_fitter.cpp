@@ -63,8 +63,9 @@ numerics::Limits HypothesisFitter::stepBounds(const Hypothesis& hypothesis, cons
   const auto infinite = Eigen::VectorXd::Constant(unknowns, std::numeric_limits<double>::infinity());
   const Eigen::Index size = model().size();
   numerics::Limits bounds{-infinite, infinite};
-  bounds.lower.head(size) = -model().bounds() - parameters.model;
-  bounds.upper.head(size) = model().bounds() - parameters.model;
+  const double free = hypothesis.keepsParameters() ? 0.0 : 1.0;
+  bounds.lower.head(size) = free * (-model().bounds() - parameters.model);
+  bounds.upper.head(size) = free * (model().bounds() - parameters.model);
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
     const auto i = static_cast<Eigen::Index>(t);
     bounds.lower[size + i] = hypothesis.terms[t].lower - parameters.scales[i];

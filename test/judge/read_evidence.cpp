@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/6";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/7";
 
 // JSON has no infinity: what a hypothesis leaves that no model run follows is null.
 double numberOf(const ordered_json& value) {
@@ -38,6 +38,7 @@ judge::HypothesisEvidence hypothesisOf(const ordered_json& value) {
   value.at("beyond").get_to(hypothesis.beyond);
   value.at("free_trends").get_to(hypothesis.free_trends);
   value.at("free_gains").get_to(hypothesis.free_gains);
+  value.at("keeps_values").get_to(hypothesis.keeps_values);
   hypothesis.penalty = numberOf(value.at("penalty"));
   hypothesis.log_errors = numbersOf(value.at("log_errors"));
   for (const ordered_json& member : value.at("sizes")) {

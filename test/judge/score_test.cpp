@@ -90,6 +90,25 @@ TEST(EvidenceJson, IsReadAsItWasWritten) {
   }
 }
 
+// A gain of 6 % on all logs, or all values off by 6 %: no log tells, so both are told. Values that are off by other
+// factors, and what no gain explains, are not the gain's.
+TEST(Answer, TellsAGainOfAllLogsBesideWrongValues) {
+  Evidence evidence = unexplained(2, 1, kFloor);
+  const std::vector<double> gap(2, 0.06 * 0.06);
+  const auto leave = [&](double values, double gain) {
+    evidence.hypotheses = {fitted({}, gap, {}), fitted({}, std::vector<double>(2, values * values), {}),
+                           fitted({0}, std::vector<double>(2, gain * gain), {gap})};
+    evidence.hypotheses.back().keeps_values = true;
+    return diagnosis::judge::answer(evidence);
+  };
+  const diagnosis::judge::Answer either = leave(kFloor, kFloor);
+  EXPECT_EQ(either.verdict, diagnosis::Verdict::parameter_error);
+  ASSERT_EQ(either.alternatives.size(), 1);
+  EXPECT_EQ(either.alternatives.front().effects, std::vector<int>{0});
+  EXPECT_TRUE(leave(kFloor, 0.03).alternatives.empty());
+  EXPECT_EQ(leave(0.05, 0.05).verdict, diagnosis::Verdict::unknown);
+}
+
 // Hold-out logs are further logs: a law that fails on them is not the answer.
 TEST(LogWeights, CountUnseenLogs) {
   Evidence evidence = unexplained(4, 1, 0.1);

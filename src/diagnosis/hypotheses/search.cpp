@@ -120,8 +120,11 @@ class Searcher {
     const double reach = kHopeless * std::max(least, result_.discretisation);
     fit::parallelFor(some.size(), threads_, [&](std::size_t i) {
       FittedHypothesis& single = singleOf(some[i]);
-      const auto fit = single.hypothesis.free_in_log.gain ? fitGains : fitSingle;
-      fit(fitter_, result_.re_estimated, screening.bestOf(some[i].members), reach, single);
+      if (single.hypothesis.like_parameters) {
+        fitGains(fitter_, result_.re_estimated, reach, single);
+      } else {
+        fitSingle(fitter_, result_.re_estimated, screening.bestOf(some[i].members), reach, single);
+      }
     });
   }
 
@@ -343,6 +346,7 @@ judge::HypothesisEvidence evidenceOf(const std::vector<fit::Candidate>& candidat
   evidence.beyond = fit::numbersBeyond(candidates, fitted.hypothesis, fitted.fit.parameters.scales);
   evidence.free_trends = fitted.hypothesis.free_in_log.trend;
   evidence.free_gains = fitted.hypothesis.free_in_log.gain;
+  evidence.keeps_values = fitted.hypothesis.keepsParameters();
   const bool applies = !fitted.hypothesis.terms.empty() || fitted.hypothesis.members.empty();
   evidence.penalty = applies ? fitted.fit.penalty : std::numeric_limits<double>::infinity();  // nothing was fitted
   return evidence;

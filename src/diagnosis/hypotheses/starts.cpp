@@ -102,20 +102,23 @@ void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_e
   restart(fitter.scalesAlone(hypothesis, configured, additive ? 1 : kAloneIterations));
 }
 
-void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
-              const fit::ParameterVector& start, double reach, FittedHypothesis& single) {
+void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, double reach,
+              FittedHypothesis& single) {
+  const fit::FitLimits limits{kSingleIterations, reach};
   FittedHypothesis common = single;
   common.hypothesis.free_in_log.gain = false;
-  fitSingle(fitter, re_estimated, start, reach, common);
-  const fit::FitLimits limits{kSingleIterations, reach};
-  single.fit = fitter.fit(single.hypothesis, common.fit.parameters, limits);
-  if (single.fit.gap <= reach) {
-    keepBetter({single.hypothesis, fitter.fit(single.hypothesis, fitter.configured(single.hypothesis), limits)},
-               single);
+  fitFrom(fitter, fitter.configured(common.hypothesis), limits, common);
+  if (single.hypothesis.free_in_log.gain) {
+    fit::ParameterVector other_values = fitter.configured(single.hypothesis);
+    other_values.model = re_estimated.fit.parameters.model;
+    for (const fit::ParameterVector& start : {common.fit.parameters, other_values}) {
+      keepBetter({single.hypothesis, fitter.fit(single.hypothesis, start, limits)}, single);
+    }
+    if (single.fit.score() <= kClearlyBetter * std::min(common.fit.score(), re_estimated.fit.score())) {
+      return;
+    }
   }
-  if (single.fit.score() > kClearlyBetter * common.fit.score()) {
-    single = std::move(common);
-  }
+  single = std::move(common);
 }
 
 void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, const fit::ParameterVector& start,

@@ -14,9 +14,10 @@ namespace rubber_suspension::diagnosis::hypotheses {
 void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
                const fit::ParameterVector& start, double reach, FittedHypothesis& single);
 
-/// Gains of each log from where one gain of all arrived, which is enough where they do no better.
-void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
-              const fit::ParameterVector& start, double reach, FittedHypothesis& single);
+/// One gain of all logs beside the configured values; where it may differ, a gain of each log beside values of their
+/// own, if these do clearly better than that and than other values alone.
+void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, double reach,
+              FittedHypothesis& single);
 
 /// Several effects, from where the normal equations about some of them promise the least error, or where these arrived.
 void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, const fit::ParameterVector& start,

@@ -16,6 +16,7 @@ struct HypothesisEvidence {
   std::size_t beyond = 0;
   bool free_trends = false;        ///< a slow trend per log is free, too
   bool free_gains = false;         ///< a gain per log is free, too
+  bool keeps_values = false;       ///< model parameters are as configured: its member does what other ones would
   double penalty = 0.0;            ///< regularisation penalty of changed model parameters, as a gap
   std::vector<double> log_errors;  ///< error on each log, on blocks that took no part in the fit
   /// Of each member the size of the force that it adds to each log.

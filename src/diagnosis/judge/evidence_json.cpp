@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/6";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/7";
 
 ordered_json logJson(const LogEvidence& log) {
   return {{"floor", log.floor},   {"floor_uncertainty", log.floor_uncertainty},
@@ -17,10 +17,16 @@ ordered_json logJson(const LogEvidence& log) {
 }
 
 ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
-  return {
-      {"members", hypothesis.members},         {"terms", hypothesis.terms},           {"beyond", hypothesis.beyond},
-      {"free_trends", hypothesis.free_trends}, {"free_gains", hypothesis.free_gains}, {"penalty", hypothesis.penalty},
-      {"log_errors", hypothesis.log_errors},   {"sizes", hypothesis.sizes},           {"shares", hypothesis.shares}};
+  return {{"members", hypothesis.members},
+          {"terms", hypothesis.terms},
+          {"beyond", hypothesis.beyond},
+          {"free_trends", hypothesis.free_trends},
+          {"free_gains", hypothesis.free_gains},
+          {"keeps_values", hypothesis.keeps_values},
+          {"penalty", hypothesis.penalty},
+          {"log_errors", hypothesis.log_errors},
+          {"sizes", hypothesis.sizes},
+          {"shares", hypothesis.shares}};
 }
 
 }  // namespace

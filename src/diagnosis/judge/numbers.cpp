@@ -28,6 +28,8 @@ const std::vector<NumberInfo>& numberTable() {
        &N::moved_values, true, 1.0, 0.7},
       {"no_effect", "prior of a model without an effect, whether its values are right or wrong", "ln odds",
        &N::no_effect, false, 1.5, 1.5},
+      {"common_gain", "prior of one gain of the force's channel on all logs, over that of wrong values", "ln odds",
+       &N::common_gain, false, -1.0, 1.0},
       {"rest", "prior of a rest that no listed effect causes", "ln odds", &N::rest, false, -2.0, 1.5},
       {"effect", "prior of each effect of a set", "ln odds", &N::effect, false, -3.0, 1.5},
       {"second", "prior of a second effect, besides", "ln odds", &N::second, false, -1.0, 1.0},

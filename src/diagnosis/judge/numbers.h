@@ -18,6 +18,7 @@ struct JudgeNumbers {
   double tails = 4.0;
   double moved_values = 1.0;
   double no_effect = 1.5;
+  double common_gain = -1.0;
   double rest = -2.0;
   double effect = -3.0;
   double second = -1.0;

@@ -89,11 +89,10 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
   }
 }
 
-// The error that other values remove is as large as the one that wrong values make.
-void fillSizeOfWrongValues(ScoreTable& table) {
-  const ArrayXd removed =
-      (table.left.row(Evidence::kAsConfigured) - table.left.row(Evidence::kReEstimated)).transpose();
-  table.sizes[Evidence::kReEstimated] = {0.5 * std::log(std::max((removed * table.weight).sum(), kLeastSquare))};
+// The error that other values, or another reading of them, remove is as large as the one that wrong values make.
+void fillSizeOfWrongValues(Index row, ScoreTable& table) {
+  const ArrayXd removed = (table.left.row(Evidence::kAsConfigured) - table.left.row(row)).transpose();
+  table.sizes[static_cast<std::size_t>(row)] = {0.5 * std::log(std::max((removed * table.weight).sum(), kLeastSquare))};
 }
 
 // Of a set: its effects, and what it frees.
@@ -124,7 +123,17 @@ double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::
   return -numbers.moved_values * std::log1p(moved / (numbers.accepted * numbers.accepted));
 }
 
+// One gain on all logs does what values do that are wrong by one factor.
+double priorOfReading(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
+  const auto effect = static_cast<std::size_t>(table.members[hypothesis].front());
+  return numbers.no_effect + numbers.common_gain + numbers.rateOf(table.effects[effect]) +
+         priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers);
+}
+
 double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
+  if (table.another_reading[hypothesis]) {
+    return priorOfReading(table, numbers, hypothesis);
+  }
   switch (hypothesis) {
     case Evidence::kAsConfigured:
       return numbers.no_effect;
@@ -168,11 +177,17 @@ ScoreTable scoreTable(const Evidence& evidence) {
   for (Index row = 0; row < rows; ++row) {
     const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
     table.members.push_back(hypothesis.members);
+    table.another_reading.push_back(hypothesis.keeps_values);
     fillErrors(hypothesis, row, table);
     fillInBands(hypothesis, row, table);
     fillMembers(evidence, hypothesis, row, table);
   }
-  fillSizeOfWrongValues(table);
+  fillSizeOfWrongValues(Evidence::kReEstimated, table);
+  for (Index row = 0; row < rows; ++row) {
+    if (table.another_reading[static_cast<std::size_t>(row)]) {
+      fillSizeOfWrongValues(row, table);
+    }
+  }
   return table;
 }
 
@@ -215,9 +230,10 @@ LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
   for (std::size_t h = 0; h < table.members.size(); ++h) {
     const double prior = priorOf(table, numbers, h) + priorOfValues(table, numbers, h);
     weights.alone[static_cast<Index>(h)] += prior;
-    weights.beside[static_cast<Index>(h)] += prior;
+    // Whether values are wrong does not matter beside a rest, nor how that is read.
+    weights.beside[static_cast<Index>(h)] +=
+        table.another_reading[h] ? -std::numeric_limits<double>::infinity() : prior;
   }
-  // Whether values are wrong does not matter there.
   weights.beside[Evidence::kReEstimated] -= priorOf(table, numbers, Evidence::kReEstimated);
   weights.beside[Evidence::kAsConfigured] = -std::numeric_limits<double>::infinity();
   refuseInfinite(weights.alone);

@@ -30,8 +30,9 @@ struct ScoreTable {
   Eigen::ArrayXd beyond;      ///< numbers beyond the laws that the members contain
   Eigen::ArrayXd trends;      ///< of logs, that are free
   Eigen::ArrayXd gains;       ///< likewise
+  std::vector<bool> another_reading;  ///< of wrong values, by an effect beside those as configured
   std::vector<std::vector<double>>
-      sizes;                ///< logarithm of the size of each member over all logs; of wrong values, alone
+      sizes;  ///< logarithm of the size of each member over all logs; of wrong values, that of what they remove
   Eigen::ArrayXd floor;     ///< of each log, squared; no more than a hypothesis leaves of it
   Eigen::ArrayXd weight;    ///< of each log; they add up to 1
   std::vector<Band> bands;  ///< the columns of `in_bands`
