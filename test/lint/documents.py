@@ -26,7 +26,7 @@ PLAIN_IN_COMMENTS = {"own parameter"}
 OTHER_PROGRAMS = re.compile(r"\b(squeue|sbatch|SBATCH)\b")
 # Options that a program gives to itself or to another.
 NO_MESSAGES = {"benchmark_latency": {"--echo", "--core"}, "benchmark_node": {"--echo"}}
-FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
+FENCE = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```$", re.M | re.S)
 
 
 def pages(root):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-# The virtual bench of docs/bench.md: a bush that its data sheet does not describe in full, on a machine that writes German
+# The virtual bench of docs/example.md: a bush that its data sheet does not describe in full, on a machine that writes German
 # text. It shares no code with the package.
 """Write the specification of a bush and logs of a virtual bench: bench_logs.py EFFECT FOLDER."""
 import argparse

@@ -1,0 +1,176 @@
+#!/usr/bin/python3
+"""Runs the commands of pages and compares what they print and draw with what the pages show.
+
+Usage: pages.py ROOT PROGRAMS PAGE... [--write]; one line per difference, exit status 1 if there is any.
+
+In a page (CONTRIBUTING.md):
+- The blocks ```sh run are one script, which begins in the folder of the package; /tmp is a folder of its own.
+- A block ```yaml to FILE is that file, for the commands behind it.
+- A block ```text behind one is all that it prints on stdout, ```text 2 its first two lines, long ones wrapped.
+- A picture with <!-- of FILE --> behind it is FILE, which the script leaves; of FILE.html the first screen, by Chromium.
+A number may be off by one in the last digit shown: it is rounded. --write puts the present output and pictures in place.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import textwrap
+
+import matplotlib.image
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "report"))
+
+import browser  # noqa: E402
+
+WIDTH = 120  # of a page [characters]
+# Mean difference of two pictures, of the whole range of brightness: colours that were reduced make 0.005, a curve or a
+# line of text that is another one more than 0.01.
+SAME_PICTURE = 0.01
+FENCE = re.compile(r"^( *)```(sh run|yaml to \S+|text(?: \d+)?)\n(.*?)^ *```$", re.M | re.S)
+PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)<!-- of ([^ ]+) -->")
+NUMBER = re.compile(r"(\d+(?:\.\d+)?)")
+PRELUDE = """set -e
+rosrun() {{ shift; local name=$1; shift; if [ -x "{scripts}/$name" ]; then "{scripts}/$name" "$@"; else "{programs}/$name" "$@"; fi; }}
+cd "{root}"
+"""
+
+
+class Page:
+    """One page, and a run of its commands."""
+
+    def __init__(self, root, path, programs):
+        self.root, self.path, self.programs = root, path, programs
+        self.text = path.read_text(encoding="utf-8")
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="pages."))
+        self.blocks = list(FENCE.finditer(self.text))
+        self.outputs = {}  # of each block of output, by its place: the lines that are printed
+
+    def here(self, text):
+        """Text of the page with the folder of this run in place of /tmp."""
+        return text.replace("/tmp/", f"{self.folder}/")
+
+    def run(self):
+        """All commands in one shell; the output of each block is kept."""
+        script = PRELUDE.format(root=self.root, programs=self.programs, scripts=self.root / "scripts")
+        last = None  # block of commands
+        for i, (kind, content) in enumerate((block[2], self.here(textwrap.dedent(block[3]))) for block in self.blocks):
+            if kind == "sh run":
+                last = i
+                script += "{ " + content + "\n} > " + f'"{self.folder}/output.{i}"\n'
+            elif kind.startswith("yaml to "):
+                script += f"cat > '{self.here(kind[8:])}' <<'END_OF_FILE'\n{content}END_OF_FILE\n"
+            elif last is None:
+                raise RuntimeError("a block of output stands before any block ```sh run")
+            else:
+                self.outputs[i] = last
+        with socket.socket() as one:
+            one.bind(("127.0.0.1", 0))
+            master = f"http://127.0.0.1:{one.getsockname()[1]}"
+        done = subprocess.run(["bash", "-c", script], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True, check=False,
+                              env={**os.environ, "ROS_MASTER_URI": master, "PYTHONUNBUFFERED": "1"})
+        if done.returncode != 0:
+            last = done.stderr.strip().splitlines()[-1:] or ["no message"]
+            raise RuntimeError(f"the commands end with status {done.returncode}: {last[0]}")
+        for i, last in self.outputs.items():
+            lines = (self.folder / f"output.{last}").read_text(encoding="utf-8")
+            lines = lines.replace(f"{self.folder}/", "/tmp/").splitlines()
+            count = self.blocks[i][2].partition(" ")[2]
+            self.outputs[i] = lines[:int(count)] if count else lines
+
+    def differences(self):
+        """What the page shows and the commands do not print or draw."""
+        for i, lines in self.outputs.items():
+            shown, printed = " ".join(self.blocks[i][3].split()), " ".join(" ".join(lines).split())
+            if not same(shown, printed):
+                yield f"shows '{shown}', but prints '{printed}'"
+        for picture, file in PICTURE.findall(self.text):
+            drawn = self.picture(file)
+            if drawn is not None and difference(self.path.parent / picture, drawn) > SAME_PICTURE:
+                yield f"{picture} is not what {file} is now"
+
+    def write(self):
+        """Puts what the commands print and draw in place."""
+        text, end = "", 0
+        for i, block in enumerate(self.blocks):
+            text += self.text[end:block.start()]
+            text += wrapped(self.outputs[i], block) if i in self.outputs else block[0]
+            end = block.end()
+        self.path.write_text(text + self.text[end:], encoding="utf-8")
+        for picture, file in PICTURE.findall(self.text):
+            drawn, old = self.picture(file), self.path.parent / picture
+            if drawn is not None and difference(old, drawn) > SAME_PICTURE:
+                shutil.copyfile(drawn, old)
+
+    def picture(self, file):
+        """The file that a picture is of; None where there is no browser to draw it."""
+        path = pathlib.Path(self.here(file))
+        if path.suffix != ".html":
+            return path
+        if browser.chromium() is None:
+            print(f"{self.path.relative_to(self.root)}: no Chromium: the picture of {file} is not compared")
+            return None
+        drawn = path.with_suffix(".png")
+        with browser.Page(path) as page:
+            page.show(1100, 760)
+            page.picture(drawn)
+        return drawn
+
+
+def same(shown, printed):
+    """Whether two texts differ in nothing but a last digit."""
+    one, other = NUMBER.split(shown), NUMBER.split(printed)
+    if one[::2] != other[::2]:
+        return False
+    return all(abs(float(a) - float(b)) <= 1.001 * 10.0 ** -min(decimals(a), decimals(b))
+               for a, b in zip(one[1::2], other[1::2]))
+
+
+def decimals(number):
+    return len(number.partition(".")[2])
+
+
+def wrapped(lines, block):
+    """A block of output, at the width and indentation of the page."""
+    indent = block[1]
+    rows = [row for line in lines for row in textwrap.wrap(line, WIDTH - len(indent), subsequent_indent="",
+                                                           break_long_words=False, break_on_hyphens=False) or [""]]
+    return "\n".join([f"{indent}```{block[2]}", *((indent + row).rstrip() for row in rows), f"{indent}```"])
+
+
+def difference(one, other):
+    """Mean difference of the brightness of two pictures; 1 where their sizes differ or one is missing."""
+    if not one.exists() or not other.exists():
+        return 1.0
+    pictures = [matplotlib.image.imread(path)[..., :3] for path in (one, other)]
+    return 1.0 if pictures[0].shape != pictures[1].shape else float(numpy.abs(pictures[0] - pictures[1]).mean())
+
+
+def main(root, programs, names, write):
+    found = 0
+    for name in names:
+        page = Page(root, root / name, programs)
+        try:
+            page.run()
+            for line in page.differences():
+                found += 1
+                print(f"{name}: {line}")
+            if write:
+                page.write()
+        except RuntimeError as failure:
+            found += 1
+            print(f"{name}: {failure}")
+        finally:
+            shutil.rmtree(page.folder)
+    return 0 if write or found == 0 else 1
+
+
+if __name__ == "__main__":
+    words = [word for word in sys.argv[1:] if word != "--write"]
+    sys.exit(main(pathlib.Path(words[0]).resolve(), pathlib.Path(words[1]).resolve(), words[2:], "--write" in sys.argv))
