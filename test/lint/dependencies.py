@@ -40,6 +40,7 @@ KEYS = {
     "python3-dev": ({"Python3"}, {"python3-dev"}),
     "python3-matplotlib": ({"matplotlib"}, {"python3-matplotlib"}),
     "python3-numpy": ({"numpy"}, {"python3-numpy"}),
+    "python3-pil": ({"PIL"}, {"python3-pil"}),
     "python3-tk": ({"tkinter"}, {"python3-tk"}),
     "python3-scipy": ({"scipy"}, {"python3-scipy"}),
     "python3-yaml": ({"yaml"}, {"python3-yaml"}),

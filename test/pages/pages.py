@@ -21,14 +21,15 @@ import sys
 import tempfile
 import textwrap
 
-import matplotlib.image
 import numpy
+from PIL import Image
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "report"))
 
 import browser  # noqa: E402
 
 WIDTH = 120  # of a page [characters]
+COLOURS = 128  # of a picture: every clone carries all of them, and all their versions
 # Mean difference of two pictures, of the whole range of brightness: colours that were reduced make 0.005, a curve or a
 # line of text that is another one more than 0.01.
 SAME_PICTURE = 0.01
@@ -106,7 +107,7 @@ class Page:
         for picture, file in PICTURE.findall(self.text):
             drawn, old = self.picture(file), self.path.parent / picture
             if drawn is not None and difference(old, drawn) > SAME_PICTURE:
-                shutil.copyfile(drawn, old)
+                Image.open(drawn).convert("RGB").quantize(COLOURS).save(old, optimize=True)
 
     def picture(self, file):
         """The file that a picture is of; None where there is no browser to draw it."""
@@ -148,7 +149,7 @@ def difference(one, other):
     """Mean difference of the brightness of two pictures; 1 where their sizes differ or one is missing."""
     if not one.exists() or not other.exists():
         return 1.0
-    pictures = [matplotlib.image.imread(path)[..., :3] for path in (one, other)]
+    pictures = [numpy.asarray(Image.open(path).convert("RGB"), dtype=float) / 255.0 for path in (one, other)]
     return 1.0 if pictures[0].shape != pictures[1].shape else float(numpy.abs(pictures[0] - pictures[1]).mean())
 
 

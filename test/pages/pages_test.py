@@ -6,8 +6,8 @@ import pathlib
 import tempfile
 import unittest
 
-import matplotlib.image
 import numpy
+from PIL import Image
 
 import pages
 
@@ -71,7 +71,7 @@ class Pages(unittest.TestCase):
 
     def test_pictures_are_compared_and_written(self):
         for name, grey in (("old.png", 100), ("new.png", 150)):
-            matplotlib.image.imsave(self.root / name, numpy.full((20, 30, 3), grey, dtype=numpy.uint8))
+            Image.fromarray(numpy.full((20, 30, 3), grey, dtype=numpy.uint8)).save(self.root / name)
         page = "```sh run\ncp new.png /tmp/new.png\n```\n![old](old.png)<!-- of /tmp/new.png -->\n"
         self.assertEqual(self.main(page), (1, "page.md: old.png is not what /tmp/new.png is now\n"))
         self.main(page, write=True)
