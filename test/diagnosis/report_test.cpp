@@ -220,6 +220,13 @@ TEST(Headline, IsShortForPeople) {
   EXPECT_DOUBLE_EQ(named(stop, "gap"), 0.002);
 }
 
+TEST(ReportText, NamesTheSideInFrontOfItsValue) {
+  using diagnosis::words::sizeName;
+  EXPECT_EQ(sizeName({"bump_stop", "gap_in_tension"}), "gap in tension:");
+  EXPECT_EQ(sizeName({"friction", "displacement"}), "half of it at");
+  EXPECT_EQ(sizeName({"friction", "maximum_force"}), "maximum force");
+}
+
 TEST(ReportText, TellsTheEndsOfAnIntervalApart) {
   EXPECT_EQ(diagnosis::words::intervalText({"", "", "N/m", 0.0, 1.55e6, {1.5496e6, 1.5502e6}}),
             "1.5496 to 1.5502 kN/mm");

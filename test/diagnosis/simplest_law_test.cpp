@@ -174,10 +174,10 @@ TEST(Headline, TellsStopsBySide) {
   const auto values = headlineOf({{"bump_stop", {{"stiffness", {1e6}}, {"gap", {2e-3}}, {"side", {1.0}}}},
                                   {"bump_stop", {{"stiffness", {2e6}}, {"gap", {3e-3}}, {"side", {1.0}}}},
                                   {"bump_stop", {{"stiffness", {4e6}}, {"gap", {1e-3}}, {"side", {-1.0}}}}});
-  EXPECT_DOUBLE_EQ(values.at("gap_at_z_above_0"), 2e-3);
-  EXPECT_DOUBLE_EQ(values.at("stiffness_at_z_above_0"), 3e6);
-  EXPECT_DOUBLE_EQ(values.at("gap_at_z_below_0"), 1e-3);
-  EXPECT_DOUBLE_EQ(values.at("stiffness_at_z_below_0"), 4e6);
+  EXPECT_DOUBLE_EQ(values.at("gap_in_tension"), 2e-3);
+  EXPECT_DOUBLE_EQ(values.at("stiffness_in_tension"), 3e6);
+  EXPECT_DOUBLE_EQ(values.at("gap_in_compression"), 1e-3);
+  EXPECT_DOUBLE_EQ(values.at("stiffness_in_compression"), 4e6);
 }
 
 TEST(Headline, TellsTemperaturePerKelvinAtTheReference) {

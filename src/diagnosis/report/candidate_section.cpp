@@ -24,7 +24,7 @@ bool isNamed(const Diagnosis& d, const CandidateResult& candidate) { return cont
 
 std::string parametersText(const CandidateResult& candidate) {
   return element::joined(words::headlineValuesOf(candidate.add), ", ", [](const words::HeadlineValue& value) {
-    return words::spoken(value.name) + " " + words::quantity(value.value, value.unit);
+    return words::labelOf(value.name) + " " + words::quantity(value.value, value.unit);
   });
 }
 

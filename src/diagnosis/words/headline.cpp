@@ -71,7 +71,7 @@ std::vector<HeadlineValue> frictionOf(const std::vector<element::ElementDescript
 std::vector<HeadlineValue> stopsOf(const std::vector<element::ElementDescription>& stops) {
   std::vector<HeadlineValue> result;
   for (const auto& [side, suffix] :
-       {std::pair(0.0, ""), std::pair(1.0, "_at_z_above_0"), std::pair(-1.0, "_at_z_below_0")}) {
+       {std::pair(0.0, ""), std::pair(1.0, "_in_tension"), std::pair(-1.0, "_in_compression")}) {
     double gap = std::numeric_limits<double>::infinity();
     double stiffness = 0.0;
     for (const element::ElementDescription& stop : stops) {
@@ -138,7 +138,7 @@ std::vector<HeadlineValue> compliancesOf(const std::vector<element::ElementDescr
   for (const element::ElementDescription& entry : group) {
     for (HeadlineValue value : movedOf({entry})) {
       const double side = valueOr(entry, "side", 0.0);
-      value.name += side > 0.0 ? "_at_F_above_0" : side < 0.0 ? "_at_F_below_0" : "";
+      value.name += side > 0.0 ? "_in_tension" : side < 0.0 ? "_in_compression" : "";
       value.name += entry.values.count("closing_force") != 0 && group.size() > 1 ? "_that_closes" : "";
       result.push_back(value);
     }

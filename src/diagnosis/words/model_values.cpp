@@ -46,7 +46,7 @@ std::string addedText(const std::vector<element::ElementDescription>& entries) {
   std::string values;
   for (const HeadlineValue& value : headlineValuesOf(entries)) {
     const bool half = entries.front().type == "iwan_table" && value.name == "displacement";
-    values += fmt::format("{}{} {}", values.empty() ? "" : ", ", half ? "half of it at" : spoken(value.name),
+    values += fmt::format("{}{} {}", values.empty() ? "" : ", ", half ? "half of it at" : labelOf(value.name),
                           quantity(value.value, value.unit));
   }
   return "add: " + (entries.size() > 1 ? fmt::format("{} times ", entries.size()) : "") + entries.front().type +

@@ -54,14 +54,16 @@ struct ChangeTexts {
   std::string noise;
 };
 
-// "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers.
+// "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers. Of those without a
+// unit only how much there is of the law: a width or an exponent tells nobody anything.
 std::string effectsText(const Diagnosis& diagnosis) {
   constexpr std::size_t kMost = 4;  // a gap and a stiffness of each of two stops
   std::vector<std::string> texts;
   for (const std::string& effect : diagnosis.effects) {
     std::vector<std::string> sizes;
     for (const SizedValue& size : diagnosis.effect_sizes) {
-      if (size.owner == effect && !isAtBound(size) && sizes.size() < kMost) {
+      const bool tells = size.unit != "1" || sizes.empty();
+      if (size.owner == effect && tells && !isAtBound(size) && sizes.size() < kMost) {
         sizes.push_back(sizeName(size) + " " + quantity(size.value, size.unit));
       }
     }

@@ -140,8 +140,12 @@ std::string spoken(const std::string& name) {
   return result;
 }
 
+std::string labelOf(const std::string& name) {
+  return spoken(name) + (name.find("_in_") == std::string::npos ? "" : ":");
+}
+
 std::string sizeName(const SizedValue& size) {
-  return size.owner == "friction" && size.name == "displacement" ? "half of it at" : spoken(size.name);
+  return size.owner == "friction" && size.name == "displacement" ? "half of it at" : labelOf(size.name);
 }
 
 std::string symbolOf(const std::string& name) {

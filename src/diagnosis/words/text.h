@@ -51,7 +51,10 @@ std::string rangeText(const std::array<double, 2>& band, double factor);
 /// "dynamic stiffness" of dynamic_stiffness.
 std::string spoken(const std::string& name);
 
-/// The name of a size beside its value: "maximum force", and "half of it at" of the displacement of friction.
+/// The same in front of a value: "maximum force", but "gap in tension:" of one side.
+std::string labelOf(const std::string& name);
+
+/// The name of a size in front of its value: labelOf(), and "half of it at" of the displacement of friction.
 std::string sizeName(const SizedValue& size);
 
 /// The symbol of a value in a specification, where it has one: "K_n" of dynamic_stiffness, else spoken().
