@@ -222,9 +222,9 @@ TEST(Headline, IsShortForPeople) {
 
 TEST(ReportText, NamesTheSideInFrontOfItsValue) {
   using diagnosis::words::sizeName;
-  EXPECT_EQ(sizeName({"bump_stop", "gap_in_tension"}), "gap in tension:");
-  EXPECT_EQ(sizeName({"friction", "displacement"}), "half of it at");
-  EXPECT_EQ(sizeName({"friction", "maximum_force"}), "maximum force");
+  EXPECT_EQ(sizeName({"bump_stop", "gap_in_tension", "m", 0.0, 2.4e-3, {}}), "gap in tension:");
+  EXPECT_EQ(sizeName({"friction", "displacement", "m", 0.0, 1e-4, {}}), "half of it at");
+  EXPECT_EQ(sizeName({"friction", "maximum_force", "N", 0.0, 200.0, {}}), "maximum force");
 }
 
 TEST(ReportText, TellsTheEndsOfAnIntervalApart) {
