@@ -11,6 +11,7 @@
 
 #include "element/each.h"
 #include "element/refuse.h"
+#include "estimation/models.h"
 #include "gap/last_cycles.h"
 #include "gap/simulate.h"
 #include "log/even_blocks.h"
@@ -194,7 +195,7 @@ RigOfLogs rigOfLogs(const std::vector<element::ElementDescription>& elements, co
 
 // A reversed channel, exchanged columns or a unit that is off by hundreds would be fitted all the same, and end in a
 // component without a spring. Smaller factors may be what is sought: they are told.
-void checkBenchOf(const std::vector<element::ElementDescription>& elements, const RecordsOfLogs& all,
+void checkBenchOf(const io::ComponentDescription& description, const RecordsOfLogs& all,
                   std::vector<std::string>& notes) {
   constexpr double kLargeFactor = 90.0;
   std::vector<log::Record> records;
@@ -203,7 +204,8 @@ void checkBenchOf(const std::vector<element::ElementDescription>& elements, cons
       records.push_back(*record);
     }
   }
-  for (const measurement::RigFinding& finding : measurement::checkBench(elements, records)) {
+  for (const measurement::RigFinding& finding : measurement::checkBench(
+           description.allElements(), records, estimation::largestTolerance(description.specification()))) {
     const bool of_stiffness = finding.finding == measurement::finding::kUnitFactor ||
                               finding.finding == measurement::finding::kOtherComponent ||
                               finding.finding == measurement::finding::kPeakToPeak;
@@ -237,7 +239,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
   const std::vector<log::Log> repaired = repairedLogs(logs, findings);
   std::vector<std::string> bench_notes;
   const RecordsOfLogs records = recordsOf(repaired);
-  checkBenchOf(description.allElements(), records, bench_notes);
+  checkBenchOf(description, records, bench_notes);
   fit::Identification result = fit::identify(description.allElements(), repaired, options);
   // The remains of a start in motion depend on the parameters: a second look suffices, since they are a small part.
   constexpr int kLooks = 2;

@@ -20,6 +20,7 @@
 #include "diagnosis/prepare/rig.h"
 #include "diagnosis/refused.h"
 #include "diagnosis/results/describe.h"
+#include "estimation/models.h"
 #include "fit/parallel.h"
 #include "io/available_memory.h"
 #include "rubber_suspension/measurement/bench_check.h"
@@ -105,7 +106,8 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
   std::vector<RigFinding> findings = findingsOf(prepared);
   std::vector<log::Record> training = takeRecords(std::move(prepared));
   prepare::addLeadIns(excerpts.lead_in, training);
-  const auto bench = measurement::checkBench(component.allElements(), training);
+  const auto bench = measurement::checkBench(component.allElements(), training,
+                                             estimation::largestTolerance(component.specification()));
   findings.insert(findings.end(), bench.begin(), bench.end());
   if (measurement::anyFatal(findings)) {
     auto evidence =

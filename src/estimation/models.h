@@ -64,6 +64,9 @@ double valueOrDefault(const Specification& specification, std::string_view key);
 /// f_b = f_n sqrt((K_max^2 - K_n^2)/(K_n^2 - K_st^2)).
 double breakFrequencyForMaximum(const Specification& specification);
 
+/// The largest tolerance of any number of the sheet; the usual one where it has none.
+double largestTolerance(const Specification& specification);
+
 /// Break frequency [Hz] at which one Maxwell element meets K_n and the loss angle together:
 /// f_b = f_n K_n sin(delta)/(K_n cos(delta) - K_st), as its loss and its storage stiffness relate as f_b to f_n.
 double breakFrequencyForLossAngle(const Specification& specification);

@@ -310,6 +310,19 @@ const std::vector<element::ParameterInfo>& specificationParameters() {
   return table;
 }
 
+bool isOfSheet(std::string_view name) {
+  const element::ParameterInfo* parameter = findParameter(name);
+  return parameter != nullptr && parameter->role == element::Role::shape;
+}
+
+double largestTolerance(const Specification& specification) {
+  double largest = 0.0;
+  for (const auto& [key, value] : specification.values()) {
+    largest = isOfSheet(key) ? std::max(largest, specification.tolerance().of(key)) : largest;
+  }
+  return largest > 0.0 ? largest : specification.tolerance().of("");
+}
+
 const ModelInfo& modelInfo(Model model) { return entry(model).info; }
 
 double nominalDisplacement(const Specification& specification) {

@@ -30,17 +30,15 @@ bool dependsOnPlace(const std::vector<element::ElementDescription>& elements, co
 
 }  // namespace
 
-Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> shared, const ModelParameters& model)
-    : HypothesisFitter(model), forces_(std::move(shared), model) {
+Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> shared, const ModelParameters& model,
+               double one_deviation)
+    : HypothesisFitter(model, one_deviation), forces_(std::move(shared), model) {
   const auto count = static_cast<double>(records().size());
   std::vector<double> weights;
-  double noise = 0.0;
   for (const log::Record& record : records()) {
     weights.push_back(std::sqrt(record.weight / (record.counted() * count)) / record.force_deviation);
-    noise += record.weight * std::max(gap::whiteNoiseFloor(record, record.force), kLeastNoise) / count;
   }
   blocks_ = std::make_unique<const LogBlocks>(records(), std::move(weights));
-  setNoise(noise);
 }
 
 double Fitter::gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const {

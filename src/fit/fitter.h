@@ -16,9 +16,10 @@ namespace rubber_suspension::fit {
 /// Fits hypotheses to one set of logs. Thread-safe once constructed; the model has to outlive it.
 class Fitter final : public HypothesisFitter {
  public:
-  Fitter(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model);
-  Fitter(std::vector<log::Record> records, const ModelParameters& model)
-      : Fitter(std::make_shared<const std::vector<log::Record>>(std::move(records)), model) {}
+  /// `one_deviation`: the gap that a departure of one standard deviation counts as.
+  Fitter(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model, double one_deviation);
+  Fitter(std::vector<log::Record> records, const ModelParameters& model, double one_deviation)
+      : Fitter(std::make_shared<const std::vector<log::Record>>(std::move(records)), model, one_deviation) {}
 
   const std::vector<log::Record>& records() const { return forces_.records(); }
   const std::shared_ptr<const std::vector<log::Record>>& sharedRecords() const { return forces_.sharedRecords(); }

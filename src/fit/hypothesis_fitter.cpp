@@ -13,8 +13,6 @@ namespace {
 constexpr double kEnoughGain = 1e-3;  // of the gap, for a further step
 constexpr double kSlow = 0.2;         // of what a fit still lacks: at least five more such steps would be needed
 constexpr int kMostHalvings = 6;      // of a step that does not lead down
-constexpr double kPenalty = 5.0;      // of a logarithm's change, times the noise of the force, between hypotheses
-constexpr double kPrior = 2.0;        // the same within a fit, where it must not keep parameters from what logs tell
 constexpr double kNothing = 1e-9;     // of the typical scale: a term of this scale is left out
 
 // What the gains of all logs have in common is that of the term, where there is one. Of what is free in a log its gain
@@ -34,8 +32,6 @@ void takeCommonGain(const Hypothesis& hypothesis, const Eigen::VectorXd& unknown
 
 }  // namespace
 
-void HypothesisFitter::setNoise(double noise) { noise_ = std::max(noise, kLeastNoise); }
-
 ParameterVector HypothesisFitter::configured(const Hypothesis& hypothesis) const {
   return {Eigen::VectorXd::Zero(model().size()),
           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hypothesis.terms.size()))};
@@ -50,10 +46,12 @@ BlockGrams HypothesisFitter::linearise(const Hypothesis& hypothesis, const Place
                                        const std::vector<bool>& active, int threads) const {
   BlockGrams result = normalEquationsAbout(hypothesis, place.parameters, place.forces, active, threads);
   const Eigen::Index size = model().size();
-  const Eigen::VectorXd prior = (kPrior * noise_ * model().firmness()).cwiseAbs2();
-  result.prior.diagonal().head(size) = prior;
-  result.prior.rightCols<1>().head(size) = -prior.cwiseProduct(place.parameters.model);
+  const Eigen::MatrixXd slopes = one_deviation_ * model().departureSlopes(place.parameters.model);
+  const Eigen::VectorXd left = -one_deviation_ * model().departures(place.parameters.model);
+  result.prior.topLeftCorner(size, size) = slopes.transpose() * slopes;
+  result.prior.rightCols<1>().head(size) = slopes.transpose() * left;
   result.prior.bottomRows<1>().head(size) = result.prior.rightCols<1>().head(size).transpose();
+  result.prior.bottomRightCorner<1, 1>().setConstant(left.squaredNorm());
   result.sumUp();
   return result;
 }
@@ -74,10 +72,6 @@ numerics::Limits HypothesisFitter::stepBounds(const Hypothesis& hypothesis, cons
   return bounds;
 }
 
-double HypothesisFitter::penaltyOf(const Eigen::VectorXd& logarithms) const {
-  return kPenalty * noise_ * logarithms.norm();
-}
-
 ParameterVector HypothesisFitter::moved(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                         const Eigen::VectorXd& step) {
   ParameterVector result = parameters;
@@ -92,15 +86,12 @@ ParameterVector HypothesisFitter::moved(const Hypothesis& hypothesis, const Para
   return result;
 }
 
-double HypothesisFitter::priorOf(const Eigen::VectorXd& logarithms) const {
-  return kPrior * noise_ * model().firmness().cwiseProduct(logarithms).norm();
-}
-
 HypothesisFitter::Place HypothesisFitter::placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const {
   Place place{std::move(parameters), {}, std::numeric_limits<double>::infinity()};
   if (auto forces = simulate(hypothesis, place.parameters)) {
     place.forces = std::move(*forces);
-    place.cost = std::hypot(gapOf(hypothesis, place.forces), priorOf(place.parameters.model));
+    const double departure = one_deviation_ * model().departures(place.parameters.model).norm();
+    place.cost = std::hypot(gapOf(hypothesis, place.forces), departure);
   }
   return place;
 }
@@ -140,8 +131,7 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
       break;
     }
     // The cost that a step promises, were the force linear.
-    const double left = std::sqrt(std::max(0.0, squaresLeft(blocks.sum, step)));
-    const double promise = std::hypot(left, priorOf(place.parameters.model));
+    const double promise = std::sqrt(std::max(0.0, squaresLeft(blocks.sum, step)));
     const bool hopeless = iteration > 0 && promise > limits.reach;
     const bool too_slow = place.cost - promise < kSlow * (place.cost - limits.needed);
     if (hopeless || too_slow || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
@@ -190,8 +180,26 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
   }
   // A law that gives way under some log (a series compliance about a softening component) is no explanation of it.
   result.held_out = std::isfinite(held_out) ? std::sqrt(held_out) : std::numeric_limits<double>::infinity();
-  result.penalty = penaltyOf(result.parameters.model);
+  result.chi_squared = model().departures(result.parameters.model).squaredNorm();
+  result.departure = one_deviation_ * std::sqrt(result.chi_squared);
   return result;
+}
+
+Fit HypothesisFitter::fitAlone(const FitLimits& limits) const {
+  Fit best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::VectorXd& start : model().starts()) {
+    if (!model().elements(start)) {
+      continue;
+    }
+    Fit fitted = fit({}, {start, {}}, limits);
+    const double cost = std::hypot(fitted.gap, fitted.departure);
+    if (cost < least) {
+      least = cost;
+      best = std::move(fitted);
+    }
+  }
+  return best;
 }
 
 }  // namespace rubber_suspension::fit

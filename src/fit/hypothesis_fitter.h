@@ -19,13 +19,14 @@ namespace rubber_suspension::fit {
 struct Fit {
   ParameterVector parameters;
   double gap = std::numeric_limits<double>::infinity();  ///< in sample
-  double penalty = 0.0;  ///< regularisation penalty of changed model parameters, as a gap
+  double chi_squared = 0.0;  ///< departure of the model from what is known of it (ModelParameters::departures())
+  double departure = 0.0;    ///< the same as a gap
   /// Gap on blocks that took no part in the fit, by cross validation.
   double held_out = std::numeric_limits<double>::infinity();
   std::vector<gap::PartError> blocks;  ///< held-out errors of these blocks
 
-  /// Held-out gap and penalty together, by which fits compete.
-  double score() const { return std::hypot(held_out, penalty); }
+  /// Held-out gap and departure together, by which fits compete.
+  double score() const { return std::hypot(held_out, departure); }
 };
 
 /// The longest step of the logarithm of a model parameter: the force is far from linear in it beyond.
@@ -45,9 +46,9 @@ struct FitLimits {
 /// measured, and so what a residual is, a derived class says. Thread-safe once constructed; the model has to outlive
 /// it.
 ///
-/// Model parameters are free, but a change from their configured values has a penalty in the order of the noise: what
-/// the measurement does not determine stays as it was specified, and an effect need not compete with model parameters
-/// that are far from all that was specified.
+/// Model parameters are free, but what is known of the component beforehand is a measurement like any other: a
+/// departure by one standard deviation costs as much as a certain gap, whatever the noise of the measurement. So what
+/// the measurement does not determine stays as it was specified.
 class HypothesisFitter {
  public:
   virtual ~HypothesisFitter() = default;
@@ -69,6 +70,9 @@ class HypothesisFitter {
   /// Fit by Gauss-Newton steps within the bounds, from a start.
   Fit fit(const Hypothesis& hypothesis, const ParameterVector& start, const FitLimits& limits) const;
 
+  /// Fit of the model alone, the best from all its starts (ModelParameters::starts()).
+  Fit fitAlone(const FitLimits& limits) const;
+
   /// Where the scales arrive from a start while model parameters stay as they are and nothing is free in a log; terms
   /// that refine stay, too.
   ParameterVector scalesAlone(const Hypothesis& hypothesis, const ParameterVector& start, int iterations) const;
@@ -79,23 +83,15 @@ class HypothesisFitter {
   /// Free zeros of the displacement where they change the force of a hypothesis at a parameter vector.
   virtual void freeZeros(const ParameterVector& /*parameters*/, Hypothesis& /*hypothesis*/) const {}
 
-  /// That what is measured errs by, in units of the force's standard deviation.
-  double noise() const { return noise_; }
-
-  /// Regularisation penalty of model parameters at these logarithms, as a gap.
-  double penaltyOf(const Eigen::VectorXd& logarithms) const;
+  /// The gap that a departure of one standard deviation counts as.
+  double oneDeviation() const { return one_deviation_; }
 
   /// Bounds on a step from a parameter vector: model parameters, terms, what is free in each log.
   numerics::Limits stepBounds(const Hypothesis& hypothesis, const ParameterVector& parameters,
                               Eigen::Index unknowns) const;
 
  protected:
-  static constexpr double kLeastNoise = 1e-3;  // of the force's standard deviation: no model is better than that
-
-  explicit HypothesisFitter(const ModelParameters& model) : model_(model) {}
-
-  /// The error of what is measured, in units of the force's standard deviation: the penalty follows from it.
-  void setNoise(double noise);
+  HypothesisFitter(const ModelParameters& model, double one_deviation) : model_(model), one_deviation_(one_deviation) {}
 
  private:
   /// Forces of a hypothesis; nothing where it has no model.
@@ -112,12 +108,10 @@ class HypothesisFitter {
   struct Place {
     ParameterVector parameters;
     gap::Forces forces;
-    double cost = 0.0;  ///< gap and prior together
+    double cost = 0.0;  ///< gap and departure together
   };
   BlockGrams linearise(const Hypothesis& hypothesis, const Place& place, const std::vector<bool>& active,
                        int threads) const;
-  /// The cost of departing from the configured model parameters within a fit, as a gap.
-  double priorOf(const Eigen::VectorXd& logarithms) const;
   Place placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const;
   /// The same; throws std::invalid_argument where there is no model.
   Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;
@@ -130,7 +124,7 @@ class HypothesisFitter {
                                const Eigen::VectorXd& step);
 
   const ModelParameters& model_;
-  double noise_ = 0.0;
+  double one_deviation_;
 };
 
 }  // namespace rubber_suspension::fit

@@ -5,13 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
+#include "estimation/models.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {
 namespace {
+
+// Of ratios to what was configured.
+constexpr double kLargestRatio = 3.0;
+constexpr double kLargestOfElement = 10.0;
+constexpr double kLargestOfLadder = 100.0;
+constexpr double kOwnDeviation = 0.3;  // of the logarithm of a value of an element that no sheet stands for
 
 // The shift with temperature is no element of these: no fit moves it.
 io::ComponentDescription asElements(const io::ComponentDescription& description) {
@@ -38,19 +44,17 @@ ModelParameters::ModelParameters(const io::ComponentDescription& description, Le
     addElements(&Point::elements);
   }
   addElements(&Point::added);
+  addKnown();
 }
 
-void ModelParameters::add(const std::string& name, Slot slot, double firmness) {
+void ModelParameters::add(const std::string& name, Slot slot, double largest_ratio) {
   names_.push_back(name);
   bounds_.conservativeResize(size());
-  firmness_.conservativeResize(size());
-  bounds_[size() - 1] = std::log(slot.of_element ? 10.0 : 3.0);
-  firmness_[size() - 1] = firmness;
+  bounds_[size() - 1] = std::log(largest_ratio);
   slots_.push_back(std::move(slot));
 }
 
 void ModelParameters::addRelaxation() {
-  constexpr double kOfBand = 2.0;
   Relaxation& relaxation = configured_.relaxation;
   std::vector<double> break_frequencies;
   std::vector<double> stiffnesses;
@@ -73,19 +77,19 @@ void ModelParameters::addRelaxation() {
     relaxation.alpha = stiffnesses[0] / stiffnesses[1];
     relaxation.band_ratio = break_frequencies[1] / break_frequencies[0];
   }
-  const auto addFree = [&](bool free, const char* name, double Relaxation::*number, double firmness = 1.0) {
+  const auto addFree = [&](bool free, const char* name, double Relaxation::*number, double largest) {
     if (free) {
-      add(name, {[=](Point& point, double ratio) { point.relaxation.*number *= ratio; }, false, 0.0}, firmness);
+      add(name, {[=](Point& point, double ratio) { point.relaxation.*number *= ratio; }, false, 0.0}, largest);
     }
   };
+  const double usual = largestRatio();
   // The static curve, where there is one, is measured: it stays.
-  addFree(description_.specification().curve() == nullptr, "static_stiffness", &Relaxation::static_stiffness);
-  addFree(true, "relaxing_stiffness", &Relaxation::relaxing_stiffness);
-  addFree(true, "break_frequency", &Relaxation::break_frequency, band ? kOfBand : 1.0);
-  addFree(band, "alpha", &Relaxation::alpha, kOfBand);
-  addFree(description_.specification().has("low_frequency"), "band_ratio", &Relaxation::band_ratio,
-          band ? kOfBand : 1.0);
-  addFree(relaxation.damping > 0.0, "damping", &Relaxation::damping);
+  addFree(description_.specification().curve() == nullptr, "static_stiffness", &Relaxation::static_stiffness, usual);
+  addFree(true, "relaxing_stiffness", &Relaxation::relaxing_stiffness, kLargestOfLadder);
+  addFree(true, "break_frequency", &Relaxation::break_frequency, usual);
+  addFree(band, "alpha", &Relaxation::alpha, kLargestOfLadder);
+  addFree(description_.specification().has("low_frequency"), "band_ratio", &Relaxation::band_ratio, usual);
+  addFree(relaxation.damping > 0.0, "damping", &Relaxation::damping, kLargestOfLadder);
 }
 
 void ModelParameters::addSpecification() {
@@ -95,7 +99,7 @@ void ModelParameters::addSpecification() {
       const auto move = [key = key](Point& point, double ratio) {
         point.specification.set(key, point.specification.at(key) * ratio);
       };
-      add(key, {move, false, 0.0});
+      add(key, {move, false, 0.0}, largestRatio());
     }
   }
 }
@@ -109,45 +113,148 @@ void ModelParameters::addElements(std::vector<element::ElementDescription> Point
         const auto move = [=, key = key, value = values.front()](Point& point, double ratio) {
           (point.*list)[entry].values[key] = {value * ratio};
         };
-        add(fmt::format("{}[{}].{}", completed.type, entry, key), {move, true, values.front()});
+        add(fmt::format("{}[{}].{}", completed.type, entry, key), {move, true, values.front()}, kLargestOfElement);
       }
     }
   }
 }
 
-ModelParameters::Point ModelParameters::pointAt(const Eigen::VectorXd& logarithms) const {
-  Point point = configured_;
-  if (logarithms.isZero(0.0)) {
-    return point;  // as configured, to the last bit
+// A model takes these: no working point, and of model maxwell no frequency at which a stiffness is told.
+void ModelParameters::addKnown() {
+  using estimation::Model;
+  const Point point = configured_;
+  for (const auto& [key, value] : configured_.specification.values()) {
+    const bool unused = (description_.model() == Model::kelvin_voigt && key == "static_stiffness") ||
+                        (description_.model() == Model::maxwell && key == "high_frequency");
+    if (!unused && description_.model() != Model::elements && estimation::isOfSheet(key)) {
+      known_.push_back({key, std::log(sheetNumber(point, key)), sheetDeviation(key), true});
+    }
   }
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (slots_[i].of_element) {
+      known_.push_back({names_[i], 0.0, kOwnDeviation, false});
+    }
+  }
+}
+
+// Two deviations of the least known number, and no less than of any component.
+double ModelParameters::largestRatio() const {
+  return std::max(kLargestRatio, std::exp(2.0 * estimation::largestTolerance(configured_.specification)));
+}
+
+bool ModelParameters::isGuess() const {
+  return !known_.empty() && known_.front().of_sheet &&
+         std::all_of(known_.begin(), known_.end(), [](const KnownNumber& number) {
+           return !number.of_sheet || number.deviation >= estimation::SheetTolerance::kGuess;
+         });
+}
+
+Eigen::VectorXd ModelParameters::departures(const Eigen::VectorXd& logarithms) const {
+  const Point point = movedBy(logarithms);
+  Eigen::VectorXd departures(static_cast<Eigen::Index>(known_.size()));
+  Eigen::Index place = 0;
+  for (const KnownNumber& number : known_) {
+    if (number.of_sheet) {
+      departures[place++] = (std::log(sheetNumber(point, number.name)) - number.logarithm) / number.deviation;
+    }
+  }
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (slots_[i].of_element) {
+      departures[place] = logarithms[static_cast<Eigen::Index>(i)] / known_[static_cast<std::size_t>(place)].deviation;
+      ++place;
+    }
+  }
+  return departures;
+}
+
+Eigen::MatrixXd ModelParameters::departureSlopes(const Eigen::VectorXd& logarithms) const {
+  constexpr double kStep = 1e-5;
+  Eigen::MatrixXd slopes(static_cast<Eigen::Index>(known_.size()), size());
+  Eigen::VectorXd moved = logarithms;
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    moved[i] = logarithms[i] + kStep;
+    const Eigen::VectorXd above = departures(moved);
+    moved[i] = logarithms[i] - kStep;
+    slopes.col(i) = (above - departures(moved)) / (2.0 * kStep);
+    moved[i] = logarithms[i];
+  }
+  return slopes;
+}
+
+std::vector<Eigen::VectorXd> ModelParameters::starts() const {
+  constexpr double kLeaning = 5.0;  // of alpha
+  std::vector<Eigen::VectorXd> starts = {Eigen::VectorXd::Zero(size())};
+  const auto alpha = std::find(names_.begin(), names_.end(), "alpha");
+  if (alpha != names_.end()) {
+    for (const double ratio : {1.0 / kLeaning, kLeaning}) {
+      starts.push_back(starts.front());
+      starts.back()[alpha - names_.begin()] = std::log(ratio);
+    }
+  }
+  return starts;
+}
+
+ModelParameters::Point ModelParameters::movedBy(const Eigen::VectorXd& logarithms) const {
+  Point point = configured_;
   for (Eigen::Index i = 0; i < size(); ++i) {
     slots_[static_cast<std::size_t>(i)].move(point, std::exp(logarithms[i]));
   }
+  return point;
+}
+
+ModelParameters::Point ModelParameters::pointAt(const Eigen::VectorXd& logarithms) const {
+  if (logarithms.isZero(0.0)) {
+    return configured_;  // to the last bit
+  }
+  Point point = movedBy(logarithms);
   if (point.relaxation.elements > 0) {
     specify(point);
   }
   return point;
 }
 
-// The specification of a relaxation: Eqs. 17 to 21 of Polach (IAVSD 2015) read backwards.
+// Eqs. 18 to 21 of Polach (IAVSD 2015) read backwards.
+std::complex<double> ModelParameters::Relaxation::stiffnessAt(double frequency) const {
+  double weights = 0.0;
+  double weight = 1.0;
+  for (std::size_t i = 0; i < elements; ++i, weight *= alpha) {
+    weights += weight;
+  }
+  std::complex<double> stiffness(static_stiffness, 2.0 * element::kPi * frequency * damping);
+  double corner = break_frequency;
+  weight = 1.0;  // of the fastest element, i = n_M
+  for (std::size_t i = 0; i < elements; ++i) {
+    const std::complex<double> ratio(0.0, frequency / corner);
+    stiffness += relaxing_stiffness * weight / weights * ratio / (1.0 + ratio);
+    weight *= alpha;
+    corner /= band_ratio;
+  }
+  return stiffness;
+}
+
+double ModelParameters::sheetNumber(const Point& point, const std::string& key) const {
+  const Relaxation& relaxation = point.relaxation;
+  if (relaxation.elements == 0) {
+    return point.specification.at(key);
+  }
+  const estimation::Specification& sheet = configured_.specification;
+  const std::complex<double> nominal = relaxation.stiffnessAt(sheet.at("nominal_frequency"));
+  return key == "static_stiffness"           ? relaxation.static_stiffness
+         : key == "dynamic_stiffness"        ? std::abs(nominal)
+         : key == "maximum_stiffness"        ? relaxation.static_stiffness + relaxation.relaxing_stiffness
+         : key == "high_frequency_stiffness" ? std::abs(relaxation.stiffnessAt(sheet.at("high_frequency")))
+         : key == "high_frequency"           ? relaxation.highFrequency()
+         : key == "low_frequency"            ? relaxation.lowFrequency()
+         : key == "break_frequency"          ? relaxation.break_frequency
+         : key == "loss_angle"               ? std::arg(nominal)
+                                             : 0.5 * nominal.imag() / nominal.real();  // relative_damping
+}
+
+// The specification of a relaxation: Eq. 17 read backwards.
 void ModelParameters::specify(Point& point) const {
   const Relaxation& relaxation = point.relaxation;
   estimation::Specification& specification = point.specification;
-  const double omega = 2.0 * element::kPi * specification.at("nominal_frequency");
-  double weights = 0.0;
-  double weight = 1.0;
-  for (std::size_t i = 0; i < relaxation.elements; ++i, weight *= relaxation.alpha) {
-    weights += weight;
-  }
-  std::complex<double> dynamic(relaxation.static_stiffness, omega * relaxation.damping);
-  double frequency = relaxation.break_frequency;
-  weight = 1.0;  // of the fastest element, i = n_M
-  for (std::size_t i = 0; i < relaxation.elements; ++i) {
-    const std::complex<double> iwt(0.0, omega / (2.0 * element::kPi * frequency));
-    dynamic += relaxation.relaxing_stiffness * weight / weights * iwt / (1.0 + iwt);
-    weight *= relaxation.alpha;
-    frequency /= relaxation.band_ratio;
-  }
+  const std::complex<double> dynamic = relaxation.stiffnessAt(specification.at("nominal_frequency"));
   if (specification.curve() == nullptr) {
     specification.set("static_stiffness", relaxation.static_stiffness);
   }
@@ -156,12 +263,10 @@ void ModelParameters::specify(Point& point) const {
   }
   specification.set("dynamic_stiffness", std::abs(dynamic));
   if (description_.model() == estimation::Model::multi_maxwell) {
-    const double high = 2.0 * relaxation.break_frequency / (1.0 + 1.0 / relaxation.band_ratio);
     specification.set("maximum_stiffness", relaxation.static_stiffness + relaxation.relaxing_stiffness);
-    specification.set("high_frequency", high);
+    specification.set("high_frequency", relaxation.highFrequency());
     if (specification.has("low_frequency")) {
-      specification.set("low_frequency",
-                        high / std::pow(relaxation.band_ratio, static_cast<double>(relaxation.elements)));
+      specification.set("low_frequency", relaxation.lowFrequency());
     }
     return;
   }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <complex>
 #include <functional>
 #include <optional>
 #include <string>
@@ -16,6 +18,14 @@ namespace rubber_suspension::fit {
 enum class Level {
   specification,  ///< those that the user wrote: K_st, K_n, K_max, f_h, ...; of a list of elements, all parameters
   elements,       ///< those of the estimated elements: every stiffness, every break frequency
+};
+
+/// A number that is known before any measurement.
+struct KnownNumber {
+  std::string name;  ///< a key of the specification, or of a parameter of an element
+  double logarithm;  ///< of what is known
+  double deviation;  ///< standard deviation of the logarithm
+  bool of_sheet;     ///< else of a single element
 };
 
 /// A model's model parameters as logarithms of their ratios to the configured values, so that 0 is "as configured".
@@ -33,12 +43,27 @@ class ModelParameters {
   const std::vector<std::string>& names() const { return names_; }
 
   /// The bound on |logarithm| of each parameter: a factor of 3 on what was specified, beyond which it is another
-  /// component, and of 10 on values of single elements, which stand for each other.
+  /// component, or two deviations of a number that may be off by more; of 10 on values of single elements, which stand
+  /// for each other; of 100 on alpha, relaxing stiffness and damping, which are what sheets leave between their
+  /// numbers.
   const Eigen::VectorXd& bounds() const { return bounds_; }
 
-  /// How much more firmly than others a fit keeps each parameter where the logs hardly tell: the band that a
-  /// specification spreads its relaxation over was chosen by whoever wrote it, and is no property of rubber.
-  const Eigen::VectorXd& firmness() const { return firmness_; }
+  /// Numbers that are known beforehand: those of the sheet, then values of single elements.
+  const std::vector<KnownNumber>& known() const { return known_; }
+
+  /// How far each known number is from what is known, in standard deviations of its logarithm: the squares add up to
+  /// chi^2. Whether or not a component has such numbers.
+  Eigen::VectorXd departures(const Eigen::VectorXd& logarithms) const;
+
+  /// Their derivatives by the logarithms, a row for each known number.
+  Eigen::MatrixXd departureSlopes(const Eigen::VectorXd& logarithms) const;
+
+  /// Where fits may start: as configured and, where a ladder of Maxwell elements may lean to either end of its band,
+  /// so.
+  std::vector<Eigen::VectorXd> starts() const;
+
+  /// Whether nothing but the order of magnitude is known of any number of the sheet.
+  bool isGuess() const;
 
   /// The configured value of a parameter of an element, at the level of elements [SI].
   double configured(Eigen::Index parameter) const { return slots_[static_cast<std::size_t>(parameter)].configured; }
@@ -64,6 +89,10 @@ class ModelParameters {
     double band_ratio = 1.0;          // q, of neighbouring break frequencies
     double damping = 0.0;             // of the dashpot
     std::size_t elements = 0;
+
+    double highFrequency() const { return 2.0 * break_frequency / (1.0 + 1.0 / band_ratio); }
+    double lowFrequency() const { return highFrequency() / std::pow(band_ratio, static_cast<double>(elements)); }
+    std::complex<double> stiffnessAt(double frequency) const;
   };
 
   /// The numbers of a point.
@@ -83,17 +112,23 @@ class ModelParameters {
   void addRelaxation();
   void addSpecification();
   void addElements(std::vector<element::ElementDescription> Point::*list);
-  void add(const std::string& name, Slot slot, double firmness = 1.0);
-  /// Whether or not a component has its numbers.
+  void add(const std::string& name, Slot slot, double largest_ratio);
+  void addKnown();
+  double largestRatio() const;
+  /// A number of the sheet, whether or not a component has the numbers of the point.
+  double sheetNumber(const Point& point, const std::string& key) const;
+  Point movedBy(const Eigen::VectorXd& logarithms) const;
+  /// The same with its specification.
   Point pointAt(const Eigen::VectorXd& logarithms) const;
   void specify(Point& point) const;
+  double sheetDeviation(const std::string& key) const { return configured_.specification.tolerance().of(key); }
 
   io::ComponentDescription description_;
   Point configured_;
   std::vector<Slot> slots_;
   std::vector<std::string> names_;
   Eigen::VectorXd bounds_;
-  Eigen::VectorXd firmness_;
+  std::vector<KnownNumber> known_;
 };
 
 }  // namespace rubber_suspension::fit

@@ -121,9 +121,8 @@ std::complex<double> TableLoops::derivative(std::size_t row, const Eigen::Vector
   return {(std::abs(stiffness) * magnitude - stiffness.imag() * loss) / storage, loss};
 }
 
-TableFitter::TableFitter(std::shared_ptr<const TableLoops> loops, const ModelParameters& model, double noise)
-    : HypothesisFitter(model), loops_(std::move(loops)), forces_(loops_->records(), model) {
-  setNoise(noise);
+TableFitter::TableFitter(std::shared_ptr<const TableLoops> loops, const ModelParameters& model, double one_deviation)
+    : HypothesisFitter(model, one_deviation), loops_(std::move(loops)), forces_(loops_->records(), model) {
   const std::vector<TablePoint>& points = loops_->points();
   const std::vector<int> by_frequency = ranksOf(points, [](const TablePoint& point) { return point.frequency; });
   const std::vector<int> by_amplitude = ranksOf(points, [](const TablePoint& point) { return point.amplitude; });

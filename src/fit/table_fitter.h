@@ -48,8 +48,8 @@ class TableLoops {
 /// constructed; the model has to outlive it.
 class TableFitter final : public HypothesisFitter {
  public:
-  /// `noise`: of K*, relative, from which the penalty of changed model parameters follows.
-  TableFitter(std::shared_ptr<const TableLoops> loops, const ModelParameters& model, double noise);
+  /// `one_deviation`: the gap that a departure of one standard deviation counts as.
+  TableFitter(std::shared_ptr<const TableLoops> loops, const ModelParameters& model, double one_deviation);
 
   const TableLoops& loops() const { return *loops_; }
 

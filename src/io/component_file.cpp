@@ -125,6 +125,7 @@ const std::vector<std::string> kAxes = {"x", "y", "z"};
 
 constexpr const char* kVertical = "vertical";
 constexpr const char* kMerge = "<<";
+constexpr const char* kGuess = "guess";
 
 bool startsAsNumber(const std::string& text) {
   return !text.empty() && std::string("+-.0123456789").find(text[0]) != std::string::npos;
@@ -680,7 +681,7 @@ class Loader {
   ComponentDescription loadSpecification(const Entry& entry, estimation::Model model, const Entry& add) {
     requireMap(entry);
     estimation::Specification specification =
-        loadValues(entry, {"describes", "static_curve", "scale_with", "points", "preloads"});
+        loadValues(entry, {"describes", "tolerance", "static_curve", "scale_with", "points", "preloads"});
     loadDescribed(entry, specification);
     preloadSpecification(entry, specification);
     const bool fitted = !specification.points().empty() || !specification.preloads().empty();
@@ -759,6 +760,44 @@ class Loader {
       specification.setPreloads(loadMaps<estimation::Specification::Values>(
           preloads, [&](const Entry& block) { return loadValues(block, {}).values(); }));
     }
+    if (const Entry tolerance = entry["tolerance"]) {
+      specification.setTolerance(loadSheetTolerance(tolerance, specification));
+    }
+  }
+
+  // Of all numbers of a sheet, or of each by its key. Points and preloads have numbers of their own.
+  estimation::SheetTolerance loadSheetTolerance(const Entry& entry, const estimation::Specification& specification) {
+    if (!entry.node.IsMap()) {
+      return {loadSheetShare(entry)};
+    }
+    std::vector<std::string> keys = namesOf(estimation::specificationParameters());
+    keys.erase(std::remove_if(keys.begin(), keys.end(),
+                              [&](const std::string& key) {
+                                const bool elsewhere =
+                                    !specification.points().empty() || !specification.preloads().empty();
+                                return !estimation::isOfSheet(key) || !(elsewhere || specification.has(key));
+                              }),
+               keys.end());
+    checkKeys(entry, keys);
+    if (entry.node.size() == 0) {
+      refuseContent(entry, "a map of " + log::join(keys));
+    }
+    estimation::SheetTolerance tolerance;
+    for (const auto& of_key : entry.node) {
+      tolerance.by_key[of_key.first.Scalar()] = loadSheetShare(entry[of_key.first.Scalar()]);
+    }
+    return tolerance;
+  }
+
+  double loadSheetShare(const Entry& entry) {
+    if (entry.isText() && entry.text() == kGuess) {
+      return estimation::SheetTolerance::kGuess;
+    }
+    if (!entry.isText() || !startsAsNumber(entry.text())) {
+      refuse(entry, fmt::format("{} is not a tolerance{}; accepted: a share such as 10 %, {}, or a map of such by key",
+                                kindOf(entry.node), hintOf(entry.node, {kGuess}), kGuess));
+    }
+    return loadNumber(entry, anyNumber("1", element::Range::openBelow(0.0, 1.0)));
   }
 
   // The index of a word among those accepted.
@@ -1032,6 +1071,16 @@ std::string curveYaml(const estimation::StaticCurve& curve, bool turns) {
       curve.monotone ? "        monotone: true\n" : "", curve.scales ? "static_curve" : "none");
 }
 
+std::string toleranceYaml(const estimation::SheetTolerance& tolerance) {
+  const auto share = [](double value) { return value == estimation::SheetTolerance::kGuess ? kGuess : number(value); };
+  std::vector<std::string> by_key;
+  for (const auto& [key, value] : tolerance.by_key) {
+    by_key.push_back(fmt::format("{}: {}", key, share(value)));
+  }
+  return fmt::format("      tolerance: {}\n",
+                     tolerance.of_all ? share(*tolerance.of_all) : fmt::format("{{{}}}", log::join(by_key)));
+}
+
 // `added`: then it has to say that it describes the base. `turns`: it is that of a rotation.
 std::string specificationYaml(const estimation::Specification& specification, bool added, bool turns,
                               const YamlStyle& style) {
@@ -1039,6 +1088,7 @@ std::string specificationYaml(const estimation::Specification& specification, bo
   if (added || specification.describes() != estimation::Describes::unsaid) {
     text += "      describes: base\n";
   }
+  text += specification.tolerance().given() ? toleranceYaml(specification.tolerance()) : "";
   text += specification.curve() == nullptr ? "" : curveYaml(*specification.curve(), turns);
   for (const estimation::Specification::Values& block : specification.preloads()) {
     text += &block == &specification.preloads().front() ? "      preloads:\n" : "";

@@ -16,6 +16,7 @@
 #include "measurement/statistics.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::measurement {
@@ -26,10 +27,10 @@ using Eigen::VectorXd;
 
 // Limits of the change that effects make to the stiffness of a whole log: friction raises it up to 3 times at small
 // amplitude and 1.5 times over all amplitudes, progressive stiffness doubles it; softening, free play, heat and a
-// series compliance lower it to a third; with 15 % of tolerance of the specification on top.
-constexpr double kLargestRatio = 3.5;
-constexpr double kSmallestRatio = 0.3;
-constexpr double kTolerance = 1.15;  // of a specification
+// series compliance lower it to a third. The tolerance of the data sheet comes on top.
+constexpr double kLargestRatio = 3.04;
+constexpr double kSmallestRatio = 0.345;
+constexpr double kDeviations = 1.4;  // of a data sheet that no effect need explain
 constexpr double kElastic =
     0.5;  // share of the force's variance that goes with the displacement, for a spring to be told
 constexpr Index kFewestMoving = 30;
@@ -97,11 +98,27 @@ std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_
 // specification's tolerance and a little friction, or it would explain any other component.
 std::optional<UnitFactor> assumedFactorOf(double ratio) { return unitFactorOf(ratio, 2.5, 1.25); }
 
-// Where the units are named, a wrong one is unlikely: nothing but the specification's tolerance, or, by hundreds, what
-// a guess of the stiffness is off by.
-std::optional<UnitFactor> exactFactorOf(double ratio) { return unitFactorOf(ratio, 1.5, kTolerance); }
+// The factor by which a data sheet may be off.
+class SheetFactor {
+ public:
+  explicit SheetFactor(double tolerance) : factor_(std::exp(kDeviations * tolerance)) {}
 
-bool plausible(double ratio) { return ratio > kSmallestRatio && ratio < kLargestRatio; }
+  double least() const { return kSmallestRatio / factor_; }
+  double most() const { return kLargestRatio * factor_; }
+  bool plausible(double ratio) const { return ratio > least() && ratio < most(); }
+  bool mayBe(double ratio) const { return std::abs(std::log(ratio)) < std::log(factor_); }
+
+  // Where the units are named, a wrong one is unlikely: nothing but the sheet's tolerance, or, by hundreds, half of the
+  // stiffness more.
+  std::optional<UnitFactor> exactFactorOf(double ratio) const {
+    return unitFactorOf(ratio, std::max(1.5, factor_), factor_);
+  }
+
+ private:
+  double factor_;
+};
+
+const SheetFactor kUsualSheet(estimation::SheetTolerance::kUsual);
 
 // Net work of the loops, as a share of the most that there could be.
 struct Work {
@@ -114,10 +131,11 @@ struct Work {
 };
 
 struct Evidence {
-  Slope measured;
-  Slope configured;
+  SheetFactor sheet;
+  Slope measured = {};
+  Slope configured = {};
   double ratio = 0.0;
-  Work work;
+  Work work = {};
   double force_correlation = 0.0;  // of measured and simulated force
   double force_ratio = 0.0;        // of their standard deviations
   double period = 0.0;             // samples per typical cycle
@@ -130,7 +148,7 @@ struct Evidence {
   // Whatever the channels' delay.
   bool surelyGivesEnergy() const { return work.backward < -work.least(); }
   // The simulated force with the other sign.
-  bool isMirrored() const { return force_correlation < -0.9 && plausible(-ratio); }
+  bool isMirrored() const { return force_correlation < -0.9 && sheet.plausible(-ratio); }
 
   // By which the measured force is too large, if nothing else is wrong: of a damper by hundreds alone.
   std::optional<double> scale() const {
@@ -163,12 +181,12 @@ RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& u
   return unitFinding(log, ratio, unit, "name the right one, as in --unit force=kN, or " + columnsOf(unit.factor));
 }
 
-RigFinding componentFinding(const std::string& log, double ratio, const std::string& logs) {
+RigFinding componentFinding(const std::string& log, double ratio, const SheetFactor& sheet, const std::string& logs) {
   return fatal(log, finding::kOtherComponent, ratio,
                fmt::format("the measured stiffness is {:.3g} times the configured one{}, more than tolerances and "
-                           "effects explain ({:g} to {:g}), and no factor of units: check that measurement and "
+                           "effects explain ({:.2g} to {:.2g}), and no factor of units: check that measurement and "
                            "component file are of the same component; if they are, --accept-units",
-                           ratio, logs, kSmallestRatio, kLargestRatio));
+                           ratio, logs, sheet.least(), sheet.most()));
 }
 
 RigFinding peakToPeakFinding(const std::string& log, double ratio, const std::string& remedy) {
@@ -212,13 +230,14 @@ VectorXd simulate(const component::Component& component, const VectorXd& displac
 }
 
 // Length unit over force unit, in SI, by which the log is one of this component with the columns exchanged.
-std::optional<double> unitsOfSwap(const component::Component& component, const log::Record& record) {
+std::optional<double> unitsOfSwap(const component::Component& component, const log::Record& record,
+                                  const SheetFactor& sheet) {
   for (const double units : {1.0, 1e-3, 1e-6, 1e-9}) {
     const VectorXd displacement = units * record.force;
     const VectorXd force = record.displacement / units;
     const VectorXd simulated = simulate(component, displacement, record);
     if (simulated.allFinite() &&
-        plausible(slopeOf(displacement, force).stiffness / slopeOf(displacement, simulated).stiffness)) {
+        sheet.plausible(slopeOf(displacement, force).stiffness / slopeOf(displacement, simulated).stiffness)) {
       return units;
     }
   }
@@ -228,7 +247,7 @@ std::optional<double> unitsOfSwap(const component::Component& component, const l
 // With the columns exchanged the log is one of this component, whatever the units that they were written in, and its
 // loops do not say otherwise.
 bool looksSwapped(const component::Component& component, const log::Record& record, const Evidence& e) {
-  return e.work.forward <= 3.0 * e.work.deviation && unitsOfSwap(component, record);
+  return e.work.forward <= 3.0 * e.work.deviation && unitsOfSwap(component, record, e.sheet);
 }
 
 // The loops give energy or run backwards: which of sign, swap and delay has the phases that were measured.
@@ -236,7 +255,7 @@ std::optional<RigFinding> energyFinding(const component::Component& component, c
                                         const VectorXd& simulated, const Evidence& e) {
   // Friction or damping far beyond the configured component: its phase says nothing about this one's; reversed, it is
   // the only force that gives energy.
-  if (!e.isElastic() && !plausible(e.force_ratio)) {
+  if (!e.isElastic() && !e.sheet.plausible(e.force_ratio)) {
     return signFinding(record, e);
   }
   const std::vector<Octave> measured = CrossSpectrum(record.displacement, record.force).octaves();
@@ -249,7 +268,7 @@ std::optional<RigFinding> energyFinding(const component::Component& component, c
   constexpr double kLongestBehind = 0.03;  // [s], whichever is longer
   constexpr double kMostAhead = 4.0;       // samples
   constexpr double kClearlyLate = 0.124;   // of a period, where the sign or the columns may be wrong as well
-  const bool only_delay = e.isElastic() && plausible(e.ratio) && !looksSwapped(component, record, e);
+  const bool only_delay = e.isElastic() && e.sheet.plausible(e.ratio) && !looksSwapped(component, record, e);
   const auto [delay, late] = bestDelay(measured, expected, e.period, only_delay ? 0.0 : kClearlyLate);
   if (only_delay && delay <= std::max(kMostBehind, kLongestBehind / record.dt) && delay >= -kMostAhead) {
     return std::nullopt;
@@ -268,7 +287,7 @@ std::optional<RigFinding> energyFinding(const component::Component& component, c
 // Columns of exchanged size.
 std::optional<RigFinding> exchangeFinding(const component::Component& component, const log::Record& record,
                                           const Evidence& e) {
-  if (!e.rises() || e.configured.stiffness <= 0.0 || plausible(e.ratio)) {
+  if (!e.rises() || e.configured.stiffness <= 0.0 || e.sheet.plausible(e.ratio)) {
     return std::nullopt;
   }
   // A factor may be both; what gives no energy is the simpler one.
@@ -276,9 +295,9 @@ std::optional<RigFinding> exchangeFinding(const component::Component& component,
   return exchanged ? std::optional(swapFinding(record, e)) : std::nullopt;
 }
 
-Evidence evidenceOf(const log::Record& record, const VectorXd& simulated) {
+Evidence evidenceOf(const log::Record& record, const VectorXd& simulated, const SheetFactor& sheet) {
   constexpr double kLargestShare = 0.02;  // of a cycle
-  Evidence e;
+  Evidence e{sheet};
   e.measured = slopeOf(record.displacement, record.force);
   e.configured = slopeOf(record.displacement, simulated);
   e.ratio = e.configured.stiffness != 0.0 ? e.measured.stiffness / e.configured.stiffness : 0.0;
@@ -406,7 +425,7 @@ struct Checked {
 
 bool asByMass(const Evidence& e) { return e.ratio > 0.1 && e.ratio < 1.0; }
 
-Checked checkRecord(const component::Component& component, const log::Record& record) {
+Checked checkRecord(const component::Component& component, const log::Record& record, const SheetFactor& sheet) {
   if (auto constant = constantFinding(record)) {
     return {constant};
   }
@@ -417,7 +436,7 @@ Checked checkRecord(const component::Component& component, const log::Record& re
   if (!simulated.allFinite()) {
     return {};
   }
-  const Evidence e = evidenceOf(record, simulated);
+  const Evidence e = evidenceOf(record, simulated, sheet);
   if (auto rectified = rectifiedFinding(record, simulated, e)) {
     return {rectified};
   }
@@ -438,16 +457,16 @@ Checked checkRecord(const component::Component& component, const log::Record& re
   if ((checked.finding = exchangeFinding(component, record, e))) {
     return checked;
   }
-  const auto assumed = record.units == log::UnitsAre::assumed && e.scale() && !plausible(*e.scale())
+  const auto assumed = record.units == log::UnitsAre::assumed && e.scale() && !sheet.plausible(*e.scale())
                            ? assumedFactorOf(*e.scale())
                            : std::nullopt;
   if (assumed) {
     checked.finding = unitFinding(record.name, *e.scale(), *assumed);
     checked.as_by_mass = asByMass(e);
-  } else if (e.givesEnergy() && (!e.scale() || plausible(*e.scale()))) {
+  } else if (e.givesEnergy() && (!e.scale() || sheet.plausible(*e.scale()))) {
     checked.finding = energyFinding(component, record, simulated, e);
     const bool late = checked.finding && checked.finding->finding == finding::kDelay;
-    checked.by_phase = late || (e.isElastic() && plausible(e.ratio));
+    checked.by_phase = late || (e.isElastic() && e.sheet.plausible(e.ratio));
   }
   return checked;
 }
@@ -517,25 +536,25 @@ bool isAboutTwo(double ratio) {
 
 // One factor in all logs, which leaves the force like the configured one in all else.
 void nameCommonScale(const std::vector<Scaled>& scales, const std::vector<log::Record>& records,
-                     std::vector<Checked>& checked) {
+                     const SheetFactor& sheet, std::vector<Checked>& checked) {
   constexpr double kOne = 1.5;         // between two logs: what frequency and amplitude make of it
   constexpr double kLike = 0.8;        // correlation
   constexpr double kJustLike = 0.995;  // for a factor that a wrong specification may make as well
   const double common = medianScale(scales);
   const auto all = [&](const auto& holds) { return std::all_of(scales.begin(), scales.end(), holds); };
   const auto likeness = [&](const Scaled& s) { return checked[s.log].evidence->force_correlation; };
-  const auto unit = exactFactorOf(common);
+  const auto unit = sheet.exactFactorOf(common);
   const bool one = all([&](const Scaled& s) {
-    return !plausible(s.scale) && std::abs(std::log(s.scale / common)) < std::log(kOne) && likeness(s) > kLike;
+    return !sheet.plausible(s.scale) && std::abs(std::log(s.scale / common)) < std::log(kOne) && likeness(s) > kLike;
   });
-  const bool two = all([&](const Scaled& s) {
+  const bool two = !sheet.mayBe(kPeakToPeak) && all([&](const Scaled& s) {
     return isAboutTwo(s.scale) && std::abs(std::log(s.scale / common)) < std::log(kOne) && likeness(s) > kJustLike;
   });
   const std::string logs = scales.size() == 1 ? "" : fmt::format(", in all {} logs alike", scales.size());
   for (const Scaled& s : scales) {
     const std::string& name = records[s.log].name;
     if (one) {
-      checked[s.log].finding = unit ? unitFinding(name, s.scale, *unit) : componentFinding(name, s.scale, logs);
+      checked[s.log].finding = unit ? unitFinding(name, s.scale, *unit) : componentFinding(name, s.scale, sheet, logs);
     } else if (two && isAboutTwo(common)) {
       checked[s.log].finding = peakToPeakFinding(
           name, s.scale, fmt::format("--columns {}=0.5*NAME", common > 1.0 ? "force" : "displacement"));
@@ -544,13 +563,13 @@ void nameCommonScale(const std::vector<Scaled>& scales, const std::vector<log::R
 }
 
 // A log among others that are plausible, off by hundreds: no effect does that.
-void nameOddScales(const std::vector<Scaled>& scales, const std::vector<log::Record>& records,
+void nameOddScales(const std::vector<Scaled>& scales, const std::vector<log::Record>& records, const SheetFactor& sheet,
                    std::vector<Checked>& checked) {
   std::vector<Scaled> right;
   std::copy_if(scales.begin(), scales.end(), std::back_inserter(right),
-               [](const Scaled& s) { return plausible(s.scale); });
+               [&](const Scaled& s) { return sheet.plausible(s.scale); });
   for (const Scaled& s : scales) {
-    const auto unit = right.empty() ? std::nullopt : exactFactorOf(s.scale / medianScale(right));
+    const auto unit = right.empty() ? std::nullopt : kUsualSheet.exactFactorOf(s.scale / medianScale(right));
     if (unit && isLarge(unit->factor)) {
       checked[s.log].finding = unitFinding(records[s.log].name, s.scale, *unit);
     }
@@ -592,7 +611,7 @@ std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
     correction.text = fmt::format("force divided by {:.4g}", factor);
     correction.record.force /= factor;
   } else if (finding.finding == finding::kSwappedColumns) {
-    const auto units = unitsOfSwap(component::Component(elements), record);
+    const auto units = unitsOfSwap(component::Component(elements), record, kUsualSheet);
     if (!units) {
       return std::nullopt;
     }
@@ -612,31 +631,33 @@ std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
 }
 
 std::optional<RigFinding> checkStiffness(const std::string& table, const std::vector<double>& measured,
-                                         const std::vector<double>& configured) {
+                                         const std::vector<double>& configured, double tolerance) {
+  const SheetFactor sheet(tolerance);
   std::vector<double> ratios;
   std::transform(measured.begin(), measured.end(), configured.begin(), std::back_inserter(ratios), std::divides<>());
   const double ratio = medianOf(measured) / medianOf(configured);
-  if (std::all_of(ratios.begin(), ratios.end(), isAboutTwo) && isAboutTwo(ratio)) {
+  if (!sheet.mayBe(kPeakToPeak) && std::all_of(ratios.begin(), ratios.end(), isAboutTwo) && isAboutTwo(ratio)) {
     return peakToPeakFinding(table, ratio, "halve what is from peak to peak");
   }
-  if (plausible(ratio)) {
+  if (sheet.plausible(ratio)) {
     return std::nullopt;
   }
   const auto unit = assumedFactorOf(ratio);
-  return unit ? unitFinding(table, ratio, *unit, kCorrectTable) : componentFinding(table, ratio, "");
+  return unit ? unitFinding(table, ratio, *unit, kCorrectTable) : componentFinding(table, ratio, sheet, "");
 }
 
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
-                                   const std::vector<log::Record>& records) {
+                                   const std::vector<log::Record>& records, double tolerance) {
   const component::Component component(elements);
+  const SheetFactor sheet(tolerance);
   std::vector<Checked> checked;
   std::transform(records.begin(), records.end(), std::back_inserter(checked),
-                 [&](const log::Record& record) { return checkRecord(component, record); });
+                 [&](const log::Record& record) { return checkRecord(component, record, sheet); });
   leaveFastLogsToEffects(records, checked);
   nameReversedSprings(records, checked);
   if (const std::vector<Scaled> scales = scalesOf(records, checked); !scales.empty()) {
-    nameCommonScale(scales, records, checked);
-    nameOddScales(scales, records, checked);
+    nameCommonScale(scales, records, sheet, checked);
+    nameOddScales(scales, records, sheet, checked);
   }
   std::vector<RigFinding> findings;
   for (const Checked& one : checked) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "element/refuse.h"
+#include "estimation/models.h"
 #include "python/bindings.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
@@ -103,6 +104,31 @@ py::object stiffness(const ComponentDescription& description,
   return py::vectorize([&](double f) { return *at(f); })(frequency);
 }
 
+double toShare(const py::handle& value) {
+  if (py::isinstance<py::str>(value) && py::cast<std::string>(value) == "guess") {
+    return estimation::SheetTolerance::kGuess;
+  }
+  const element::ParameterInfo share{"tolerance", "1", element::Role::choice, element::Range::openBelow(0.0, 1.0),
+                                     "a share, or 'guess'"};
+  const double tolerance = toNumber(value, share);
+  estimation::checkRange(share, tolerance);
+  return tolerance;
+}
+
+// One for all numbers, or a dict by key.
+estimation::SheetTolerance toTolerance(const py::handle& value) {
+  if (!py::isinstance<py::dict>(value)) {
+    return {toShare(value)};
+  }
+  estimation::SheetTolerance tolerance;
+  for (const auto& [key, share] : py::cast<py::dict>(value)) {
+    const auto name = py::cast<std::string>(key);
+    element::refuseIf(!estimation::isOfSheet(name), "tolerance: '{}' is no number of a data sheet", name);
+    tolerance.by_key[name] = toShare(share);
+  }
+  return tolerance;
+}
+
 ComponentDescription estimate(const std::string& model, const std::string& name, const py::kwargs& inputs) {
   const std::optional<estimation::Model> found = estimation::modelFromString(model);
   element::refuseIf(!found || *found == estimation::Model::elements,
@@ -112,6 +138,10 @@ ComponentDescription estimate(const std::string& model, const std::string& name,
   estimation::Specification specification;
   for (const auto& [key, value] : inputs) {
     const auto input = py::cast<std::string>(key);
+    if (input == "tolerance") {
+      specification.setTolerance(toTolerance(value));
+      continue;
+    }
     const element::ParameterInfo* parameter = element::findParameter(estimation::specificationParameters(), input);
     specification.set(input,
                       parameter == nullptr ? 0.0 : toNumber(value, *parameter));  // unknown keys are refused below

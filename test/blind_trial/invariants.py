@@ -127,6 +127,15 @@ def headline_is_the_largest(report):
     return f" is {percent} too " in said
 
 
+def shares_add_up(report):
+    """What values and effects remove of the gap as configured is what is removed."""
+    if report["verdict"] == "check_bench":
+        return None
+    gap = report["gap"]
+    removed = 1.0 - gap["augmented"] / gap["as_configured"]
+    return abs(sum(report["share_of_configured_gap"].values()) - removed) <= SLACK
+
+
 def bounds_are_said(report):
     """An interval of an effect's size that ends at 0 says that this is a bound."""
     return all(size["at_bound"][0] for size in report.get("effect_sizes", [])
@@ -161,6 +170,7 @@ CHECKS = {
     "no set holds an improbable effect": sets_are_probable,
     "alternatives follow by probability": alternatives_follow,
     "the headline has the largest change": headline_is_the_largest,
+    "shares add up to what is removed": shares_add_up,
     "an interval that ends at a bound says so": bounds_are_said,
     "where adds up to 1": where_is_one,
     "a next experiment where confounded or unknown": next_experiment_is_there,

@@ -6,6 +6,7 @@ import argparse
 import dataclasses
 import glob
 import json
+import math
 import os
 import shutil
 import sys
@@ -14,7 +15,7 @@ for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
     os.environ.setdefault(variable, "1")
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from virtual_rig import case, implant  # noqa: E402
+from virtual_rig import implant  # noqa: E402
 
 
 @dataclasses.dataclass
@@ -48,6 +49,15 @@ JUDGE = {
 HALVES = {"fit": FIT, "judge": JUDGE}
 
 
+def guess_yaml(name, base):
+    """Spring and dashpot as a data sheet that is a guess; without dashpot next to none."""
+    damping = 1e-3 if base.c0 > 0.0 else 1e-4
+    frequency = damping * base.k0 / (math.pi * base.c0) if base.c0 > 0.0 else 1.0
+    numbers = {"dynamic_stiffness": base.k0, "nominal_frequency": frequency, "relative_damping": damping}
+    lines = ["components:", f"  {name}:", "    model: kelvin_voigt", "    specification:", "      tolerance: guess"]
+    return "\n".join(lines + [f"      {key}: {float(value)!r}" for key, value in numbers.items()]) + "\n"
+
+
 def write(name, machine, data, output, labels):
     """The case in OUTPUT/NAME, its label beside; False where the logs are missing."""
     paths = sorted(glob.glob(os.path.join(data, machine.logs)))
@@ -60,7 +70,7 @@ def write(name, machine, data, output, labels):
     for path in paths:
         shutil.copy(path, folder)
     with open(os.path.join(folder, "component.yaml"), "w", encoding="utf-8") as file:
-        file.write(case.elements_yaml(name, case.element_entries(measured.base, 0.0)))
+        file.write(guess_yaml(name, measured.base))
     with open(os.path.join(folder, "case.json"), "w", encoding="utf-8") as file:
         json.dump({"component": name, "logs": [os.path.basename(path) for path in paths], "hold_out": []}, file,
                   indent=1)

@@ -67,13 +67,13 @@ const ImplantedEffect& row(const diagnosis::Plan& plan, const std::string& effec
 // Stiffness and loss at one frequency are what the model's own three numbers can follow, whatever linear law makes
 // them. How far they may move for that the judgement says. Less than the lag that a rig may have is out of reach.
 TEST(Plan, OneSineHidesWhatASweepFinds) {
-  const double usual = diagnosis::judge::fittedNumbers().least_size;  // below which an effect is improbable
-  const diagnosis::Plan one = planOf({sine()}, usual);
-  const diagnosis::Plan many = planOf({sweep()}, usual);
+  constexpr double kUsual = 0.06;  // of the force
+  const diagnosis::Plan one = planOf({sine()}, kUsual);
+  const diagnosis::Plan many = planOf({sweep()}, kUsual);
   for (const char* effect : {"viscous_damping", "inertia"}) {
     EXPECT_GT(row(one, effect).least_size, row(many, effect).least_size) << effect;
     EXPECT_THAT(row(many, effect).outcome, testing::AnyOf("found", "confounded")) << effect;
-    EXPECT_LT(row(many, effect).least_size, usual) << effect;
+    EXPECT_LT(row(many, effect).least_size, kUsual) << effect;
   }
 }
 
@@ -145,7 +145,7 @@ TEST(Implants, LeaveWhatAFitLeaves) {
   const fit::ModelParameters model(rigComponent(), fit::Level::specification);
   const std::vector<log::Record> records = {log::makeRecord(runRig(
       "plain", 1, [](double, double, double) { return 0.0; }, 2.0))};
-  const fit::Fitter fitter(records, model);
+  const fit::Fitter fitter(records, model, kOneDeviation);
   auto candidates = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
   fit::findUnitEffects(candidates, records, 1);
   diagnosis::hypotheses::FittedHypothesis about;
@@ -161,7 +161,7 @@ TEST(Implants, LeaveWhatAFitLeaves) {
     }
     std::vector<log::Record> with = records;
     with.front().force += kSize * implant.scale * (*term.unit_effect).front();
-    const fit::Fitter fitted(with, model);
+    const fit::Fitter fitted(with, model, kOneDeviation);
     const double left = fitted.fit({}, fitted.configured({}), {10}).gap;
     // The model is not linear in its parameters, and noise of 0.2 % of the force is left as well.
     EXPECT_NEAR(left, kSize * implant.model.gap, 0.1 * kSize) << candidate.effect << " " << implant.term;

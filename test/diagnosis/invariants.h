@@ -197,6 +197,9 @@ inline void checkInvariants(const Diagnosis& d) {
   const double where = std::accumulate(d.where.begin(), d.where.end(), 0.0,
                                        [](double sum, const gap::GapCell& cell) { return sum + cell.share; });
   EXPECT_TRUE(d.where.empty() || std::abs(where - 1.0) < kRounding) << where;
+  const double removed = std::accumulate(d.shares.begin(), d.shares.end(), 0.0,
+                                         [](double sum, const auto& part) { return sum + part.share; });
+  EXPECT_NEAR(removed, 1.0 - d.gap.augmented / d.gap.as_configured, 1e-6);
   EXPECT_EQ(d.surrogate.has_value(), leavesRest(d.verdict) && !d.table);
   EXPECT_FALSE(d.next_experiment.empty());
 }

@@ -43,14 +43,16 @@ TEST(ModelParameters, LeaveTheConfiguredModelAsItIs) {
   }
 }
 
-// Every point within the bounds has a model: that is what the coordinates are for.
+// Every point that is a factor of 3 off or less has a model: that is what the coordinates are for. So has any alpha.
 TEST(ModelParameters, HaveAModelEverywhere) {
   const fit::ModelParameters model(fiveInputs(), fit::Level::specification);
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int i = 0; i < 200; ++i) {
-    const Eigen::VectorXd point = Eigen::VectorXd::NullaryExpr(
-        model.size(), [&](Eigen::Index j) { return model.bounds()[j] * uniform(generator); });
+    const Eigen::VectorXd point = Eigen::VectorXd::NullaryExpr(model.size(), [&](Eigen::Index j) {
+      const bool alpha = model.names()[static_cast<std::size_t>(j)] == "alpha";
+      return (alpha ? model.bounds()[j] : std::log(3.0)) * uniform(generator);
+    });
     const auto elements = model.elements(point);
     ASSERT_TRUE(elements) << point.transpose();
     EXPECT_NEAR((*elements)[0].value("stiffness"), 3.0e6 * std::exp(point[0]), 1e-3);
@@ -286,7 +288,7 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
   std::vector<log::Record> records = {log::makeRecord(runRig("first", 1, nothing)),
                                       log::makeRecord(runRig("second", 2, nothing))};
   const fit::ModelParameters model(component, fit::Level::specification);
-  const fit::Fitter fitter(records, model);
+  const fit::Fitter fitter(records, model, kOneDeviation);
   const std::vector<fit::Candidate> plain = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
   std::vector<fit::Candidate> known = plain;
   fit::findUnitEffects(known, records, 2);

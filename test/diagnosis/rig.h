@@ -14,6 +14,8 @@
 
 namespace rubber_suspension {
 
+constexpr double kOneDeviation = 0.002;  ///< of a data sheet, as a gap
+
 /// The component of all test rigs: M2 with K_st = 1e6 N/m, K_n = 1.3e6 N/m at 4 Hz, f_b = 3 Hz.
 inline io::ComponentDescription rigComponent() {
   return io::parseComponentFile(

@@ -47,7 +47,7 @@ class SimplestLaw : public testing::Test {
     for (std::size_t r = 0; r < records.size(); ++r) {
       records[r].force += added[r];
     }
-    fitter_ = std::make_unique<fit::Fitter>(records, model_);
+    fitter_ = std::make_unique<fit::Fitter>(records, model_, kOneDeviation);
     candidates_ = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
     int member = 0;
     while (candidates_[static_cast<std::size_t>(member)].effect != effect) {

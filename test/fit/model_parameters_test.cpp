@@ -50,5 +50,50 @@ TEST(ModelParameters, GivesTheRatiosOfAComponentThatIs) {
   EXPECT_TRUE(model.ratios(Eigen::VectorXd::Zero(model.size())).empty());
 }
 
+// Where a component has the numbers, the departures are those that its specification tells; as configured there is
+// none.
+TEST(ModelParameters, DepartFromTheSheetInTolerances) {
+  estimation::Specification sheet = multiMaxwell().specification();
+  sheet.setTolerance({0.2, {{"dynamic_stiffness", 0.05}}});
+  io::ComponentDescription bush("bush", estimation::Model::multi_maxwell, sheet);
+  bush.add = {{"spring", {{"stiffness", {1e5}}}}};
+  const ModelParameters model(bush, Level::specification);
+  EXPECT_TRUE(model.departures(Eigen::VectorXd::Zero(model.size())).isZero(0.0));
+  const Eigen::VectorXd near = Eigen::VectorXd::LinSpaced(model.size(), -0.1, 0.2);
+  const Eigen::VectorXd departures = model.departures(near);
+  std::map<std::string, double> ratios;
+  for (const auto& [key, ratio] : model.ratios(near)) {
+    ratios[key] = ratio;
+  }
+  ASSERT_EQ(model.known().size(), 5U);  // four of the sheet, and the spring that is added
+  for (std::size_t i = 0; i < 4; ++i) {
+    const KnownNumber& number = model.known()[i];
+    EXPECT_NEAR(departures[static_cast<Eigen::Index>(i)],
+                std::log(ratios.at(number.name)) / (number.name == "dynamic_stiffness" ? 0.05 : 0.2), 1e-9)
+        << number.name;
+  }
+  EXPECT_NEAR(departures[4], near[model.size() - 1] / model.known()[4].deviation, 1e-12);
+  const Eigen::VectorXd step = Eigen::VectorXd::Constant(model.size(), 1e-4);
+  EXPECT_TRUE((departures + model.departureSlopes(near) * step).isApprox(model.departures(near + step), 1e-5));
+}
+
+// Some sheets state one stiffness by another: of one Maxwell element, K at f_h.
+TEST(ModelParameters, DepartFromEveryNumberThatASheetMayState) {
+  for (const auto& [key, value] : std::map<std::string, double>{
+           {"maximum_stiffness", 1.5e6}, {"loss_angle", 0.1}, {"relative_damping", 0.05}, {"break_frequency", 7.0}}) {
+    estimation::Specification sheet;
+    sheet.set("static_stiffness", 1e6);
+    sheet.set("dynamic_stiffness", 1.3e6);
+    sheet.set("nominal_frequency", 5.0);
+    sheet.set(key, value);
+    const ModelParameters model({"bush", estimation::Model::maxwell, sheet}, Level::specification);
+    const Eigen::VectorXd far = Eigen::VectorXd::Constant(model.size(), 0.3);
+    EXPECT_EQ(model.known().size(), 3U) << key;
+    EXPECT_TRUE(model.departures(Eigen::VectorXd::Zero(model.size())).isZero(0.0)) << key;
+    EXPECT_GT(model.departures(far).norm(), 1.0) << key;
+    EXPECT_FALSE(model.isGuess());
+  }
+}
+
 }  // namespace
 }  // namespace rubber_suspension::fit

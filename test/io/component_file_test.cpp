@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 #include <type_traits>
 
 #include "io/temporary_file.h"
@@ -81,6 +82,52 @@ TEST(ComponentFile, AnglesAndPercentAreConverted) {
 }
 
 // A parameter server hands on "3.0e6" as text: YAML 1.1 wants a sign in the exponent.
+std::string withTolerance(const std::string& tolerance) {
+  return "components:\n  a:\n    model: kelvin_voigt\n    specification:\n      dynamic_stiffness: 4e6\n"
+         "      nominal_frequency: 4\n      loss_angle: 0.1\n      tolerance: " +
+         tolerance + "\n";
+}
+
+TEST(ComponentFile, ToleranceOfTheSheetReadsBack) {
+  const double guess = estimation::SheetTolerance::kGuess;
+  const std::vector<std::tuple<std::string, double, double>> cases = {
+      {"10 %", 0.1, 0.1},
+      {"0.03", 0.03, 0.03},
+      {"guess", guess, guess},
+      {"{dynamic_stiffness: 5 %, loss_angle: guess}", 0.05, guess},
+      {"{loss_angle: 0.2}", estimation::SheetTolerance::kUsual, 0.2}};
+  for (const auto& [text, of_stiffness, of_angle] : cases) {
+    const auto components = parse(withTolerance(text));
+    for (const auto& read : {components, parse(io::toYaml(components))}) {
+      const estimation::SheetTolerance& tolerance = read[0].specification().tolerance();
+      EXPECT_DOUBLE_EQ(tolerance.of("dynamic_stiffness"), of_stiffness) << text;
+      EXPECT_DOUBLE_EQ(tolerance.of("loss_angle"), of_angle) << text;
+      EXPECT_TRUE(tolerance.given());
+    }
+  }
+  EXPECT_EQ(io::toYaml(parse(kExample)).find("tolerance"), std::string::npos) << "nobody gave one";
+}
+
+TEST(ComponentFile, RefusesATolerance) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"geuss", "'geuss' is not a tolerance (did you mean 'guess'?); accepted: a share such as 10 %"},
+      {"0", "'0' is out of range; accepted: above 0"},
+      {"-5 %", "out of range"},
+      {"150 %", "out of range"},
+      {"3 mm", "'3 mm'"},
+      {"", "nothing is not a tolerance"},
+      {"[0.1]", "a list is not a tolerance"},
+      {"{}", "an empty map; accepted: a map of dynamic_stiffness, loss_angle"},
+      {"{nominal_frequency: 5 %}", "tolerance.nominal_frequency: unknown key; accepted: dynamic_stiffness, loss_angle"},
+      {"{static_stiffness: 5 %}", "tolerance.static_stiffness: unknown key"},
+      {"{loss_angle: {}}", "tolerance.loss_angle: an empty map is not a tolerance"}};
+  for (const auto& [text, message] : cases) {
+    const std::string error = errorOf(withTolerance(text));
+    EXPECT_THAT(error, HasSubstr("file.yaml:8: component 'a': specification.tolerance")) << text;
+    EXPECT_THAT(error, HasSubstr(message)) << text;
+  }
+}
+
 TEST(ComponentFile, ANumberAsTextIsInSiUnits) {
   const auto components = parse("components: {a: {model: elements, elements: [{type: spring, stiffness: '3.0e6'}]}}");
   EXPECT_EQ(components[0].elements()[0].value("stiffness"), 3.0e6);

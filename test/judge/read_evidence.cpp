@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/7";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/8";
 
 // JSON has no infinity: what a hypothesis leaves that no model run follows is null.
 double numberOf(const ordered_json& value) {
@@ -39,7 +39,7 @@ judge::HypothesisEvidence hypothesisOf(const ordered_json& value) {
   value.at("free_trends").get_to(hypothesis.free_trends);
   value.at("free_gains").get_to(hypothesis.free_gains);
   value.at("keeps_values").get_to(hypothesis.keeps_values);
-  hypothesis.penalty = numberOf(value.at("penalty"));
+  hypothesis.chi_squared = numberOf(value.at("chi_squared"));
   hypothesis.log_errors = numbersOf(value.at("log_errors"));
   for (const ordered_json& member : value.at("sizes")) {
     hypothesis.sizes.push_back(numbersOf(member));
@@ -57,6 +57,7 @@ judge::Evidence evidenceOf(const ordered_json& value) {
   judge::Evidence evidence;
   value.at("effects").get_to(evidence.effects);
   value.at("on_rig").get_to(evidence.on_rig);
+  value.at("guess").get_to(evidence.guess);
   for (const ordered_json& hypothesis : value.at("hypotheses")) {
     evidence.hypotheses.push_back(hypothesisOf(hypothesis));
   }

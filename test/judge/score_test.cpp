@@ -51,7 +51,7 @@ TEST(LogWeights, AreThoseOfTheEquations) {
   numbers.floor_known = 0.5;
   numbers.accepted = 0.01;
   numbers.form_error = 0.1;
-  numbers.least_size = 0.001;  // below the sizes here
+  numbers.share = 0.5;  // below that of the effect
   numbers.per_number_beyond = 0.4;
   numbers.rest = -2.0;
   numbers.effect = -3.0;
@@ -69,6 +69,35 @@ TEST(LogWeights, AreThoseOfTheEquations) {
   const double in_octaves = 0.75 * std::log(s2) + 0.25 * std::log(std::max(r2 / 0.25, s2)) + 1.0;
   EXPECT_NEAR(logWeights(scoreTable(evidence), numbers).beside[Evidence::kFirstSingle], -3.0 * in_octaves - 2.0 + prior,
               1e-9);
+}
+
+// Values off by chi^2 cost Student's t; an effect that has a small share of what values leave costs by its distance.
+TEST(LogWeights, CostDeparturesFromTheSheetAndSmallShares) {
+  Evidence evidence = unexplained(1, 1, 0.1, 50);
+  explain(evidence, 0, 0.02);
+  JudgeNumbers numbers;
+  numbers.sheet_scale = 2.0;
+  numbers.sheet_tails = 3.0;
+  numbers.accepted = 0.01;
+  const auto alone = [&] { return logWeights(scoreTable(evidence), numbers).alone[Evidence::kFirstSingle]; };
+  const double at_once = alone();
+  evidence.hypotheses.back().chi_squared = 12.0;
+  EXPECT_NEAR(alone(), at_once - 0.5 * 4.0 * std::log1p(12.0 / 4.0 / 3.0), 1e-9);
+  evidence.hypotheses.back().chi_squared = 0.0;
+  numbers.form_error = 1e-9;  // so that the size changes nothing else
+  const double large = alone();
+  evidence.hypotheses.back().sizes.front().front() = 0.01 * 0.01;
+  const double usual = numbers.share * std::sqrt(0.1 * 0.1 - kFloor * kFloor + 0.01 * 0.01);
+  EXPECT_NEAR(alone(), large - 0.5 * std::pow(std::log(0.01 / usual) / numbers.share_spread, 2), 1e-6);
+}
+
+// A guess is never right as configured, however well it does; wrong values are told in its place.
+TEST(LogWeights, NeverTakeAGuessAsConfigured) {
+  Evidence evidence = unexplained(2, 1, 0.004);
+  evidence.hypotheses.front().log_errors = evidence.hypotheses[Evidence::kReEstimated].log_errors;
+  EXPECT_EQ(diagnosis::judge::answer(evidence).verdict, diagnosis::Verdict::none);
+  evidence.guess = true;
+  EXPECT_EQ(diagnosis::judge::answer(evidence).verdict, diagnosis::Verdict::parameter_error);
 }
 
 // A file of evidence holds all that the judgement takes, what no model run follows included.

@@ -147,6 +147,18 @@ struct SizedValue {
   std::array<bool, 2> at_bound{};       ///< whether an end of it is a bound of the fit
 };
 
+/// The part of the gap as configured that values or one effect remove.
+struct GapShare {
+  std::string by;  ///< "values", or the effect
+  double share = 0.0;
+};
+
+/// A number of the data sheet, as the logs have it.
+struct SheetDeviation {
+  std::string name;         ///< a key of the specification
+  double tolerances = 0.0;  ///< by which the logs' value is above that of the sheet
+};
+
 /// The whole component at one point, as configured and as augmented.
 struct WholeStiffness {
   double frequency = 0.0;              ///< [Hz]
@@ -212,8 +224,11 @@ struct Diagnosis {
   std::vector<std::string> effects;  ///< named, most important first
   Gap gap;                           ///< what the rig did to each log taken out
   double gap_of_values = 0.0;        ///< of the judged model's own values alone, without its effects
-  double gap_of_effects = 0.0;       ///< of its effects alone, on the values as configured
   Gap gap_as_recorded;               ///< the same of the logs as they are, which `replay` gives; without a floor
+  /// Of the judged model: the values, then each effect. They add up to what is removed. Each is the mean over all
+  /// orders in which values and effects may be put in (Shapley, 1953): what one removes depends on those that are
+  /// there.
+  std::vector<GapShare> shares;
   std::string noise_source;
   double closed = 0.0;  ///< fraction of the closable gap
   /// 95 %, of further logs of the same rig where effects are named.
@@ -234,8 +249,10 @@ struct Diagnosis {
   io::ComponentDescription augmented_full;  ///< the same with the laws that were judged, all their numbers in full
   bool write_full_law = false;              ///< the report has augmented_full.yaml
   double gap_of_full_law = 0.0;             ///< of that one, as `gap.augmented` is of the simplest law
-  std::vector<SizedValue> written;          ///< numbers of `augmented` in full, by their places (io::numberPlace)
-  int finer = 0;                            ///< digits to which they are rounded, beyond a tenth of half the interval
+  /// Of each entry that `augmented` adds to the configured ones, the effect that it belongs to.
+  std::vector<std::string> added_for;
+  std::vector<SizedValue> written;  ///< numbers of `augmented` in full, by their places (io::numberPlace)
+  int finer = 0;                    ///< digits to which they are rounded, beyond a tenth of half the interval
 
   std::optional<Surrogate> surrogate;  ///< for the verdicts unknown and partly
 
@@ -248,9 +265,12 @@ struct Diagnosis {
   std::vector<Admission> admission;
   std::vector<TakenOut> taken_out;  ///< log by log
   ParameterRatios parameter_ratios;
-  std::vector<SizedValue> model_sizes;   ///< of the judged model's own parameters
-  std::vector<SizedValue> effect_sizes;  ///< of the effects named
-  std::optional<WholeStiffness> whole;   ///< nothing where a component has no settled loop
+  std::vector<SheetDeviation> sheet_deviations;  ///< of the judged model, the farthest off first
+  std::vector<std::string> at_bounds;            ///< parameters of the judged model at a bound of the fit
+  bool guess = false;                            ///< the data sheet is a guess: its values are identified
+  std::vector<SizedValue> model_sizes;           ///< of the judged model's own parameters
+  std::vector<SizedValue> effect_sizes;          ///< of the effects named
+  std::optional<WholeStiffness> whole;           ///< nothing where a component has no settled loop
   CharacteristicErrors errors_re_estimated;
   CharacteristicErrors errors_augmented;
 

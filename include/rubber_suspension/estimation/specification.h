@@ -59,6 +59,21 @@ struct SpecifiedPoint {
   double weight = 1.0;
 };
 
+/// How far the numbers of a data sheet may be off, each as the standard deviation of its logarithm.
+struct SheetTolerance {
+  static constexpr double kUsual = 0.1;                ///< where nothing is said
+  static constexpr double kGuess = 2.302585092994046;  ///< ln 10: a guess
+
+  std::optional<double> of_all = {};
+  std::map<std::string, double, std::less<>> by_key = {};  ///< comes first
+
+  bool given() const { return of_all || !by_key.empty(); }
+  double of(std::string_view key) const {
+    const auto found = by_key.find(key);
+    return found != by_key.end() ? found->second : of_all.value_or(kUsual);
+  }
+};
+
 /// Numbers by the names of specificationParameters() [SI]; loss angles in rad. Beside them a static curve or points.
 class Specification {
  public:
@@ -79,6 +94,9 @@ class Specification {
   void set(const std::string& name, double value) { values_[name] = value; }
   void erase(const std::string& name) { values_.erase(name); }
   const Values& values() const { return values_; }
+
+  const SheetTolerance& tolerance() const { return tolerance_; }
+  void setTolerance(SheetTolerance tolerance) { tolerance_ = std::move(tolerance); }
 
   Describes describes() const { return describes_; }
   void describe(Describes what) { describes_ = what; }
@@ -108,6 +126,7 @@ class Specification {
   }
 
   Values values_;
+  SheetTolerance tolerance_;
   Describes describes_ = Describes::unsaid;
   std::vector<SpecifiedPoint> points_;
   std::vector<Values> preloads_;
@@ -120,6 +139,9 @@ double nominalDisplacement(const Specification& specification);
 
 /// The table of all numbers that `specification:` may hold.
 const std::vector<element::ParameterInfo>& specificationParameters();
+
+/// Whether a number is one that a sheet states of the component, and may be off: no working point, no choice.
+bool isOfSheet(std::string_view name);
 
 /// The keys that a model takes from its specification.
 struct ModelInfo {

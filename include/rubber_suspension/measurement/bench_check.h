@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/log/record.h"
 #include "rubber_suspension/measurement/rig_finding.h"
 
@@ -22,23 +23,26 @@ namespace rubber_suspension::measurement {
 ///   displacement exchanged;
 /// - delay: the loops give energy because the force is late by an eighth of a period or more;
 /// - unit_factor: the stiffness is off by a factor that a wrong unit makes (1000, 9.81, 25.4, 4.448, 10, ...): about,
-///   where units are assumed (log::UnitsAre); where they are named within the specification's tolerance of 15 %, by
-///   hundreds 50 %, in all logs alike, or in one log among others by hundreds;
+///   where units are assumed (log::UnitsAre); where they are named within 1.4 tolerances of the data sheet, by hundreds
+///   50 %, in all logs alike, or in one log among others by hundreds;
 /// - other_component: the stiffness of all logs is off by one other factor, more than this tolerance and all effects of
 ///   rubber can explain together;
 /// - peak_to_peak: the force is that of the component times 2, or 1/2, in all logs;
 /// - too_short: fewer than 30 samples in motion, or fewer than 4 samples per cycle.
 ///
-/// The factors are not doubted where the user accepts the units. Stiffness is judged only where the measured
-/// force goes with the displacement; a damper or a seal, whose component has hardly any spring, is left to the
-/// diagnosis. Throws std::invalid_argument for elements that make no component.
+/// `tolerance`: standard deviation of the logarithm of the data sheet's stiffnesses (estimation::SheetTolerance); what
+/// a sheet may be off by is no fault of the bench. The factors are not doubted where the user accepts the units.
+/// Stiffness is judged only where the measured force goes with the displacement; a damper or a seal, whose component
+/// has hardly any spring, is left to the diagnosis. Throws std::invalid_argument for elements that make no component.
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
-                                   const std::vector<log::Record>& records);
+                                   const std::vector<log::Record>& records,
+                                   double tolerance = estimation::SheetTolerance::kUsual);
 
 /// Of a table, whose name the finding has, the same by the stiffness [N/m] of its rows, measured and configured:
 /// unit_factor, other_component or peak_to_peak; nothing where effects may explain their ratio.
 std::optional<RigFinding> checkStiffness(const std::string& table, const std::vector<double>& measured,
-                                         const std::vector<double>& configured);
+                                         const std::vector<double>& configured,
+                                         double tolerance = estimation::SheetTolerance::kUsual);
 
 /// A record as it would be with the correction of a finding.
 struct BenchCorrection {

@@ -31,7 +31,7 @@ const char* outcomeName(Outcome outcome) {
 judge::HypothesisEvidence evidenceOf(const hypotheses::Leaves& leaves, double noise, double size) {
   judge::HypothesisEvidence evidence;
   evidence.log_errors = {noise * noise + std::pow(size * leaves.gap, 2)};
-  evidence.penalty = size * leaves.penalty;
+  evidence.chi_squared = std::pow(size * leaves.chi, 2);
   return evidence;
 }
 

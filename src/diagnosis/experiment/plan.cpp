@@ -76,7 +76,7 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   const fit::ModelParameters model(component, fit::Level::specification);
   prepare::setRigPriors(model, component.rig.value_or(io::RigTolerances{}), hypotheses::errorScale(), records, none,
                         prepare::RigScatter::as_tolerated);
-  fit::Fitter fitter(records, model);
+  fit::Fitter fitter(records, model, hypotheses::errorScale().oneOfSheet());
   hypotheses::Search search;
   search.excitation = fit::summarise(fitter.records());
   search.candidates = hypotheses::candidate::candidates(search.excitation);

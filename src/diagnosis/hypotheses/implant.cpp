@@ -27,7 +27,7 @@ struct Fitted {
 class Projected {
  public:
   Projected(const fit::HypothesisFitter& fitter, const Screening& screening)
-      : fitter_(fitter),
+      : departures_(fitter.model().departureSlopes(Eigen::VectorXd::Zero(screening.modelSize()))),
         candidates_(screening.candidates()),
         model_(screening.modelSize()),
         size_(screening.blocks().sum.rows() - 1),
@@ -74,13 +74,13 @@ class Projected {
     rest[column] += scale;
     rest.head(model_) = -taken_ * rest.tail(size_ - model_);
     leaves.gap = std::sqrt(std::clamp(rest.dot(plain_ * rest), 0.0, 1.0));
-    leaves.penalty = fitter_.penaltyOf(rest.head(model_));
+    leaves.chi = (departures_ * rest.head(model_)).norm();
     leaves.added = std::sqrt(std::max(0.0, added.dot(plain_ * added)));
     return leaves;
   }
 
  private:
-  const fit::HypothesisFitter& fitter_;
+  Eigen::MatrixXd departures_;  // from what is known, by each model parameter
   const std::vector<fit::Candidate>& candidates_;
   Eigen::Index model_;
   Eigen::Index size_;

@@ -19,7 +19,7 @@ class Odds {
   Odds(const std::vector<fit::Candidate>& candidates, double floor, double without, std::size_t blocks)
       : candidates_(candidates), floor_(floor), without_(without), blocks_(static_cast<double>(blocks)) {}
 
-  /// Logarithm of the weight of a hypothesis at these scales that leaves this error, penalty included.
+  /// Logarithm of the weight of a hypothesis at these scales that leaves this error, departure included.
   double of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales, double error) const;
 
   /// Most that any set of so many effects can have.

@@ -19,7 +19,7 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-constexpr int kBaseIterations = 14;
+constexpr int kBaseIterations = 40;
 constexpr std::size_t kMostOfOneSize = 8;  // pairs and triples that are fitted
 constexpr std::size_t kMostStarts = 3;     // hypotheses that further effects are added to
 constexpr std::size_t kAtOnce = 4;         // sets that are fitted before those that are left are looked at again
@@ -50,6 +50,7 @@ class Searcher {
       : measured_(measured), fitter_(measured.fitter()), threads_(threads), progress_(progress) {}
 
   Search run() {
+    result_.guess = fitter_.model().isGuess();
     say("re-estimating the model parameters", 0.0);
     reEstimate();
     result_.candidates = measured_.candidates(result_.excitation, result_.re_estimated, threads_);
@@ -82,7 +83,7 @@ class Searcher {
         [&] {
           const fit::ParameterVector configured = fitter_.configured(model);
           result_.configured_gap = fitter_.gapAt(model, configured);
-          result_.re_estimated.fit = fitter_.fit(model, configured, {kBaseIterations});
+          result_.re_estimated.fit = fitter_.fitAlone({kBaseIterations});
           result_.as_configured = result_.re_estimated;
           result_.as_configured.fit.parameters = configured;
           result_.discretisation = measured_.discretisationError(result_.re_estimated);
@@ -348,7 +349,8 @@ judge::HypothesisEvidence evidenceOf(const std::vector<fit::Candidate>& candidat
   evidence.free_gains = fitted.hypothesis.free_in_log.gain;
   evidence.keeps_values = fitted.hypothesis.keepsParameters();
   const bool applies = !fitted.hypothesis.terms.empty() || fitted.hypothesis.members.empty();
-  evidence.penalty = applies ? fitted.fit.penalty : std::numeric_limits<double>::infinity();  // nothing was fitted
+  evidence.chi_squared =
+      applies ? fitted.fit.chi_squared : std::numeric_limits<double>::infinity();  // nothing was fitted
   return evidence;
 }
 
@@ -392,6 +394,7 @@ const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) con
 
 judge::Evidence evidenceOf(const Search& search) {
   judge::Evidence evidence;
+  evidence.guess = search.guess;
   evidence.hypotheses = {{}, evidenceOf(search.candidates, search.re_estimated)};
   for (const FittedHypothesis* fitted : search.withEffects()) {
     evidence.hypotheses.push_back(evidenceOf(search.candidates, *fitted));

@@ -23,6 +23,7 @@ struct FittedHypothesis {
 struct Search {
   fit::Excitation excitation;
   std::vector<fit::Candidate> candidates;
+  bool guess = false;           ///< the data sheet is a guess
   double configured_gap = 0.0;  ///< as configured, without any fit
   /// Parameters as configured. Where they are not worth a change, those re-estimated are within the noise of them:
   /// their held-out blocks stand for these.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/judge/answer.h"
@@ -27,7 +28,7 @@ struct PreparedCase {
         training(*records),
         held_out(std::move(hold_out)),
         model(component, fit::Level::specification),
-        fitter(records, model),
+        fitter(records, model, errorScale().oneOfSheet()),
         zeros(std::move(priors)) {
     fitter.setZeros(zeros.training);
   }

@@ -17,7 +17,7 @@ struct HypothesisEvidence {
   bool free_trends = false;        ///< a slow trend per log is free, too
   bool free_gains = false;         ///< a gain per log is free, too
   bool keeps_values = false;       ///< model parameters are as configured: its member does what other ones would
-  double penalty = 0.0;            ///< regularisation penalty of changed model parameters, as a gap
+  double chi_squared = 0.0;        ///< of the numbers of the data sheet, each over its tolerance
   std::vector<double> log_errors;  ///< error on each log, on blocks that took no part in the fit
   /// Of each member the size of the force that it adds to each log.
   std::vector<std::vector<double>> sizes;
@@ -47,6 +47,7 @@ struct Evidence {
   std::vector<LogEvidence> logs;     ///< those of the fit, then unseen ones
   std::vector<std::string> effects;  ///< names, by the numbers that members are
   std::vector<bool> on_rig;          ///< of each effect: it belongs to the rig, not to the rubber
+  bool guess = false;                ///< the data sheet is a guess, so that the model as configured is no answer
 
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
 };

@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/7";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/8";
 
 ordered_json logJson(const LogEvidence& log) {
   return {{"floor", log.floor},   {"floor_uncertainty", log.floor_uncertainty},
@@ -20,7 +20,7 @@ ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
   return {{"members", hypothesis.members},       {"terms", hypothesis.terms},
           {"beyond", hypothesis.beyond},         {"free_trends", hypothesis.free_trends},
           {"free_gains", hypothesis.free_gains}, {"keeps_values", hypothesis.keeps_values},
-          {"penalty", hypothesis.penalty},       {"log_errors", hypothesis.log_errors},
+          {"chi_squared", hypothesis.chi_squared}, {"log_errors", hypothesis.log_errors},
           {"sizes", hypothesis.sizes},           {"shares", hypothesis.shares}};
 }
 
@@ -38,6 +38,7 @@ std::string toJson(const Evidence& evidence) {
   const ordered_json value = {{"schema", kEvidenceSchema},
                               {"effects", evidence.effects},
                               {"on_rig", evidence.on_rig},
+                              {"guess", evidence.guess},
                               {"logs", logs},
                               {"hypotheses", hypotheses}};
   return value.dump() + "\n";

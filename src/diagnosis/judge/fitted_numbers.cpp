@@ -15,7 +15,9 @@ const JudgeNumbers& fittedNumbers() {
     fitted.accepted = 0.008119;
     fitted.floor_known = 0.5626;
     fitted.tails = 3.79;
-    fitted.moved_values = 0.8006;
+    fitted.sheet_scale = 1.0;
+    fitted.sheet_tails = 4.0;
+    fitted.values_spread = 0.6295;
     fitted.no_effect = 0.559;
     fitted.rest = -3.099;
     fitted.effect = -4.52;
@@ -23,8 +25,8 @@ const JudgeNumbers& fittedNumbers() {
     fitted.third = -0.3519;
     fitted.per_trend = 0.566;
     fitted.per_gain = 0.6392;
-    fitted.least_size = 0.05876;
-    fitted.size_spread = 0.6295;
+    fitted.share = 0.5;
+    fitted.share_spread = 0.6295;
     fitted.rates["asymmetric_stiffness"] = -0.94;
     fitted.rates["backlash"] = -0.469;
     fitted.rates["bump_stop"] = -0.536;

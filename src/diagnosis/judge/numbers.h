@@ -16,7 +16,9 @@ struct JudgeNumbers {
   double accepted = 0.008;
   double floor_known = 0.5;
   double tails = 4.0;
-  double moved_values = 1.0;
+  double sheet_scale = 1.0;
+  double sheet_tails = 4.0;
+  double values_spread = 0.7;
   double no_effect = 1.5;
   double common_gain = -1.0;
   double rest = -2.0;
@@ -26,8 +28,8 @@ struct JudgeNumbers {
   double per_number_beyond = 0.2;
   double per_trend = 0.4;
   double per_gain = 0.4;
-  double least_size = 0.03;
-  double size_spread = 0.7;
+  double share = 0.5;
+  double share_spread = 0.7;
   std::map<std::string, double> rates = {};  ///< by effect, over the rate of a usual one
 
   /// 0 for effects that no case told anything of.

@@ -69,7 +69,7 @@ void fillInBands(const HypothesisEvidence& hypothesis, Index row, ScoreTable& ta
 
 void fillErrors(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
   table.left.row(row) = (arrayOf(hypothesis.log_errors) - table.floor).max(0.0);
-  table.moved[row] = hypothesis.penalty * hypothesis.penalty;
+  table.departure[row] = hypothesis.chi_squared;
   if (!hypothesis.members.empty() && hypothesis.terms == 0) {  // the logs lack what it needs
     table.left.row(row) = std::numeric_limits<double>::infinity();
   }
@@ -95,6 +95,12 @@ void fillSizeOfWrongValues(Index row, ScoreTable& table) {
   table.sizes[static_cast<std::size_t>(row)] = {0.5 * std::log(std::max((removed * table.weight).sum(), kLeastSquare))};
 }
 
+// Values that leave more than those configured are no better.
+double leftByValues(const ScoreTable& table) {
+  const ArrayXd left = (table.left.topRows<Evidence::kFirstSingle>().matrix() * table.weight.matrix()).array();
+  return table.guess ? left[Evidence::kReEstimated] : left.minCoeff();
+}
+
 // Of a set: its effects, and what it frees.
 double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const std::vector<int>& members = table.members[hypothesis];
@@ -107,27 +113,27 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
          numbers.per_gain * table.gains[row];
 }
 
-// An effect has a size, and so have wrong values: what is smaller than the least size is seldom one.
-double priorOfSizes(const std::vector<double>& sizes, double least, const JudgeNumbers& numbers) {
+// An effect has a size, and so have wrong values: what is smaller than usual is seldom one.
+double priorOfSizes(const std::vector<double>& sizes, double usual, double spread) {
   double prior = 0.0;
   for (const double size : sizes) {
-    const double below = std::min(size - std::log(least), 0.0) / numbers.size_spread;
+    const double below = std::min(size - std::log(usual), 0.0) / spread;
     prior -= 0.5 * below * below;
   }
   return prior;
 }
 
-// Values that are far from those of the component file are improbable, whatever they leave.
+// Values that are far from those of the data sheet are improbable, whatever they leave: Student's t.
 double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
-  const double moved = table.moved[static_cast<Index>(hypothesis)];
-  return -numbers.moved_values * std::log1p(moved / (numbers.accepted * numbers.accepted));
+  const double chi_squared = table.departure[static_cast<Index>(hypothesis)] / std::pow(numbers.sheet_scale, 2);
+  return -0.5 * (numbers.sheet_tails + 1.0) * std::log1p(chi_squared / numbers.sheet_tails);
 }
 
 // One gain on all logs does what values do that are wrong by one factor.
 double priorOfReading(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const auto effect = static_cast<std::size_t>(table.members[hypothesis].front());
   return numbers.no_effect + numbers.common_gain + numbers.rateOf(table.effects[effect]) +
-         priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers);
+         priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers.values_spread);
 }
 
 double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
@@ -138,11 +144,14 @@ double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t
     case Evidence::kAsConfigured:
       return numbers.no_effect;
     case Evidence::kReEstimated:
-      // Even odds before the look; wrong values are wrong by more than an engineer accepts.
-      return numbers.no_effect + priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers);
+      // Even odds before the look; wrong values are wrong by more than an engineer accepts. Those of a guess need not.
+      return numbers.no_effect +
+             (table.guess ? 0.0 : priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers.values_spread));
     default:
       return priorOfSet(table, numbers, hypothesis) +
-             priorOfSizes(table.sizes[hypothesis], numbers.least_size, numbers);
+             priorOfSizes(table.sizes[hypothesis],
+                          numbers.share * std::sqrt(table.by_values + numbers.accepted * numbers.accepted),
+                          numbers.share_spread);
   }
 }
 
@@ -168,12 +177,13 @@ ScoreTable scoreTable(const Evidence& evidence) {
   requireLogs(evidence);
   ScoreTable table;
   table.effects = evidence.effects;
+  table.guess = evidence.guess;
   fillLogs(evidence, table);
   fillBands(evidence, table);
   const auto rows = static_cast<Index>(evidence.hypotheses.size());
   table.left = table.added = table.added_rig = ArrayXXd::Zero(rows, table.weight.size());
   table.in_bands = ArrayXXd::Zero(rows, static_cast<Index>(table.bands.size()));
-  table.moved = table.beyond = table.trends = table.gains = ArrayXd::Zero(rows);
+  table.departure = table.beyond = table.trends = table.gains = ArrayXd::Zero(rows);
   for (Index row = 0; row < rows; ++row) {
     const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
     table.members.push_back(hypothesis.members);
@@ -183,6 +193,7 @@ ScoreTable scoreTable(const Evidence& evidence) {
     fillMembers(evidence, hypothesis, row, table);
   }
   fillSizeOfWrongValues(Evidence::kReEstimated, table);
+  table.by_values = leftByValues(table);
   for (Index row = 0; row < rows; ++row) {
     if (table.another_reading[static_cast<std::size_t>(row)]) {
       fillSizeOfWrongValues(row, table);
@@ -236,6 +247,11 @@ LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
   }
   weights.beside[Evidence::kReEstimated] -= priorOf(table, numbers, Evidence::kReEstimated);
   weights.beside[Evidence::kAsConfigured] = -std::numeric_limits<double>::infinity();
+  for (std::size_t h = 0; table.guess && h < table.members.size(); ++h) {  // no guess is right as configured
+    if (h == Evidence::kAsConfigured || table.another_reading[h]) {
+      weights.alone[static_cast<Index>(h)] = -std::numeric_limits<double>::infinity();
+    }
+  }
   refuseInfinite(weights.alone);
   refuseInfinite(weights.beside);
   return weights;

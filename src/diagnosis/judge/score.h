@@ -26,13 +26,15 @@ struct ScoreTable {
   Eigen::ArrayXXd added;      ///< squares of the forces of the members that belong to the rubber
   Eigen::ArrayXXd added_rig;  ///< of those that belong to the rig
   Eigen::ArrayXXd in_bands;   ///< squares beyond the noise floor by band of a log, each over what the band counts
-  Eigen::ArrayXd moved;       ///< square of the penalty of moved model parameters
+  Eigen::ArrayXd departure;   ///< chi^2 of the numbers of the data sheet
   Eigen::ArrayXd beyond;      ///< numbers beyond the laws that the members contain
   Eigen::ArrayXd trends;      ///< of logs, that are free
   Eigen::ArrayXd gains;       ///< likewise
   std::vector<bool> another_reading;  ///< of wrong values, by an effect beside those as configured
-  std::vector<std::vector<double>>
-      sizes;  ///< logarithm of the size of each member over all logs; of wrong values, that of what they remove
+  /// Logarithm of the size of each member over all logs; of wrong values, of what they remove.
+  std::vector<std::vector<double>> sizes;
+  double by_values = 0.0;   ///< square that is left beyond the floor without effects, by the better values
+  bool guess = false;       ///< the model as configured is no answer
   Eigen::ArrayXd floor;     ///< of each log, squared; no more than a hypothesis leaves of it
   Eigen::ArrayXd weight;    ///< of each log; they add up to 1
   std::vector<Band> bands;  ///< the columns of `in_bands`
@@ -69,8 +71,8 @@ struct LogWeights {
 /// -kappa/2 sum over logs of w (ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2))), and beside a rest of free size and spectrum
 /// -kappa/2 sum over logs and bands of w p (ln max(r^2 q/p, s^2) + 1), p being what a band counts of
 /// its log and q its share of what is left there (Whittle's likelihood of a rest whose spectrum is not known); each
-/// with the prior of the set, of the sizes of its members, of the numbers that it frees and of how far it moves the
-/// values of the model.
+/// with the prior of the set, of the shares that its members have in what is left without them, of the numbers that it
+/// frees and of how far its values are from the data sheet.
 LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers);
 
 }  // namespace rubber_suspension::diagnosis::judge

@@ -274,9 +274,8 @@ ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigToleranc
   const auto configured = model.apply(Eigen::VectorXd::Zero(model.size())).allElements();
   setNuisances(configured, gap::simulate(configured, training), tolerances, {},
                oneDeviations(scale, std::vector<double>(logs, 0.0), logs), training);
-  const fit::Fitter fitter(training, model);
-  const fit::Hypothesis alone;
-  const fit::ParameterVector parameters = fitter.fit(alone, fitter.configured(alone), {kIterations}).parameters;
+  const fit::ParameterVector parameters =
+      fit::Fitter(training, model, scale.oneOfSheet()).fitAlone({kIterations}).parameters;
   const auto elements = model.apply(parameters.model).allElements();
   const Noise noise = noiseOf(elements, training, held_out);
   const Limits limits = scatter == RigScatter::as_found ? limitsBy(elements, tolerances, training, held_out) : Limits();

@@ -17,6 +17,9 @@ struct ErrorScale {
   /// Error in one of `logs` logs that one standard deviation of anything that the rig does counts as, in units of the
   /// force's standard deviation: the judgement takes it for as improbable as any number at its deviation.
   double oneDeviation(double floor, std::size_t logs) const;
+
+  /// The same of a departure from a data sheet by one standard deviation, over all logs: whatever their noise is.
+  double oneOfSheet() const { return oneDeviation(0.0, 1); }
 };
 
 /// All logs come from one rig. What a model lacks in some of them must not pass for noise there, so a log's noise is

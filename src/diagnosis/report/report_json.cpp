@@ -110,7 +110,7 @@ ordered_json hypothesesJson(const hypotheses::Search& search) {
                       {"held_out", fitted.fit.held_out},
                       {"in_sample", fitted.fit.gap},
                       {"own_moved_by", std::exp(fitted.fit.parameters.largestChange())},
-                      {"departure", fitted.fit.penalty}});
+                      {"chi_squared", fitted.fit.chi_squared}});
   };
   add(search.re_estimated);
   for (const hypotheses::FittedHypothesis* fitted : search.withEffects()) {
@@ -125,6 +125,18 @@ ordered_json ratiosJson(const ParameterRatios& ratios) {
     result[name] = ratio;
   }
   return result;
+}
+
+ordered_json sharesJson(const std::vector<GapShare>& shares) {
+  ordered_json result = ordered_json::object();
+  for (const GapShare& share : shares) {
+    result[share.by] = share.share;
+  }
+  return result;
+}
+
+ordered_json deviationJson(const SheetDeviation& number) {
+  return {{"name", number.name}, {"tolerances", number.tolerances}};
 }
 
 ordered_json alternativeJson(const Alternative& other) {
@@ -187,6 +199,7 @@ std::string toJson(const Diagnosis& diagnosis) {
                           {{"as_configured", diagnosis.gap_as_recorded.as_configured},
                            {"re_estimated", diagnosis.gap_as_recorded.re_estimated},
                            {"augmented", diagnosis.gap_as_recorded.augmented}}},
+                         {"share_of_configured_gap", sharesJson(diagnosis.shares)},
                          {"rig_findings", each(diagnosis.rig_findings, findingJson)},
                          {"taken_out", each(diagnosis.taken_out, takenOutJson)},
                          {"closed", {{"fraction", diagnosis.closed}, {"interval_95", diagnosis.closed_interval}}},
@@ -209,7 +222,11 @@ std::string toJson(const Diagnosis& diagnosis) {
                          {"errors",
                           {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
                            {"augmented", errorsJson(diagnosis.errors_augmented)}}},
-                         {"own_parameters", {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}}},
+                         {"own_parameters",
+                          {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)},
+                           {"guess", diagnosis.guess},
+                           {"sheet_deviations", each(diagnosis.sheet_deviations, deviationJson)},
+                           {"at_bounds", diagnosis.at_bounds}}},
                          {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
                          {"admission", each(diagnosis.admission, admissionJson)}};
   if (diagnosis.turns) {

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
+#include <boost/math/special_functions/factorials.hpp>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -50,6 +54,13 @@ CandidateResult candidateResult(const Workings& workings, const DiagnosisOptions
   return result;
 }
 
+// Of all orders of so many parts, the share in which a certain one comes after these, and no other.
+double ordersWith(std::size_t before, std::size_t parts) {
+  return boost::math::factorial<double>(static_cast<unsigned>(before)) *
+         boost::math::factorial<double>(static_cast<unsigned>(parts - before - 1)) /
+         boost::math::factorial<double>(static_cast<unsigned>(parts));
+}
+
 }  // namespace
 
 void addAnswer(const judge::Answer& answer, const judge::Evidence& evidence, Diagnosis& diagnosis) {
@@ -91,10 +102,61 @@ void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alon
   });
 }
 
-std::array<io::ComponentDescription, 2> valuesAndEffects(const Diagnosis& diagnosis) {
-  std::array parts = {diagnosis.augmented, diagnosis.configured};
-  std::swap(parts[0].add, parts[1].add);
-  return parts;
+void addShares(const GapWith& gap_with, int threads, Diagnosis& diagnosis) {
+  const std::size_t parts = 1 + diagnosis.effects.size();
+  const std::size_t all = (std::size_t{1} << parts) - 1;
+  std::vector<double> gaps(all + 1);  // by the parts that are in, a bit each
+  fit::parallelFor(gaps.size(), threads, [&](std::size_t in) {
+    std::vector<bool> which;
+    for (std::size_t part = 0; part < parts; ++part) {
+      which.push_back((in >> part & 1U) != 0);
+    }
+    gaps[in] = in == 0 ? diagnosis.gap.as_configured : in == all ? diagnosis.gap.augmented : gap_with(which);
+  });
+  diagnosis.gap_of_values = gaps[1];
+  diagnosis.shares.clear();
+  for (std::size_t part = 0; part < parts; ++part) {
+    double removed = 0.0;
+    for (std::size_t in = 0; in <= all; ++in) {
+      if ((in >> part & 1U) == 0) {
+        removed += ordersWith(std::bitset<32>(in).count(), parts) * (gaps[in] - gaps[in | std::size_t{1} << part]);
+      }
+    }
+    diagnosis.shares.push_back({part == 0 ? "values" : diagnosis.effects[part - 1],
+                                removed / std::max(diagnosis.gap.as_configured, std::numeric_limits<double>::min())});
+  }
+}
+
+io::ComponentDescription withSome(const Diagnosis& diagnosis, const std::vector<bool>& in) {
+  io::ComponentDescription result = in[0] ? diagnosis.augmented : diagnosis.configured;
+  const auto& all = diagnosis.augmented.add;
+  const auto configured = static_cast<std::ptrdiff_t>(all.size() - diagnosis.added_for.size());
+  result.add.assign((in[0] ? all : diagnosis.configured.add).begin(),
+                    (in[0] ? all : diagnosis.configured.add).begin() + configured);
+  for (std::size_t i = 0; i < diagnosis.added_for.size(); ++i) {
+    const auto effect = std::find(diagnosis.effects.begin(), diagnosis.effects.end(), diagnosis.added_for[i]);
+    if (effect != diagnosis.effects.end() && in[1 + static_cast<std::size_t>(effect - diagnosis.effects.begin())]) {
+      result.add.push_back(all[static_cast<std::size_t>(configured) + i]);
+    }
+  }
+  return result;
+}
+
+void addDepartures(const fit::ModelParameters& model, const Eigen::VectorXd& judged, Diagnosis& diagnosis) {
+  constexpr double kAtBound = 1e-6;
+  const Eigen::VectorXd departures = model.departures(judged);
+  for (std::size_t i = 0; i < model.known().size(); ++i) {
+    if (model.known()[i].of_sheet) {
+      diagnosis.sheet_deviations.push_back({model.known()[i].name, departures[static_cast<Eigen::Index>(i)]});
+    }
+  }
+  std::stable_sort(diagnosis.sheet_deviations.begin(), diagnosis.sheet_deviations.end(),
+                   [](const auto& a, const auto& b) { return std::abs(a.tolerances) > std::abs(b.tolerances); });
+  for (Eigen::Index i = 0; i < model.size(); ++i) {
+    if (model.bounds()[i] - std::abs(judged[i]) < kAtBound) {
+      diagnosis.at_bounds.push_back(model.names()[static_cast<std::size_t>(i)]);
+    }
+  }
 }
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -1,7 +1,7 @@
 // An answer as a diagnosis tells it, be it of logs or of a table: with the names of effects, and with what they close.
 #pragma once
 
-#include <array>
+#include <functional>
 #include <vector>
 
 #include "diagnosis/hypotheses/workings.h"
@@ -20,7 +20,17 @@ void addAnswer(const judge::Answer& answer, const judge::Evidence& evidence, Dia
 void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alone, const Workings& workings,
             const DiagnosisOptions& options, Diagnosis& diagnosis);
 
-/// The component with the values of the augmented one, without its effects; and as configured, with these.
-std::array<io::ComponentDescription, 2> valuesAndEffects(const Diagnosis& diagnosis);
+/// The gap with some of what an answer changes: first whether its values are in, then each of its effects.
+using GapWith = std::function<double(const std::vector<bool>& in)>;
+
+/// Sets what values and each effect remove of the gap as configured, and the gap of the values alone; verdict, effects
+/// and gap are known.
+void addShares(const GapWith& gap_with, int threads, Diagnosis& diagnosis);
+
+/// The component with some of what the augmented one changes.
+io::ComponentDescription withSome(const Diagnosis& diagnosis, const std::vector<bool>& in);
+
+/// Sets how far a judged model is from the data sheet, and which of its parameters are at a bound.
+void addDepartures(const fit::ModelParameters& model, const Eigen::VectorXd& judged, Diagnosis& diagnosis);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -54,7 +54,6 @@ class Describer {
     written_ = addWrittenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_), options_, result_);
     simulateAll();
     measureGap();
-    measureParts();
     mapGap();
     describeRig();
     describeLogs();
@@ -136,19 +135,19 @@ class Describer {
     addGap(gap, errorsAlone(), *workings_, options_, result_);
   }
 
-  // The gap with the model's own values alone, and with the effects alone. In sample where there are no unseen logs, as
-  // both are.
-  void measureParts() {
-    const auto parts = valuesAndEffects(result_);
-    const std::array<double*, 2> gaps = {&result_.gap_of_values, &result_.gap_of_effects};
-    fit::parallelFor(parts.size(), options_.threads, [&](std::size_t i) {
-      const auto elements = parts[i].allElements();
-      const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
-      const auto smoothed = [](const log::Record& record) { return record.displacement; };
-      *gaps[i] =
-          gap::gapOfParts(gap::partErrors(records, hasUnseenLogs() ? gap::simulateEach(elements, records, smoothed)
-                                                                   : gap::simulate(elements, records)));
-    });
+  // With some of the values and effects. In sample where there are no unseen logs.
+  double gapWith(const std::vector<bool>& in) const {
+    const auto elements = withSome(result_, in).allElements();
+    const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
+    const auto smoothed = [](const log::Record& record) { return record.displacement; };
+    fit::Hypothesis freed;  // what the effects that are in have free in each log
+    for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
+      const fit::FreeInLog free = search_.candidates[static_cast<std::size_t>(answer_.effects[e])].free_in_log;
+      freed.free_in_log = in[1 + e] ? freed.free_in_log | free : freed.free_in_log;
+    }
+    return gap::gapOfParts(hypotheses::partErrorsOf(
+        freed, records,
+        hasUnseenLogs() ? gap::simulateEach(elements, records, smoothed) : gap::simulate(elements, records)));
   }
 
   // Gaps of the whole logs with all that the rig did to them.
@@ -234,11 +233,14 @@ class Describer {
 
   void describeParameters() {
     result_.parameter_ratios = prepared_.model.ratios(search_.re_estimated.fit.parameters.model);
+    result_.guess = search_.guess;
+    addDepartures(prepared_.model, judged_.fit.parameters.model, result_);
     result_.whole = wholeStiffness(prepared_.component, result_.augmented, prepared_.training);
   }
 
   void describeAnswer() {
     addAnswer(answer_, workings_->evidence, result_);
+    addShares([&](const std::vector<bool>& in) { return gapWith(in); }, options_.threads, result_);
     experiment::NextExperiment next =
         experiment::nextExperiment(prepared_.fitter, *workings_, options_.limits, options_.threads);
     result_.next_experiment = std::move(next.text);

@@ -179,12 +179,10 @@ std::vector<fit::ForceColumn> LawForces::columns(const fit::ParameterVector& par
 }
 
 LawFitter::LawFitter(const fit::Fitter& fitter, const Law& law, int threads)
-    : HypothesisFitter(fitter.model()),
+    : HypothesisFitter(fitter.model(), fitter.oneDeviation()),
       fitter_(fitter),
       forces_(fitter.sharedRecords(), fitter.model(), law),
-      threads_(threads) {
-  setNoise(fitter.noise());
-}
+      threads_(threads) {}
 
 gap::Forces predict(const fit::ModelParameters& model, const FittedLaw& fitted,
                     const std::vector<log::Record>& records) {

@@ -82,6 +82,17 @@ io::ComponentDescription componentOf(const hypotheses::PreparedCase& prepared, c
   return result;
 }
 
+// Of the entries of a law, one after the other, the effects.
+std::vector<std::string> ownersOf(const FittedLaw& fitted, const std::vector<fit::Candidate>& candidates) {
+  std::vector<std::string> owners;
+  const std::vector<Entries> of_members = fitted.law.at(fitted.fit.parameters.scales);
+  for (std::size_t m = 0; m < of_members.size(); ++m) {
+    const auto candidate = static_cast<std::size_t>(fitted.law.members[m].member);
+    owners.insert(owners.end(), of_members[m].size(), candidates[candidate].effect);
+  }
+  return owners;
+}
+
 }  // namespace
 
 WrittenLaw addWrittenLaw(const hypotheses::PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
@@ -99,6 +110,7 @@ WrittenLaw addWrittenLaw(const hypotheses::PreparedCase& prepared, const std::ve
   addLaw(simple);
   std::for_each(chosen.others.begin(), chosen.others.end(), addLaw);
   addSizes(laws, chosen.form_error, candidates, options, diagnosis);
+  diagnosis.added_for = ownersOf(simple, candidates);
   diagnosis.augmented_full = componentOf(prepared, full);
   const io::ComponentDescription exact = componentOf(prepared, simple);
   const Rounding rounding = roundTo(exact, prepared.training, diagnosis);

@@ -12,6 +12,7 @@
 #include "diagnosis/experiment/explanation.h"
 #include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/hypotheses/fitted_component.h"
+#include "diagnosis/hypotheses/log_table.h"
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/sizes.h"
@@ -192,6 +193,22 @@ class TableDescriber {
     return fit::gapOfTable(table_.points, stiffnessOf(description));
   }
 
+  // With some of the values and effects.
+  double gapWith(const std::vector<bool>& in) const {
+    hypotheses::FittedHypothesis some = judged_;
+    if (!in[0]) {
+      some.fit.parameters.model.setZero();
+    }
+    for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
+      const std::vector<int>& members = judged_.hypothesis.members;
+      const auto member = std::find(members.begin(), members.end(), answer_.effects[e]) - members.begin();
+      if (!in[1 + e]) {
+        some.fit.parameters = hypotheses::withoutMember(some, static_cast<std::size_t>(member));
+      }
+    }
+    return gapOf(hypotheses::augmentedDescription(measured_.model(), some));
+  }
+
   void describeRows() {
     DiagnosedTable table;
     table.name = table_.name;
@@ -223,9 +240,6 @@ class TableDescriber {
     result_.noise_source = search_.noise_source;
     result_.gap_of_full_law = gap.augmented;
     results::addGap(gap, alone, *workings_, options_, result_);
-    const auto [values, effects] = results::valuesAndEffects(result_);
-    result_.gap_of_values = gapOf(values);
-    result_.gap_of_effects = gapOf(effects);
   }
 
   // Where the configured model is wrong: two cells for each row.
@@ -253,11 +267,14 @@ class TableDescriber {
 
   void describeParameters() {
     result_.parameter_ratios = measured_.model().ratios(search_.re_estimated.fit.parameters.model);
+    result_.guess = search_.guess;
+    results::addDepartures(measured_.model(), judged_.fit.parameters.model, result_);
     results::addSizes({{measured_.fitter(), results::fullLaw(judged_)}}, {}, search_.candidates, options_, result_);
   }
 
   void describeAnswer() {
     results::addAnswer(answer_, workings_->evidence, result_);
+    results::addShares([&](const std::vector<bool>& in) { return gapWith(in); }, options_.threads, result_);
     result_.next_experiment = nextRow(measured_, *workings_);
     result_.sentence = words::sentence(result_);
     result_.could_show = experiment::couldShow(search_);

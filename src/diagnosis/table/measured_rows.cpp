@@ -5,6 +5,7 @@
 
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/hypotheses/measured_logs.h"
+#include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/shapes.h"
 
 namespace rubber_suspension::diagnosis::table {
@@ -22,7 +23,7 @@ MeasuredRows::MeasuredRows(const io::ComponentDescription& component, const std:
     : scatter_(std::move(scatter)),
       loops_(std::make_shared<const fit::TableLoops>(points)),
       model_(component, fit::Level::specification),
-      fitter_(loops_, model_, scatter_.level) {}
+      fitter_(loops_, model_, hypotheses::errorScale().oneOfSheet()) {}
 
 fit::Excitation MeasuredRows::excitation() const { return fit::summarise(*loops_->records()); }
 

@@ -15,6 +15,7 @@
 #include "diagnosis/judge/evidence.h"
 #include "diagnosis/refused.h"
 #include "diagnosis/table/describe_table.h"
+#include "estimation/models.h"
 #include "fit/parallel.h"
 #include "measurement/statistics.h"
 #include "rubber_suspension/component/component.h"
@@ -120,7 +121,8 @@ std::optional<measurement::RigFinding> benchFinding(const io::ComponentDescripti
   std::transform(table.points.begin(), table.points.end(), std::back_inserter(of_table),
                  [](const fit::TablePoint& point) { return point.stiffness; });
   return measurement::checkStiffness(table.name, of_table,
-                                     magnitudesOf(measured.loops().stiffnessOf(component.allElements())));
+                                     magnitudesOf(measured.loops().stiffnessOf(component.allElements())),
+                                     estimation::largestTolerance(component.specification()));
 }
 
 }  // namespace

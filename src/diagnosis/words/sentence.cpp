@@ -87,15 +87,66 @@ std::string ownValuesText(const Diagnosis& diagnosis) {
   return value == nullptr ? "The model's parameters are off" : offText(*value);
 }
 
-// The largest fact first: the model's own values, where these alone close most of the squared gap that is closed and
-// more than the effects alone do; else the effects alone. Otherwise values only make room for the effects.
+// Of the gap as configured: the first is that of the values.
+double shareOfValues(const Diagnosis& diagnosis) {
+  return diagnosis.shares.empty() ? 0.0 : diagnosis.shares.front().share;
+}
+
+// "of the gap as configured, friction removes 84 % and other values remove 6 %".
+std::string sharesText(const Diagnosis& diagnosis) {
+  std::vector<std::string> texts;
+  for (auto part = diagnosis.shares.rbegin(); part != diagnosis.shares.rend(); ++part) {
+    const bool values = part->by == "values";
+    texts.push_back(fmt::format("{} {}{} {} %", values ? "other values" : part->by,
+                                part->share < 0.0 ? "add" : "remove", values ? "" : "s",
+                                wholePercent(std::abs(part->share))));
+  }
+  return "of the gap as configured, " + enumerated(texts);
+}
+
+// The largest fact first: the model's own values, where these remove more of the gap than all effects; else the
+// effects. Both with their shares.
 std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects) {
-  const auto closes = [&](double gap) { return std::pow(diagnosis.gap.as_configured, 2) - std::pow(gap, 2); };
   const SizedValue* const value = headlineValue(diagnosis);
-  const bool values_first = value != nullptr &&
-                            closes(diagnosis.gap_of_values) > 0.5 * closes(diagnosis.gap.augmented) &&
-                            closes(diagnosis.gap_of_values) > closes(diagnosis.gap_of_effects);
-  return values_first ? offText(*value) + ". Besides, " + effects : capitalised(effects);
+  double by_effects = 0.0;
+  for (const GapShare& part : diagnosis.shares) {
+    by_effects += part.by == "values" ? 0.0 : part.share;
+  }
+  const bool values_first = value != nullptr && shareOfValues(diagnosis) > by_effects;
+  return (values_first ? offText(*value) + "; besides, " + effects : capitalised(effects)) + ": " +
+         sharesText(diagnosis);
+}
+
+// "In tolerances of the data sheet: K_st -1.2, K_n +2.3.", the numbers that are off by half a tolerance or more.
+std::string deviationsText(const Diagnosis& diagnosis) {
+  constexpr double kWorthSaying = 0.5;
+  std::vector<std::string> texts;
+  for (const SheetDeviation& number : diagnosis.sheet_deviations) {
+    if (std::abs(number.tolerances) >= kWorthSaying) {
+      texts.push_back(fmt::format("{} {:+.1f}", symbolOf(number.name), number.tolerances));
+    }
+  }
+  return texts.empty() || diagnosis.guess
+             ? ""
+             : fmt::format(" In tolerances of the data sheet: {}.", fmt::join(texts, ", "));
+}
+
+// What a fit would have moved on, and what a guess has become.
+std::string identifiedText(const Diagnosis& diagnosis) {
+  std::string text;
+  if (diagnosis.guess) {
+    std::vector<std::string> values;
+    for (const SizedValue& size : diagnosis.model_sizes) {
+      if (size.owner == "specification" && estimation::isOfSheet(size.name)) {
+        values.push_back(symbolOf(size.name) + " " + quantity(size.value, size.unit));
+      }
+    }
+    text += fmt::format(" Values identified: {}.", fmt::join(values, ", "));
+  }
+  for (const std::string& name : diagnosis.at_bounds) {
+    text += fmt::format(" {} is at a bound of the fit: these logs do not tell it.", capitalised(spoken(name)));
+  }
+  return text;
 }
 
 // The gain of the force channel, where that is named: values of the model may be off by as much.
@@ -159,26 +210,28 @@ std::string sentence(const Diagnosis& diagnosis) {
       " Adding {} removes {} % of the error that other parameter values cannot remove: gap {} to {}, noise {}.{}",
       diagnosis.effects.size() == 1 ? "it" : "them", wholePercent(diagnosis.closed), closed.before, closed.after,
       closed.noise, priceText(diagnosis));
+  const std::string values = deviationsText(diagnosis) + identifiedText(diagnosis);
   switch (diagnosis.verdict) {
     case Verdict::none:
       return agreement(gap);
     case Verdict::parameter_error:
-      return fmt::format("{}. Other parameter values reduce the gap from {} to {} (noise {}).{}",
-                         ownValuesText(diagnosis), moved.before, moved.after, moved.noise,
+      return fmt::format("{}: other values remove {} % of the gap as configured, from {} to {} (noise {}).{}{}",
+                         diagnosis.guess ? "The data sheet is a guess" : ownValuesText(diagnosis),
+                         wholePercent(shareOfValues(diagnosis)), moved.before, moved.after, moved.noise, values,
                          withinGain(diagnosis) + otherwise(diagnosis));
     case Verdict::named:
-      return withOwnValues(diagnosis, lacks) + "." + closes + gainText(diagnosis);
+      return withOwnValues(diagnosis, lacks) + "." + closes + values + gainText(diagnosis);
     case Verdict::confounded:
       return withOwnValues(diagnosis, "most probably " + lacks) + "." + closes + " " +
-             capitalised(sourceOf(diagnosis)) + " cannot tell apart: " + setsText(diagnosis.confounded) + "." +
+             capitalised(sourceOf(diagnosis)) + " cannot tell apart: " + setsText(diagnosis.confounded) + "." + values +
              gainText(diagnosis);
     case Verdict::partly:
-      return withOwnValues(diagnosis, lacks + ", and something else") + "." + closes +
+      return withOwnValues(diagnosis, lacks + ", and something else") + "." + closes + values +
              " No effect of the list explains the rest.";
     default:
       return fmt::format(
-          "No effect of the list explains the gap of {}{} (noise {}). Do not trust the model where that gap lies.",
-          percent(gap.re_estimated), ofUnseenLogs(diagnosis), percent(gap.noise_floor));
+          "No effect of the list explains the gap of {}{} (noise {}).{} Do not trust the model where that gap lies.",
+          percent(gap.re_estimated), ofUnseenLogs(diagnosis), percent(gap.noise_floor), values);
   }
 }
 

@@ -1,0 +1,98 @@
+// Benches on which nothing is missing: the component is exactly the model, and only its data sheet is wrong.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "diagnosis/checked_diagnosis.h"
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr int kSamples = 10000;
+constexpr double kStep = 0.002;  // [s]
+
+// Stiffnesses as factors of the true ones.
+io::ComponentDescription sheet(double k_st, double k_n, const std::string& tolerance = "10 %") {
+  const std::string text = fmt::format(
+      "components:\n  bush:\n    model: multi_maxwell\n    specification:\n      tolerance: {}\n"
+      "      static_stiffness: {:.4f} kN/mm\n      dynamic_stiffness: {:.4f} kN/mm\n      nominal_frequency: 5\n"
+      "      maximum_stiffness: 1.4028 kN/mm\n      high_frequency: 24\n",
+      tolerance, 0.9633 * k_st, 1.2859 * k_n);
+  return io::parseComponentFile(text, "sheet").front();
+}
+
+double sines(double t) {
+  const double w = 2.0 * element::kPi * t;
+  return 1.2 * std::sin(0.5 * w) + 0.8 * std::sin(2.1 * w + 1.0) + 0.5 * std::sin(5.3 * w + 2.0) +
+         0.3 * std::sin(11.0 * w + 3.0);
+}
+
+double sweep(double t) { return 0.9 * std::sin(2.0 * element::kPi * 0.2 * (std::pow(90.0, t / 20.0) - 1.0) * 4.4446); }
+
+double hold(double t) { return t < 1.0 ? 2.0 * t : t < 8.0 ? 2.0 : t < 8.5 ? 2.0 - 7.0 * (t - 8.0) : -1.5; }
+
+// The motion [mm] in the true component, with noise of 0.5 % of the force.
+log::Log record(const std::string& name, double (*motion)(double), unsigned seed) {
+  const component::Component component = sheet(1.0, 1.0).makeComponent();
+  component::ComponentState state = component.makeState();
+  log::Log log;
+  log.name = name;
+  for (int i = 0; i < kSamples; ++i) {
+    const double t = kStep * i;
+    const double fade = std::min({1.0, t / 0.5, (kStep * kSamples - t) / 0.5});
+    log.stamp.push_back(i * std::llround(kStep * 1e9));
+    log.displacement.push_back(1e-3 * fade * motion(t));
+    log.force.push_back(i == 0 ? component.initialise(state, log.displacement[0]).total
+                               : component.step(state, kStep, log.displacement.back()).total);
+  }
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal(
+      0.0, 0.005 * gap::standardDeviation(Eigen::Map<const Eigen::VectorXd>(log.force.data(), kSamples)));
+  for (double& force : log.force) {
+    force += normal(generator);
+  }
+  return log;
+}
+
+diagnosis::Diagnosis diagnoseSheet(const io::ComponentDescription& component) {
+  return checkedDiagnosis(component, {record("sines", sines, 1), record("sweep", sweep, 2)}, {record("hold", hold, 3)});
+}
+
+// A ladder that a fit held near its sheet would lack relaxation.
+TEST(WrongSheet, IsNoMissingEffect) {
+  const double true_sheet = diagnoseSheet(sheet(1.0, 1.0)).gap.as_configured;
+  for (const auto& [k_st, k_n] : {std::pair(1.12, 0.90), std::pair(0.93, 1.06)}) {
+    const diagnosis::Diagnosis result = diagnoseSheet(sheet(k_st, k_n));
+    EXPECT_EQ(result.verdict, diagnosis::Verdict::parameter_error) << result.sentence;
+    EXPECT_LT(result.gap.re_estimated, 1.2 * true_sheet);
+    EXPECT_THAT(result.sentence, testing::HasSubstr("In tolerances of the data sheet: K_st")) << result.sentence;
+    ASSERT_FALSE(result.sheet_deviations.empty());
+    for (const diagnosis::SheetDeviation& number : result.sheet_deviations) {
+      const double off = number.name == "static_stiffness"    ? -std::log(k_st)
+                         : number.name == "dynamic_stiffness" ? -std::log(k_n)
+                                                              : 0.0;
+      EXPECT_NEAR(number.tolerances, off / 0.1, 0.3) << number.name;
+    }
+  }
+}
+
+// The same sheet as a guess: values are identified, right or wrong.
+TEST(WrongSheet, OfAGuessIsIdentified) {
+  for (const auto& [k_st, k_n] : {std::pair(1.0, 1.0), std::pair(1.12, 0.90)}) {
+    const diagnosis::Diagnosis result = diagnoseSheet(sheet(k_st, k_n, "guess"));
+    EXPECT_EQ(result.verdict, diagnosis::Verdict::parameter_error) << result.sentence;
+    EXPECT_THAT(result.sentence, testing::HasSubstr("Values identified: K_n 1.2")) << result.sentence;
+  }
+}
+
+}  // namespace
+}  // namespace rubber_suspension
