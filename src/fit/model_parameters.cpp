@@ -85,7 +85,9 @@ void ModelParameters::addRelaxation() {
   const double usual = largestRatio();
   // The static curve, where there is one, is measured: it stays.
   addFree(description_.specification().curve() == nullptr, "static_stiffness", &Relaxation::static_stiffness, usual);
-  addFree(true, "relaxing_stiffness", &Relaxation::relaxing_stiffness, kLargestOfLadder);
+  // A sheet may leave next to nothing of it.
+  addFree(true, "relaxing_stiffness", &Relaxation::relaxing_stiffness,
+          std::max(kLargestOfLadder, kLargestRatio * relaxation.static_stiffness / relaxation.relaxing_stiffness));
   addFree(true, "break_frequency", &Relaxation::break_frequency, usual);
   addFree(band, "alpha", &Relaxation::alpha, kLargestOfLadder);
   addFree(description_.specification().has("low_frequency"), "band_ratio", &Relaxation::band_ratio, usual);
@@ -183,13 +185,21 @@ Eigen::MatrixXd ModelParameters::departureSlopes(const Eigen::VectorXd& logarith
 
 std::vector<Eigen::VectorXd> ModelParameters::starts() const {
   constexpr double kLeaning = 5.0;  // of alpha
+  constexpr double kUsual = 0.3;    // of relaxing over static stiffness
   std::vector<Eigen::VectorXd> starts = {Eigen::VectorXd::Zero(size())};
-  const auto alpha = std::find(names_.begin(), names_.end(), "alpha");
-  if (alpha != names_.end()) {
-    for (const double ratio : {1.0 / kLeaning, kLeaning}) {
+  const auto start = [&](const char* name, double ratio) {
+    const auto place = std::find(names_.begin(), names_.end(), name);
+    if (place != names_.end()) {
       starts.push_back(starts.front());
-      starts.back()[alpha - names_.begin()] = std::log(ratio);
+      starts.back()[place - names_.begin()] = std::log(ratio);
     }
+  };
+  start("alpha", 1.0 / kLeaning);
+  start("alpha", kLeaning);
+  const Relaxation& relaxation = configured_.relaxation;
+  const double usual = kUsual * relaxation.static_stiffness / relaxation.relaxing_stiffness;
+  if (usual > kLargestRatio) {
+    start("relaxing_stiffness", usual);
   }
   return starts;
 }

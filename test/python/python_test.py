@@ -77,6 +77,9 @@ class Components(unittest.TestCase):
         self.assertAlmostEqual(abs(stiffness) / 4.2e6, 1.0, delta=1e-6)  # the input K_n
         self.assertGreater(stiffness.imag, 0.0)
         self.assertIsNone(rs.load(EXAMPLE, "left_secondary").stiffness(4.0))  # friction is not linear
+        for tolerance, text in (("5 %", "tolerance: 0.05"), ("guess", "tolerance: guess"),
+                                ({"static_stiffness": 0.02}, "tolerance: {static_stiffness: 0.02}")):
+            self.assertIn(text, rs.estimate("multi_maxwell", tolerance=tolerance, **FIVE_INPUTS).to_yaml())
 
     def test_is_a_list_of_elements(self):
         component = rs.Component([{"type": "spring", "stiffness": "2 kN/mm"}], name="spring")
@@ -130,7 +133,9 @@ class Errors(unittest.TestCase):
     def test_of_specifications(self):
         for change, message in (({"static_stifness": 1.0}, "did you mean 'static_stiffness'"),
                                 ({"dynamic_stiffness": 2e6}, "is not above static_stiffness"),
-                                ({"loss_angle": 0.1}, "exactly two of")):
+                                ({"loss_angle": 0.1}, "exactly two of"),
+                                ({"tolerance": 2.0}, "tolerance: 2 is out of range"),
+                                ({"tolerance": {"nominal_frequency": 0.1}}, "no number of a data sheet")):
             with self.assertRaisesRegex(ValueError, message):
                 rs.estimate("multi_maxwell", **{**FIVE_INPUTS, **change})
         with self.assertRaisesRegex(ValueError, "accepted: kelvin_voigt"):
