@@ -58,8 +58,8 @@ class ModelParameters {
   /// Their derivatives by the logarithms, a row for each known number.
   Eigen::MatrixXd departureSlopes(const Eigen::VectorXd& logarithms) const;
 
-  /// Where fits may start: as configured and, where a ladder of Maxwell elements may lean to either end of its band,
-  /// so.
+  /// Where fits may start: as configured, with a ladder of Maxwell elements that leans to either end of its band, and,
+  /// where the sheet leaves next to nothing of it, with a usual relaxing stiffness.
   std::vector<Eigen::VectorXd> starts() const;
 
   /// Whether nothing but the order of magnitude is known of any number of the sheet.
