@@ -111,7 +111,7 @@ TEST(ComponentFile, ToleranceOfTheSheetReadsBack) {
 TEST(ComponentFile, RefusesATolerance) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"geuss", "'geuss' is not a tolerance (did you mean 'guess'?); accepted: a share such as 10 %"},
-      {"0", "'0' is out of range; accepted: above 0"},
+      {"0", "'0' is out of range; accepted: a number in (0, 1], or in %"},
       {"-5 %", "out of range"},
       {"150 %", "out of range"},
       {"3 mm", "'3 mm'"},

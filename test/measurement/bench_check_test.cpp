@@ -233,6 +233,12 @@ TEST(BenchCheck, DoubtsNamedUnitsByTheirOwnFactorInAllLogsAlone) {
   for (const double factor : {1000.0, 15.0, 2.0}) {
     EXPECT_TRUE(checkBench(kSpring, logs(factor, log::UnitsAre::accepted)).empty());
   }
+  // What the data sheet may be off by is no fault of a bench; of a guess that is a power of ten.
+  const double guess = estimation::SheetTolerance::kGuess;
+  for (const double factor : {15.0, 4.448, 2.0, 0.5}) {
+    EXPECT_TRUE(checkBench(kSpring, logs(factor, log::UnitsAre::named), guess).empty()) << factor;
+  }
+  EXPECT_EQ(namesOf(checkBench(kSpring, logs(1050.0, log::UnitsAre::named), guess)), unit);
 }
 
 TEST(BenchCheck, NamesWhatWasTakenFromPeakToPeak) {
