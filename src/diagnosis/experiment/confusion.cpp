@@ -183,6 +183,7 @@ class EffectRow {
 judge::Evidence evidenceOf(const Search& search, const Implant& implant, double size) {
   judge::Evidence evidence;
   evidence.logs = {{search.noise, 0.0, 1.0, false, implant.blocks}};
+  evidence.guess = search.guess;
   evidence.hypotheses.push_back(evidenceOf(hypotheses::Leaves{}, search.noise, size));
   evidence.hypotheses.push_back(evidenceOf(implant.model, search.noise, size));
   for (std::size_t c = 0; c < search.candidates.size(); ++c) {

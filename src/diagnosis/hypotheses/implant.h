@@ -13,9 +13,9 @@ class Screening;
 /// The rest of an implanted effect that a hypothesis leaves, about a fitted model taken as linear. Gaps, for an effect
 /// that makes a gap of 1 before any refit; all of it grows in proportion to the effect.
 struct Leaves {
-  double gap = 1.0;      ///< RMS force over the force's standard deviation
-  double chi = 0.0;      ///< root of chi^2 of the model parameters that moved
-  double added = 0.0;    ///< RMS force that the candidate adds, over the force's standard deviation
+  double gap = 1.0;    ///< RMS force over the force's standard deviation
+  double chi = 0.0;    ///< root of chi^2 of the model parameters that moved
+  double added = 0.0;  ///< RMS force that the candidate adds, over the force's standard deviation
   /// Numbers at work beyond the laws that the candidate contains, for an effect of this size (fit::numbersBeyond()).
   std::size_t beyond = 0;
 };

@@ -17,11 +17,16 @@ ordered_json logJson(const LogEvidence& log) {
 }
 
 ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
-  return {{"members", hypothesis.members},       {"terms", hypothesis.terms},
-          {"beyond", hypothesis.beyond},         {"free_trends", hypothesis.free_trends},
-          {"free_gains", hypothesis.free_gains}, {"keeps_values", hypothesis.keeps_values},
-          {"chi_squared", hypothesis.chi_squared}, {"log_errors", hypothesis.log_errors},
-          {"sizes", hypothesis.sizes},           {"shares", hypothesis.shares}};
+  return {{"members", hypothesis.members},
+          {"terms", hypothesis.terms},
+          {"beyond", hypothesis.beyond},
+          {"free_trends", hypothesis.free_trends},
+          {"free_gains", hypothesis.free_gains},
+          {"keeps_values", hypothesis.keeps_values},
+          {"chi_squared", hypothesis.chi_squared},
+          {"log_errors", hypothesis.log_errors},
+          {"sizes", hypothesis.sizes},
+          {"shares", hypothesis.shares}};
 }
 
 }  // namespace
