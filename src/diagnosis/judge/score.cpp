@@ -107,16 +107,6 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
          numbers.per_gain * table.gains[row];
 }
 
-// An effect has a size, and so have wrong values: what is smaller than the least size is seldom one.
-double priorOfSizes(const std::vector<double>& sizes, double least, const JudgeNumbers& numbers) {
-  double prior = 0.0;
-  for (const double size : sizes) {
-    const double below = std::min(size - std::log(least), 0.0) / numbers.size_spread;
-    prior -= 0.5 * below * below;
-  }
-  return prior;
-}
-
 // Values that are far from those of the component file are improbable, whatever they leave.
 double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const double moved = table.moved[static_cast<Index>(hypothesis)];
@@ -205,6 +195,16 @@ double priorOfCount(std::size_t effects, const JudgeNumbers& numbers) {
   double prior = static_cast<double>(effects) * numbers.effect;
   for (std::size_t n = 1; n < effects && n <= further.size(); ++n) {
     prior += further[n - 1];
+  }
+  return prior;
+}
+
+// An effect has a size, and so have wrong values: what is smaller than the least size is seldom one.
+double priorOfSizes(const std::vector<double>& sizes, double usual, const JudgeNumbers& numbers) {
+  double prior = 0.0;
+  for (const double size : sizes) {
+    const double below = std::min(size - std::log(usual), 0.0) / numbers.size_spread;
+    prior -= 0.5 * below * below;
   }
   return prior;
 }
