@@ -2,7 +2,7 @@
 #include "fit/hypothesis.h"
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <utility>
 
 #include "element/each.h"
@@ -73,14 +73,16 @@ void addTerms(const std::vector<Candidate>& candidates, int candidate, Hypothesi
   }
 }
 
-// Of those from `first` on that are at work, the ones that are not of a candidate.
-std::size_t atWorkBeside(int candidate, const Hypothesis& hypothesis, const Eigen::VectorXd& scales, std::size_t first,
-                         std::size_t count) {
-  std::size_t numbers = 0;
-  for (std::size_t t = first; t < first + count; ++t) {
-    numbers += scales[static_cast<Eigen::Index>(t)] != 0.0 && hypothesis.places[t].candidate != candidate ? 1 : 0;
-  }
-  return numbers;
+// Of the laws that a candidate contains the one that it is beyond, which no other member is: the first of `preferred`.
+std::optional<int> heldBy(const std::vector<Candidate>& candidates, int larger, const std::vector<int>& preferred,
+                          const std::vector<int>& by_others) {
+  const std::vector<int> contained = containedBy(candidates, larger);
+  const auto order = [&](int one) { return std::find(preferred.begin(), preferred.end(), one); };
+  const auto is_taken = [&](int one) { return std::find(by_others.begin(), by_others.end(), one) != by_others.end(); };
+  const auto best = std::min_element(contained.begin(), contained.end(), [&](int a, int b) {
+    return std::pair(is_taken(a), order(a)) < std::pair(is_taken(b), order(b));
+  });
+  return best == contained.end() ? std::nullopt : std::optional(*best);
 }
 
 gap::Forces unitEffect(const BasisTerm& term, const std::vector<log::Record>& records) {
@@ -107,15 +109,17 @@ bool Hypothesis::isAdditive() const {
   return std::all_of(terms.begin(), terms.end(), [](const BasisTerm& term) { return term.additive; });
 }
 
-Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members) {
+Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members,
+                          const std::vector<int>& preferred) {
   Hypothesis hypothesis;
   hypothesis.members = members;
   for (const int member : members) {
     const Candidate& candidate = candidates[static_cast<std::size_t>(member)];
     const std::size_t before = hypothesis.terms.size();
     addTerms(candidates, member, hypothesis);
-    for (const int other : containedBy(candidates, member)) {
-      addTerms(candidates, other, hypothesis);
+    if (const auto held = heldBy(candidates, member, preferred, hypothesis.held)) {
+      addTerms(candidates, *held, hypothesis);
+      hypothesis.held.push_back(*held);
     }
     hypothesis.counts.push_back(hypothesis.terms.size() - before);
     hypothesis.free_in_log = hypothesis.free_in_log | candidate.free_in_log;
@@ -129,12 +133,18 @@ bool contains(const Candidate& larger, const Candidate& smaller) {
 }
 
 bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& larger, const std::vector<int>& smaller) {
-  return std::all_of(smaller.begin(), smaller.end(), [&](int one) {
-    return std::any_of(larger.begin(), larger.end(), [&](int member) {
-      return member == one ||
-             contains(candidates[static_cast<std::size_t>(member)], candidates[static_cast<std::size_t>(one)]);
-    });
-  });
+  std::vector<int> order = larger;
+  std::sort(order.begin(), order.end());
+  const auto does = [&](int one, int member) {
+    return member == one ||
+           contains(candidates[static_cast<std::size_t>(member)], candidates[static_cast<std::size_t>(one)]);
+  };
+  bool found = false;
+  do {  // of three at most
+    found =
+        found || (smaller.size() <= order.size() && std::equal(smaller.begin(), smaller.end(), order.begin(), does));
+  } while (std::next_permutation(order.begin(), order.end()));
+  return found;
 }
 
 std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypothesis& hypothesis,
@@ -142,13 +152,12 @@ std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypoth
   std::size_t numbers = 0;
   std::size_t first = 0;
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
-    const std::size_t shapes = candidates[static_cast<std::size_t>(hypothesis.members[m])].terms_at ? 1 : 0;
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-    const std::vector<int> contained = containedBy(candidates, hypothesis.members[m]);
-    for (const int other : contained) {
-      least = std::min(least, shapes + atWorkBeside(other, hypothesis, scales, first, hypothesis.counts[m]));
+    const Candidate& candidate = candidates[static_cast<std::size_t>(hypothesis.members[m])];
+    std::size_t beyond = candidate.terms_at ? 1 : 0;
+    for (std::size_t t = first; t < first + hypothesis.counts[m]; ++t) {
+      beyond += hypothesis.places[t].candidate == hypothesis.members[m] && scales[static_cast<Eigen::Index>(t)] != 0.0;
     }
-    numbers += contained.empty() ? 0 : std::max<std::size_t>(least, 1);
+    numbers += candidate.contains.empty() ? 0 : std::max<std::size_t>(beyond, 1);
     first += hypothesis.counts[m];
   }
   return numbers;

@@ -86,6 +86,7 @@ struct Hypothesis {
   std::vector<TermPlace> places;  ///< of these among the candidates
   /// Terms of each member: its own, then those of what it contains, without those of an earlier member.
   std::vector<std::size_t> counts;
+  std::vector<int> held;         ///< contained candidates whose terms it has
   FreeInLog free_in_log;         ///< is free as well
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
 
@@ -99,18 +100,20 @@ struct Hypothesis {
   bool isAdditive() const;
 };
 
-/// The hypothesis that these candidates are at work.
-Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members);
+/// The hypothesis that these candidates are at work. A member that contains several laws is beyond one of them at a
+/// time, the first of `preferred`: beyond all of them it would be beyond a set, and no simpler than that.
+Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members,
+                          const std::vector<int>& preferred = {});
 
 /// Whether a candidate contains another one.
 bool contains(const Candidate& larger, const Candidate& smaller);
 
-/// Whether a set of candidates can do all that another one can: each of these is one of its members, or contained in
-/// one.
+/// Whether a set of candidates can do all that another one can: for each of these it has a member that is the same or
+/// contains it.
 bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& larger, const std::vector<int>& smaller);
 
 /// The numbers at these scales that are not at their limits and that the members have beyond the laws that they
-/// contain, of several the one that leaves fewest: at least one for each member that contains any.
+/// contain: at least one for each member that contains any.
 std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypothesis& hypothesis,
                           const Eigen::VectorXd& scales);
 

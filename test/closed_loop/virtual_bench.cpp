@@ -198,24 +198,15 @@ std::vector<double> VirtualBench::forceOf(const component::Component& component,
   return forceAtSamples(component, state, programme);
 }
 
-std::vector<Programme> VirtualBench::poorProgrammes() {
-  std::vector<Programme> programmes;
-  const int count = uniform(0.0, 1.0) < 0.75 ? 1 : 2;
-  for (int i = 0; i < count; ++i) {
-    const double amplitude = kStroke * uniform(0.15, 0.7);
-    const double frequency = std::exp(uniform(std::log(0.3), std::log(0.5 * kFrequency)));
-    const std::string name = "log_" + std::to_string(i + 1);
-    if (uniform(0.0, 1.0) < 0.75) {
-      programmes.push_back(
-          programmeOf(name, kDuration, [=](double t) { return amplitude * std::sin(kTwoPi * frequency * t); }));
-    } else {
-      const double slow = uniform(0.1, 0.4);
-      programmes.push_back(programmeOf(name, kDuration, [=](double t) {
-        return amplitude * 2.0 / element::kPi * std::asin(std::sin(kTwoPi * slow * t));
-      }));
-    }
+Programme VirtualBench::poorProgramme() {
+  const double amplitude = kStroke * uniform(0.4, 1.0);
+  const double frequency = std::exp(uniform(std::log(0.3), std::log(0.5 * kFrequency)));
+  if (uniform(0.0, 1.0) < 0.75) {
+    return programmeOf("log", kDuration, [=](double t) { return amplitude * std::sin(kTwoPi * frequency * t); });
   }
-  return programmes;
+  const double slow = uniform(0.1, 0.4);
+  return programmeOf("log", kDuration,
+                     [=](double t) { return amplitude * 2.0 / element::kPi * std::asin(std::sin(kTwoPi * slow * t)); });
 }
 
 Programme VirtualBench::randomProgramme(double duration) {

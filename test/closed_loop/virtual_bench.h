@@ -31,8 +31,8 @@ class VirtualBench {
   const std::string& effect() const { return effect_; }
   const diagnosis::ExperimentLimits& limits() const { return limits_; }
 
-  /// One or two logs that leave much open: sines of one frequency and amplitude, slow triangles, small motion.
-  std::vector<Programme> poorProgrammes();
+  /// A log that leaves much open: a sine of one frequency and amplitude or slow triangles, of small motion.
+  Programme poorProgramme();
 
   /// Motion of a random spectrum and amplitude, eased in and out, of this length [s], within the limits.
   Programme randomProgramme(double duration);

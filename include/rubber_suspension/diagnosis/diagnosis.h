@@ -176,7 +176,8 @@ struct ProposedExperiment {
   std::string decides;               ///< the explanation judged, by its effects
   std::vector<std::string> against;  ///< those that it is to be told from
   double difference = 0.0;   ///< were it right: RMS force by which the nearest other, refitted, would be off there [N]
-  double floors = 0.0;       ///< expected over what may be right, in noise floors of which ten count at most
+  double open_before = 0.0;  ///< entropy of the names: of each effect, whether it is at work [bit]
+  double open_after = 0.0;   ///< the same, expected once the log is among those diagnosed [bit]
   double probability = 0.0;  ///< expected, of the right explanation once the log is among those diagnosed
 };
 

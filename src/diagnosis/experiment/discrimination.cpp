@@ -18,12 +18,11 @@
 namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
-constexpr double kModelStep = 1e-4;   // of a logarithm, for difference quotients
-constexpr double kTermStep = 0.02;    // of the typical scale
-constexpr double kMostFloors = 10.0;  // count: what decides one question beyond doubt leaves the others open
-constexpr std::size_t kRefitted = 8;  // motions that explanations are fitted to
-constexpr std::size_t kAtOnce = 2;    // of these, before it is known whether a further one can tell more
-constexpr double kLeastNoise = 1e-4;  // of the force
+constexpr double kModelStep = 1e-4;    // of a logarithm, for difference quotients
+constexpr double kTermStep = 0.02;     // of the typical scale
+constexpr std::size_t kRefitted = 8;   // motions that explanations are fitted to
+constexpr std::size_t kAtOnce = 2;     // of these
+constexpr double kLeastSquare = 1e-8;  // of the force: below it a size is no size
 
 void withoutDirection(const Eigen::VectorXd& direction, Eigen::MatrixXd& columns) {
   const double square = direction.squaredNorm();
@@ -53,8 +52,9 @@ Discriminator::Discriminator(const fit::Fitter& fitter, const hypotheses::Search
                              const std::vector<Explanation>& explanations, double force_limit, int threads)
     : fitter_(fitter),
       explanations_(explanations),
-      noise_(std::max(search.noise, kLeastNoise) * search.excitation.force),
-      accepted_(std::max(judge::fittedNumbers().accepted, search.discretisation)),
+      candidates_(search.candidates),
+      noise_(search.noise),
+      force_(search.excitation.force),
       force_limit_(force_limit),
       threads_(threads),
       played_(fitter.records()) {}
@@ -86,48 +86,43 @@ std::vector<std::size_t> Discriminator::playable() const {
   return motions;
 }
 
-double Discriminator::floorOf(double force_deviation) const { return std::max(noise_, accepted_ * force_deviation); }
-
-// Expected least difference in floors before any refit: an upper bound of that after it.
-double Discriminator::unrefitted(std::size_t motion) const {
-  double expected = 0.0;
-  for (std::size_t right = 0; right < says_.size(); ++right) {
-    const Eigen::VectorXd& force = says_[right].force[motion];
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t wrong = 0; wrong < says_.size(); ++wrong) {
-      if (wrong != right) {
-        least = std::min(least, gap::standardDeviation(force - says_[wrong].force[motion]));
-      }
-    }
-    expected +=
-        explanations_[right].probability * std::min(kMostFloors, least / floorOf(gap::standardDeviation(force)));
-  }
-  return expected;
+// Of a new log of this force beyond that of the logs, as the judgement takes it.
+double Discriminator::moreNoise(const Eigen::VectorXd& force) const {
+  const double ratio = force_ / gap::standardDeviation(force);
+  return std::pow(judge::fittedNumbers().floor_known * noise_, 2) * std::max(0.0, ratio * ratio - 1.0);
 }
 
-// The best of each kind, as far as there is time to refit: motions of a kind are taken by the same parameters. Those
-// that may tell most first.
-std::vector<Discriminator::Bounded> Discriminator::promising(const std::vector<std::size_t>& motions,
-                                                             double needed) const {
-  std::vector<Bounded> order;
-  for (const std::size_t motion : motions) {
-    order.push_back({unrefitted(motion), motion});
+// Expected entropy of the names before any refit: motions are tried in this order.
+double Discriminator::unrefitted(std::size_t motion) const {
+  const auto logs = static_cast<double>(fitter_.records().size());
+  double open = 0.0;
+  for (std::size_t right = 0; right < says_.size(); ++right) {
+    const Eigen::VectorXd& force = says_[right].force[motion];
+    std::vector<Refitted> refitted;
+    for (const Says& wrong : says_) {
+      const double off = gap::standardDeviation(force - wrong.force[motion]) / gap::standardDeviation(force);
+      refitted.push_back({off * off, 0.0});
+    }
+    open += explanations_[right].probability * outlookOf(right, explanations_, refitted, moreNoise(force), logs).open;
   }
-  const auto byBound = [](const Bounded& a, const Bounded& b) { return a.most > b.most; };
-  std::stable_sort(order.begin(), order.end(), byBound);
+  return open;
+}
+
+// The best of each kind, as far as there is time to refit: motions of a kind are taken by the same parameters.
+std::vector<std::size_t> Discriminator::promising(const std::vector<std::size_t>& motions) const {
+  std::vector<std::pair<double, std::size_t>> order(motions.size());
+  fit::parallelFor(motions.size(), threads_, [&](std::size_t i) { order[i] = {unrefitted(motions[i]), motions[i]}; });
+  std::stable_sort(order.begin(), order.end());
   std::map<std::string, std::size_t> of_kind;
-  std::vector<std::pair<std::size_t, Bounded>> by_round;
-  for (const Bounded& one : order) {
-    by_round.emplace_back(of_kind[played_.motions()[one.motion]->kind]++, one);
+  std::vector<std::pair<std::size_t, std::size_t>> by_round;
+  for (const auto& [open, motion] : order) {
+    by_round.emplace_back(of_kind[played_.motions()[motion]->kind]++, motion);
   }
   std::stable_sort(by_round.begin(), by_round.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Bounded> chosen;
-  for (const auto& [round, one] : by_round) {
-    if (chosen.size() < kRefitted && one.most >= needed) {
-      chosen.push_back(one);
-    }
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < std::min(kRefitted, by_round.size()); ++i) {
+    chosen.push_back(by_round[i].second);
   }
-  std::stable_sort(chosen.begin(), chosen.end(), byBound);
   return chosen;
 }
 
@@ -254,8 +249,24 @@ void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& m
   }
 }
 
-// RMS force by which the wrong explanation is off, wherever it puts that: on the motion, or on the logs before [N].
-double Discriminator::leftAfterRefit(std::size_t right, std::size_t wrong, std::size_t motion) const {
+// Of the members of an explanation, whose terms have these products [squares of the force's deviation].
+double Discriminator::priorOfSizes(std::size_t explanation, const Eigen::MatrixXd& gram,
+                                   const Eigen::VectorXd& scales) const {
+  std::vector<double> sizes;
+  Eigen::Index first = 0;
+  for (const std::size_t count : explanations_[explanation].fitted->hypothesis.counts) {
+    const auto terms = static_cast<Eigen::Index>(count);
+    const Eigen::VectorXd of_member = scales.segment(first, terms);
+    const double square = of_member.dot(gram.block(first, first, terms, terms) * of_member);
+    sizes.push_back(0.5 * std::log(std::max(square, kLeastSquare)));
+    first += terms;
+  }
+  return judge::priorOfSizes(sizes, explanations_[explanation].usual_size, judge::fittedNumbers());
+}
+
+// How far the wrong explanation is off, wherever it puts that: on the motion, or on the logs before; and what its
+// members are then.
+Refitted Discriminator::refitted(std::size_t right, std::size_t wrong, std::size_t motion) const {
   const Normal& normal = normal_[wrong];
   const OnMotion& on_motion = says_[wrong].on_motion[motion];
   const Eigen::VectorXd& force = says_[right].force[motion];
@@ -271,36 +282,50 @@ double Discriminator::leftAfterRefit(std::size_t right, std::size_t wrong, std::
   const Eigen::VectorXd step = numerics::boundedLeastSquares(gram, moment, normal.bounds.lower, normal.bounds.upper);
   const double square = unit * on_motion.square[right];
   const double cost = square - 2.0 * step.dot(moment) + step.dot(gram * step);
-  return std::sqrt(variance * std::clamp(cost, 0.0, square));
+  const fit::ParameterVector& at = explanations_[wrong].fitted->fit.parameters;
+  const Eigen::Index of_model = at.model.size();
+  const Eigen::Index terms = at.scales.size();
+  const auto ofTerms = [&](const Eigen::MatrixXd& all) { return all.block(of_model, of_model, terms, terms).eval(); };
+  return {std::clamp(cost, 0.0, square),
+          priorOfSizes(wrong, ofTerms(gram) / (logs + 1.0), at.scales + step.segment(of_model, terms)) -
+              priorOfSizes(wrong, ofTerms(normal.gram), at.scales)};
 }
 
 Discrimination Discriminator::weigh(const Experiment& experiment, std::size_t motion) const {
   const auto logs = static_cast<double>(fitter_.records().size());
   Discrimination result;
   result.experiment = &experiment;
+  result.open = 0.0;
   for (std::size_t right = 0; right < explanations_.size(); ++right) {
-    const double deviation = gap::standardDeviation(says_[right].force[motion]);
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t nearest = right;
-    std::vector<double> left;
+    std::vector<Refitted> all;
     for (std::size_t wrong = 0; wrong < explanations_.size(); ++wrong) {
-      const double off = wrong == right ? 0.0 : leftAfterRefit(right, wrong, motion);
-      left.push_back(std::pow(off / deviation, 2));
-      if (wrong != right && off < least) {
-        least = off;
-        nearest = wrong;
-      }
+      all.push_back(refitted(right, wrong, motion));
     }
-    const double probability = explanations_[right].probability;
-    result.difference = right == 0 ? least : result.difference;
-    result.floors += probability * std::min(kMostFloors, least / floorOf(deviation));
-    result.probability += probability * standsAlone(right, explanations_, left, logs);
-    result.nearest = right == 0 ? nearest : result.nearest;
+    const Outlook outlook = outlookOf(right, explanations_, all, moreNoise(says_[right].force[motion]), logs);
+    result.open += explanations_[right].probability * outlook.open;
+    result.probability += explanations_[right].probability * outlook.alone;
+    if (right == 0) {
+      setNearest(all, result);
+      result.difference *= gap::standardDeviation(says_[0].force[motion]);
+    }
   }
   return result;
 }
 
-Discrimination Discriminator::best(const std::vector<Experiment>& menu, double needed) {
+void Discriminator::setNearest(const std::vector<Refitted>& refitted, Discrimination& result) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 1; e < explanations_.size(); ++e) {
+    const bool follows = fit::holds(candidates_, explanations_[e].fitted->hypothesis.members,
+                                    explanations_[0].fitted->hypothesis.members);
+    if (!follows && refitted[e].left < least) {
+      least = refitted[e].left;
+      result.nearest = e;
+      result.difference = std::sqrt(least);
+    }
+  }
+}
+
+Discrimination Discriminator::best(const std::vector<Experiment>& menu) {
   const auto play = [&](const std::vector<std::size_t>& places) {
     std::vector<const Experiment*> motions;
     for (const std::size_t place : places) {
@@ -312,27 +337,22 @@ Discrimination Discriminator::best(const std::vector<Experiment>& menu, double n
   std::iota(all.begin(), all.end(), std::size_t{0});
   play(all);
   sayForces();
-  const std::vector<Bounded> chosen = promising(playable(), needed);
+  const std::vector<std::size_t> chosen = promising(playable());
   if (normal_.empty() && !chosen.empty()) {
     findNormalEquations();
   }
   Discrimination best;
-  std::size_t next = 0;
-  const auto mayTellMore = [&] {
-    return next < chosen.size() && (best.experiment == nullptr || chosen[next].most > best.floors);
-  };
-  while (mayTellMore()) {
-    std::vector<std::size_t> some;
-    while (mayTellMore() && some.size() < kAtOnce) {
-      some.push_back(chosen[next++].motion);
-    }
+  for (std::size_t next = 0; next < chosen.size(); next += kAtOnce) {
+    const std::vector<std::size_t> some(
+        chosen.begin() + static_cast<std::ptrdiff_t>(next),
+        chosen.begin() + static_cast<std::ptrdiff_t>(std::min(next + kAtOnce, chosen.size())));
     play(some);
     for (std::size_t e = 0; e < explanations_.size(); ++e) {
       project(e, some);
     }
     for (const std::size_t motion : some) {
       const Discrimination here = weigh(menu[motion], motion);
-      best = best.experiment == nullptr || here.floors > best.floors ? here : best;
+      best = best.experiment == nullptr || here.open < best.open ? here : best;
     }
   }
   return best;

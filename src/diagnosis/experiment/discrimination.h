@@ -1,6 +1,7 @@
 // How far explanations of the same logs differ over a motion, once the wrong ones have been fitted to it.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "diagnosis/experiment/explanation.h"
@@ -12,16 +13,18 @@ namespace rubber_suspension::diagnosis::experiment {
 /// A motion and what it is expected to decide.
 struct Discrimination {
   const Experiment* experiment = nullptr;
-  double difference = 0.0;   ///< were the first right: RMS force by which the nearest other would still be off [N]
-  double floors = 0.0;       ///< expected over what may be right, in noise floors of which ten count at most
-  double probability = 0.0;  ///< that the right explanation stands alone once the motion is among the logs
-  std::size_t nearest = 0;   ///< the explanation nearest to the first
+  double difference = 0.0;  ///< were the first right: RMS force by which the nearest other would still be off [N]
+  std::size_t nearest = 0;  ///< that explanation, none that can do all that the first can; 0: there is none
+  double open = std::numeric_limits<double>::infinity();  ///< names, expected once the motion is among the logs [bit]
+  double probability = 0.0;                               ///< that the right explanation stands alone then
 };
 
-/// T-optimality (Atkinson and Fedorov, Biometrika 62, 1975) for several explanations: each is taken for right with its
-/// probability; each other one gives way by a Gauss-Newton step on the normal equations of the logs and of the motion
-/// together, and what it is still off by counts, on the motion and on the logs. The zero of the force is free in a new
-/// log. About what each of the others fits as well, the least one counts.
+/// The motion that most lowers the expected entropy of the names (Lindley, Ann. Math. Stat. 27, 1956): of each effect,
+/// whether it is at work. Each explanation is taken for right with its probability; each other one gives way by a
+/// Gauss-Newton step on the normal equations of the logs and of the motion together. What it is still off by counts, on
+/// the motion and on the logs, as the judgement does, and so does a member that the step leaves next to no force: of
+/// sets that hold one another the larger one can follow the smaller one, but not keep its name. The zero of the force
+/// is free in a new log.
 class Discriminator {
  public:
   /// All have to outlive it. `force_limit`: motions that any explanation says need more are out [N].
@@ -30,9 +33,8 @@ class Discriminator {
 
   void setForceLimit(double force_limit) { force_limit_ = force_limit; }
 
-  /// Of a menu, the motion that tells most in noise floors; without experiment where none can be played that may tell
-  /// as much as is needed.
-  Discrimination best(const std::vector<Experiment>& menu, double needed = 0.0);
+  /// Of a menu, the motion that leaves least open; without experiment where none can be played.
+  Discrimination best(const std::vector<Experiment>& menu);
 
  private:
   struct Normal {
@@ -60,15 +62,9 @@ class Discriminator {
     Base base = Base::nothing;
   };
 
-  // The most that a motion can tell, in noise floors.
-  struct Bounded {
-    double most;
-    std::size_t motion;
-  };
-
   void sayForces();
   std::vector<std::size_t> playable() const;
-  std::vector<Bounded> promising(const std::vector<std::size_t>& motions, double needed) const;
+  std::vector<std::size_t> promising(const std::vector<std::size_t>& motions) const;
   void findNormalEquations();
   bool addsUp(std::size_t explanation) const;
   bool isPlayedAlone(std::size_t explanation, Eigen::Index term) const;
@@ -77,16 +73,19 @@ class Discriminator {
   Derivative derivativeBy(std::size_t explanation, Eigen::Index unknown) const;
   std::vector<Eigen::MatrixXd> derivatives(std::size_t explanation, const std::vector<Eigen::VectorXd>& whole) const;
   void project(std::size_t wrong, const std::vector<std::size_t>& motions);
-  double floorOf(double force_deviation) const;
+  double moreNoise(const Eigen::VectorXd& force) const;
   double unrefitted(std::size_t motion) const;
-  double leftAfterRefit(std::size_t right, std::size_t wrong, std::size_t motion) const;
+  Refitted refitted(std::size_t right, std::size_t wrong, std::size_t motion) const;
+  double priorOfSizes(std::size_t explanation, const Eigen::MatrixXd& gram, const Eigen::VectorXd& scales) const;
+  void setNearest(const std::vector<Refitted>& refitted, Discrimination& result) const;
   Discrimination weigh(const Experiment& experiment, std::size_t motion) const;
   std::vector<element::ElementDescription> elementsOf(std::size_t explanation, const fit::ParameterVector& at) const;
 
   const fit::Fitter& fitter_;
   const std::vector<Explanation>& explanations_;
-  double noise_;     // of a new log [N]
-  double accepted_;  // of the force's standard deviation: less is within the accuracy of models
+  const std::vector<fit::Candidate>& candidates_;
+  double noise_;  // of the logs, over the deviation of their force
+  double force_;  // that deviation [N]
   double force_limit_;
   int threads_;
   PlayedMotions played_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <random>
 #include <utility>
 
@@ -11,7 +13,7 @@
 namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
-constexpr std::size_t kMost = 4;  // explanations compared: each has to be fitted to each motion of the menu
+constexpr std::size_t kMost = 6;  // explanations compared: each has to be fitted to each motion of the menu
 
 using Ranked = std::pair<double, int>;  // probability and hypothesis
 
@@ -47,7 +49,8 @@ std::vector<Explanation> explanationsOf(const Workings& workings) {
   for (const auto& [probability, hypothesis] : rankedHypotheses(workings, table)) {
     const hypotheses::FittedHypothesis& fitted = workings.search.at(hypothesis);
     if (explanations.size() < kMost && std::isfinite(fitted.fit.held_out) && probability > 0.0) {
-      explanations.push_back({&fitted, probability, onAverage(squares, hypothesis), onAverage(losses, hypothesis)});
+      explanations.push_back({&fitted, probability, onAverage(squares, hypothesis), onAverage(losses, hypothesis),
+                              judge::fittedNumbers().least_size});
       sum += probability;
     }
   }
@@ -57,27 +60,43 @@ std::vector<Explanation> explanationsOf(const Workings& workings) {
   return explanations;
 }
 
-double standsAlone(std::size_t right, const std::vector<Explanation>& explanations, const std::vector<double>& more,
-                   double logs) {
+double openNames(const std::vector<Explanation>& explanations, const std::vector<double>& weights) {
+  std::map<int, double> with;  // by effect
+  double sum = 0.0;
+  for (std::size_t e = 0; e < explanations.size(); ++e) {
+    sum += weights[e];
+    for (const int member : explanations[e].fitted->hypothesis.members) {
+      with[member] += weights[e];
+    }
+  }
+  const auto bits = [](double p) { return p > 0.0 ? -p * std::log2(p) : 0.0; };
+  return std::accumulate(with.begin(), with.end(), 0.0, [&](double open, const auto& effect) {
+    const double p = std::min(1.0, effect.second / sum);
+    return open + bits(p) + bits(1.0 - p);
+  });
+}
+
+Outlook outlookOf(std::size_t right, const std::vector<Explanation>& explanations,
+                  const std::vector<Refitted>& refitted, double noise, double logs) {
   constexpr int kDraws = 200;
   const judge::JudgeNumbers& numbers = judge::fittedNumbers();
   std::mt19937 generator(1);
   std::student_t_distribution<double> form(numbers.tails);
-  int alone = 0;
+  Outlook outlook;
+  std::vector<double> weights(explanations.size());
   for (int draw = 0; draw < kDraws; ++draw) {
-    const double form_error = explanations[right].expected * std::pow(form(generator), 2);
-    double odds = 0.0;
-    double of_right = 0.0;
+    const double form_error = (explanations[right].expected + noise) * std::pow(form(generator), 2);
     for (std::size_t e = 0; e < explanations.size(); ++e) {
       const Explanation& one = explanations[e];
-      const double change = (judge::lossOf(form_error + more[e], one.expected, numbers) - one.loss) / (logs + 1.0);
-      const double weight = one.probability * std::exp(-0.5 * numbers.sharpness * change);
-      odds += weight;
-      of_right = e == right ? weight : of_right;
+      const double loss = judge::lossOf(form_error + refitted[e].left, one.expected + noise, numbers);
+      const double change = (loss - one.loss) / (logs + 1.0);
+      weights[e] = one.probability * std::exp(refitted[e].prior - 0.5 * numbers.sharpness * change);
     }
-    alone += of_right >= judge::kListed * odds ? 1 : 0;
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    outlook.alone += weights[right] >= judge::kListed * sum ? 1.0 / kDraws : 0.0;
+    outlook.open += openNames(explanations, weights) / kDraws;
   }
-  return static_cast<double>(alone) / kDraws;
+  return outlook;
 }
 
 std::string nameOf(const hypotheses::Search& search, const hypotheses::FittedHypothesis& fitted) {

@@ -12,18 +12,34 @@ namespace rubber_suspension::diagnosis::experiment {
 struct Explanation {
   const hypotheses::FittedHypothesis* fitted = nullptr;
   double probability = 0.0;
-  double expected = 1e-4;  ///< square that it is expected to leave of a log (expectedSquares())
-  double loss = 0.0;       ///< of the logs so far, on average (lossOf())
+  double expected = 1e-4;   ///< square that it is expected to leave of a log (expectedSquares())
+  double loss = 0.0;        ///< of the logs so far, on average (lossOf())
+  double usual_size = 0.0;  ///< of a member, below which it is improbable
+};
+
+/// An explanation once it was fitted to one log more, of which another one is right.
+struct Refitted {
+  double left = 0.0;   ///< square that it leaves more than the right one, of that log
+  double prior = 0.0;  ///< logarithm: what the sizes of its members cost more than before
+};
+
+/// What is expected once one log more is among those diagnosed.
+struct Outlook {
+  double alone = 0.0;  ///< probability that the right explanation stands alone
+  double open = 0.0;   ///< entropy of the names: of each effect, whether it is at work [bit]
 };
 
 /// The hypothesis judged, then the likeliest others; the model as configured and re-estimated are among them.
 std::vector<Explanation> explanationsOf(const Workings& workings);
 
-/// How probable it is that an explanation stands alone, were it right, once there is one log more beside `logs`, of
-/// which others leave these squares `more` than it does. All logs count alike, so that those so far tell less than
-/// before. What the right one leaves itself, the form error of its law, scatters as the judgement expects.
-double standsAlone(std::size_t right, const std::vector<Explanation>& explanations, const std::vector<double>& more,
-                   double logs);
+/// The entropy of the names where explanations have these weights [bit]: sets that share an effect agree on it.
+double openNames(const std::vector<Explanation>& explanations, const std::vector<double>& weights);
+
+/// The outlook where this explanation is right, once there is one log more beside `logs`. All logs count alike, so that
+/// those so far tell less than before. What the right one leaves itself, the form error of its law, scatters as the
+/// judgement expects. `noise`: square that is expected besides, where the new log has more noise.
+Outlook outlookOf(std::size_t right, const std::vector<Explanation>& explanations,
+                  const std::vector<Refitted>& refitted, double noise, double logs);
 
 /// "friction + creep"; "the model as it is" without members.
 std::string nameOf(const hypotheses::Search& search, const hypotheses::FittedHypothesis& fitted);

@@ -18,7 +18,8 @@ constexpr double kTwoPi = 2.0 * element::kPi;
 constexpr double kWithin = 1.0 - 1e-6;        // of a bound, so that rounding does not exceed it
 constexpr double kMostSamplesOfMotion = 1e5;  // beyond, every second or third step of the bench will do
 constexpr double kCyclesOfMotion =
-    40.0;                            // of a motion, where there is room: a fit to part of it has to predict the rest
+    40.0;  // of a motion, where there is room: a fit to part of it has to predict the rest
+constexpr double kFewestCycles = 6.0;
 constexpr double kPerPeriod = 40.0;  // samples of the highest frequency by which models are compared
 
 using Law = std::function<double(double)>;
@@ -64,6 +65,7 @@ class Menu {
     if (room_ > 0.0) {
       findFrequencies();
       addSines();
+      addTwoSines();
       addSweeps();
       addMultisines();
       addHolds();
@@ -124,9 +126,8 @@ class Menu {
 
   // So many cycles, or as many as there is room for; 0 where these are fewer than tell anything.
   double cyclesWithin(double frequency, double wanted) const {
-    constexpr double kFewest = 6.0;
     const double cycles = std::min(wanted, std::floor(0.95 * room_ * frequency));
-    return cycles < kFewest ? 0.0 : cycles;
+    return cycles < kFewestCycles ? 0.0 : cycles;
   }
 
   void addSines() {
@@ -138,6 +139,21 @@ class Menu {
              fmt::format("sine at {:.3g} Hz with an amplitude of # mm", frequency)});
       }
     }
+  }
+
+  // Of full stroke at a quarter of its fastest sine and then at that: what depends on the displacement alone does the
+  // same in both.
+  void addTwoSines() {
+    constexpr double kApart = 4.0;
+    const double slow = full_ / kApart;
+    const double half = 0.5 * std::min(0.95 * room_, kCyclesOfMotion / slow);
+    const auto burst = [=](double t, double frequency) {
+      return std::min(eased(t, 1.0 / frequency), eased(half - t, 1.0 / frequency)) * std::sin(kTwoPi * frequency * t);
+    };
+    add({"two sines", half * slow < kFewestCycles ? 0.0 : 2.0 * half, 1.0 / slow, full_, 1.0,
+         [=](double t) { return burst(t, slow) + burst(t - half, full_); },
+         fmt::format("sines with an amplitude of # mm, {:.3g} s at {:.3g} Hz and {:.3g} s at {:.3g} Hz", half, slow,
+                     half, full_)});
   }
 
   // Logarithmic in frequency, of one amplitude or, above the fastest sine of full stroke, of one speed.

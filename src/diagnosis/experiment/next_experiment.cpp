@@ -9,11 +9,18 @@
 #include "diagnosis/experiment/explanation.h"
 #include "diagnosis/experiment/menu.h"
 #include "diagnosis/words/text.h"
+#include "element/each.h"
 
 namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
-constexpr double kSure = 0.95;  // probability of a verdict that no further experiment is proposed for
+constexpr double kSure = 0.95;          // probability of a verdict that no further experiment is proposed for
+constexpr double kWorthPlaying = 0.25;  // of what is open about the names, that a motion has to settle
+constexpr double kNothingOpen = 1e-3;   // bit
+
+std::vector<double> probabilitiesOf(const std::vector<Explanation>& explanations) {
+  return element::each(explanations, [](const Explanation& explanation) { return explanation.probability; });
+}
 
 // A wider limit, and what it would be called.
 struct Relaxation {
@@ -49,21 +56,31 @@ class Proposer {
       : search_(workings.search),
         bounds_(boundsOf(search_.excitation, fitter.records(), limits)),
         explanations_(explanationsOf(workings)),
+        open_(openNames(explanations_, probabilitiesOf(explanations_))),
         discriminator_(fitter, search_, explanations_, bounds_.force, threads) {}
 
   NextExperiment run() {
     if (explanations_.size() < 2) {
       return {"None: no second explanation was fitted.", {}};
     }
+    if (open_ < kNothingOpen) {
+      return {fmt::format("None: {} name the same effects.", allNames()), {}};
+    }
     const std::vector<Experiment> menu = experimentMenu(bounds_);
     const Discrimination best = discriminator_.best(menu);
     if (best.experiment == nullptr) {
       return {"None: no motion of the menu stays within the limits of stroke, speed, force and duration.", {}};
     }
-    return best.floors < kLeastFloors ? none(best) : proposal(best);
+    return isWorthPlaying(best) ? proposal(best) : none(best);
   }
 
  private:
+  bool isWorthPlaying(const Discrimination& one) const {
+    return one.experiment != nullptr && open_ - one.open >= kWorthPlaying * open_;
+  }
+
+  std::string openText(const Discrimination& one) const { return fmt::format("{:.2g} of {:.2g} bit", one.open, open_); }
+
   std::string nameOfExplanation(std::size_t explanation) const {
     return nameOf(search_, *explanations_[explanation].fitted);
   }
@@ -72,12 +89,9 @@ class Proposer {
     const Experiment& chosen = *best.experiment;
     NextExperiment next;
     next.text = fmt::format(
-        "{}. It is to decide between {}. If {} is right, {}, fitted anew, would be off by {} there. Whichever is "
-        "right, "
-        "the nearest other one is off by {:.1f} times the noise on average. The right one alone remains in {} % of "
-        "cases.",
-        chosen.description, allNames(), nameOfExplanation(0), nameOfExplanation(best.nearest),
-        words::quantity(best.difference, "N"), best.floors, words::chance(best.probability));
+        "{}. It is to decide between {}. {}Of what is open about the names, {} are expected to remain. The right one "
+        "alone remains in {} % of cases.",
+        chosen.description, allNames(), nearestText(best), openText(best), words::chance(best.probability));
     next.proposed.description = chosen.description;
     next.proposed.dt = chosen.dt;
     next.proposed.displacement.assign(chosen.displacement.begin(), chosen.displacement.end());
@@ -86,9 +100,17 @@ class Proposer {
       next.proposed.against.push_back(nameOfExplanation(e));
     }
     next.proposed.difference = best.difference;
-    next.proposed.floors = best.floors;
+    next.proposed.open_before = open_;
+    next.proposed.open_after = best.open;
     next.proposed.probability = best.probability;
     return next;
+  }
+
+  std::string nearestText(const Discrimination& best) const {
+    return best.nearest == 0
+               ? ""
+               : fmt::format("If {} is right, {}, fitted anew, would be off by {} there. ", nameOfExplanation(0),
+                             nameOfExplanation(best.nearest), words::quantity(best.difference, "N"));
   }
 
   std::string allNames() const {
@@ -101,29 +123,26 @@ class Proposer {
 
   NextExperiment none(const Discrimination& best) {
     std::string text = fmt::format(
-        "None within the limits: {}, fitted anew, would differ by {:.1f} times the noise, and {:.0f} times are needed. "
-        "The motion that tells most is this: {}. ",
-        allNames(), best.floors, kLeastFloors, best.experiment->description);
+        "None within the limits: of what is open about the names of {}, {} would remain. The motion that tells most is "
+        "this: {}. ",
+        allNames(), openText(best), best.experiment->description);
     for (const Relaxation& relaxation : relaxationsOf(bounds_)) {
       const std::vector<Experiment> menu = experimentMenu(relaxation.bounds);
       discriminator_.setForceLimit(relaxation.bounds.force);
-      const Discrimination wider = discriminator_.best(menu, kLeastFloors);
-      if (wider.experiment != nullptr && wider.floors >= kLeastFloors) {
-        return {text + fmt::format("It would take {}: {}, {:.1f} times the noise.", relaxation.text,
-                                   wider.experiment->description, wider.floors),
+      const Discrimination wider = discriminator_.best(menu);
+      if (isWorthPlaying(wider)) {
+        return {text + fmt::format("It would take {}: {}, after which {} remain.", relaxation.text,
+                                   wider.experiment->description, openText(wider)),
                 {}};
       }
     }
-    return {text + fmt::format(
-                       "Twice the stroke, twice the speed or five times the time would not do. The noise would have "
-                       "to fall to {:.2g} % of today's.",
-                       100.0 * best.floors / kLeastFloors),
-            {}};
+    return {text + "Twice the stroke, twice the speed or five times the time would not do.", {}};
   }
 
   const hypotheses::Search& search_;
   Bounds bounds_;
   std::vector<Explanation> explanations_;
+  double open_;  // of the names, before any motion [bit]
   Discriminator discriminator_;
 };
 

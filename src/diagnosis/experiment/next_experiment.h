@@ -15,11 +15,8 @@ struct NextExperiment {
   ProposedExperiment proposed;
 };
 
-/// Fewer noise floors between explanations that were refitted decide nothing: no such experiment is proposed.
-constexpr double kLeastFloors = 2.0;
-
-/// The experiment after which the explanations of the logs that cannot be told apart are expected to differ most; or
-/// why there is none, and what it would take.
+/// The experiment after which least is expected to be open about the names of effects; or why there is none, and what
+/// it would take.
 NextExperiment nextExperiment(const fit::Fitter& fitter, const Workings& workings, const ExperimentLimits& limits,
                               int threads);
 

@@ -101,7 +101,7 @@ std::vector<std::size_t> shapesOf(std::size_t terms) {
 }
 
 Fitted fittedBy(const Screening& screening, std::size_t candidate) {
-  Fitted fitted{fit::makeHypothesis(screening.candidates(), {static_cast<int>(candidate)}), {}, {}};
+  Fitted fitted{screening.hypothesisOf({static_cast<int>(candidate)}), {}, {}};
   for (const Eigen::Index column : screening.columnsOf()[candidate]) {
     fitted.columns.push_back(column);
     fitted.is_signed.push_back(screening.terms()[static_cast<std::size_t>(column - screening.modelSize())].lower < 0.0);

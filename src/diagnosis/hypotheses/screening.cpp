@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "fit/parallel.h"
 #include "numerics/least_squares.h"
@@ -30,9 +31,6 @@ Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit:
       threads_(threads),
       all_(fit::makeHypothesis(candidates, allOf(candidates))) {
   all_.free_in_log = {true, true};
-  for (const int candidate : allOf(candidates)) {
-    columns_of_.push_back(columnsOf(fit::makeHypothesis(candidates, {candidate})));
-  }
   about_ = fitter.configured(all_);
   about_.model = about.fit.parameters.model;
   Eigen::Index fitted = 0;
@@ -41,6 +39,32 @@ Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit:
   }
   blocks_ = fitter.linearise(all_, about_, {}, threads);
   bounds_ = fitter.stepBounds(all_, about_, blocks_.unknowns());
+  preferLawsAtWork(about.hypothesis);
+  for (const int candidate : allOf(candidates)) {
+    columns_of_.push_back(columnsOf(hypothesisOf({candidate})));
+  }
+}
+
+void Screening::preferLawsAtWork(const fit::Hypothesis& about) {
+  std::vector<std::pair<double, int>> contained;
+  for (const int candidate : allOf(candidates_)) {
+    const bool any = std::any_of(candidates_.begin(), candidates_.end(), [&](const fit::Candidate& larger) {
+      return fit::contains(larger, candidates_[static_cast<std::size_t>(candidate)]);
+    });
+    if (any) {
+      contained.emplace_back(leftBy({candidate}), candidate);
+    }
+  }
+  std::sort(contained.begin(), contained.end());
+  preferred_ = about.members;
+  preferred_.insert(preferred_.end(), about.held.begin(), about.held.end());
+  for (const auto& [left, candidate] : contained) {
+    preferred_.push_back(candidate);
+  }
+}
+
+fit::Hypothesis Screening::hypothesisOf(const std::vector<int>& members) const {
+  return fit::makeHypothesis(candidates_, members, preferred_);
 }
 
 std::vector<Eigen::Index> Screening::columnsOf(const fit::Hypothesis& hypothesis) const {
@@ -55,16 +79,10 @@ Screening::Part Screening::partOf(const std::vector<int>& members) const {
   Part part;
   part.columns.resize(static_cast<std::size_t>(model_size_));
   std::iota(part.columns.begin(), part.columns.end(), 0);
-  fit::FreeInLog free;
-  for (const int member : members) {
-    for (const Eigen::Index column : columns_of_[static_cast<std::size_t>(member)]) {
-      if (std::find(part.columns.begin(), part.columns.end(), column) == part.columns.end()) {
-        part.columns.push_back(column);
-      }
-    }
-    free = free | candidates_[static_cast<std::size_t>(member)].free_in_log;
-  }
-  const std::vector<Eigen::Index> in_log = freeColumns(free);
+  const fit::Hypothesis hypothesis = hypothesisOf(members);
+  const std::vector<Eigen::Index> terms = columnsOf(hypothesis);
+  part.columns.insert(part.columns.end(), terms.begin(), terms.end());
+  const std::vector<Eigen::Index> in_log = freeColumns(hypothesis.free_in_log);
   part.columns.insert(part.columns.end(), in_log.begin(), in_log.end());
   part.bounds = {bounds_.lower(part.columns), bounds_.upper(part.columns)};
   return part;

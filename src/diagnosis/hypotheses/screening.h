@@ -22,6 +22,9 @@ class Screening {
   Screening(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
             const FittedHypothesis& about, int threads);
 
+  /// A set as it is screened: of several laws that a member contains, beyond the one that leaves least by itself.
+  fit::Hypothesis hypothesisOf(const std::vector<int>& members) const;
+
   Screened screen(std::vector<int> members) const;
 
   /// In-sample error of a hypothesis, which is found faster.
@@ -60,6 +63,7 @@ class Screening {
   Part partOf(const std::vector<int>& members) const;
   /// The columns of the terms of a hypothesis.
   std::vector<Eigen::Index> columnsOf(const fit::Hypothesis& hypothesis) const;
+  void preferLawsAtWork(const fit::Hypothesis& about);
   /// Whether a candidate makes a further set: neither does what the other can.
   bool joins(int candidate, const std::vector<int>& members) const;
   std::vector<Screened> screenAll(const std::vector<std::vector<int>>& sets) const;
@@ -70,6 +74,7 @@ class Screening {
   fit::ParameterVector about_;  // of all candidates
   fit::Hypothesis all_;
   std::vector<std::vector<Eigen::Index>> columns_of_;
+  std::vector<int> preferred_;  // of laws that others contain
   fit::BlockGrams blocks_;
   numerics::Limits bounds_;
 };

@@ -34,7 +34,7 @@ constexpr double kHopeless = 2.0;
 
 // A set of effects that may be worth a fit, and where that starts.
 struct Planned {
-  std::vector<int> members;
+  fit::Hypothesis hypothesis;
   double error = 0.0;  // as screened
   double odds = 0.0;
   fit::ParameterVector start;
@@ -96,7 +96,7 @@ class Searcher {
   void fitSingles(const Screening& screening) {
     std::vector<Screened> order;
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
-      result_.singles.push_back({fit::makeHypothesis(result_.candidates, {c}), {}});
+      result_.singles.push_back({screening.hypothesisOf({c}), {}});
       order.push_back(screening.screen({c}));
     }
     std::stable_sort(order.begin(), order.end(),
@@ -154,7 +154,9 @@ class Searcher {
     fit::parallelFor(list.size(), threads_, [&](std::size_t i) {
       const FittedHypothesis* held = leastHeldBy(list[i].hypothesis.members);
       if (held != nullptr && kAsGood * held->fit.gap < list[i].fit.gap) {
-        again[i] = list[i];
+        std::vector<int> preferred = held->hypothesis.members;
+        preferred.insert(preferred.end(), held->hypothesis.held.begin(), held->hypothesis.held.end());
+        again[i] = {fit::makeHypothesis(result_.candidates, list[i].hypothesis.members, preferred), {}};
         fitBeyond(fitter_, *held, *again[i]);
       }
     });
@@ -241,8 +243,8 @@ class Searcher {
     const auto add = [&](const Screening& screening, const std::vector<Screened>& sets) {
       for (const Screened& set : sets) {
         Planned& planned = best.try_emplace(set.members).first->second;
-        if (planned.members.empty() || set.error < planned.error) {
-          planned = {set.members, set.error, 0.0, screening.bestOf(set.members)};
+        if (planned.hypothesis.members.empty() || set.error < planned.error) {
+          planned = {screening.hypothesisOf(set.members), set.error, 0.0, screening.bestOf(set.members)};
         }
         floor_ = std::max(std::min(floor_, set.error), result_.noise);
       }
@@ -256,7 +258,7 @@ class Searcher {
     }
     std::vector<Planned> sorted;
     for (auto& [members, planned] : best) {
-      planned.odds = odds().of(fit::makeHypothesis(result_.candidates, members), planned.start.scales, planned.error);
+      planned.odds = odds().of(planned.hypothesis, planned.start.scales, planned.error);
       sorted.push_back(std::move(planned));
     }
     std::stable_sort(sorted.begin(), sorted.end(), [](const Planned& x, const Planned& y) { return x.odds > y.odds; });
@@ -285,12 +287,12 @@ class Searcher {
     const std::size_t first = list.size();
     double least = std::numeric_limits<double>::infinity();
     for (const Planned& set : planned) {
-      list.push_back({fit::makeHypothesis(result_.candidates, set.members), {}});
+      list.push_back({set.hypothesis, {}});
       least = std::min(least, set.error);
     }
     std::vector<const FittedHypothesis*> from;
     for (const Planned& set : planned) {
-      from.push_back(&bestFitted(set.members));
+      from.push_back(&bestFitted(set.hypothesis.members));
     }
     fit::parallelFor(planned.size(), threads_, [&](std::size_t i) {
       fitFurther(fitter_, *from[i], planned[i].start, kHopeless * least, list[first + i]);
@@ -318,15 +320,16 @@ class Searcher {
       return;
     }
     std::vector<Planned> parts;
-    const std::vector<int>& members = result_.triples.front().hypothesis.members;
+    const fit::Hypothesis triple = result_.triples.front().hypothesis;
+    const std::vector<int>& members = triple.members;
     for (std::size_t i = 0; i < members.size(); ++i) {
       std::vector<int> part = members;
       part.erase(part.begin() + static_cast<std::ptrdiff_t>(i));
       const bool fitted = std::any_of(result_.pairs.begin(), result_.pairs.end(),
                                       [&](const FittedHypothesis& pair) { return pair.hypothesis.members == part; });
       if (!fitted) {
-        parts.push_back({part, std::numeric_limits<double>::infinity(), 0.0,
-                         fitter_.configured(fit::makeHypothesis(result_.candidates, part))});
+        const fit::Hypothesis hypothesis = fit::makeHypothesis(result_.candidates, part, triple.held);
+        parts.push_back({hypothesis, std::numeric_limits<double>::infinity(), 0.0, fitter_.configured(hypothesis)});
       }
     }
     fitAll(parts, result_.pairs);

@@ -220,6 +220,16 @@ double priorOfCount(std::size_t effects, const JudgeNumbers& numbers) {
   return prior;
 }
 
+// An effect has a size, and so have wrong values: what is smaller than the least size is seldom one.
+double priorOfSizes(const std::vector<double>& sizes, double usual, const JudgeNumbers& numbers) {
+  double prior = 0.0;
+  for (const double size : sizes) {
+    const double below = std::min(size - std::log(usual), 0.0) / numbers.size_spread;
+    prior -= 0.5 * below * below;
+  }
+  return prior;
+}
+
 double costOfNumbers(double beyond, double blocks, const JudgeNumbers& numbers) {
   return numbers.per_number_beyond * beyond * 0.5 * std::log(std::max(blocks, 1.0));
 }

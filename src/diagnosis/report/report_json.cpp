@@ -175,7 +175,8 @@ ordered_json experimentJson(const ProposedExperiment& experiment) {
           {"decides", experiment.decides},
           {"against", experiment.against},
           {"expected_difference_N", experiment.difference},
-          {"floors", experiment.floors},
+          {"open_before_bit", experiment.open_before},
+          {"open_after_bit", experiment.open_after},
           {"confidence", experiment.probability}};
 }
 

@@ -10,7 +10,6 @@
 
 #include "diagnosis/experiment/confusion.h"
 #include "diagnosis/experiment/explanation.h"
-#include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/hypotheses/log_table.h"
 #include "diagnosis/results/answered.h"
@@ -24,8 +23,9 @@
 namespace rubber_suspension::diagnosis::table {
 namespace {
 
-constexpr int kSteps = 7;        // of frequency and of amplitude
-constexpr double kBeyond = 2.0;  // times the largest and part of the smallest that was measured
+constexpr int kSteps = 7;             // of frequency and of amplitude
+constexpr double kLeastFloors = 2.0;  // by which explanations have to differ in a row
+constexpr double kBeyond = 2.0;       // times the largest and part of the smallest that was measured
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -127,7 +127,7 @@ std::string nextRow(const MeasuredRows& measured, const Workings& workings) {
       continue;
     }
     const Difference best = largestDifference(menu, measured, explanations);
-    if (best.size >= experiment::kLeastFloors * search.noise) {
+    if (best.size >= kLeastFloors * search.noise) {
       return fmt::format(
           "Measure a row at {:.3g} Hz and {}{}: {} and {} differ there by {} of K*, {:.1f} times the noise floor.",
           best.row.frequency, words::quantity(best.row.amplitude, "m"),
