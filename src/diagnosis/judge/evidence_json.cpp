@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/7";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/8";
 
 ordered_json logJson(const LogEvidence& log) {
   return {{"floor", log.floor},   {"floor_uncertainty", log.floor_uncertainty},
@@ -38,6 +38,7 @@ std::string toJson(const Evidence& evidence) {
   const ordered_json value = {{"schema", kEvidenceSchema},
                               {"effects", evidence.effects},
                               {"on_rig", evidence.on_rig},
+                              {"excluded", evidence.excluded},
                               {"logs", logs},
                               {"hypotheses", hypotheses}};
   return value.dump() + "\n";

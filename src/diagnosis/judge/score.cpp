@@ -67,10 +67,17 @@ void fillInBands(const HypothesisEvidence& hypothesis, Index row, ScoreTable& ta
   }
 }
 
-void fillErrors(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
+bool holdsExcluded(const Evidence& evidence, const HypothesisEvidence& hypothesis) {
+  return !evidence.excluded.empty() &&
+         std::any_of(hypothesis.members.begin(), hypothesis.members.end(),
+                     [&](int member) { return evidence.excluded[static_cast<std::size_t>(member)]; });
+}
+
+void fillErrors(const Evidence& evidence, const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
   table.left.row(row) = (arrayOf(hypothesis.log_errors) - table.floor).max(0.0);
   table.moved[row] = hypothesis.penalty * hypothesis.penalty;
-  if (!hypothesis.members.empty() && hypothesis.terms == 0) {  // the logs lack what it needs
+  const bool lacking = !hypothesis.members.empty() && hypothesis.terms == 0;  // in the logs: what it needs
+  if (lacking || holdsExcluded(evidence, hypothesis)) {
     table.left.row(row) = std::numeric_limits<double>::infinity();
   }
 }
@@ -178,7 +185,7 @@ ScoreTable scoreTable(const Evidence& evidence) {
     const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
     table.members.push_back(hypothesis.members);
     table.another_reading.push_back(hypothesis.keeps_values);
-    fillErrors(hypothesis, row, table);
+    fillErrors(evidence, hypothesis, row, table);
     fillInBands(hypothesis, row, table);
     fillMembers(evidence, hypothesis, row, table);
   }

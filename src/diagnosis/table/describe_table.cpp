@@ -259,7 +259,7 @@ class TableDescriber {
   void describeAnswer() {
     results::addAnswer(answer_, workings_->evidence, result_);
     result_.next_experiment = nextRow(measured_, *workings_);
-    result_.sentence = words::sentence(result_);
+    result_.sentence = words::sentence(result_) + words::excludedNote(result_);
     result_.could_show = experiment::couldShow(search_);
   }
 
