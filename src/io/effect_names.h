@@ -6,7 +6,8 @@
 
 namespace rubber_suspension::io {
 
-/// In the order of the alphabet. The diagnosis, which files know nothing of, has a candidate for each (a test compares).
+/// In the order of the alphabet. The diagnosis, which files know nothing of, has a candidate for each (a test
+/// compares).
 const std::vector<std::string>& effectNames();
 
 }  // namespace rubber_suspension::io
