@@ -17,6 +17,7 @@
 #include "diagnosis/results/taken_out.h"
 #include "diagnosis/words/model_values.h"
 #include "element/refuse.h"
+#include "io/effect_names.h"
 #include "log/text.h"
 #include "rubber_suspension/diagnosis/plan.h"
 #include "rubber_suspension/diagnosis/six_directions.h"
@@ -121,6 +122,11 @@ OptionTable DiagnoseOptions::table() {
       Option("--rig", rig, "KEY=VALUE",
              "what the rig may do to a log without being a cause; such as force_zero=\"50 N\" or gain=\"1 %\"; see "
              "`rig:` of component files"),
+      Option("--exclude", exclude, "EFFECT",
+             "effects that the construction rules out (bonded, dry, no joint), besides `excluded_effects:` of the "
+             "component file; they are not named, and the report says what they would be otherwise")
+          .rare()
+          .oneOf(io::effectNames()),
       Option("--limits", limits, "KEY=VALUE",
              "what the machine may do in the next experiment, such as stroke=\"20 mm\" speed=\"0.3 m/s\" "
              "frequency=\"15 Hz\" force=\"30 kN\" duration=\"60 s\"; where not given, what the logs reached")
@@ -151,9 +157,9 @@ OptionTable DiagnoseOptions::table() {
       log_options.acceptUnits(),
       log_options.table()};
   options.needs({"--effect-size", "--noise"}, {"--plan"});
-  options.excludes(
-      {"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples", "--accept-units"},
-      {"--plan"});
+  options.excludes({"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples",
+                    "--accept-units", "--exclude"},
+                   {"--plan"});
   options.excludes({"--plan", "--from-table", "--compare", "--plot"}, {"--direction"});
   options.needs({"--uncertainty"}, {"--from-table"});
   options.excludes({"--log", "--hold-out", "--limits", "--most-samples"}, {"--from-table"});

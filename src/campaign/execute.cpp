@@ -170,6 +170,7 @@ class Executor {
     }
     diagnosis::DiagnosisOptions settings;
     settings.evidence = job.options.evidence;
+    settings.excluded = job.options.exclude;
     settings.threads = 1;  // the jobs themselves run side by side
     const diagnosis::Diagnosis result =
         diagnosis::diagnose(description, logs(job, job.logs), logs(job, job.hold_out), settings);

@@ -17,6 +17,7 @@
 #include "element/each.h"
 #include "element/refuse.h"
 #include "element/suggestion.h"
+#include "io/effect_names.h"
 #include "io/yaml_bounds.h"
 #include "log/text.h"
 #include "rubber_suspension/estimation/specification.h"
@@ -227,6 +228,13 @@ void readOptions(const Entry& entry, JobOptions& options) {
   if (options.evidence && options.reports == Reports::none) {
     entry.refuse("evidence: true leaves a file, and reports: none leaves none; accepted: reports: data, full");
   }
+  for (const std::string& effect : options.exclude) {
+    const Keys& names = io::effectNames();
+    if (std::find(names.begin(), names.end(), effect) == names.end()) {
+      entry.at("exclude").refuse(fmt::format("{} is no effect{}; accepted: {}", log::quoted(effect),
+                                             element::didYouMean(effect, names), log::join(names)));
+    }
+  }
   try {
     logFormat(options);
   } catch (const std::invalid_argument& error) {
@@ -287,8 +295,9 @@ MonteCarlo readMonteCarlo(const Entry& entry) {
 // No key is without effect.
 void checkUse(const Entry& entry, Command command) {
   static const std::vector<std::pair<std::string, Command>> only = {
-      {"rig", Command::diagnose},      {"evidence", Command::diagnose}, {"test_rig", Command::diagnose},
-      {"hold_out", Command::diagnose}, {"hold", Command::estimate},     {"starts", Command::estimate}};
+      {"rig", Command::diagnose},     {"evidence", Command::diagnose}, {"test_rig", Command::diagnose},
+      {"exclude", Command::diagnose}, {"hold_out", Command::diagnose}, {"hold", Command::estimate},
+      {"starts", Command::estimate}};
   for (const auto& [key, needed] : only) {
     if (entry.at(key).given() && command != needed) {
       entry.at(key).refuse(fmt::format("has no effect on {}; accepted: with {}", toString(command), toString(needed)));

@@ -45,6 +45,7 @@ struct JobOptions {
   double bridge = -1.0;                    ///< as --bridge [s]; less than 0: not given
   bool accept_units = false;               ///< as --accept-units
   std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
+  std::vector<std::string> exclude;        ///< as --exclude, of diagnose
   std::vector<std::string> hold;           ///< as --hold, of estimate
   int starts = 0;                          ///< as --starts, of estimate; 0: not given
 };
@@ -61,6 +62,7 @@ void forEachOption(Visit visit) {
   visit("bridge", &JobOptions::bridge);
   visit("accept_units", &JobOptions::accept_units);
   visit("rig", &JobOptions::rig);
+  visit("exclude", &JobOptions::exclude);
   visit("hold", &JobOptions::hold);
   visit("starts", &JobOptions::starts);
 }

@@ -120,7 +120,9 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
   std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
   const auto ready = withRigPriors(component, std::move(training), std::move(held_out));
   auto workings = std::make_shared<Workings>();
-  workings->search = hypotheses::search(hypotheses::MeasuredLogs(ready->fitter), options.threads, options.progress);
+  workings->search =
+      hypotheses::search(hypotheses::MeasuredLogs(ready->fitter), hypotheses::excludedEffects(component, options),
+                         options.threads, options.progress);
   judgeSearch(*ready, options.threads, *workings);
   workings->write_evidence = options.evidence;
   return results::describe(*ready, std::move(workings), recorded, raw, std::move(findings), options);

@@ -61,8 +61,10 @@ struct Candidate {
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }
 
-  /// Whether it competes with others: it applies, and may do what parameters do not.
-  bool competes() const { return applies() && (!like_parameters || free_in_log.gain); }
+  bool excluded = false;  ///< ruled out: it is fitted for what it would be otherwise
+
+  /// Whether it competes with others: it applies, is not ruled out, and may do what parameters do not.
+  bool competes() const { return applies() && !excluded && (!like_parameters || free_in_log.gain); }
 };
 
 /// A basis term that scales one parameter of an element whose force is linear in it, the others being given.
@@ -90,11 +92,13 @@ struct Hypothesis {
   FreeInLog free_in_log;         ///< is free as well
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
 
-  /// Whether it competes with others: it has terms, and may do what parameters do not.
-  bool competes() const { return !terms.empty() && (!like_parameters || free_in_log.gain); }
+  bool excluded = false;  ///< a member of it is
+
+  /// Whether it competes with others: it has terms, none is ruled out, and it may do what parameters do not.
+  bool competes() const { return !terms.empty() && !excluded && (!like_parameters || free_in_log.gain); }
 
   /// Whether model parameters stay as configured: it says that they are right, and its terms do what others would.
-  bool keepsParameters() const { return !terms.empty() && !competes(); }
+  bool keepsParameters() const { return !terms.empty() && like_parameters && !free_in_log.gain; }
 
   /// True if the force is that of the model plus those of the terms.
   bool isAdditive() const;

@@ -12,6 +12,7 @@
 
 #include "element/suggestion.h"
 #include "io/cancellation.h"
+#include "io/effect_names.h"
 #include "io/yaml_bounds.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
@@ -118,7 +119,8 @@ std::string rotationalUnit(const std::string& unit) {
 }
 
 const std::vector<std::string> kSixDirectionKeys = {
-    "directions", "coupling", "frame", "preload", "rotation", "valid_rotation", "temperature", "stiffness_by_preload"};
+    "directions",           "coupling",        "frame", "preload", "rotation", "valid_rotation", "temperature",
+    "stiffness_by_preload", "excluded_effects"};
 const std::vector<std::string> kCouplings = {"rectangular", "cylindrical", "spherical"};
 const std::vector<std::string> kMeasures = {"vector", "cardan"};
 const std::vector<std::string> kAxes = {"x", "y", "z"};
@@ -341,6 +343,7 @@ class Loader {
     description.rig = ifGiven(entry["rig"], &Loader::loadRig);
     description.temperature = ifGiven(entry["temperature"], &Loader::loadTemperature);
     description.valid_displacement = ifGiven(entry["valid_displacement"], &Loader::loadValidDisplacement);
+    description.excluded_effects = loadExcludedEffects(entry["excluded_effects"]);
     description.units = units_;
     try {
       description.makeComponent();
@@ -369,6 +372,13 @@ class Loader {
           loadDirection(of_direction.first, directions[of_direction.first.Scalar()], six->preload[direction]);
       if (const Entry temperature = entry["temperature"]; temperature && !six->directions[direction]->temperature) {
         six->directions[direction]->temperature = loadTemperature(temperature);
+      }
+    }
+    for (const std::string& effect : loadExcludedEffects(entry["excluded_effects"])) {
+      for (std::optional<ComponentDescription>& direction : six->directions) {
+        if (direction) {
+          direction->excluded_effects.push_back(effect);
+        }
       }
     }
     for (const auto& load : preload.node) {
@@ -572,10 +582,11 @@ class Loader {
 
   ComponentDescription loadContent(const Entry& entry, estimation::Model model) {
     if (model != estimation::Model::elements) {
-      checkKeys(entry, {"model", "specification", "add", "rig", "temperature", "valid_displacement"});
+      checkKeys(entry,
+                {"model", "specification", "add", "rig", "temperature", "valid_displacement", "excluded_effects"});
       return loadSpecification(require(entry, "specification", "a map"), model, entry["add"]);
     }
-    checkKeys(entry, {"model", "elements", "add", "rig", "temperature", "valid_displacement"});
+    checkKeys(entry, {"model", "elements", "add", "rig", "temperature", "valid_displacement", "excluded_effects"});
     const Entry list = require(entry, "elements", "a list of elements");
     std::vector<element::ElementDescription> elements = loadElements(list);
     if (elements.empty()) {
@@ -650,6 +661,22 @@ class Loader {
       refuse(entry, fmt::format("from {:g} m to {:g} m; accepted: the lower one first", ends[0], ends[1]));
     }
     return element::Range::closed(ends[0], ends[1]);
+  }
+
+  std::vector<std::string> loadExcludedEffects(const Entry& list) const {
+    std::vector<std::string> effects;
+    if (list && !list.node.IsSequence()) {
+      refuseContent(list, "a list of effects: " + log::join(effectNames()));
+    }
+    for (std::size_t i = 0; list && i < list.node.size(); ++i) {
+      const Entry effect = list[i];
+      const std::vector<std::string>& names = effectNames();
+      if (!effect.isText() || std::find(names.begin(), names.end(), effect.text()) == names.end()) {
+        refuseWord(effect, "an effect", names);
+      }
+      effects.push_back(effect.text());
+    }
+    return effects;
   }
 
   // The reference stands before in the tables.
@@ -1127,6 +1154,9 @@ std::string oneDirectionYaml(const ComponentDescription& component, bool turns, 
   text += component.rig ? rigYaml(*component.rig) : "";
   if (const auto& valid = component.valid_displacement) {
     text += fmt::format("    valid_displacement: [{}, {}]  # [{}]\n", valid->lower, valid->upper, turns ? "rad" : "m");
+  }
+  if (!component.excluded_effects.empty()) {
+    text += fmt::format("    excluded_effects: [{}]\n", fmt::join(component.excluded_effects, ", "));
   }
   return text;
 }

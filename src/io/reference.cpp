@@ -130,7 +130,9 @@ std::string parameterReference() {
       "which\n"
       "displacements it is valid; without it, three times `nominal_amplitude` to both sides, else what its tables of "
       "springs\n"
-      "cover. Beyond, the node serves the force unchanged, counts and warns; `replay` warns once.\n\n"
+      "cover. Beyond, the node serves the force unchanged, counts and warns; `replay` warns once. "
+      "`excluded_effects: [backlash,\n"
+      "free_play]` lists [effects](effects.md) that the construction rules out: a diagnosis does not name them.\n\n"
       "## Models\n\n| model | elements | needs in `specification` | may have |\n|---|---|---|---|\n";
   for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
        ++i) {

@@ -11,7 +11,7 @@ namespace {
 using diagnosis::Diagnosis;
 
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
-                   const std::vector<log::Log>& hold_out, int threads) {
+                   const std::vector<log::Log>& hold_out, int threads, const std::vector<std::string>& exclude) {
   if (threads < 1 || threads > 64) {
     throw std::invalid_argument("threads: " + std::to_string(threads) + "; accepted: 1 to 64");
   }
@@ -25,6 +25,7 @@ Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<
   }
   diagnosis::DiagnosisOptions options;
   options.threads = threads;
+  options.excluded = exclude;
   const py::gil_scoped_release others_run;
   return diagnosis::diagnose(component, logs, hold_out, options);
 }
@@ -49,6 +50,7 @@ void addDiagnosis(py::module_& module) {
       .def("__repr__", [](const Diagnosis& diagnosis) { return "<Diagnosis: " + diagnosis.sentence + ">"; });
   module.def("diagnose", &diagnose, py::arg("component"), py::arg("logs"),
              py::arg("hold_out") = std::vector<log::Log>(), py::arg("threads") = 2,
+             py::arg("exclude") = std::vector<std::string>(),
              "Where the component differs from measured logs, which effect it lacks, how much of the gap that closes: "
              "as the command diagnose. Raises LogError and ValueError.");
 }

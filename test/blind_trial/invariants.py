@@ -86,6 +86,8 @@ def candidates_are_of_the_sets(report):
         return None
     effects = report["posterior"]["effects"]
     probabilities = [c["probability"] for c in report["candidates"]]
+    if any(probability_of(report, one["effect"]) > 0.0 for one in report.get("excluded", [])):
+        return False
     return max(probabilities) <= effects + SLACK and sum(probabilities) >= effects - SLACK
 
 

@@ -97,11 +97,20 @@ TEST(JobsFile, EvidenceNeedsAReportAndADiagnosis) {
       ElementsAre(HasSubstr("evidence: has no effect on replay"), HasSubstr("test_rig: has no effect on replay")));
 }
 
+TEST(JobsFile, ExcludesKnownEffects) {
+  const std::string entry = "jobs:\n  a: {command: diagnose, config: c, log: l, exclude: [free_play, ";
+  std::vector<std::string> problems;
+  const campaign::JobsFile file = campaign::parseJobsFile(entry + "backlash]}\n", "jobs.yaml", problems);
+  EXPECT_THAT(problems, IsEmpty());
+  EXPECT_THAT(file.groups.at(0).options.exclude, ElementsAre("free_play", "backlash"));
+  EXPECT_THAT(problemsOf(entry + "slack]}\n"), ElementsAre(HasSubstr("exclude: 'slack' is no effect")));
+}
+
 TEST(JobsFile, TheSamplingRateHasOneName) {
   EXPECT_THAT(problemsOf("settings: {rate: 1000}\njobs:\n  a:\n    command: replay\n    config: c\n    log: l\n"),
               ElementsAre("jobs.yaml:1: settings.rate: unknown key (did you mean 'sampling_rate'?); accepted: reports, "
-                          "evidence, columns, unit, sampling_rate, decimal, segment, bridge, accept_units, rig, hold, "
-                          "starts"));
+                          "evidence, columns, unit, sampling_rate, decimal, segment, bridge, accept_units, rig, "
+                          "exclude, hold, starts"));
 }
 
 TEST(JobsFile, RefusesWhatIsNone) {

@@ -115,5 +115,19 @@ TEST(Diagnosis, RefusesALogWithoutForce) {
   EXPECT_THROW(diagnosis::diagnose(rigComponent(), {log}, {}), log::LogError);
 }
 
+// What the engineer rules out is not named, and the report says what it would be.
+TEST(Excluded, IsNotNamedButTold) {
+  io::ComponentDescription component = rigComponent();
+  component.excluded_effects = {"bump_stop"};
+  const diagnosis::Diagnosis result = diagnoseRig(linearStop, component);
+  EXPECT_THAT(result.effects, ::testing::Not(::testing::Contains("bump_stop"))) << result.sentence;
+  ASSERT_EQ(result.excluded.size(), 1);
+  EXPECT_EQ(result.excluded[0].effect, "bump_stop");
+  EXPECT_GT(result.excluded[0].probability_otherwise, 0.5);
+  EXPECT_THAT(result.sentence,
+              ::testing::HasSubstr("Excluded by the component file; without that, bump_stop would be "));
+  EXPECT_EQ(result.augmented.excluded_effects, component.excluded_effects);
+}
+
 }  // namespace
 }  // namespace rubber_suspension

@@ -250,7 +250,7 @@ TEST_F(Rivals, OfSetsThatHoldOneAnotherOneIsDecided) {
                                                                : place.candidate == damping ? 2e3
                                                                                             : 1e5;
   }
-  const double usual = diagnosis::judge::fittedNumbers().least_size;
+  constexpr double usual = 0.05;  // of the force
   const std::vector<diagnosis::experiment::Explanation> explanations = {
       {&single("viscous_damping"), 0.5, 1e-4, 0.0, usual}, {&both, 0.5, 1e-4, 0.0, usual}};
   diagnosis::experiment::Discriminator discriminator(fitter_, search_, explanations, 1e9, 1);

@@ -1,5 +1,5 @@
 // Model parameters, records, what noise does, and the menu of experiments.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <map>
@@ -15,6 +15,7 @@
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
+#include "io/effect_names.h"
 #include "rig.h"
 #include "rubber_suspension/log/record.h"
 
@@ -199,6 +200,7 @@ TEST(Candidates, AreEnteredOnceEach) {
       "force_drift",    "backlash",   "temperature",  "sensor_gain",       "fluid_inertia",
       "radial_coupling"};
   EXPECT_EQ(names, contract);
+  EXPECT_THAT(io::effectNames(), ::testing::ElementsAreArray(names)) << "that a component file may exclude";
 }
 
 // Another displacement that moves by itself: one that follows the own, or next to none, tells of no radius.

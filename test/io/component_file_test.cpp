@@ -318,6 +318,12 @@ TEST(ComponentFile, ValidDisplacement) {
   }
 }
 
+TEST(ComponentFile, ExcludedEffectsAreReadAsTheyAreWritten) {
+  io::ComponentDescription component("bush", {{"spring", {{"stiffness", {1e6}}}}});
+  component.excluded_effects = {"free_play", "backlash"};
+  EXPECT_EQ(io::parseComponentFile(io::toYaml({component}), "").front().excluded_effects, component.excluded_effects);
+}
+
 TEST(ComponentDescription, IsValidWhereItSaysNothingByAmplitudeOrTable) {
   const io::ComponentDescription spring("a", {{"spring", {{"stiffness", {1e6}}}}});
   EXPECT_FALSE(spring.validDisplacement());

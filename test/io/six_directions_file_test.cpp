@@ -31,6 +31,7 @@ const std::string kBush = R"(    directions:
     coupling: {translation: cylindrical, rotation: rectangular, axis: z}
     rotation: cardan
     valid_rotation: 40 deg
+    excluded_effects: [free_play]
     frame:
       a: {position: [10 cm, 0, -5 mm], rotation: [0, 90 deg, 0]}
       b: {position: [0, 0, 0.2]}
@@ -61,6 +62,7 @@ TEST(SixDirectionsFile, LoadsAll) {
   ASSERT_NE(description.six, nullptr);
   const io::SixDirectionsDescription& six = *description.six;
   EXPECT_EQ(six.directions[component::kX]->name, "bush_x");
+  EXPECT_EQ(six.directions[component::kRz]->excluded_effects, std::vector<std::string>{"free_play"});
   EXPECT_NEAR(six.directions[component::kRx]->elements()[0].value("stiffness"), 900.0, 1e-9);
   EXPECT_EQ(six.arrangement.translation, component::Coupling::cylindrical);
   EXPECT_EQ(six.arrangement.rotation, component::Coupling::rectangular);

@@ -58,6 +58,7 @@ judge::Evidence evidenceOf(const ordered_json& value) {
   value.at("effects").get_to(evidence.effects);
   value.at("on_rig").get_to(evidence.on_rig);
   value.at("guess").get_to(evidence.guess);
+  value.at("excluded").get_to(evidence.excluded);
   for (const ordered_json& hypothesis : value.at("hypotheses")) {
     evidence.hypotheses.push_back(hypothesisOf(hypothesis));
   }

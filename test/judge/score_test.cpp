@@ -107,6 +107,7 @@ TEST(EvidenceJson, IsReadAsItWasWritten) {
   evidence.logs.back().unseen = true;
   evidence.logs.front().octaves = {0.25, 0.75};
   evidence.hypotheses.back().free_gains = true;
+  evidence.excluded = {false, true};
   evidence.hypotheses.back().beyond = 2;
   evidence.hypotheses.back().shares = {{0.5, 0.5}, {1.0}, {1.0}};
   evidence.hypotheses[2].log_errors[1] = std::numeric_limits<double>::infinity();
@@ -136,6 +137,21 @@ TEST(Answer, TellsAGainOfAllLogsBesideWrongValues) {
   EXPECT_EQ(either.alternatives.front().effects, std::vector<int>{0});
   EXPECT_TRUE(leave(kFloor, 0.03).alternatives.empty());
   EXPECT_EQ(leave(0.05, 0.05).verdict, diagnosis::Verdict::unknown);
+}
+
+// What is ruled out has no probability, however well it explains the logs: its share is that of the others and of a
+// rest that no listed effect causes.
+TEST(Answer, NamesNothingThatIsExcluded) {
+  Evidence evidence = unexplained(3, 2, 0.1);
+  explain(evidence, 0, kFloor);
+  explain(evidence, 1, 0.02);
+  EXPECT_EQ(diagnosis::judge::answer(evidence).effects, std::vector<int>{0});
+  evidence.excluded = {true, false};
+  const diagnosis::judge::Answer without = diagnosis::judge::answer(evidence);
+  EXPECT_EQ(without.effects, std::vector<int>{1});
+  EXPECT_EQ(without.candidates[0], 0.0);
+  evidence.excluded = {true, true};
+  EXPECT_EQ(diagnosis::judge::answer(evidence).verdict, diagnosis::Verdict::unknown);
 }
 
 // Hold-out logs are further logs: a law that fails on them is not the answer.

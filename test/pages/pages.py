@@ -9,6 +9,7 @@ In a page (CONTRIBUTING.md):
 - A block ```text behind one is all that it prints on stdout, ```text 2 its first two lines, long ones wrapped.
 - A picture with <!-- of FILE --> behind it is FILE, which the script leaves; of FILE.html the first screen, by Chromium.
 A number may be off by one in the last digit shown: it is rounded. --write puts the present output and pictures in place.
+roslaunch needs the environment of the build, as `catkin_generated/env_cached.sh` gives it.
 """
 
 import os

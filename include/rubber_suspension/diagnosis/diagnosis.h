@@ -35,10 +35,11 @@ struct DiagnosisOptions {
   int threads = 2;
   /// Called with the stage's name and the fraction done.
   std::function<void(const std::string& stage, double fraction)> progress;
-  unsigned seed = 1;        ///< of the draws for intervals
-  int resamplings = 400;    ///< draws
-  ExperimentLimits limits;  ///< of the experiment that is proposed
-  bool evidence = false;    ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
+  unsigned seed = 1;                       ///< of the draws for intervals
+  int resamplings = 400;                   ///< draws
+  ExperimentLimits limits;                 ///< of the experiment that is proposed
+  std::vector<std::string> excluded = {};  ///< effects that are ruled out besides those of the component
+  bool evidence = false;  ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
   std::uint64_t available_memory = 0;  ///< that it may take [bytes]; 0: what the system has left for this process
   /// Of all logs and hold-outs together, that the search takes; of longer ones it takes excerpts.
   std::size_t most_samples = kMostSamples;
@@ -65,6 +66,12 @@ struct Alternative {
   Verdict verdict = Verdict::none;   ///< `named` for a set of effects
   std::vector<std::string> effects;  ///< the set
   double probability = 0.0;
+};
+
+/// An effect that was ruled out, with the probability that it would have otherwise.
+struct ExcludedEffect {
+  std::string effect;
+  double probability_otherwise = 0.0;
 };
 
 /// RMS of measured minus simulated force over the standard deviation of the measured force, on data that took no part
@@ -237,6 +244,7 @@ struct Diagnosis {
   /// Where effects are named: the sets of effects that make 90 % of all, the likeliest first.
   std::vector<std::vector<std::string>> confounded;
   std::vector<Alternative> alternatives;    ///< what else may be right, the likeliest first
+  std::vector<ExcludedEffect> excluded;     ///< what the component file or the options rule out
   std::vector<CandidateResult> candidates;  ///< most probable first
   Posterior posterior;                      ///< of the answers; the verdict's is the largest
   std::vector<gap::GapCell> where;

@@ -43,6 +43,7 @@ class ComponentDescription {
   /// A wlf_shift or arrhenius_shift: how it follows a temperature, where given.
   std::optional<element::ElementDescription> temperature;
   std::optional<element::Range> valid_displacement;  ///< where the component is valid [m], where given
+  std::vector<std::string> excluded_effects;  ///< that its construction rules out, which a diagnosis knows by name
   /// In which its file gives numbers, by the SI unit; of several the first.
   std::map<std::string, std::string> units;
   /// Of a component of six directions, which has nothing of its own but a name; nullptr for any other.

@@ -135,6 +135,7 @@ diagnosis::DiagnosisOptions settingsOf(const DiagnoseOptions& options) {
   settings.threads = options.threads;
   settings.progress = showStage;
   settings.evidence = options.evidence;
+  settings.excluded = options.exclude;
   return settings;
 }
 

@@ -27,6 +27,7 @@ struct DiagnoseOptions {
   bool evidence = false;
   std::string law = "simplest";
   std::vector<std::string> rig;
+  std::vector<std::string> exclude;
   std::vector<std::string> limits;
   std::vector<std::string> plan;
   std::string table_path;

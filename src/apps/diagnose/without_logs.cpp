@@ -91,6 +91,7 @@ int runTable(const DiagnoseOptions& options) {
   settings.threads = options.threads;
   settings.progress = showStage;
   settings.evidence = options.evidence;
+  settings.excluded = options.exclude;
   return publish(diagnosis::diagnoseTable(component, table, settings), earlier, options);
 }
 

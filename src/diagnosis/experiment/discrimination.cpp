@@ -261,7 +261,7 @@ double Discriminator::priorOfSizes(std::size_t explanation, const Eigen::MatrixX
     sizes.push_back(0.5 * std::log(std::max(square, kLeastSquare)));
     first += terms;
   }
-  return judge::priorOfSizes(sizes, explanations_[explanation].usual_size, judge::fittedNumbers());
+  return judge::priorOfSizes(sizes, explanations_[explanation].usual_size, judge::fittedNumbers().share_spread);
 }
 
 // How far the wrong explanation is off, wherever it puts that: on the motion, or on the logs before; and what its

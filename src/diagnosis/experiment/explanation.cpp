@@ -50,7 +50,7 @@ std::vector<Explanation> explanationsOf(const Workings& workings) {
     const hypotheses::FittedHypothesis& fitted = workings.search.at(hypothesis);
     if (explanations.size() < kMost && std::isfinite(fitted.fit.held_out) && probability > 0.0) {
       explanations.push_back({&fitted, probability, onAverage(squares, hypothesis), onAverage(losses, hypothesis),
-                              judge::fittedNumbers().least_size});
+                              judge::usualSize(table, judge::fittedNumbers())});
       sum += probability;
     }
   }

@@ -46,14 +46,18 @@ Odds oddsAt(const Search& search, double floor) {
 
 class Searcher {
  public:
-  Searcher(const Measured& measured, int threads, const ProgressCallback& progress)
-      : measured_(measured), fitter_(measured.fitter()), threads_(threads), progress_(progress) {}
+  Searcher(const Measured& measured, const std::vector<std::string>& excluded, int threads,
+           const ProgressCallback& progress)
+      : measured_(measured), fitter_(measured.fitter()), excluded_(excluded), threads_(threads), progress_(progress) {}
 
   Search run() {
     result_.guess = fitter_.model().isGuess();
     say("re-estimating the model parameters", 0.0);
     reEstimate();
     result_.candidates = measured_.candidates(result_.excitation, result_.re_estimated, threads_);
+    for (fit::Candidate& candidate : result_.candidates) {
+      candidate.excluded = std::find(excluded_.begin(), excluded_.end(), candidate.effect) != excluded_.end();
+    }
     say("screening single effects", 0.2);
     const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
     say("fitting single effects", 0.3);
@@ -65,6 +69,7 @@ class Searcher {
       fitSets(plan(screening, kMostEffects), result_.triples);
     }
     fitPartsOfTriples();
+    fitExcludedPairs(screening);
     settle(result_.triples);
     return std::move(result_);
   }
@@ -335,8 +340,26 @@ class Searcher {
     fitAll(parts, result_.pairs);
   }
 
+  // What is excluded beside the likeliest effect.
+  void fitExcludedPairs(const Screening& screening) {
+    const std::vector<const FittedHypothesis*> singles = likeliest(1);
+    std::vector<Planned> pairs;
+    for (int c = 0; !singles.empty() && c < static_cast<int>(result_.candidates.size()); ++c) {
+      const fit::Candidate& candidate = result_.candidates[static_cast<std::size_t>(c)];
+      const int likely = singles.front()->hypothesis.members.front();
+      const fit::Candidate& other = result_.candidates[static_cast<std::size_t>(likely)];
+      const bool together = !fit::contains(candidate, other) && !fit::contains(other, candidate);
+      if (candidate.excluded && candidate.applies() && together) {
+        const Screened pair = screening.screen({likely, c});
+        pairs.push_back({pair.members, pair.error, 0.0, screening.bestOf(pair.members)});
+      }
+    }
+    fitAll(pairs, result_.pairs);
+  }
+
   const Measured& measured_;
   const fit::HypothesisFitter& fitter_;
+  const std::vector<std::string>& excluded_;
   int threads_;
   const ProgressCallback& progress_;
   double floor_ = 0.0;  // what odds suppose that no set leaves less than
@@ -405,12 +428,14 @@ judge::Evidence evidenceOf(const Search& search) {
   for (const fit::Candidate& candidate : search.candidates) {
     evidence.effects.push_back(candidate.effect);
     evidence.on_rig.push_back(candidate.on_rig);
+    evidence.excluded.push_back(candidate.excluded);
   }
   return evidence;
 }
 
-Search search(const Measured& measured, int threads, const ProgressCallback& progress) {
-  return Searcher(measured, threads, progress).run();
+Search search(const Measured& measured, const std::vector<std::string>& excluded, int threads,
+              const ProgressCallback& progress) {
+  return Searcher(measured, excluded, threads, progress).run();
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

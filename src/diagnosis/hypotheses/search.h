@@ -64,7 +64,9 @@ using ProgressCallback = std::function<void(const std::string&, double)>;
 
 class Measured;
 
-/// Fit all hypotheses about what was measured on `threads` threads.
-Search search(const Measured& measured, int threads, const ProgressCallback& progress = {});
+/// Fit all hypotheses about what was measured on `threads` threads. Effects that are excluded are fitted alone and
+/// beside the likeliest one, and nothing else is compared with them.
+Search search(const Measured& measured, const std::vector<std::string>& excluded, int threads,
+              const ProgressCallback& progress = {});
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -14,10 +14,14 @@
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
+
+/// Effects that the component or the options rule out. Throws std::invalid_argument for a name that is none.
+std::vector<std::string> excludedEffects(const io::ComponentDescription& component, const DiagnosisOptions& options);
 
 /// A component and its logs, ready for the fits.
 struct PreparedCase {

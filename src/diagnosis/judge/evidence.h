@@ -48,6 +48,7 @@ struct Evidence {
   std::vector<std::string> effects;  ///< names, by the numbers that members are
   std::vector<bool> on_rig;          ///< of each effect: it belongs to the rig, not to the rubber
   bool guess = false;                ///< the data sheet is a guess, so that the model as configured is no answer
+  std::vector<bool> excluded = {};   ///< of each effect: it is ruled out, as all hypotheses with it; empty: none is
 
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
 };

@@ -44,6 +44,7 @@ std::string toJson(const Evidence& evidence) {
                               {"effects", evidence.effects},
                               {"on_rig", evidence.on_rig},
                               {"guess", evidence.guess},
+                              {"excluded", evidence.excluded},
                               {"logs", logs},
                               {"hypotheses", hypotheses}};
   return value.dump() + "\n";

@@ -67,10 +67,17 @@ void fillInBands(const HypothesisEvidence& hypothesis, Index row, ScoreTable& ta
   }
 }
 
-void fillErrors(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
+bool holdsExcluded(const Evidence& evidence, const HypothesisEvidence& hypothesis) {
+  return !evidence.excluded.empty() &&
+         std::any_of(hypothesis.members.begin(), hypothesis.members.end(),
+                     [&](int member) { return evidence.excluded[static_cast<std::size_t>(member)]; });
+}
+
+void fillErrors(const Evidence& evidence, const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
   table.left.row(row) = (arrayOf(hypothesis.log_errors) - table.floor).max(0.0);
   table.departure[row] = hypothesis.chi_squared;
-  if (!hypothesis.members.empty() && hypothesis.terms == 0) {  // the logs lack what it needs
+  const bool lacking = !hypothesis.members.empty() && hypothesis.terms == 0;  // in the logs: what it needs
+  if (lacking || holdsExcluded(evidence, hypothesis)) {
     table.left.row(row) = std::numeric_limits<double>::infinity();
   }
 }
@@ -113,16 +120,6 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
          numbers.per_gain * table.gains[row];
 }
 
-// An effect has a size, and so have wrong values: what is smaller than usual is seldom one.
-double priorOfSizes(const std::vector<double>& sizes, double usual, double spread) {
-  double prior = 0.0;
-  for (const double size : sizes) {
-    const double below = std::min(size - std::log(usual), 0.0) / spread;
-    prior -= 0.5 * below * below;
-  }
-  return prior;
-}
-
 // Values that are far from those of the data sheet are improbable, whatever they leave: Student's t.
 double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const double chi_squared = table.departure[static_cast<Index>(hypothesis)] / std::pow(numbers.sheet_scale, 2);
@@ -149,9 +146,7 @@ double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t
              (table.guess ? 0.0 : priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers.values_spread));
     default:
       return priorOfSet(table, numbers, hypothesis) +
-             priorOfSizes(table.sizes[hypothesis],
-                          numbers.share * std::sqrt(table.by_values + numbers.accepted * numbers.accepted),
-                          numbers.share_spread);
+             priorOfSizes(table.sizes[hypothesis], usualSize(table, numbers), numbers.share_spread);
   }
 }
 
@@ -188,7 +183,7 @@ ScoreTable scoreTable(const Evidence& evidence) {
     const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
     table.members.push_back(hypothesis.members);
     table.another_reading.push_back(hypothesis.keeps_values);
-    fillErrors(hypothesis, row, table);
+    fillErrors(evidence, hypothesis, row, table);
     fillInBands(hypothesis, row, table);
     fillMembers(evidence, hypothesis, row, table);
   }
@@ -220,14 +215,18 @@ double priorOfCount(std::size_t effects, const JudgeNumbers& numbers) {
   return prior;
 }
 
-// An effect has a size, and so have wrong values: what is smaller than the least size is seldom one.
-double priorOfSizes(const std::vector<double>& sizes, double usual, const JudgeNumbers& numbers) {
+// An effect has a size, and so have wrong values: what is smaller than usual is seldom one.
+double priorOfSizes(const std::vector<double>& sizes, double usual, double spread) {
   double prior = 0.0;
   for (const double size : sizes) {
-    const double below = std::min(size - std::log(usual), 0.0) / numbers.size_spread;
+    const double below = std::min(size - std::log(usual), 0.0) / spread;
     prior -= 0.5 * below * below;
   }
   return prior;
+}
+
+double usualSize(const ScoreTable& table, const JudgeNumbers& numbers) {
+  return numbers.share * std::sqrt(table.by_values + numbers.accepted * numbers.accepted);
 }
 
 double costOfNumbers(double beyond, double blocks, const JudgeNumbers& numbers) {

@@ -57,9 +57,12 @@ double priorOfCount(std::size_t effects, const JudgeNumbers& numbers);
 /// blocks.
 double costOfNumbers(double beyond, double blocks, const JudgeNumbers& numbers);
 
+/// The size below which an effect is improbable: a share of what values leave.
+double usualSize(const ScoreTable& table, const JudgeNumbers& numbers);
+
 /// Prior of sizes: logarithms of RMS forces over the force's deviation, of which what is below the usual one is
-/// improbable.
-double priorOfSizes(const std::vector<double>& sizes, double usual, const JudgeNumbers& numbers);
+/// improbable: a normal distribution of so wide a spread there.
+double priorOfSizes(const std::vector<double>& sizes, double usual, double spread);
 
 /// The cost of squares left where these are expected: ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2)).
 double lossOf(double left, double expected, const JudgeNumbers& numbers);

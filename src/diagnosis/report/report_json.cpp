@@ -143,6 +143,10 @@ ordered_json alternativeJson(const Alternative& other) {
   return {{"verdict", toString(other.verdict)}, {"effects", other.effects}, {"probability", other.probability}};
 }
 
+ordered_json excludedJson(const ExcludedEffect& one) {
+  return {{"effect", one.effect}, {"probability_otherwise", one.probability_otherwise}};
+}
+
 ordered_json sizeJson(const SizedValue& size) {
   return {{"owner", size.owner},           {"name", size.name},   {"unit", size.unit},
           {"configured", size.configured}, {"value", size.value}, {"interval_95", size.interval_95},
@@ -206,6 +210,7 @@ std::string toJson(const Diagnosis& diagnosis) {
                          {"closed", {{"fraction", diagnosis.closed}, {"interval_95", diagnosis.closed_interval}}},
                          {"confounded", diagnosis.confounded},
                          {"alternatives", each(diagnosis.alternatives, alternativeJson)},
+                         {"excluded", each(diagnosis.excluded, excludedJson)},
                          {"candidates", each(diagnosis.candidates, candidateJson)},
                          {"probability_none_of_these", diagnosis.posterior.none_of_these},
                          {"posterior",

@@ -61,6 +61,18 @@ double ordersWith(std::size_t before, std::size_t parts) {
          boost::math::factorial<double>(static_cast<unsigned>(parts));
 }
 
+// The same judgement with nothing excluded.
+void addExcluded(const judge::Evidence& evidence, Diagnosis& diagnosis) {
+  judge::Evidence nothing_excluded = evidence;
+  nothing_excluded.excluded.clear();
+  const std::vector<double> otherwise = judge::answer(nothing_excluded).candidates;
+  for (std::size_t e = 0; e < evidence.excluded.size(); ++e) {
+    if (evidence.excluded[e]) {
+      diagnosis.excluded.push_back({evidence.effects[e], otherwise[e]});
+    }
+  }
+}
+
 }  // namespace
 
 void addAnswer(const judge::Answer& answer, const judge::Evidence& evidence, Diagnosis& diagnosis) {
@@ -78,6 +90,7 @@ void addAnswer(const judge::Answer& answer, const judge::Evidence& evidence, Dia
   for (const judge::Explained& other : answer.alternatives) {
     diagnosis.alternatives.push_back({other.verdict, names(other.effects), other.probability});
   }
+  addExcluded(evidence, diagnosis);
 }
 
 void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alone, const Workings& workings,

@@ -245,7 +245,7 @@ class Describer {
         experiment::nextExperiment(prepared_.fitter, *workings_, options_.limits, options_.threads);
     result_.next_experiment = std::move(next.text);
     result_.proposed = std::move(next.proposed);
-    result_.sentence = words::sentence(result_);
+    result_.sentence = words::sentence(result_) + words::excludedNote(result_);
     result_.could_show = experiment::couldShow(search_);
     if (const std::string note = words::temperatureNote(result_.effects, search_.excitation); !note.empty()) {
       result_.sentence += " " + note;

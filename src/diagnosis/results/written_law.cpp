@@ -78,6 +78,7 @@ io::ComponentDescription componentOf(const hypotheses::PreparedCase& prepared, c
     result.add.insert(result.add.end(), entries.begin(), entries.end());
   }
   result.valid_displacement = prepared.component.valid_displacement;
+  result.excluded_effects = prepared.component.excluded_effects;
   result.units = prepared.component.units;
   return result;
 }

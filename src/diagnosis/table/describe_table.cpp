@@ -276,7 +276,7 @@ class TableDescriber {
     results::addAnswer(answer_, workings_->evidence, result_);
     results::addShares([&](const std::vector<bool>& in) { return gapWith(in); }, options_.threads, result_);
     result_.next_experiment = nextRow(measured_, *workings_);
-    result_.sentence = words::sentence(result_);
+    result_.sentence = words::sentence(result_) + words::excludedNote(result_);
     result_.could_show = experiment::couldShow(search_);
   }
 

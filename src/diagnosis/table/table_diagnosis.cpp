@@ -137,7 +137,8 @@ Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::Me
     return result;
   }
   auto workings = std::make_shared<Workings>();
-  workings->search = hypotheses::search(measured, options.threads, options.progress);
+  workings->search =
+      hypotheses::search(measured, hypotheses::excludedEffects(component, options), options.threads, options.progress);
   workings->evidence = hypotheses::evidenceOf(workings->search);
   addRows(measured, workings->search, options.threads, workings->evidence);
   workings->write_evidence = options.evidence;

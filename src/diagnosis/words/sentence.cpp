@@ -247,4 +247,24 @@ std::string temperatureNote(const std::vector<std::string>& effects, const fit::
       fmt::join(doubtful, " and "));
 }
 
+std::string excludedNote(const Diagnosis& diagnosis) {
+  constexpr double kWorthSaying = 0.02;
+  std::string note;
+  for (const bool by_file : {true, false}) {
+    std::vector<std::string> texts;
+    for (const ExcludedEffect& one : diagnosis.excluded) {
+      const auto& of_file = diagnosis.configured.excluded_effects;
+      const bool in_file = std::find(of_file.begin(), of_file.end(), one.effect) != of_file.end();
+      if (in_file == by_file && one.probability_otherwise >= kWorthSaying) {
+        texts.push_back(fmt::format("{} would be {} %", one.effect, chance(one.probability_otherwise)));
+      }
+    }
+    if (!texts.empty()) {
+      note += fmt::format(" Excluded by {}; without that, {}.", by_file ? "the component file" : "--exclude",
+                          enumerated(texts));
+    }
+  }
+  return note;
+}
+
 }  // namespace rubber_suspension::diagnosis::words

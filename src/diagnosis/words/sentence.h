@@ -15,4 +15,7 @@ std::string sentence(const Diagnosis& diagnosis);
 /// A sentence for logs without a temperature that name softening or heating; empty for all others.
 std::string temperatureNote(const std::vector<std::string>& effects, const fit::Excitation& excitation);
 
+/// " Excluded by the component file; without that, backlash would be 63 %.", for what would be 2 % or more; else empty.
+std::string excludedNote(const Diagnosis& diagnosis);
+
 }  // namespace rubber_suspension::diagnosis::words
