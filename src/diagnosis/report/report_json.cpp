@@ -212,6 +212,9 @@ std::string toJson(const Diagnosis& diagnosis) {
                          {"own_parameters", {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}}},
                          {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
                          {"admission", each(diagnosis.admission, admissionJson)}};
+  if (!diagnosis.defect.empty()) {
+    report["defect"] = diagnosis.defect;
+  }
   if (diagnosis.turns) {
     report["units"] = {{"m", "rad"}, {"N", "N m"}};
   }

@@ -222,7 +222,7 @@ class TableDescriber {
                    [](const hypotheses::FittedHypothesis& single) { return single.fit.blocks; });
     result_.noise_source = search_.noise_source;
     result_.gap_of_full_law = gap.augmented;
-    results::addGap(gap, alone, *workings_, options_, result_);
+    results::addGap(gap, alone, workings_->evidence, *workings_, options_, result_);
     const auto [values, effects] = results::valuesAndEffects(result_);
     result_.gap_of_values = gapOf(values);
     result_.gap_of_effects = gapOf(effects);
