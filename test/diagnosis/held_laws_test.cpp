@@ -1,6 +1,7 @@
 // Laws that may be written keep their force while the displacement is held and its sensor is noisy.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -59,8 +60,8 @@ fit::Excitation excitation() {
 }
 
 // What noise takes from a law while 2 mm are held is taken at once, by the largest of it, and no more later: but for 2
-// % of the law's force, and the mean of the noise of 500 samples on the spring and the law, of which this is 5 standard
-// deviations.
+// % of what the law does, and the means of the noise of 500 samples on the spring and the law, of whose difference this
+// is 5 standard deviations.
 TEST(HeldDisplacement, KeepsTheForceOfAnyLawThatIsWritten) {
   const log::Record record = held();
   for (const fit::Candidate& candidate : diagnosis::hypotheses::candidate::candidates(excitation())) {
@@ -70,8 +71,10 @@ TEST(HeldDisplacement, KeepsTheForceOfAnyLawThatIsWritten) {
                                                                    law.at(law.typical)};
         const Eigen::VectorXd clean = gap::simulate(elements, {record})[0];
         const Eigen::VectorXd taken = clean - gap::simulate(elements, {record}, gap::asRecorded)[0];
-        const double own = std::abs(meanAt(clean, 9.0) - kStiffness * kHeld);
-        const double noise = 5.0 * 1.5 * kStiffness * kNoise / std::sqrt(500.0);
+        const double own = law.softening ? law.typical * kStiffness * kHeld
+                                         : std::max(std::abs(meanAt(clean, 2.0) - kStiffness * kHeld),
+                                                    std::abs(meanAt(clean, 9.0) - kStiffness * kHeld));
+        const double noise = 5.0 * 1.2 * kStiffness * kNoise * std::sqrt(2.0 / 500.0);
         EXPECT_NEAR(meanAt(taken, 9.0), meanAt(taken, 2.0), 0.02 * own + noise)
             << candidate.effect << ": " << elements[1].type << " of " << own << " N";
       }
