@@ -48,7 +48,8 @@ def motions(rng):
 def dahl(rng):
     """Friction whose slope falls by a power other than any that is fitted."""
     force, slip, power = rng.uniform(120, 300), rng.uniform(0.03e-3, 0.2e-3), rng.uniform(0.7, 1.4)
-    half = slip * (np.log(2.0) if abs(power - 1) < 1e-9 else (0.5 ** (1 - power) - 1) / (power - 1))
+    # From a reversal at the limit to no force: half of the way that Masing's rule takes from rest.
+    half = 0.5 * slip * (np.log(2.0) if abs(power - 1) < 1e-9 else (1 - 2.0 ** (1 - power)) / (power - 1))
 
     def law(z):
         out, h = np.empty_like(z), 0.0
