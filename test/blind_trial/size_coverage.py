@@ -112,15 +112,9 @@ def mass(rng):
     return {"mass": m}, law, None
 
 
-def bracket(rng):
-    """A bracket that hardens."""
-    stiffness, share = rng.uniform(6.0, 14.0) * STIFFNESS, rng.uniform(0.0, 0.25)
-    return {"stiffness": stiffness}, None, lambda y, f: y + f / stiffness * (1 - share * (f / 3e3) ** 2)
-
-
 def play(rng):
-    """Play between rounded faces."""
-    gap, soft = rng.uniform(0.05e-3, 0.15e-3), rng.uniform(10.0, 60.0)
+    """Play between rounded faces, which a force of some newtons brings together."""
+    gap, soft = rng.uniform(0.05e-3, 0.15e-3), rng.uniform(3.0, 15.0)
     return {"gap": gap}, None, lambda y, f: y + gap * np.tanh(f / soft)
 
 
@@ -133,7 +127,7 @@ def delay(rng):
 
 
 KINDS = {"friction": dahl, "bump_stop": stop, "relaxation": relaxation, "creep": creep, "inertia": mass,
-         "series_compliance": bracket, "free_play": play, "time_delay": delay}
+         "free_play": play, "time_delay": delay}
 
 
 def base_force(replay, folder, z):
