@@ -52,8 +52,7 @@ class Describer {
     result_.component = prepared_.component.name;
     result_.configured = prepared_.component;
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
-    before_ = replayed(prepared_.fitter, fullLaw(search_.re_estimated),
-                       result_.re_estimated.allElements(), held_out_);
+    before_ = replayed(prepared_.fitter, fullLaw(search_.re_estimated), result_.re_estimated.allElements(), held_out_);
     written_ =
         addWrittenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_.unseen()), options_, result_);
     simulateAll();

@@ -23,8 +23,8 @@ struct SimplestLaw {
 /// effect can know: gap^2 <= full gap^2 + sum (eta A)^2 + delta^2 over the members so far, A being the force that the
 /// member adds, eta the form error of laws and delta what is accepted (JudgeNumbers). A member that needs more keeps
 /// its terms. Laws are one to three terms of one kind, of those of the candidate and of its `laws`, at their best
-/// places; no term of what an effect contains stands for it. Gaps are those of `replay` on the logs held out, or else on
-/// held-out blocks (replayed.h). It closes more than half of what the full law closes of the squared gap `before`.
+/// places; no term of what an effect contains stands for it. Gaps are those of `replay` on the logs held out, or else
+/// on held-out blocks (replayed.h). It closes more than half of what the full law closes of the squared gap `before`.
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
                         const hypotheses::FittedHypothesis& judged, const HeldOut& held_out, double before,
                         int threads);
