@@ -239,7 +239,7 @@ int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::repor
   fmt::print("{}\n{}{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence),
              whole.empty() ? "" : whole + "\n", takenOut(diagnosis), excerptsTaken(diagnosis),
              diagnosis::report::toText(diagnosis.comparison), options.output);
-  return kSuccess;
+  return diagnosis.defect.empty() ? kSuccess : kDefect;
 }
 
 }  // namespace rubber_suspension::apps

@@ -75,7 +75,8 @@ bool hasValuesOfItsOwn(const diagnosis::Diagnosis& d) {
       std::any_of(d.alternatives.begin(), d.alternatives.end(), [](const diagnosis::Alternative& other) {
         return other.effects.empty() && other.verdict == Verdict::parameter_error;
       });
-  return d.verdict != Verdict::check_bench && d.verdict != Verdict::unknown && (d.effects.empty() || other_values_do);
+  return d.verdict != Verdict::check_bench && d.verdict != Verdict::defect && d.verdict != Verdict::unknown &&
+         (d.effects.empty() || other_values_do);
 }
 
 // Nothing for a number without a logarithm.
@@ -181,7 +182,7 @@ class Executor {
     } else if (job.options.reports == Reports::data) {
       const std::string folder = makeReportFolder(job);
       log::writeNewFile(folder + "/report.json", diagnosis::toJson(result));
-      if (result.workings) {
+      if (hasComponentFile(result)) {
         log::writeNewFile(folder + "/augmented.yaml", diagnosis::results::augmentedYaml(result));
       }
       if (const std::string evidence = diagnosis::evidenceJson(result); !evidence.empty()) {

@@ -19,7 +19,7 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum ExitStatus : int { kSuccess = 0, kFailed = 1, kWrongUsage = 2 };
+enum ExitStatus : int { kSuccess = 0, kFailed = 1, kWrongUsage = 2, kDefect = 3 };
 
 /// Of this package.
 std::string version();

@@ -12,6 +12,7 @@
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/hypotheses/workings.h"
+#include "diagnosis/invariants.h"
 #include "diagnosis/judge/answer.h"
 #include "diagnosis/prepare/bench_evidence.h"
 #include "diagnosis/prepare/excerpts.h"
@@ -144,7 +145,7 @@ Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSour
   Diagnosis result = diagnoseExcerpts(component, excerpts, unseen.empty() ? surveys : unseen, options);
   result.samples = excerpts.samples;
   result.recorded_samples = excerpts.of;
-  return result;
+  return heldToInvariants(std::move(result));
 }
 
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,

@@ -145,7 +145,7 @@ io::ComponentDescription augmentedOf(const io::ComponentDescription& component,
                                      const std::vector<DirectionDiagnosis>& directions) {
   auto six = std::make_shared<io::SixDirectionsDescription>(*component.six);
   for (const DirectionDiagnosis& found : directions) {
-    if (found.diagnosis.workings) {
+    if (hasComponentFile(found.diagnosis)) {
       six->directions[found.direction] = found.diagnosis.augmented;
     }
   }

@@ -9,7 +9,8 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr std::array kWords = {"none", "parameter_error", "named", "confounded", "unknown", "partly", "check_bench"};
+constexpr std::array kWords = {"none",    "parameter_error", "named",       "confounded",
+                               "unknown", "partly",          "check_bench", "defect"};
 
 }  // namespace
 

@@ -4,16 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "element/dead_band.h"
+
 namespace rubber_suspension::element {
 namespace {
 
-enum FirstLoadingSlot { kUpper, kLower };
+enum FirstLoadingSlot { kUpper, kLower, kFollowed };
 
 }  // namespace
 
 double FirstLoading::initialise(double displacement, double* memory) const {
   memory[kUpper] = std::max(displacement, 0.0);
   memory[kLower] = std::max(-displacement, 0.0);
+  memory[kFollowed] = displacement;
   return 0.0;
 }
 
@@ -21,6 +24,7 @@ double FirstLoading::initialise(double displacement, double* memory) const {
 double FirstLoading::relax(double displacement, double* memory) const {
   memory[kUpper] = std::max(memory[kUpper], displacement);
   memory[kLower] = std::max(memory[kLower], -displacement);
+  memory[kFollowed] = displacement;
   return 0.0;
 }
 
@@ -38,8 +42,11 @@ double FirstLoading::follow(double end, double increment, double& reach) const {
 }
 
 double FirstLoading::step(const Motion& motion, double* memory) const {
-  const double upper = side_ == Side::lower ? 0.0 : follow(motion.displacement, motion.increment, memory[kUpper]);
-  const double lower = side_ == Side::upper ? 0.0 : follow(-motion.displacement, -motion.increment, memory[kLower]);
+  const double z = followed(motion.displacement, dead_band_, memory[kFollowed]);
+  const double increment = dead_band_ > 0.0 ? z - memory[kFollowed] : motion.increment;
+  memory[kFollowed] = z;
+  const double upper = side_ == Side::lower ? 0.0 : follow(z, increment, memory[kUpper]);
+  const double lower = side_ == Side::upper ? 0.0 : follow(-z, -increment, memory[kLower]);
   return stiffness_ * (upper - lower);
 }
 
@@ -51,10 +58,12 @@ ElementType firstLoadingType() {
       {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k just beyond the largest past displacement"},
        {"yield_share", "1", Role::shape, Range::closed(1e-3, 1e3),
         "share b of the displacement over which the force approaches its limit"},
-       {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: at z > 0 only, -1: at z < 0 only, 0: both", 0.0}},
+       {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: at z > 0 only, -1: at z < 0 only, 0: both", 0.0},
+       {"dead_band", "m", Role::choice, Range::nonNegative(), kDeadBand, 0.0}},
       [](const ElementDescription& description) -> ElementPointer {
         return std::make_shared<const FirstLoading>(description.value("stiffness"), description.value("yield_share"),
-                                                    static_cast<FirstLoading::Side>(sideOf(description, "z")));
+                                                    static_cast<FirstLoading::Side>(sideOf(description, "z")),
+                                                    description.value("dead_band"));
       }};
 }
 

@@ -1,14 +1,23 @@
 // Summary of the logs' motion and force.
 #include "fit/excitation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "gap/simulate.h"
 
 namespace rubber_suspension::fit {
 
 namespace {
+
+// White noise of a million samples stays within.
+constexpr double kDeadBandOfNoise = 10.0;  // standard deviations, between both ends
+
+// As it is written to a component file.
+double inTwoDigits(double value) { return std::stod(fmt::format("{:.2g}", value)); }
 
 void addTemperature(const std::vector<log::Record>& records, Excitation& result) {
   result.has_temperature = std::all_of(records.begin(), records.end(),
@@ -103,6 +112,7 @@ Excitation summarise(const std::vector<log::Record>& records) {
     grow(result.slowest_loop, 0.5 * (z.maxCoeff() - z.minCoeff()) / highest_rate);
     grow(result.longest_duration, record.duration());
     grow(result.dt, record.dt);
+    grow(result.dead_band, inTwoDigits(kDeadBandOfNoise * record.displacement_noise));
     grow(result.power, (rate * record.force.tail(steps).array()).abs().mean());
     grow(result.force, record.force_deviation);
     force_power += std::pow(record.force_deviation, 2) * static_cast<double>(record.size());

@@ -20,10 +20,12 @@ struct Excitation {
   double longest_duration = 0.0;      ///< [s]
   double slowest_loop = 0.0;          ///< longest time that half the range of a log takes at its largest |dz/dt| [s]
   double dt = 0.0;                    ///< [s]
-  std::size_t whole_logs = 0;         ///< none of them an excerpt; 0 where there are excerpts
-  bool has_temperature = false;       ///< all logs have one
-  double lowest_temperature = 0.0;    ///< [degC]
-  double highest_temperature = 0.0;   ///< [degC]
+  /// Of laws that small reversals would change for good: noise of a displacement that is held does not leave it [m].
+  double dead_band = 0.0;
+  std::size_t whole_logs = 0;        ///< none of them an excerpt; 0 where there are excerpts
+  bool has_temperature = false;      ///< all logs have one
+  double lowest_temperature = 0.0;   ///< [degC]
+  double highest_temperature = 0.0;  ///< [degC]
   /// Largest root of displacement squared and of that across squared [m]; 0 where the logs do not tell one from the
   /// other.
   double largest_radius = 0.0;

@@ -1,6 +1,6 @@
 # What every report of a diagnosis must say of itself, whatever it found: verdict, gaps, floor, interval and
-# probabilities agree (docs/diagnosis.md lists it). Only what report.json shows; test/diagnosis/invariants.h asks the
-# same of the result itself, and of what the page says.
+# probabilities agree (docs/diagnosis.md lists it). Only what report.json shows; src/diagnosis/invariants.cpp asks the
+# same of the result itself before it is told, and of what the page says: a report that broke one there is a `defect`.
 """Invariants of a report."""
 import math
 
@@ -8,6 +8,10 @@ LISTED = 0.02           # a set that holds a less probable effect is not listed
 WORTH_SAYING = 0.02     # logarithm of a changed value
 SLACK = 1e-3            # of sums, fractions and gaps, which are rounded
 NAMING = ("named", "confounded", "partly")
+
+
+def tells_a_verdict(report):
+    return report["verdict"] != "defect"
 
 
 def verdict_has_its_effects(report):
@@ -159,6 +163,7 @@ def surrogate_is_there(report):
 
 
 CHECKS = {
+    "no invariant was broken within the diagnosis": tells_a_verdict,
     "effects if and only if the verdict names any": verdict_has_its_effects,
     "named: the gap falls, and the interval excludes 0": named_closes,
     "closed is of the gaps": closed_is_of_the_gaps,

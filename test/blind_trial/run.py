@@ -14,6 +14,9 @@ import threading
 import time
 
 
+DEFECT = 3  # exit status of a report that contradicts itself
+
+
 def command(binary, folder, report_folder, evidence):
     """The command line for one case."""
     with open(os.path.join(folder, "case.json"), encoding="utf-8") as file:
@@ -65,16 +68,19 @@ def main():
         os.path.join(arguments.cases, n, "case.json")) and (arguments.only is None or n in arguments.only))
     if not names:
         parser.error(f"--cases {arguments.cases}: holds no cases")
-    failed = 0
+    failed = defects = 0
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         futures = {pool.submit(run_one, arguments.diagnose, os.path.join(arguments.cases, name),
                                os.path.join(arguments.reports, name), arguments.timeout,
                                arguments.evidence): name for name in names}
         for done, future in enumerate(concurrent.futures.as_completed(futures), 1):
             result = future.result()
-            failed += result["exit_status"] != 0
+            failed += result["exit_status"] not in (0, DEFECT)
+            defects += result["exit_status"] == DEFECT
             print(f"{done}/{len(names)} {futures[future]} {result['seconds']:.1f} s, "
                   f"{result['peak_memory_bytes'] / 2**20:.0f} MiB, exit status {result['exit_status']}", flush=True)
+    if defects:
+        print(f"{defects} of {len(names)} reports contradict themselves", file=sys.stderr)
     if failed:
         print(f"{failed} of {len(names)} cases failed", file=sys.stderr)
     return 1 if failed else 0

@@ -269,6 +269,8 @@ class ScoreTest(unittest.TestCase):
                 ("where adds up to 1", {"where": [{"share": 0.5}]}),
                 ("the interval holds what is closed", {"closed": {"fraction": 0.99, "interval_95": [0.2, 0.5]}})):
             self.assertIs(invariants.checked(dict(report_of("named", ["creep"]), **changes))[name], False, name)
+        self.assertIs(invariants.checked(report_of("defect", defect="where adds up to 1"))[
+            "no invariant was broken within the diagnosis"], False)
         self.assertIs(invariants.checked(report_of("unknown", next_experiment=""))[
             "a next experiment where confounded or unknown"], False)
 

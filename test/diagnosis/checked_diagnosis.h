@@ -1,20 +1,46 @@
 // A diagnosis whose statements have to agree with each other: what tests of this folder make goes through here.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "diagnosis/invariants.h"
+#include "diagnosis/experiment/explanation.h"
+#include "diagnosis/hypotheses/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension {
+
+/// A hypothesis leaves no more of the logs of the fit than one whose terms are among its own, a law that contains
+/// another than that one above all.
+inline void checkContainment(const diagnosis::Diagnosis& d) {
+  using diagnosis::hypotheses::FittedHypothesis;
+  constexpr double kAsMuch = 1.01;
+  constexpr double kOfFloor = 0.1;
+  const diagnosis::hypotheses::Search& search = d.workings->search;
+  const std::vector<const FittedHypothesis*> all = search.withEffects();
+  for (const FittedHypothesis* larger : all) {
+    for (const FittedHypothesis* smaller : all) {
+      if (larger != smaller && smaller->hypothesis.competes() &&
+          fit::holds(search.candidates, larger->hypothesis.members, smaller->hypothesis.members)) {
+        EXPECT_LE(larger->fit.gap, kAsMuch * smaller->fit.gap + kOfFloor * search.noise)
+            << diagnosis::experiment::nameOf(search, *larger) << " above "
+            << diagnosis::experiment::nameOf(search, *smaller);
+      }
+    }
+  }
+}
 
 inline diagnosis::Diagnosis checkedDiagnosis(const io::ComponentDescription& component,
                                              const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out,
                                              const diagnosis::DiagnosisOptions& options = {}) {
   diagnosis::Diagnosis result = diagnosis::diagnose(component, logs, hold_out, options);
-  test::checkInvariants(result);
+  EXPECT_EQ(result.defect, "");
+  if (result.workings) {
+    checkContainment(result);
+  }
   return result;
 }
 

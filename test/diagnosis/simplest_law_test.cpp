@@ -95,24 +95,13 @@ TEST_F(SimplestLaw, OfASymmetricStopIsOneEntry) {
   EXPECT_NEAR(found()[0].value("stiffness"), 2e6, 4e4);
 }
 
-// From either side of Dahl's friction; beta and gamma move each by itself, but no farther than the law goes.
-TEST_F(SimplestLaw, OfFrictionMayBeBoucWens) {
-  fit("friction", {{"bouc_wen", {{"stiffness", {3e6}}, {"beta", {4e3}}, {"gamma", {3.5e3}}}}});
-  std::size_t of_three = 0;
-  for (const fit::BasisTerm& law : candidates_[static_cast<std::size_t>(full_.hypothesis.members[0])].laws) {
-    const element::ElementDescription entry = law.at(law.typical);
-    of_three += entry.type == "bouc_wen" && numbersIn({entry}) == 3 ? 1 : 0;
-  }
-  EXPECT_GE(of_three, 2U);
-  diagnosis::results::Law law;
-  law.members = {
-      {full_.hypothesis.members[0], {}, {{"bouc_wen", {{"stiffness", {1.5e6}}, {"beta", {4e3}}, {"gamma", {2e3}}}}}}};
-  const diagnosis::results::LawFitter fitter(*fitter_, law, 1);
-  const fit::Hypothesis hypothesis = law.hypothesis();
-  const fit::Fit found = fitter.fit(hypothesis, fitter.configured(hypothesis), {20});
-  const element::ElementDescription entry = law.at(found.parameters.scales).at(0).at(0);
-  EXPECT_NEAR(entry.value("stiffness"), 3e6, 1.5e5);
-  EXPECT_NEAR(entry.value("stiffness") / (entry.value("beta") + entry.value("gamma")), 400.0, 12.0);
+// Iwan's sliders forget nothing under the noise of a sensor; Berg's friction has a dead band against it.
+TEST_F(SimplestLaw, OfFrictionMayBeIwans) {
+  fit("friction", {{"iwan", {{"maximum_force", {800.0}}, {"displacement", {1e-4}}}}});
+  expectPaid();
+  ASSERT_EQ(found().size(), 1U);
+  EXPECT_EQ(numbersIn(found()), 2U);
+  EXPECT_NEAR(headlineOf(found()).at("maximum_force"), 800.0, 80.0);
 }
 
 // The candidate has tracks on either side of this resonance, 4.1 Hz, and of its damping, 0.2 of the critical one.

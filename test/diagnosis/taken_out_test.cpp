@@ -37,9 +37,8 @@ class TakenOutTest : public ::testing::Test {
     record.nuisances = free.empty() ? columns : numerics::orthonormalColumns(columns);
     deviation_ = record.force_deviation;
     const auto elements = rigComponent().allElements();
-    const results::LogAccount account = results::accountsOf(elements, {record}, {}, results::rawChannels({log_}, {}),
-                                                            gap::simulate(elements, {record}), {}, {})
-                                            .front();
+    const results::LogAccount account =
+        results::accountsOf(elements, {record}, {}, results::rawChannels({log_}, {}), {}, {}).front();
     left_ = std::sqrt(account.left());
     double left = account.recorded();
     for (const TakenOut& part : account.entries()) {
@@ -109,10 +108,9 @@ TEST_F(TakenOutTest, TellsAGain) {
   }
   log::Record record = measurement::prepareLog(log).record;
   const auto elements = rigComponent().allElements();
-  const gap::Forces forces = gap::simulate(elements, {record});
-  record.nuisances = forces.front().normalized();
+  record.nuisances = gap::simulate(elements, {record}).front().normalized();
   const auto parts =
-      results::accountsOf(elements, {record}, {}, results::rawChannels({log}, {}), forces, {}, {}).front().entries();
+      results::accountsOf(elements, {record}, {}, results::rawChannels({log}, {}), {}, {}).front().entries();
   EXPECT_NEAR(shareOf(parts, results::taken_out::kGain), 0.03 / 1.03, 0.002);
 }
 

@@ -74,5 +74,18 @@ TEST(FirstLoading, OfOneSideLeavesTheOtherAlone) {
                std::invalid_argument);
 }
 
+// A reach that each outward sample of noise moves on would take all of the force within some hundred of them.
+TEST(FirstLoading, NoiseWithinTheDeadBandTakesNothing) {
+  const element::FirstLoading law(kStiffness, 0.1, element::FirstLoading::Side::both, 1e-5);
+  Driver<element::FirstLoading> driver(law);
+  driver.step(0.01, 1e-3);
+  const double force = driver.step(0.01, 0.995e-3);
+  for (int i = 0; i < 1000; ++i) {
+    driver.step(0.01, 0.995e-3 + (i % 2 == 0 ? 4.9e-6 : -4.9e-6));
+  }
+  EXPECT_EQ(driver.step(0.01, 0.995e-3), force);
+  EXPECT_NEAR(force, kStiffness * 0.1 / 1.1 * 1e-3, 1e-5 * kStiffness);
+}
+
 }  // namespace
 }  // namespace rubber_suspension::test

@@ -46,6 +46,18 @@ TEST(VariableFriction, WearsAlongTheTravelForGood) {
   EXPECT_NEAR(driver.memory()[1], std::exp(-1.0), 1e-12);
 }
 
+TEST(VariableFriction, NoiseWithinTheDeadBandWearsNothing) {
+  const element::VariableFriction law({kStiffness, kYield, 0.0, 0.05, 0.0, 1e-5});
+  Driver<element::VariableFriction> driver(law);
+  driver.step(0.01, 0.05);
+  const double worn = driver.memory()[1];
+  for (int i = 0; i < 1000; ++i) {
+    driver.step(0.01, 0.05 - (i % 2 == 0 ? 9e-6 : 0.0));
+  }
+  EXPECT_EQ(driver.memory()[1], worn);
+  EXPECT_NEAR(worn, std::exp(-1.0), 1e-4);
+}
+
 // Balance of wear and build-up at a steady rate v: m = 1/(1 + v T_b/s).
 TEST(VariableFriction, SettlesAtTheBalanceOfWearAndBuildUp) {
   const element::VariableFriction law({kStiffness, kYield, 0.0, 2e-3, 0.5});

@@ -11,7 +11,7 @@ namespace {
 using diagnosis::Verdict;
 
 TEST(Verdict, IsReadAsItIsWritten) {
-  for (int i = 0; i <= static_cast<int>(Verdict::check_bench); ++i) {
+  for (int i = 0; i <= static_cast<int>(Verdict::defect); ++i) {
     const auto verdict = static_cast<Verdict>(i);
     EXPECT_EQ(diagnosis::verdictOf(toString(verdict)), verdict);
   }

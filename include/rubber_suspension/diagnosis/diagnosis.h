@@ -119,7 +119,7 @@ struct Admission {
 /// The part of one kind that was taken out of a log before a model was held against it.
 struct TakenOut {
   std::string log;
-  std::string kind;  ///< spikes, zero, drift, delay, gain, displacement_zero, initial_state, displacement_noise
+  std::string kind;  ///< spikes, zero, drift, delay, gain, displacement_zero, initial_state
   /// Root of what it has of the mean squared residual, over the force's standard deviation; less than 0 where the
   /// residual grew. The squares of a log, each with its sign, add up to recorded^2 - left^2 of its Admission.
   double share = 0.0;
@@ -229,6 +229,7 @@ struct Diagnosis {
   Verdict verdict = Verdict::none;
   double probability = 0.0;          ///< of the verdict; where effects are named, of their set
   std::string sentence;              ///< the verdict for an engineer
+  std::string defect;                ///< invariants that are broken; empty but for Verdict::defect
   std::vector<std::string> effects;  ///< named, most important first
   Gap gap;                           ///< what the rig did to each log taken out
   double gap_of_values = 0.0;        ///< of the judged model's own values alone, without its effects
@@ -289,6 +290,12 @@ struct Diagnosis {
   std::shared_ptr<const Workings> workings;             ///< none for the verdict check_bench
   std::shared_ptr<const BenchEvidence> bench_evidence;  ///< for the verdict check_bench alone
 };
+
+/// Whether a component file goes with it, Diagnosis::augmented: one was judged, and the report does not contradict
+/// itself.
+inline bool hasComponentFile(const Diagnosis& diagnosis) {
+  return diagnosis.workings != nullptr && diagnosis.defect.empty();
+}
 
 /// Diagnose one component. Logs in the order of recording, on one component; each hold-out starts with a new one.
 /// Without hold-outs the gaps are those of blocks that took no part in the fit (cross validation).

@@ -12,19 +12,21 @@ namespace rubber_suspension::element {
 ///
 /// It is the additive part of stress softening, of filler that breaks: a factor on the force (stress_softening) cannot
 /// add to the first loading alone, nor to its loss. Each side has a reach of its own. Rate-independent, exact for any
-/// step, dissipates. The reach is permanent: a long rest keeps it. Memory: the reaches of the upper and the lower side.
-/// Source: yielding at a limit that is approached smoothly (P. R. Dahl, AIAA J. 14 (1976) 1675-1682), one-sided and
-/// irreversible; that the first loading alone breaks filler, and the more the farther it goes: J. Diani, B. Fayolle,
-/// P. Gilormini, Eur. Polymer J. 45 (2009) 601-612. The type's make() throws std::invalid_argument for values that do
-/// not go together.
+/// step, dissipates. The reach is permanent: a long rest keeps it. With a dead band the displacement is that behind
+/// play of this width: noise within it, which would move the reach on with every sample, moves nothing. Memory: the
+/// reaches of the upper and the lower side, and the displacement behind the play. Source: yielding at a limit that is
+/// approached smoothly (P. R. Dahl, AIAA J. 14 (1976) 1675-1682), one-sided and irreversible; that the first loading
+/// alone breaks filler, and the more the farther it goes: J. Diani, B. Fayolle, P. Gilormini, Eur. Polymer J. 45 (2009)
+/// 601-612. The type's make() throws std::invalid_argument for values that do not go together.
 class FirstLoading final : public ParallelElement {
  public:
   enum class Side { lower = -1, both = 0, upper = 1 };
 
-  FirstLoading(double stiffness /* k [N/m] */, double yield_share /* b [-] */, Side side = Side::both)
-      : stiffness_(stiffness), yield_share_(yield_share), side_(side) {}
+  FirstLoading(double stiffness /* k [N/m] */, double yield_share /* b [-] */, Side side = Side::both,
+               double dead_band = 0.0 /* [m] */)
+      : stiffness_(stiffness), yield_share_(yield_share), side_(side), dead_band_(dead_band) {}
 
-  std::size_t memorySize() const override { return 2; }
+  std::size_t memorySize() const override { return 3; }
   double initialise(double displacement, double* memory) const override;
   double relax(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
@@ -37,6 +39,7 @@ class FirstLoading final : public ParallelElement {
   double stiffness_;
   double yield_share_;
   Side side_;
+  double dead_band_;
 };
 
 ElementType firstLoadingType();

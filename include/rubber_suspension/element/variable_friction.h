@@ -14,10 +14,11 @@ namespace rubber_suspension::element {
 ///
 /// The force is linear in k, the others given. The slider's spring keeps its stiffness, only its limit moves, so the
 /// law dissipates whatever the motion. m is exact for a displacement that is linear over the step, the limit is that at
-/// its end. Validity: one rate for wear and build-up. Memory: stretch of the spring [m], m; a long rest builds m up
-/// unless T_b is 0, when wear is permanent. Source: C. F. Jenkin, Engineering 114 (1922) 603; the state of a structure
-/// that motion breaks down: P. Haupt, K. Sedlan, Arch. Appl. Mech. 71 (2001) 89-109; P. Hofer, A. Lion, J. Mech. Phys.
-/// Solids 57 (2009) 500-520.
+/// its end. With a dead band the way is that behind play of this width, so that noise within it wears nothing.
+/// Validity: one rate for wear and build-up. Memory: stretch of the spring [m], m, the displacement behind the play
+/// [m]; a long rest builds m up unless T_b is 0, when wear is permanent. Source: C. F. Jenkin, Engineering 114 (1922)
+/// 603; the state of a structure that motion breaks down: P. Haupt, K. Sedlan, Arch. Appl. Mech. 71 (2001) 89-109; P.
+/// Hofer, A. Lion, J. Mech. Phys. Solids 57 (2009) 500-520.
 class VariableFriction final : public ParallelElement {
  public:
   struct Parameters {
@@ -26,11 +27,12 @@ class VariableFriction final : public ParallelElement {
     double growth_displacement = 0.0;  ///< d [m]; 0: the limit does not depend on the displacement
     double travel = 0.0;               ///< s [m]; 0: no wear
     double build_up_time = 0.0;        ///< T_b [s]; 0: what is worn stays so
+    double dead_band = 0.0;            ///< of the way along which it wears [m]
   };
 
   explicit VariableFriction(const Parameters& parameters) : parameters_(parameters) {}
 
-  std::size_t memorySize() const override { return 2; }
+  std::size_t memorySize() const override { return 3; }
   double initialise(double displacement, double* memory) const override;
   double relax(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;

@@ -213,7 +213,9 @@ int runDirections(const DiagnoseOptions& options) {
   }
   fmt::print("{}\n{}report: {}/report.html\n", diagnosis::crossMapSentence(result), diagnosis::crossMapText(result),
              options.output);
-  return kSuccess;
+  const bool sound = std::all_of(result.directions.begin(), result.directions.end(),
+                                 [](const auto& direction) { return direction.diagnosis.defect.empty(); });
+  return sound ? kSuccess : kDefect;
 }
 
 int runLogs(const DiagnoseOptions& options) {

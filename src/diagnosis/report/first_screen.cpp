@@ -26,7 +26,8 @@ std::string meaningOf(Verdict verdict) {
       {Verdict::partly, "the model lacks what is named here, and something else"},
       {Verdict::confounded, "several sets of effects cannot be told apart here"},
       {Verdict::unknown, "no effect of the list explains the gap"},
-      {Verdict::check_bench, "a log cannot be what it says"}};
+      {Verdict::check_bench, "a log cannot be what it says"},
+      {Verdict::defect, "none is told"}};
   return meanings.at(verdict);
 }
 

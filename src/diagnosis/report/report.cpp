@@ -130,10 +130,10 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   io::makeFolder(folder);
   NewReport report(folder);
   report.write("report.json", toJson(diagnosis));
-  if (diagnosis.workings) {
+  if (hasComponentFile(diagnosis)) {
     report.write(kComponent, results::augmentedYaml(diagnosis));
   }
-  if (diagnosis.write_full_law && diagnosis.workings) {
+  if (diagnosis.write_full_law && hasComponentFile(diagnosis)) {
     report.write(kFullComponent, results::fullYaml(diagnosis));
   }
   if (diagnosis.surrogate) {

@@ -313,6 +313,12 @@ std::string benchBody(const Diagnosis& d) {
          "bench.</p>\n";
 }
 
+// What led to the contradiction, and no claim.
+std::string defectBody(const Diagnosis& d) {
+  return report::firstScreen(d, "") + "<p>No effect is named and no component file is written.</p>\n" +
+         (d.table ? report::tableSection(d) : findings(d) + takenOut(d) + admission(d));
+}
+
 std::string body(const Diagnosis& d) {
   const DrawnFigures drawn = drawFigures(d);
   return report::firstScreen(d, firstLoop(drawn)) + report::comparisonSection(d.comparison) + howFar(d) +
@@ -324,8 +330,10 @@ std::string body(const Diagnosis& d) {
 }  // namespace
 
 std::string toHtml(const Diagnosis& d) {
-  const std::string html =
-      report::page("Gap report: " + d.component, (d.workings ? body(d) : benchBody(d)) + runRecord(d));
+  const std::string html = report::page("Gap report: " + d.component, (!d.workings        ? benchBody(d)
+                                                                       : d.defect.empty() ? body(d)
+                                                                                          : defectBody(d)) +
+                                                                          runRecord(d));
   return d.turns ? words::inRotationUnits(html) : html;
 }
 

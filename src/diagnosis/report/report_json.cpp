@@ -235,6 +235,9 @@ std::string toJson(const Diagnosis& diagnosis) {
                            {"at_bounds", diagnosis.at_bounds}}},
                          {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
                          {"admission", each(diagnosis.admission, admissionJson)}};
+  if (!diagnosis.defect.empty()) {
+    report["defect"] = diagnosis.defect;
+  }
   if (diagnosis.turns) {
     report["units"] = {{"m", "rad"}, {"N", "N m"}};
   }

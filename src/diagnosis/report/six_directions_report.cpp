@@ -103,7 +103,7 @@ std::optional<std::pair<const Diagnosis*, std::string>> placeIn(const SixDirecti
                                                                 const std::string& place) {
   for (const auto& [direction, d] : diagnosis.directions) {
     const std::string prefix = fmt::format("directions.{}.", toString(direction));
-    if (d.workings && place.compare(0, prefix.size(), prefix) == 0) {
+    if (hasComponentFile(d) && place.compare(0, prefix.size(), prefix) == 0) {
       return std::pair(&d, place.substr(prefix.size()));
     }
   }

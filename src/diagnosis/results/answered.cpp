@@ -93,8 +93,8 @@ void addAnswer(const judge::Answer& answer, const judge::Evidence& evidence, Dia
   addExcluded(evidence, diagnosis);
 }
 
-void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alone, const Workings& workings,
-            const DiagnosisOptions& options, Diagnosis& diagnosis) {
+void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alone, const judge::Evidence& evidence,
+            const Workings& workings, const DiagnosisOptions& options, Diagnosis& diagnosis) {
   std::vector<double> gaps;
   std::transform(alone.begin(), alone.end(), std::back_inserter(gaps), gap::gapOfParts);
   diagnosis.gap = gap;
@@ -105,7 +105,7 @@ void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alon
   diagnosis.closed = closed;
   diagnosis.closed_interval = workings.answer.effects.empty()
                                   ? std::array{closed, closed}
-                                  : holding(closed, closingOf(workings.answer), workings.evidence, options);
+                                  : holding(closed, closingOf(workings.answer), evidence, options);
   std::vector<CandidateResult>& candidates = diagnosis.candidates;
   candidates.resize(gaps.size());
   fit::parallelFor(gaps.size(), options.threads,

@@ -16,9 +16,9 @@ void addAnswer(const judge::Answer& answer, const judge::Evidence& evidence, Dia
 
 /// Sets the gap, of which noise is no more than what any of the models leaves, and the fraction of it that the answer
 /// closes, with its interval on further logs; and each effect alone, which leaves these errors, the likeliest first.
-/// The gap of the full law is known.
-void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alone, const Workings& workings,
-            const DiagnosisOptions& options, Diagnosis& diagnosis);
+/// `evidence`: with the errors of what is written. The gap of the full law is known.
+void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alone, const judge::Evidence& evidence,
+            const Workings& workings, const DiagnosisOptions& options, Diagnosis& diagnosis);
 
 /// The gap with some of what an answer changes: first whether its values are in, then each of its effects.
 using GapWith = std::function<double(const std::vector<bool>& in)>;

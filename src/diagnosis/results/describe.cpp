@@ -17,6 +17,8 @@
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/characteristics.h"
 #include "diagnosis/results/recorded_gap.h"
+#include "diagnosis/results/replayed.h"
+#include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/surrogate.h"
 #include "diagnosis/results/taken_out.h"
 #include "diagnosis/results/whole_stiffness.h"
@@ -50,8 +52,9 @@ class Describer {
     result_.component = prepared_.component.name;
     result_.configured = prepared_.component;
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
-    before_ = hasUnseenLogs() ? unseenParts(judge::Evidence::kReEstimated) : search_.re_estimated.fit.blocks;
-    written_ = addWrittenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_), options_, result_);
+    before_ = replayed(prepared_.fitter, fullLaw(search_.re_estimated), result_.re_estimated.allElements(), held_out_);
+    written_ =
+        addWrittenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_.unseen()), options_, result_);
     simulateAll();
     measureGap();
     mapGap();
@@ -96,50 +99,60 @@ class Describer {
     return {forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size()), forces.end()};
   }
 
-  // Errors of a hypothesis of the evidence on the logs that took no part in the fit.
-  const std::vector<gap::PartError>& unseenParts(int hypothesis) const {
-    return workings_->unseen[static_cast<std::size_t>(hypothesis)];
-  }
-
   // Errors with each effect alone, on the data that the gap is of.
   std::vector<std::vector<gap::PartError>> errorsAlone() const {
     std::vector<std::vector<gap::PartError>> errors(search_.singles.size());
     fit::parallelFor(errors.size(), options_.threads, [&](std::size_t c) {
-      const hypotheses::FittedHypothesis& single = search_.singles[c];
-      errors[c] = single.fit.blocks;
-      if (hasUnseenLogs()) {
+      FittedLaw alone = fullLaw(search_.singles[c]);
+      if (hasUnseenLogs() && &search_.singles[c] != &judged_) {
         // Where it is not named, a drift or a gain is what a simulation predicts of it: what is free in a log would
         // take slow noise, or a law's error, with it.
-        const bool as_predicted = single.hypothesis.free_in_log.any() && &single != &judged_;
-        errors[c] = as_predicted ? gap::partErrors(prepared_.held_out,
-                                                   hypotheses::predict(prepared_.model, single, prepared_.held_out))
-                                 : unseenParts(judge::Evidence::kFirstSingle + static_cast<int>(c));
+        alone.law.about.free_in_log = {};
       }
+      errors[c] = unseenErrors(prepared_.fitter, alone, elementsOf(prepared_.model, alone), held_out_);
     });
     return errors;
+  }
+
+  double gapAsConfigured() const {
+    const gap::Forces& forces = workings_->force_configured;
+    return gap::gapOfParts(hasUnseenLogs() ? gap::partErrors(prepared_.held_out, unseen(forces))
+                                           : gap::partErrors(prepared_.training, forces));
+  }
+
+  // The errors of the component that is written, and of the re-estimated one, as `replay` has them.
+  judge::Evidence evidenceOfTheFile() const {
+    judge::Evidence evidence = workings_->evidence;
+    const auto set = [&](int hypothesis, const Replayed& errors) {
+      std::vector<double>& by_log = evidence.hypotheses[static_cast<std::size_t>(hypothesis)].log_errors;
+      by_log = errorsByLog(errors.of_the_fit, prepared_.training.size());
+      const std::vector<double> of_held_out = errorsByLog(errors.held_out, prepared_.held_out.size());
+      by_log.insert(by_log.end(), of_held_out.begin(), of_held_out.end());
+    };
+    set(judge::Evidence::kReEstimated, before_);
+    set(answer_.model, written_);
+    return evidence;
   }
 
   void measureGap() {
     noise_ = search_.record_noise;
     result_.noise_source = search_.noise_source;
-    Gap gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(written_.errors), search_.noise};
+    Gap gap = {gapAsConfigured(), gap::gapOfParts(before_.unseen()), gap::gapOfParts(written_.unseen()), search_.noise};
     if (hasUnseenLogs()) {
       const std::vector<double> floors =
           hypotheses::noiseFloors(result_.augmented_full.allElements(), hypotheses::freeOfNoise(judged_.hypothesis),
                                   hypotheses::predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
                                   prepare::noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
-      gap.as_configured = gap::gapOfParts(unseenParts(judge::Evidence::kAsConfigured));
       gap.noise_floor = hypotheses::commonFloor(floors, prepared_.held_out);
     }
-    addGap(gap, errorsAlone(), *workings_, options_, result_);
+    addGap(gap, errorsAlone(), evidenceOfTheFile(), *workings_, options_, result_);
   }
 
   // With some of the values and effects. In sample where there are no unseen logs.
   double gapWith(const std::vector<bool>& in) const {
     const auto elements = withSome(result_, in).allElements();
     const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
-    const auto smoothed = [](const log::Record& record) { return record.displacement; };
     fit::Hypothesis freed;  // what the effects that are in have free in each log
     for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
       const fit::FreeInLog free = search_.candidates[static_cast<std::size_t>(answer_.effects[e])].free_in_log;
@@ -147,7 +160,7 @@ class Describer {
     }
     return gap::gapOfParts(hypotheses::partErrorsOf(
         freed, records,
-        hasUnseenLogs() ? gap::simulateEach(elements, records, smoothed) : gap::simulate(elements, records)));
+        hasUnseenLogs() ? gap::simulateEach(elements, records) : gap::simulate(elements, records, gap::asRecorded)));
   }
 
   // Gaps of the whole logs with all that the rig did to them.
@@ -221,7 +234,7 @@ class Describer {
 
   void accountForTheRig() {
     const std::vector<LogAccount> accounts =
-        accountsOf(result_.augmented.allElements(), prepared_.training, prepared_.held_out, raw_, written_.forces,
+        accountsOf(result_.augmented.allElements(), prepared_.training, prepared_.held_out, raw_,
                    judged_.hypothesis.free_in_log, prepared_.zeros);
     for (std::size_t r = 0; r < accounts.size(); ++r) {
       result_.admission[r].recorded = std::sqrt(accounts[r].recorded());
@@ -277,8 +290,9 @@ class Describer {
   const judge::Answer& answer_;
   const hypotheses::FittedHypothesis& judged_;
   std::vector<double> noise_;  // floor of each record
-  std::vector<gap::PartError> before_;
-  WrittenLaw written_;
+  const HeldOut held_out_{prepared_.held_out, prepared_.zeros.held_out};
+  Replayed before_;
+  Replayed written_;
   Diagnosis result_;
 };
 

@@ -31,14 +31,18 @@ double startOf(const Entries& entries, const NumberPlace& place) {
 }
 
 // The bounds of a number, as the fit moves it.
-fit::BasisTerm unknownOf(const Entries& start, const NumberPlace& place) {
-  const element::Range& range = infoOf(start[place.entry], place.key).range;
-  const double value = startOf(start, place);
+fit::BasisTerm unknownOf(const MemberLaw& law, const NumberPlace& place) {
+  const element::ParameterInfo& info = infoOf(law.start[place.entry], place.key);
+  const element::Range& range = info.range;
+  const double value = startOf(law.start, place);
   const double least = value > 0.0 ? range.lower / value : range.upper / value;
   const double most = value > 0.0 ? range.upper / value : range.lower / value;
   fit::BasisTerm unknown;
   unknown.lower = least > 0.0 ? std::max(-kFarthest, std::log(least)) : -kFarthest;
   unknown.upper = std::min(kFarthest, std::log(most));
+  if (info.unit == "s") {
+    unknown.upper = std::min(unknown.upper, std::log(std::max(1.0, law.longest_time / value)));
+  }
   return unknown;
 }
 
@@ -91,7 +95,7 @@ fit::Hypothesis Law::hypothesis() const {
     result.members.push_back(law.member);
     result.terms.insert(result.terms.end(), law.terms.begin(), law.terms.end());
     for (const NumberPlace& place : law.terms.empty() ? numbersOf(law.start) : std::vector<NumberPlace>()) {
-      result.terms.push_back(unknownOf(law.start, place));
+      result.terms.push_back(unknownOf(law, place));
     }
   }
   return result;
@@ -183,21 +187,5 @@ LawFitter::LawFitter(const fit::Fitter& fitter, const Law& law, int threads)
       fitter_(fitter),
       forces_(fitter.sharedRecords(), fitter.model(), law),
       threads_(threads) {}
-
-gap::Forces predict(const fit::ModelParameters& model, const FittedLaw& fitted,
-                    const std::vector<log::Record>& records) {
-  gap::Forces forces;
-  for (const log::Record& record : records) {
-    auto one = std::make_shared<const std::vector<log::Record>>(1, record);
-    Law law = fitted.law;
-    for (MemberLaw& member : law.members) {
-      fit::Hypothesis terms;
-      terms.terms = member.terms;
-      member.terms = fit::aboutOtherRecords(terms, *one).terms;
-    }
-    forces.push_back(LawForces(one, model, law).at(fitted.fit.parameters)->front());
-  }
-  return forces;
-}
 
 }  // namespace rubber_suspension::diagnosis::results

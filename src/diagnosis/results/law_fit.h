@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,8 @@ struct MemberLaw {
   int member = 0;                     ///< by its index among the candidates
   std::vector<fit::BasisTerm> terms;  ///< empty where entries stand for it
   Entries start;
+  /// That a number of the entries may grow to [s]: logs do not tell it from longer ones.
+  double longest_time = std::numeric_limits<double>::infinity();
 
   std::size_t size() const { return terms.empty() ? numbersOf(start).size() : terms.size(); }
 
@@ -110,10 +113,5 @@ class LawFitter final : public fit::HypothesisFitter {
   LawForces forces_;
   int threads_;
 };
-
-/// Force of a fitted law over records, each of them recorded on a new component [N], from the displacement smoothed as
-/// for the fits: the noise of its sensor is the rig's.
-gap::Forces predict(const fit::ModelParameters& model, const FittedLaw& fitted,
-                    const std::vector<log::Record>& records);
 
 }  // namespace rubber_suspension::diagnosis::results

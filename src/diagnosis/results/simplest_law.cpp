@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/judge/numbers.h"
 #include "numerics/bounded_least_squares.h"
 #include "rubber_suspension/gap/gap.h"
@@ -235,42 +236,50 @@ class Chooser {
     return Subsets(blocks_.sum, std::move(terms), of_candidate_[m], pool_[m], free, moment, square).best();
   }
 
+  // A law that leaves little enough.
+  struct Allowed {
+    std::size_t numbers;
+    double gap;
+    FittedLaw law;
+  };
+
   void simplify(std::size_t m, double allowed) {
     const std::vector<Entries> full = result_.fitted.law.at(result_.fitted.fit.parameters.scales);
     const std::size_t most = numbersOf(full[m]).size();
+    std::vector<Allowed> laws;
+    std::set<std::string> kinds;  // of these
     for (const auto& [numbers, starts] : startsOf(m)) {
-      std::vector<std::pair<double, FittedLaw>> laws =
-          numbers > most ? decltype(laws){} : allowedOf(m, starts, allowed);
-      if (!laws.empty()) {
-        std::swap(laws.front().second, result_.fitted);
-        for (auto& [gap, law] : laws) {
-          result_.others.push_back(std::move(law));
+      for (const auto& [kind, start] : starts) {
+        const bool is_new = numbers <= most && kinds.count(kind) == 0;
+        if (std::optional<Allowed> law = is_new ? allowedOf(m, start, numbers, allowed) : std::nullopt) {
+          laws.push_back(std::move(*law));
+          kinds.insert(kind);
         }
-        return;
       }
+    }
+    if (laws.empty()) {
+      return;
+    }
+    std::sort(laws.begin(), laws.end(), [](const Allowed& a, const Allowed& b) {
+      return a.numbers != b.numbers ? a.numbers < b.numbers : a.gap < b.gap;
+    });
+    std::swap(laws.front().law, result_.fitted);
+    for (Allowed& law : laws) {
+      result_.others.push_back(std::move(law.law));
     }
   }
 
-  // The fits that leave little enough, by their gaps.
-  std::vector<std::pair<double, FittedLaw>> allowedOf(std::size_t m, const std::map<std::string, Start>& starts,
-                                                      double allowed) const {
-    std::vector<std::pair<double, FittedLaw>> laws;
-    for (const auto& [kind, start] : starts) {
-      if (start.entries.empty() || start.square > kHopeless * kHopeless * allowed) {
-        continue;
-      }
-      try {
-        FittedLaw simple = fitted(m, start.entries, std::sqrt(allowed));
-        const double gap = gapOf(simple);
-        if (gap * gap <= allowed) {
-          laws.emplace_back(gap, std::move(simple));
-        }
-      } catch (const std::invalid_argument&) {
-        continue;  // its numbers have no model
-      }
+  std::optional<Allowed> allowedOf(std::size_t m, const Start& start, std::size_t numbers, double allowed) const {
+    if (start.entries.empty() || start.square > kHopeless * kHopeless * allowed) {
+      return std::nullopt;
     }
-    std::sort(laws.begin(), laws.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    return laws;
+    try {
+      Allowed law{numbers, 0.0, fitted(m, start.entries, std::sqrt(allowed))};
+      law.gap = gapOf(law.law);
+      return law.gap * law.gap <= allowed ? std::optional(std::move(law)) : std::nullopt;
+    } catch (const std::invalid_argument&) {
+      return std::nullopt;  // its numbers have no model
+    }
   }
 
   FittedLaw fitted(std::size_t m, const Entries& start, double needed) const {
@@ -278,6 +287,10 @@ class Chooser {
     MemberLaw& member = simple.law.members[m];
     member.terms.clear();
     member.start = start;
+    member.longest_time = 0.0;
+    for (const log::Record& record : fitter_.records()) {
+      member.longest_time = std::max(member.longest_time, record.duration());
+    }
     const LawFitter fitter(fitter_, simple.law, threads_);
     const fit::Hypothesis hypothesis = simple.law.hypothesis();
     fit::ParameterVector from{result_.fitted.fit.parameters.model,
@@ -297,11 +310,7 @@ class Chooser {
   }
 
   double gapOf(const FittedLaw& fitted) const {
-    if (held_out_.records.empty()) {
-      return fitted.fit.held_out;
-    }
-    return gap::gapOfParts(
-        unseenErrors(fitter_.model(), fitted, held_out_, predict(fitter_.model(), fitted, held_out_.records)));
+    return gap::gapOfParts(unseenErrors(fitter_, fitted, elementsOf(fitter_.model(), fitted), held_out_));
   }
 
   const fit::Fitter& fitter_;
@@ -342,15 +351,6 @@ FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged) {
   result.fit.parameters.scales =
       Eigen::Map<const Eigen::VectorXd>(scales.data(), static_cast<Eigen::Index>(scales.size()));
   return result;
-}
-
-std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,
-                                         const HeldOut& held_out, const gap::Forces& forces) {
-  auto elements = *model.elements(fitted.fit.parameters.model);
-  for (const Entries& entries : fitted.law.at(fitted.fit.parameters.scales)) {
-    elements.insert(elements.end(), entries.begin(), entries.end());
-  }
-  return hypotheses::unseenErrors(fitted.law.hypothesis(), elements, forces, held_out.records, held_out.zeros);
 }
 
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,

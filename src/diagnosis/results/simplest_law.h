@@ -5,27 +5,17 @@
 
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/results/law_fit.h"
+#include "diagnosis/results/replayed.h"
 #include "fit/fitter.h"
-#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis::results {
-
-/// Logs that take no part in the fit, and what is known of the zeros of their displacement.
-struct HeldOut {
-  const std::vector<log::Record>& records;
-  const std::vector<fit::DisplacementZero>& zeros;
-};
 
 /// The hypothesis as it was judged, each member by all its terms.
 FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged);
 
-/// Errors of parts of the logs held out under a fitted law, of which these are the forces [N].
-std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,
-                                         const HeldOut& held_out, const gap::Forces& forces);
-
 struct SimplestLaw {
   FittedLaw fitted;
-  std::vector<FittedLaw> others;   ///< that no gap tells from it: of as many numbers but another form, and the full one
+  std::vector<FittedLaw> others;   ///< that no gap tells from it: the simplest of each other form, and the full one
   std::vector<double> form_error;  ///< of each member, by which its law may differ from the rubber's: of the force
 };
 
@@ -33,8 +23,8 @@ struct SimplestLaw {
 /// effect can know: gap^2 <= full gap^2 + sum (eta A)^2 + delta^2 over the members so far, A being the force that the
 /// member adds, eta the form error of laws and delta what is accepted (JudgeNumbers). A member that needs more keeps
 /// its terms. Laws are one to three terms of one kind, of those of the candidate and of its `laws`, at their best
-/// places; no term of what an effect contains stands for it. Gaps are those of the logs held out, or else of held-out
-/// blocks. It closes more than half of what the full law closes of the squared gap `before`.
+/// places; no term of what an effect contains stands for it. Gaps are those of `replay` on the logs held out, or else
+/// on held-out blocks (replayed.h). It closes more than half of what the full law closes of the squared gap `before`.
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
                         const hypotheses::FittedHypothesis& judged, const HeldOut& held_out, double before,
                         int threads);

@@ -110,17 +110,14 @@ class Resampling {
     draw(options.resamplings);
   }
 
-  // The draws of another law, where its effects have the same sizes.
+  // The draws of another law, of the sizes that both have; a place in a component file is that of another number there.
   void add(const Resampling& other) {
-    const auto same = [](const SizedValue& a, const SizedValue& b) { return a.owner == b.owner && a.name == b.name; };
-    const std::vector<SizedValue>& others = other.best_.effects;
-    if (!std::equal(best_.effects.begin(), best_.effects.end(), others.begin(), others.end(), same)) {
-      return;
-    }
-    resamples_ += other.resamples_;
-    for (const auto& [key, draws] : other.draws_) {
-      if (!key.first.empty()) {  // a place in a component file is that of another number there
-        draws_[key].insert(draws_[key].end(), draws.begin(), draws.end());
+    for (auto& [key, draws] : draws_) {
+      const auto found = key.first.empty() ? other.draws_.end() : other.find(key);
+      if (found != other.draws_.end()) {
+        std::vector<double> more = other.all(found->first, found->second);
+        draws = all(key, draws);
+        draws.insert(draws.end(), more.begin(), more.end());
       }
     }
   }
@@ -223,17 +220,28 @@ class Resampling {
     }
   }
 
+  // Draws of a size; of several elements it is that of all together.
+  std::map<Key, std::vector<double>>::const_iterator find(const Key& key) const {
+    const std::string total = "total_";
+    const auto found = draws_.find(key);
+    return found != draws_.end()             ? found
+           : key.second.rfind(total, 0) == 0 ? draws_.find({key.first, key.second.substr(total.size())})
+                                             : draws_.find({key.first, total + key.second});
+  }
+
   // An effect that a resample leaves out altogether has the size 0 in it.
+  std::vector<double> all(const Key& key, std::vector<double> draws) const {
+    draws.resize(may_vanish_.count(key) > 0 ? std::max(draws.size(), resamples_) : draws.size(), 0.0);
+    return draws;
+  }
+
   void predict(SizedValue& size) const {
     const auto found = draws_.find({size.owner, size.name});
     if (found == draws_.end()) {
       size.interval_95 = {size.value, size.value};
       return;
     }
-    std::vector<double> draws = found->second;
-    if (may_vanish_.count(found->first) > 0) {
-      draws.resize(std::max(draws.size(), resamples_), 0.0);
-    }
+    std::vector<double> draws = all(found->first, found->second);
     std::sort(draws.begin(), draws.end());
     const auto at = [&](double share) {
       return draws[static_cast<std::size_t>(std::lround(share * static_cast<double>(draws.size() - 1)))];

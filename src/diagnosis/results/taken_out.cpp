@@ -133,20 +133,18 @@ struct Stages {
   gap::Forces bridged;
 };
 
-LogAccount accountOf(const log::Record& record, const RawChannels& raw, const Stages& forces, const VectorXd& judged,
-                     std::size_t r, const fit::FreeInLog& free) {
+LogAccount accountOf(const log::Record& record, const RawChannels& raw, const Stages& forces, std::size_t r,
+                     const fit::FreeInLog& free) {
   const double variance = std::pow(record.force_deviation, 2);
   const double recorded = gap::gapOfResidual(raw.force - forces.recorded[r], gap::standardDeviation(raw.force));
   LogAccount account(record.name, recorded * recorded);
   const VectorXd counts = countsOf(record);
-  const VectorXd bridged = record.force - forces.bridged[r];
-  account.takeOut(taken_out::kSpikes, meanSquare(bridged, withStart(counts)) / variance);
-  account.takeOut(taken_out::kInitialState, meanSquare(bridged, counts) / variance);
-  const VectorXd residual = record.force - judged;
-  account.takeOut(taken_out::kNoise, meanSquare(residual, counts) / variance);
-  takeNuisances(record, counts, judged, account);
+  const VectorXd residual = record.force - forces.bridged[r];
+  account.takeOut(taken_out::kSpikes, meanSquare(residual, withStart(counts)) / variance);
+  account.takeOut(taken_out::kInitialState, meanSquare(residual, counts) / variance);
+  takeNuisances(record, counts, forces.bridged[r], account);
   const auto without = [&](const fit::FreeInLog& also) {
-    return also.addedTo(record, r, judged).withoutRig(residual).squaredNorm() / counts.sum() / variance;
+    return also.addedTo(record, r, forces.bridged[r]).withoutRig(residual).squaredNorm() / counts.sum() / variance;
   };
   if (free.by_zero) {
     account.takeOut(taken_out::kDisplacement, without({false, false, free.by_zero}));
@@ -210,7 +208,7 @@ std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const st
 
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                                   const std::vector<RawChannels>& raw, const gap::Forces& judged, fit::FreeInLog free,
+                                   const std::vector<RawChannels>& raw, fit::FreeInLog free,
                                    const prepare::ZeroPriors& zeros) {
   Displacements recorded;
   Displacements bridged;
@@ -232,7 +230,7 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
   for (const auto* list : {&of_the_fit, &held_out}) {
     for (const log::Record& record : *list) {
       const std::size_t r = accounts.size();
-      accounts.push_back(accountOf(record, raw[r], forces, judged[r], r, free));
+      accounts.push_back(accountOf(record, raw[r], forces, r, free));
     }
   }
   return accounts;

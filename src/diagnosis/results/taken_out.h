@@ -21,7 +21,6 @@ namespace taken_out {
 inline constexpr const char* kSpikes = "spikes";  ///< samples that a channel did not measure
 inline constexpr const char* kZero = "zero";      ///< of the force
 inline constexpr const char* kDisplacement = "displacement_zero";
-inline constexpr const char* kNoise = "displacement_noise";  ///< what the noise of its sensor makes of the force
 inline constexpr const char* kInitialState = "initial_state";
 inline constexpr const char* kDrift = "drift";
 inline constexpr const char* kGain = "gain";
@@ -60,11 +59,11 @@ struct RawChannels {
 std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out);
 
 /// The accounts of records against elements, those of the fit first, which were recorded on one component; each other
-/// was on a new one. `judged`: the forces that the gap is of [N]. `free`: what the judged hypothesis frees in each log;
-/// `zeros`: of the displacement, as it knows them.
+/// was on a new one. `free`: what the judged hypothesis frees in each log; `zeros`: of the displacement, as it knows
+/// them.
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                                   const std::vector<RawChannels>& raw, const gap::Forces& judged, fit::FreeInLog free,
+                                   const std::vector<RawChannels>& raw, fit::FreeInLog free,
                                    const prepare::ZeroPriors& zeros);
 
 /// The parts taken out of logs that are more than a hundredth of the force, a phrase for each log; empty where there

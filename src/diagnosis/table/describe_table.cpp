@@ -239,7 +239,7 @@ class TableDescriber {
                    [](const hypotheses::FittedHypothesis& single) { return single.fit.blocks; });
     result_.noise_source = search_.noise_source;
     result_.gap_of_full_law = gap.augmented;
-    results::addGap(gap, alone, *workings_, options_, result_);
+    results::addGap(gap, alone, workings_->evidence, *workings_, options_, result_);
   }
 
   // Where the configured model is wrong: two cells for each row.

@@ -12,6 +12,7 @@
 
 #include "diagnosis/hypotheses/log_table.h"
 #include "diagnosis/hypotheses/search.h"
+#include "diagnosis/invariants.h"
 #include "diagnosis/judge/evidence.h"
 #include "diagnosis/refused.h"
 #include "diagnosis/table/describe_table.h"
@@ -143,7 +144,7 @@ Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::Me
   addRows(measured, workings->search, options.threads, workings->evidence);
   workings->write_evidence = options.evidence;
   workings->answer = judge::answer(workings->evidence);
-  return table::describeTable(component, table, measured, std::move(workings), options);
+  return heldToInvariants(table::describeTable(component, table, measured, std::move(workings), options));
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/iwan.h"
 
 namespace rubber_suspension::diagnosis::words {
 namespace {
@@ -20,7 +21,7 @@ bool isSlider(const element::ElementDescription& entry) {
 
 // Laws of a force with a limit: the terms of one friction.
 bool yields(const element::ElementDescription& entry) {
-  return isSlider(entry) || entry.type == "friction" || entry.type == "bouc_wen";
+  return isSlider(entry) || entry.type == "friction" || entry.type == "iwan";
 }
 
 bool isStop(const element::ElementDescription& entry) { return entry.type == "bump_stop"; }
@@ -37,15 +38,13 @@ double frictionAt(const element::ElementDescription& entry, double z) {
   if (entry.type == "friction") {
     return entry.value("maximum_force") / (1.0 + entry.value("displacement") / z);
   }
-  if (entry.type == "bouc_wen") {  // of n = 1, as Dahl's
-    const double beta = entry.value("beta") + entry.value("gamma");
-    return entry.value("stiffness") / beta * (1.0 - std::exp(-beta * z));
-  }
-  double force = 0.0;
-  for (std::size_t i = 0; i < entry.list("stiffness").size(); ++i) {
-    force += entry.list("stiffness")[i] * std::min(z, entry.list("yield_displacement")[i]);
-  }
-  return force;
+  const std::vector<element::JenkinsSlider> sliders =
+      entry.type == "iwan" ? element::iwanSliders(entry.value("maximum_force"), entry.value("displacement"),
+                                                  static_cast<int>(element::complete(entry).value("sliders")))
+                           : element::slidersFromTable(entry);
+  return std::accumulate(sliders.begin(), sliders.end(), 0.0, [&](double force, const element::JenkinsSlider& slider) {
+    return force + slider.stiffness * std::min(z, slider.yield_displacement);
+  });
 }
 
 // Limit of all together, and the displacement from rest at half of it.
@@ -111,18 +110,21 @@ std::vector<HeadlineValue> changesWithTemperature(const std::vector<element::Ele
   return result;
 }
 
-// The numbers that a fit moves of entries of one type; of several, their sum.
+// The numbers that a fit moves of entries of one type; of several, their sum, and of softenings, which act one after
+// the other, what all together take.
 std::vector<HeadlineValue> movedOf(const std::vector<element::ElementDescription>& group) {
   std::vector<HeadlineValue> result;
   const std::vector<element::ParameterInfo>& table = element::findElementType(group.front().type)->parameters;
   for (const element::ParameterInfo& parameter : table) {
     const bool is_size = &parameter == &table.front();  // the first of a table is how much there is of the law
+    const bool in_turn = parameter.name == "reduction";
     double sum = 0.0;
     bool given = false;
     for (const element::ElementDescription& entry : group) {
       const auto found = entry.values.find(parameter.name);
       given = given || (found != entry.values.end() && element::isFree(parameter, found->second));
-      sum += found == entry.values.end() ? 0.0 : found->second.at(0);
+      const double value = found == entry.values.end() ? 0.0 : found->second.at(0);
+      sum += in_turn ? (1.0 - sum) * value : value;
     }
     if (given && (group.size() == 1 || is_size)) {
       result.push_back({(group.size() > 1 ? "total_" : "") + parameter.name, parameter.unit, sum,

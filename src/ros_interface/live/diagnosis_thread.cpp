@@ -150,9 +150,11 @@ void DiagnosisThread::fillStatus(const std::string& component,
   const diagnosis::live::LiveFindings& findings = watched.findings;
   using diagnostic_msgs::DiagnosticStatus;
   const std::string verdict = toString(findings.now);
-  const auto level = findings.now.verdict == diagnosis::Verdict::check_bench ? DiagnosticStatus::ERROR
-                     : findings.now.isGap()                                  ? DiagnosticStatus::WARN
-                                                                             : DiagnosticStatus::OK;
+  const auto level =
+      findings.now.verdict == diagnosis::Verdict::check_bench || findings.now.verdict == diagnosis::Verdict::defect
+          ? DiagnosticStatus::ERROR
+      : findings.now.isGap() ? DiagnosticStatus::WARN
+                             : DiagnosticStatus::OK;
   status.summary(level, findings.now.effects.empty()
                             ? verdict
                             : fmt::format("{}: {}", verdict, fmt::join(findings.now.effects, ", ")));

@@ -31,9 +31,10 @@ fit::Candidate friction(const fit::Excitation& excitation) {
   }
   // Friction that wears within some cycles.
   for (const double share : {0.035, 0.15}) {
-    candidate.terms.push_back(
-        fit::additiveTerm("variable_friction", "stiffness", typical,
-                          {{"yield_displacement", {share * largest}}, {"travel", {40.0 * largest}}}));
+    candidate.terms.push_back(fit::additiveTerm("variable_friction", "stiffness", typical,
+                                                {{"yield_displacement", {share * largest}},
+                                                 {"travel", {40.0 * largest}},
+                                                 {"dead_band", {excitation.dead_band}}}));
   }
   // Friction that comes to its limit with the rate: half of it at a rate well below the largest, since a force that
   // rises all the way to the largest rate is viscous damping.
@@ -44,15 +45,10 @@ fit::Candidate friction(const fit::Excitation& excitation) {
           {{"yield_displacement", {share * largest}}, {"half_rate", {rate_share * excitation.highest_rate}}}));
     }
   }
-  // Laws of two numbers, Berg's and Dahl's, and of three: Bouc-Wen, of which Dahl's is the one without gamma.
+  // A law of two numbers that forgets nothing under the noise of a sensor, as Berg's and Bouc and Wen's do.
   for (const double share : {0.003, 0.01, 0.03, 0.1, 0.3}) {
-    candidate.laws.push_back(fit::additiveTerm("friction", "maximum_force", typical * share * largest,
-                                               {{"displacement", {share * largest}}}));
-    for (const double of_beta : {0.0, 0.5, -0.5}) {
-      const double beta = 1.0 / (share * largest);
-      candidate.laws.push_back(
-          fit::additiveTerm("bouc_wen", "stiffness", typical, {{"beta", {beta}}, {"gamma", {of_beta * beta}}}));
-    }
+    candidate.laws.push_back(
+        fit::additiveTerm("iwan", "maximum_force", typical * share * largest, {{"displacement", {share * largest}}}));
   }
   return candidate;
 }

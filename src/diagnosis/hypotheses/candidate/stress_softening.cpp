@@ -67,10 +67,10 @@ void addOneSidedAndRecovering(const fit::Excitation& excitation, std::vector<fit
 }
 
 // What the first loading carries more than a factor on the settled force can tell.
-void addFirstLoading(double stiffness, std::vector<fit::BasisTerm>& terms) {
+void addFirstLoading(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double share : {0.02, 0.1, 0.5}) {
-    terms.push_back(
-        fit::additiveTerm("first_loading", "stiffness", 0.1 * stiffness / share, {{"yield_share", {share}}}));
+    terms.push_back(fit::additiveTerm("first_loading", "stiffness", 0.1 * excitation.stiffness / share,
+                                      {{"yield_share", {share}}, {"dead_band", {excitation.dead_band}}}));
   }
 }
 
@@ -81,7 +81,7 @@ fit::Candidate stressSoftening(const fit::Excitation& excitation) {
   addByReach(excitation.largest_displacement, candidate.terms);
   addByDisplacement(excitation.largest_displacement, candidate.terms);
   addOneSidedAndRecovering(excitation, candidate.terms);
-  addFirstLoading(excitation.stiffness, candidate.terms);
+  addFirstLoading(excitation, candidate.terms);
   return candidate;
 }
 

@@ -1,0 +1,234 @@
+// Verdict, gaps, floor, interval, sizes and probabilities of a report agree.
+#include "diagnosis/invariants.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "diagnosis/report/page.h"
+#include "diagnosis/words/model_values.h"
+#include "diagnosis/words/text.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr double kRounding = 1e-9;
+constexpr double kReplayed = 1e-3;  // a gap, as blocks of a log and the log as a whole give it
+constexpr double kWorthListing = 0.02;
+
+bool nearly(double a, double b, double tolerance = kRounding) { return std::abs(a - b) <= tolerance; }
+
+template <class List, class Function>
+bool all(const List& list, const Function& holds) {
+  return std::all_of(list.begin(), list.end(), holds);
+}
+
+template <class List, class Function>
+double sumOf(const List& list, const Function& number) {
+  return std::accumulate(list.begin(), list.end(), 0.0, [&](double sum, const auto& one) { return sum + number(one); });
+}
+
+double probabilityOf(const Diagnosis& d, const std::string& effect) {
+  const auto found = std::find_if(d.candidates.begin(), d.candidates.end(),
+                                  [&](const CandidateResult& candidate) { return candidate.effect == effect; });
+  return found == d.candidates.end() ? 0.0 : found->probability;
+}
+
+bool posteriorIsOne(const Diagnosis& d) {
+  const Posterior& p = d.posterior;
+  return nearly(p.none + p.parameter_error + p.effects + p.none_of_these, 1.0);
+}
+
+bool verdictIsTheLikeliest(const Diagnosis& d) {
+  const Posterior& p = d.posterior;
+  const double said = namesEffects(d.verdict)                 ? p.effects
+                      : d.verdict == Verdict::none            ? p.none
+                      : d.verdict == Verdict::parameter_error ? p.parameter_error
+                                                              : p.none_of_these;
+  return said >= std::max({p.none, p.parameter_error, p.effects, p.none_of_these}) - kRounding;
+}
+
+bool alternativesFollow(const Diagnosis& d) {
+  const bool falling = std::is_sorted(d.alternatives.begin(), d.alternatives.end(),
+                                      [](const auto& a, const auto& b) { return a.probability > b.probability; });
+  return falling && d.probability + sumOf(d.alternatives, [](const Alternative& other) { return other.probability; }) <=
+                        1.0 + kRounding;
+}
+
+bool verdictHasItsEffects(const Diagnosis& d) {
+  return !d.effects.empty() == namesEffects(d.verdict) && d.confounded.empty() == d.effects.empty();
+}
+
+bool candidatesAreOfTheSets(const Diagnosis& d) {
+  const double effects = d.posterior.effects;
+  return all(d.candidates, [&](const CandidateResult& c) { return c.probability <= effects + kRounding; }) &&
+         sumOf(d.candidates, [](const CandidateResult& c) { return c.probability; }) >= effects - kRounding &&
+         all(d.excluded, [&](const auto& one) { return probabilityOf(d, one.effect) == 0.0; });
+}
+
+bool firstSetIsNamed(const Diagnosis& d) {
+  return d.confounded.empty() || std::is_permutation(d.confounded.front().begin(), d.confounded.front().end(),
+                                                     d.effects.begin(), d.effects.end());
+}
+
+bool setsAreProbable(const Diagnosis& d) {
+  const auto listed = [&](const std::string& effect) { return probabilityOf(d, effect) >= kWorthListing; };
+  return d.confounded.empty() ||
+         std::all_of(d.confounded.begin() + 1, d.confounded.end(), [&](const auto& set) { return all(set, listed); });
+}
+
+bool floorIsLeast(const Diagnosis& d) {
+  const double most = std::min({d.gap.as_configured, d.gap.re_estimated, d.gap.augmented}) + kRounding;
+  return d.gap.noise_floor <= most &&
+         all(d.candidates, [&](const CandidateResult& c) { return d.gap.noise_floor <= c.gap + kRounding; });
+}
+
+bool whatIsNamedCloses(const Diagnosis& d) {
+  return d.effects.empty() || (d.gap.augmented < d.gap.re_estimated && d.closed_interval[0] > 0.0);
+}
+
+bool closedIsOfTheGaps(const Diagnosis& d) {
+  const double fraction = (d.gap.re_estimated - d.gap.augmented) / (d.gap.re_estimated - d.gap.noise_floor);
+  return d.effects.empty() || nearly(d.closed, std::min(1.0, fraction));
+}
+
+bool intervalHoldsWhatIsClosed(const Diagnosis& d) {
+  return d.effects.empty() || (d.closed_interval[0] <= d.closed && d.closed <= d.closed_interval[1]);
+}
+
+// No other value than that of the headline is in the sentence.
+bool headlineIsTheLargest(const Diagnosis& d) {
+  const SizedValue* const headline = words::headlineValue(d);
+  return all(words::changedValues(d), [&](const SizedValue* size) {
+    return size == headline || d.sentence.find(words::offText(*size)) == std::string::npos;
+  });
+}
+
+bool boundsAreSaid(const Diagnosis& d) {
+  const auto holds = [](const SizedValue& size) {
+    const bool says = words::intervalText(size).find("bound") != std::string::npos;
+    return says == (size.at_bound[0] || size.at_bound[1]) &&
+           (size.interval_95[0] != 0.0 || size.value == 0.0 || size.at_bound[0]);
+  };
+  return all(d.model_sizes, holds) && all(d.effect_sizes, holds);
+}
+
+// Why a candidate is out agrees with its gap.
+bool reasonsAgree(const Diagnosis& d) {
+  return all(d.candidates, [&](const CandidateResult& c) {
+    const std::string why = report::whyOut(d, c);
+    const auto says = [&](const char* words) { return why.find(words) != std::string::npos; };
+    return (!says("where what is named leaves") || c.gap > d.gap.augmented) &&
+           (!says("no more than what is named") || c.gap <= d.gap.augmented);
+  });
+}
+
+bool takenOutAddsUp(const Diagnosis& d) {
+  return all(d.admission, [&](const Admission& log) {
+    const double left = log.recorded * log.recorded - sumOf(d.taken_out, [&](const TakenOut& part) {
+                          return part.log == log.log ? std::copysign(part.share * part.share, part.share) : 0.0;
+                        });
+    return nearly(left, log.left * log.left, kRounding * (1.0 + left));
+  });
+}
+
+bool isInPieces(const Diagnosis& d) {
+  return !all(d.admission, [](const Admission& log) {
+    return all(log.notes, [](const std::string& note) { return note.find("time gaps") == std::string::npos; });
+  });
+}
+
+// Over the logs that the gaps are of, what they leave as recorded is what `replay` gives, and what they leave is the
+// gap; without held-out logs the gap is of blocks that took no part in a fit, and more.
+bool takenOutExplainsTheGaps(const Diagnosis& d) {
+  const bool held_out = !all(d.admission, [](const Admission& log) { return !log.hold_out; });
+  std::vector<Admission> logs;
+  std::copy_if(d.admission.begin(), d.admission.end(), std::back_inserter(logs),
+               [&](const Admission& log) { return log.hold_out == held_out; });
+  if (logs.empty() || d.samples != d.recorded_samples || isInPieces(d)) {
+    return true;  // a table, or parts of logs
+  }
+  const double recorded = std::sqrt(sumOf(logs, [](const Admission& log) { return log.recorded * log.recorded; }) /
+                                    static_cast<double>(logs.size()));
+  const auto [least, most] = std::minmax_element(
+      logs.begin(), logs.end(), [](const Admission& a, const Admission& b) { return a.left < b.left; });
+  return nearly(recorded, d.gap_as_recorded.augmented, kReplayed * d.gap_as_recorded.augmented + kRounding) &&
+         least->left < (1.0 + kReplayed) * d.gap.augmented &&
+         (!held_out || d.gap.augmented < (1.0 + kReplayed) * most->left);
+}
+
+bool whereIsOne(const Diagnosis& d) {
+  return d.where.empty() || nearly(sumOf(d.where, [](const gap::GapCell& cell) { return cell.share; }), 1.0);
+}
+
+bool sharesAddUp(const Diagnosis& d) {
+  return nearly(sumOf(d.shares, [](const auto& part) { return part.share; }),
+                1.0 - d.gap.augmented / std::max(d.gap.as_configured, std::numeric_limits<double>::min()));
+}
+
+bool surrogateIsThere(const Diagnosis& d) { return d.surrogate.has_value() == (leavesRest(d.verdict) && !d.table); }
+
+struct Invariant {
+  const char* name;
+  bool (*holds)(const Diagnosis&);
+};
+
+// The names are those of test/blind_trial/invariants.py, which asks report.json.
+constexpr Invariant kInvariants[] = {
+    {"effects if and only if the verdict names any", verdictHasItsEffects},
+    {"the posterior adds up to 1", posteriorIsOne},
+    {"the verdict is the likeliest", verdictIsTheLikeliest},
+    {"effects are as probable as their sets", candidatesAreOfTheSets},
+    {"the first set is the one named", firstSetIsNamed},
+    {"no set holds an improbable effect", setsAreProbable},
+    {"alternatives follow by probability", alternativesFollow},
+    {"the floor is no more than any gap", floorIsLeast},
+    {"named: the gap falls, and the interval excludes 0", whatIsNamedCloses},
+    {"closed is of the gaps", closedIsOfTheGaps},
+    {"the interval holds what is closed", intervalHoldsWhatIsClosed},
+    {"the headline has the largest change", headlineIsTheLargest},
+    {"an interval that ends at a bound says so", boundsAreSaid},
+    {"reasons agree with the gaps", reasonsAgree},
+    {"what was taken out adds up", takenOutAddsUp},
+    {"what was taken out explains the gaps", takenOutExplainsTheGaps},
+    {"where adds up to 1", whereIsOne},
+    {"shares add up to what is removed", sharesAddUp},
+    {"a surrogate where unknown or partly", surrogateIsThere},
+    {"a next experiment, or why none", [](const Diagnosis& d) { return !d.next_experiment.empty(); }}};
+
+}  // namespace
+
+std::vector<std::string> brokenInvariants(const Diagnosis& diagnosis) {
+  std::vector<std::string> broken;
+  for (const Invariant& invariant : kInvariants) {
+    if (diagnosis.workings && !invariant.holds(diagnosis)) {  // without, nothing was judged
+      broken.emplace_back(invariant.name);
+    }
+  }
+  return broken;
+}
+
+Diagnosis heldToInvariants(Diagnosis diagnosis) {
+  const std::vector<std::string> broken = brokenInvariants(diagnosis);
+  if (broken.empty()) {
+    return diagnosis;
+  }
+  diagnosis.verdict = Verdict::defect;
+  diagnosis.defect = fmt::format("{}", fmt::join(broken, "; "));
+  diagnosis.sentence = fmt::format(
+      "No verdict: this report would contradict itself ({}). That is a defect of rubber_suspension, not of the logs.",
+      diagnosis.defect);
+  diagnosis.next_experiment = "None: report the defect, with report.json and evidence.json (option --evidence).";
+  diagnosis.proposed = {};
+  diagnosis.effects.clear();
+  diagnosis.confounded.clear();
+  diagnosis.surrogate.reset();
+  return diagnosis;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,75 @@
+// Errors of components under the displacement as recorded.
+#include "diagnosis/results/replayed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/hypotheses/unseen_logs.h"
+#include "gap/simulate.h"
+
+namespace rubber_suspension::diagnosis::results {
+namespace {
+
+std::vector<gap::PartError> heldOutErrors(const fit::Hypothesis& hypothesis, const Entries& elements,
+                                          const HeldOut& held_out) {
+  return hypotheses::unseenErrors(hypothesis, elements, gap::simulateEach(elements, held_out.records), held_out.records,
+                                  held_out.zeros);
+}
+
+std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const FittedLaw& fitted,
+                                           const Entries& elements) {
+  const std::vector<log::Record>& records = fitter.records();
+  const fit::Hypothesis hypothesis = fitted.law.hypothesis();
+  const auto errorsOf = [&](const gap::Forces& forces) {
+    return errorsByLog(hypotheses::partErrorsOf(hypothesis, records, forces), records.size());
+  };
+  const std::vector<double> replay = errorsOf(gap::simulate(elements, records, gap::asRecorded));
+  const std::vector<double> of_fit =
+      errorsOf(*LawForces(fitter.sharedRecords(), fitter.model(), fitted.law).at(fitted.fit.parameters));
+  std::vector<gap::PartError> blocks = fitted.fit.blocks;
+  for (gap::PartError& block : blocks) {
+    const auto log = static_cast<std::size_t>(block.log);
+    const double error = block.error + replay[log] - of_fit[log];
+    block.error = std::isnan(error) ? std::numeric_limits<double>::infinity() : std::max(0.0, error);
+  }
+  return blocks;
+}
+
+}  // namespace
+
+Entries elementsOf(const fit::ModelParameters& model, const FittedLaw& fitted) {
+  Entries elements = *model.elements(fitted.fit.parameters.model);
+  for (const Entries& entries : fitted.law.at(fitted.fit.parameters.scales)) {
+    elements.insert(elements.end(), entries.begin(), entries.end());
+  }
+  return elements;
+}
+
+Replayed replayed(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
+                  const HeldOut& held_out) {
+  return {errorsOfTheFit(fitter, fitted, elements), held_out.records.empty()
+                                                        ? std::vector<gap::PartError>()
+                                                        : heldOutErrors(fitted.law.hypothesis(), elements, held_out)};
+}
+
+std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
+                                         const HeldOut& held_out) {
+  return held_out.records.empty() ? errorsOfTheFit(fitter, fitted, elements)
+                                  : heldOutErrors(fitted.law.hypothesis(), elements, held_out);
+}
+
+std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::size_t logs) {
+  std::vector<double> sum(logs, 0.0);
+  std::vector<double> weight(logs, 0.0);
+  for (const gap::PartError& part : parts) {
+    sum[static_cast<std::size_t>(part.log)] += part.weight * part.error;
+    weight[static_cast<std::size_t>(part.log)] += part.weight;
+  }
+  for (std::size_t log = 0; log < logs; ++log) {
+    sum[log] = weight[log] > 0.0 ? sum[log] / weight[log] : 0.0;
+  }
+  return sum;
+}
+
+}  // namespace rubber_suspension::diagnosis::results

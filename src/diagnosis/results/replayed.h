@@ -1,0 +1,42 @@
+// What a component leaves of logs as `replay` and the node have them: driven by the displacement as recorded.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/results/law_fit.h"
+#include "fit/fitter.h"
+#include "rubber_suspension/gap/gap.h"
+
+namespace rubber_suspension::diagnosis::results {
+
+/// Logs that take no part in the fit, and what is known of the zeros of their displacement.
+struct HeldOut {
+  const std::vector<log::Record>& records;
+  const std::vector<fit::DisplacementZero>& zeros;
+};
+
+/// Errors of parts of logs, what the rig did to each log taken out.
+struct Replayed {
+  std::vector<gap::PartError> of_the_fit;  ///< on blocks that took no part in the fit
+  std::vector<gap::PartError> held_out;    ///< of the logs held out; empty without any
+
+  /// Those that gaps are of.
+  const std::vector<gap::PartError>& unseen() const { return held_out.empty() ? of_the_fit : held_out; }
+};
+
+/// The elements of a model with a law.
+Entries elementsOf(const fit::ModelParameters& model, const FittedLaw& fitted);
+
+/// Errors of a fitted law that is written as these elements. Of the logs of the fit they are the cross-validated errors
+/// of the fit and, log by log, what `replay` leaves there more than the forces that were fitted: the noise of the
+/// displacement's sensor, and samples to come that a simulation does not know.
+Replayed replayed(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements, const HeldOut& held_out);
+
+/// Of these the errors that gaps are of.
+std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
+                                         const HeldOut& held_out);
+
+/// The mean error of each of so many logs.
+std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::size_t logs);
+
+}  // namespace rubber_suspension::diagnosis::results

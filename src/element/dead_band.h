@@ -1,0 +1,16 @@
+// A displacement that the noise of its sensor does not move.
+#pragma once
+
+#include <algorithm>
+
+namespace rubber_suspension::element {
+
+/// What the parameter of that name is for.
+constexpr const char* kDeadBand = "ten standard deviations of the displacement's noise; 0 for simulated ones";
+
+/// The displacement [m] behind play of this width: it follows only what moves on beyond a dead band [m].
+inline double followed(double displacement, double dead_band, double before) {
+  return std::clamp(before, displacement - 0.5 * dead_band, displacement + 0.5 * dead_band);
+}
+
+}  // namespace rubber_suspension::element

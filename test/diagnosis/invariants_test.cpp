@@ -1,0 +1,79 @@
+// A report that contradicts itself is found out, and tells nothing.
+#include "diagnosis/invariants.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shared_runs.h"
+
+namespace rubber_suspension {
+namespace {
+
+using diagnosis::Diagnosis;
+using testing::Contains;
+using testing::HasSubstr;
+
+TEST(Invariants, HoldForReportsOfAllKinds) {
+  for (const Diagnosis* run : {&ofNothing(), &ofAStop(), &ofHum(), &ofOneLog()}) {
+    EXPECT_THAT(brokenInvariants(*run), testing::IsEmpty()) << run->sentence;
+  }
+}
+
+TEST(Invariants, AreEachFoundBroken) {
+  const std::vector<std::pair<std::string, std::function<void(Diagnosis&)>>> changes = {
+      {"effects if and only if the verdict names any", [](Diagnosis& d) { d.effects.clear(); }},
+      {"the posterior adds up to 1", [](Diagnosis& d) { d.posterior.none += 0.01; }},
+      {"the verdict is the likeliest", [](Diagnosis& d) { std::swap(d.posterior.none, d.posterior.effects); }},
+      {"effects are as probable as their sets", [](Diagnosis& d) { d.candidates[0].probability = 0.0; }},
+      {"the first set is the one named", [](Diagnosis& d) { d.confounded.front() = {"friction"}; }},
+      {"no set holds an improbable effect", [](Diagnosis& d) { d.confounded.push_back({"no effect"}); }},
+      {"alternatives follow by probability",
+       [](Diagnosis& d) {
+         d.alternatives.assign(3, {{}, {}, 0.5});
+       }},
+      {"the floor is no more than any gap", [](Diagnosis& d) { d.gap.noise_floor = 1.01 * d.gap.augmented; }},
+      {"named: the gap falls, and the interval excludes 0",
+       [](Diagnosis& d) { d.gap.re_estimated = 0.99 * d.gap.augmented; }},
+      {"closed is of the gaps", [](Diagnosis& d) { d.closed -= 0.01; }},
+      {"the interval holds what is closed",
+       [](Diagnosis& d) {
+         d.closed_interval = {0.1, 0.2};
+       }},
+      {"an interval that ends at a bound says so", [](Diagnosis& d) { d.effect_sizes.front().interval_95[0] = 0.0; }},
+      {"what was taken out adds up", [](Diagnosis& d) { d.admission.front().left *= 1.1; }},
+      {"what was taken out explains the gaps", [](Diagnosis& d) { d.gap_as_recorded.augmented *= 1.1; }},
+      {"where adds up to 1", [](Diagnosis& d) { d.where.pop_back(); }},
+      {"a surrogate where unknown or partly", [](Diagnosis& d) { d.surrogate.emplace(); }},
+      {"a next experiment, or why none", [](Diagnosis& d) { d.next_experiment.clear(); }}};
+  for (const auto& [name, change] : changes) {
+    Diagnosis changed = ofAStop();
+    change(changed);
+    EXPECT_THAT(brokenInvariants(changed), Contains(name));
+  }
+}
+
+TEST(Defect, TellsNoVerdict) {
+  Diagnosis changed = ofAStop();
+  changed.gap.re_estimated = 0.99 * changed.gap.augmented;
+  const Diagnosis told = heldToInvariants(std::move(changed));
+  EXPECT_EQ(told.verdict, diagnosis::Verdict::defect);
+  EXPECT_TRUE(told.effects.empty());
+  EXPECT_THAT(told.defect, HasSubstr("named: the gap falls"));
+  EXPECT_THAT(told.sentence, HasSubstr("No verdict"));
+  EXPECT_THAT(toJson(told), HasSubstr("\"defect\": \"named: the gap falls"));
+  EXPECT_THAT(toHtml(told), HasSubstr("no component file is written"));
+  const std::string folder = testing::TempDir() + "/defect";
+  writeReport(told, folder);
+  EXPECT_TRUE(std::filesystem::exists(folder + "/report.html"));
+  EXPECT_FALSE(std::filesystem::exists(folder + "/augmented.yaml"));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
