@@ -213,7 +213,7 @@ class Describer {
       const auto found =
           prepare::rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
                                held_out ? prepared_.zeros.held_out : prepared_.zeros.training,
-                               judged_.hypothesis.free_in_log.gain, options_.threads);
+                               judged_.hypothesis.free_in_log, options_.threads);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
   }
