@@ -40,12 +40,8 @@ std::string toJson(const Evidence& evidence) {
   for (const LogEvidence& log : evidence.logs) {
     logs.push_back(logJson(log));
   }
-  const ordered_json value = {{"schema", kEvidenceSchema},
-                              {"effects", evidence.effects},
-                              {"on_rig", evidence.on_rig},
-                              {"guess", evidence.guess},
-                              {"excluded", evidence.excluded},
-                              {"logs", logs},
+  const ordered_json value = {{"schema", kEvidenceSchema}, {"effects", evidence.effects},   {"on_rig", evidence.on_rig},
+                              {"guess", evidence.guess},   {"excluded", evidence.excluded}, {"logs", logs},
                               {"hypotheses", hypotheses}};
   return value.dump() + "\n";
 }
