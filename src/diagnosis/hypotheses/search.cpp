@@ -351,7 +351,7 @@ class Searcher {
       const bool together = !fit::contains(candidate, other) && !fit::contains(other, candidate);
       if (candidate.excluded && candidate.applies() && together) {
         const Screened pair = screening.screen({likely, c});
-        pairs.push_back({pair.members, pair.error, 0.0, screening.bestOf(pair.members)});
+        pairs.push_back({screening.hypothesisOf(pair.members), pair.error, 0.0, screening.bestOf(pair.members)});
       }
     }
     fitAll(pairs, result_.pairs);

@@ -169,6 +169,16 @@ void refuseInfinite(ArrayXd& weights) {
   weights = weights.isFinite().select(weights, -std::numeric_limits<double>::infinity());
 }
 
+// No guess is right as configured, with a gain or without.
+void refuseConfigured(const ScoreTable& table, LogWeights& weights) {
+  weights.alone[Evidence::kAsConfigured] = -std::numeric_limits<double>::infinity();
+  for (std::size_t h = 0; h < table.members.size(); ++h) {
+    if (table.another_reading[h]) {
+      weights.alone[static_cast<Index>(h)] = -std::numeric_limits<double>::infinity();
+    }
+  }
+}
+
 }  // namespace
 
 ScoreTable scoreTable(const Evidence& evidence) {
@@ -260,10 +270,8 @@ LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
   }
   weights.beside[Evidence::kReEstimated] -= priorOf(table, numbers, Evidence::kReEstimated);
   weights.beside[Evidence::kAsConfigured] = -std::numeric_limits<double>::infinity();
-  for (std::size_t h = 0; table.guess && h < table.members.size(); ++h) {  // no guess is right as configured
-    if (h == Evidence::kAsConfigured || table.another_reading[h]) {
-      weights.alone[static_cast<Index>(h)] = -std::numeric_limits<double>::infinity();
-    }
+  if (table.guess) {
+    refuseConfigured(table, weights);
   }
   refuseInfinite(weights.alone);
   refuseInfinite(weights.beside);

@@ -72,16 +72,6 @@ std::string effectsText(const Diagnosis& diagnosis) {
   return enumerated(texts);
 }
 
-// The cost of few numbers, where it shows.
-std::string priceText(const Diagnosis& diagnosis) {
-  const std::string simple = percent(diagnosis.gap.augmented);
-  const std::string full = percent(diagnosis.gap_of_full_law);
-  return simple == full
-             ? ""
-             : fmt::format(" augmented.yaml has a simpler law, which leaves {}; the law as judged leaves {}.", simple,
-                           full);
-}
-
 std::string ownValuesText(const Diagnosis& diagnosis) {
   const SizedValue* const value = headlineValue(diagnosis);
   return value == nullptr ? "The model's parameters are off" : offText(*value);
@@ -163,25 +153,12 @@ std::string gainText(const Diagnosis& diagnosis) {
   return "";
 }
 
-// Where all stiffnesses are off by one factor that the tolerance of the force channel allows.
-std::string withinGain(const Diagnosis& diagnosis) {
-  constexpr double kAlike = 0.01;  // of the factor
-  const double tolerance = diagnosis.configured.rig.value_or(io::RigTolerances{}).gain.value;
-  std::vector<double> ratios;
-  for (const SizedValue& size : diagnosis.model_sizes) {
-    if (size.unit == "N/m" && size.configured > 0.0) {
-      ratios.push_back(size.value / size.configured);
-    }
-  }
-  const auto ends = std::minmax_element(ratios.begin(), ratios.end());
-  const bool alike = ratios.size() > 1 && *ends.second - *ends.first < kAlike;
-  const double off = alike ? 0.5 * (*ends.first + *ends.second) - 1.0 : 0.0;
-  return std::abs(off) > kAlike && std::abs(off) <= io::kTolerated * tolerance
-             ? fmt::format(
-                   " All its stiffnesses are off by the same {:.1f} %, which the force channel's tolerance of {:g} % "
-                   "allows: a known weight on the load cell tells.",
-                   100.0 * std::abs(off), 100.0 * tolerance)
-             : "";
+// The other reading of values that are all off by one factor.
+std::string weightText(const Diagnosis& diagnosis) {
+  const bool gain = std::any_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), [](const auto& other) {
+    return other.effects == std::vector<std::string>{"sensor_gain"};
+  });
+  return gain ? " A known weight on the load cell tells." : "";
 }
 
 // Gaps are those of the logs held out, where there are any.
@@ -207,9 +184,9 @@ std::string sentence(const Diagnosis& diagnosis) {
   const ChangeTexts closed(gap.re_estimated, gap.augmented, gap.noise_floor);
   const ChangeTexts moved(gap.as_configured, gap.re_estimated, gap.noise_floor);
   const std::string closes = fmt::format(
-      " Adding {} removes {} % of the error that other parameter values cannot remove: gap {} to {}, noise {}.{}",
+      " Adding {} removes {} % of the error that other parameter values cannot remove: gap {} to {}, noise {}.",
       diagnosis.effects.size() == 1 ? "it" : "them", wholePercent(diagnosis.closed), closed.before, closed.after,
-      closed.noise, priceText(diagnosis));
+      closed.noise);
   const std::string values = deviationsText(diagnosis) + identifiedText(diagnosis);
   switch (diagnosis.verdict) {
     case Verdict::none:
@@ -218,7 +195,7 @@ std::string sentence(const Diagnosis& diagnosis) {
       return fmt::format("{}: other values remove {} % of the gap as configured, from {} to {} (noise {}).{}{}",
                          diagnosis.guess ? "The data sheet is a guess" : ownValuesText(diagnosis),
                          wholePercent(shareOfValues(diagnosis)), moved.before, moved.after, moved.noise, values,
-                         withinGain(diagnosis) + otherwise(diagnosis));
+                         otherwise(diagnosis) + weightText(diagnosis));
     case Verdict::named:
       return withOwnValues(diagnosis, lacks) + "." + closes + values + gainText(diagnosis);
     case Verdict::confounded:
