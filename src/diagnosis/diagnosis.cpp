@@ -140,7 +140,7 @@ Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSour
   const std::vector<prepare::LogSurvey> surveys = prepare::surveyLogs(logs, built, options.threads);
   const std::vector<prepare::LogSurvey> unseen = prepare::surveyLogs(hold_out, built, options.threads);
   const prepare::Excerpts excerpts = prepare::makeExcerpts(surveys, unseen, options.most_samples);
-  prepare::requireMemory(excerpts.samples, excerpts.of, options.threads,
+  prepare::requireMemory({excerpts.samples, excerpts.logs.size()}, excerpts.of, options.threads,
                          options.available_memory > 0 ? options.available_memory : io::availableMemory());
   Diagnosis result = diagnoseExcerpts(component, excerpts, unseen.empty() ? surveys : unseen, options);
   result.samples = excerpts.samples;

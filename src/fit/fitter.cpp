@@ -42,8 +42,7 @@ Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> shared, const Mod
 }
 
 double Fitter::gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const {
-  FreeInLog free = hypothesis.free_in_log;
-  free.trend = false;
+  const FreeInLog& free = hypothesis.free_in_log;
   double sum = 0.0;
   for (std::size_t r = 0; r < records().size(); ++r) {
     const Eigen::VectorXd residual = records()[r].withoutRig(records()[r].force - forces[r]);
@@ -53,17 +52,17 @@ double Fitter::gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) co
   return std::isfinite(sum) ? std::sqrt(sum) : std::numeric_limits<double>::infinity();
 }
 
-// Of the squares that a residual has left, what zero and gain of a log take.
+// Of the squares that a residual has left, what is free in a log takes.
 double Fitter::takenInLog(const FreeInLog& free, std::size_t r, const Eigen::VectorXd& simulated,
                           const Eigen::VectorXd& residual) const {
   const log::Record& record = records()[r];
-  Eigen::MatrixXd columns = free.columns(record, r, simulated);
+  auto [columns, penalty] = free.unknowns(record, r, simulated);
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
     columns.col(j) = record.withoutRig(columns.col(j));
   }
   Eigen::MatrixXd gram = columns.transpose() * columns;
   gram.diagonal().array() += 1e-12 * gram.diagonal().maxCoeff();
-  gram.diagonal() += std::pow(record.force_deviation, 2) * record.counted() * free.costs(record).cwiseAbs2();
+  gram.diagonal() += penalty;
   const Eigen::VectorXd moment = columns.transpose() * residual;
   return gram.diagonal().minCoeff() > 0.0 ? moment.dot(numerics::solveSymmetric(gram, moment)) : 0.0;
 }

@@ -42,11 +42,10 @@ class Fitter final : public HypothesisFitter {
   std::optional<gap::Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const override {
     return forces_.at(hypothesis, parameters);
   }
-  BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                  const gap::Forces& base, const std::vector<bool>& active,
-                                  int threads) const override {
-    return blocks_->normalEquations(base, forces_.columns(hypothesis, parameters, active, base, threads),
-                                    hypothesis.free_in_log, threads);
+  std::vector<BlockGrams> normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                               const gap::Forces& base, const Linearised& how) const override {
+    return blocks_->normalEquations(base, forces_.columns(hypothesis, parameters, how.active, base, how.threads),
+                                    how.free, how.kept, how.threads);
   }
   double takenInLog(const FreeInLog& free, std::size_t r, const Eigen::VectorXd& simulated,
                     const Eigen::VectorXd& residual) const;

@@ -8,39 +8,68 @@
 
 namespace rubber_suspension::fit {
 
+std::vector<Eigen::Index> FreeInLog::placesIn(const FreeInLog& all) const {
+  std::vector<Eigen::Index> places;
+  Eigen::Index next = 0;
+  const auto take = [&](bool has, bool of_all, Eigen::Index count) {
+    for (Eigen::Index i = 0; i < (of_all ? count : 0); ++i, ++next) {
+      if (has) {
+        places.push_back(next);
+      }
+    }
+  };
+  take(trend, all.trend, kTrendsPerLog);
+  take(by_zero != nullptr, all.by_zero != nullptr, 1);
+  take(offset, all.offset, 1);
+  take(gain, all.gain, 1);
+  return places;
+}
+
 Eigen::MatrixXd FreeInLog::columns(const log::Record& record, std::size_t place,
                                    const Eigen::VectorXd& simulated) const {
   Eigen::MatrixXd columns(record.size(), count());
   if (trend) {
     const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(record.size(), 0.0, 1.0);
-    columns.col(0).setOnes();
-    columns.col(1) = time - 0.5;
-    for (Eigen::Index k = 2; k < kTrendsPerLog; ++k) {
-      columns.col(k) = (time * element::kPi * static_cast<double>(k - 1)).cos();
+    columns.col(0) = time - 0.5;
+    for (Eigen::Index k = 1; k < kTrendsPerLog; ++k) {
+      columns.col(k) = (time * element::kPi * static_cast<double>(k)).cos();
     }
     columns.leftCols(kTrendsPerLog) *= record.force_deviation;
   }
   if (by_zero) {
     columns.col(trend ? kTrendsPerLog : 0) = (*by_zero)[place];
   }
+  if (offset) {
+    columns.col(placeOfOffset()).setConstant(record.force_deviation);
+  }
   if (gain) {
-    columns.rightCols<1>() = simulated;
+    columns.col(placeOfGain()) = simulated;
   }
   return columns;
 }
 
 Eigen::VectorXd FreeInLog::costs(const log::Record& record) const {
   constexpr double kWalk = 0.1;  // standard deviation, of the force
+  constexpr double kGain = 0.5;  // likewise: what laws and gains have in common is the laws'
   Eigen::VectorXd costs = Eigen::VectorXd::Zero(count());
   if (trend) {
-    costs[1] = record.one_deviation / kWalk;
-    costs.segment(2, kTrendsPerLog - 2) =
-        costs[1] * Eigen::VectorXd::LinSpaced(kTrendsPerLog - 2, 1.0, static_cast<double>(kTrendsPerLog - 2));
+    costs[0] = record.one_deviation / kWalk;
+    costs.segment(1, kTrendsPerLog - 1) =
+        costs[0] * Eigen::VectorXd::LinSpaced(kTrendsPerLog - 1, 1.0, static_cast<double>(kTrendsPerLog - 1));
   }
   if (by_zero) {
     costs[trend ? kTrendsPerLog : 0] = 1.0;
   }
+  if (gain) {
+    costs[placeOfGain()] = record.one_deviation / kGain;
+  }
   return costs;
+}
+
+gap::OwnUnknowns FreeInLog::unknowns(const log::Record& record, std::size_t place,
+                                     const Eigen::VectorXd& simulated) const {
+  const double force = std::pow(record.force_deviation, 2) * record.counted();
+  return {columns(record, place, simulated), force * costs(record).cwiseAbs2()};
 }
 
 log::Record FreeInLog::addedTo(const log::Record& record, std::size_t place, const Eigen::VectorXd& simulated) const {

@@ -7,6 +7,7 @@
 
 #include "gap/simulate.h"
 #include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
@@ -16,31 +17,52 @@ using ForceColumn = std::shared_ptr<const gap::Forces>;
 
 inline ForceColumn columnOf(gap::Forces forces) { return std::make_shared<const gap::Forces>(std::move(forces)); }
 
-/// Of the slow trend of a log, a drift of its own: the zero, a ramp and eight half cosines.
-constexpr Eigen::Index kTrendsPerLog = 10;
+/// Of the slow trend of a log, a drift of its own: a ramp and eight half cosines, all about a mean of 0.
+constexpr Eigen::Index kTrendsPerLog = 9;
 
-/// Which of them belong to a hypothesis. Unknowns of each log: the trend's, the zero, the gain.
+/// Which of them belong to a hypothesis. Unknowns of each log, in this order: the trend's, the zero of the
+/// displacement, the zero of the force, the gain.
 struct FreeInLog {
-  bool trend = false;  ///< a slow trend
-  bool gain = false;   ///< a gain of the force's channel
+  bool trend = false;   ///< a slow trend
+  bool offset = false;  ///< a zero of the force, over its standard deviation
+  bool gain = false;    ///< a gain of the force's channel
   /// A zero of the displacement, by what it does to the force of each log [N], as byZero() gives it; null: it is none.
   ForceColumn by_zero = nullptr;
 
-  bool any() const { return trend || gain || by_zero; }
-  Eigen::Index count() const { return (trend ? kTrendsPerLog : 0) + (by_zero ? 1 : 0) + (gain ? 1 : 0); }
+  bool any() const { return trend || offset || gain || by_zero; }
+  /// What terms have in common for all logs, too.
+  bool ofTerms() const { return offset || gain; }
+  Eigen::Index count() const {
+    return (trend ? kTrendsPerLog : 0) + (by_zero ? 1 : 0) + (offset ? 1 : 0) + (gain ? 1 : 0);
+  }
 
   friend FreeInLog operator|(const FreeInLog& one, const FreeInLog& other) {
-    return {one.trend || other.trend, one.gain || other.gain, one.by_zero ? one.by_zero : other.by_zero};
+    return {one.trend || other.trend, one.offset || other.offset, one.gain || other.gain,
+            one.by_zero ? one.by_zero : other.by_zero};
   }
+  /// Both have it; the zero of the displacement is that of the other.
+  friend FreeInLog operator&(const FreeInLog& one, const FreeInLog& other) {
+    return {one.trend && other.trend, one.offset && other.offset, one.gain && other.gain,
+            one.by_zero ? other.by_zero : nullptr};
+  }
+
+  /// Places of its unknowns among those of one that has them all, and maybe more.
+  std::vector<Eigen::Index> placesIn(const FreeInLog& all) const;
+  /// Of its unknowns; only where it is one of them.
+  Eigen::Index placeOfOffset() const { return count() - (gain ? 2 : 1); }
+  Eigen::Index placeOfGain() const { return count() - 1; }
 
   /// Their columns over the samples of a log, by its place among all [N]. `simulated`: the model's force on it, which a
   /// gain changes.
   Eigen::MatrixXd columns(const log::Record& record, std::size_t place, const Eigen::VectorXd& simulated) const;
 
-  /// The error that each column counts as where it is as large as the force; 0 where it has no prior. The zero of a
-  /// trend is free. Half cosines are those of a random walk, which is as wide as zeros are on a bench of which nothing
-  /// is known: free ones predict nothing between the samples that they are fitted to.
+  /// The error that each column counts as where it is as large as the force; 0 where it has no prior. Half cosines are
+  /// those of a random walk, which is as wide as zeros are on a bench of which nothing is known: free ones predict
+  /// nothing between the samples that they are fitted to.
   Eigen::VectorXd costs(const log::Record& record) const;
+
+  /// Both, the error as a penalty [N^2].
+  gap::OwnUnknowns unknowns(const log::Record& record, std::size_t place, const Eigen::VectorXd& simulated) const;
 
   /// The record with these among the nuisances: what the rig may have added to it (Record::withoutRig).
   log::Record addedTo(const log::Record& record, std::size_t place, const Eigen::VectorXd& simulated) const;

@@ -21,10 +21,11 @@ struct BasisTerm {
   double typical = 1.0;  ///< a scale of the order that a visible effect has
   double lower = 0.0;
   double upper = std::numeric_limits<double>::infinity();
-  bool additive = true;  ///< the force is that of the component plus scale times that of the entry alone
-  bool refines = false;  ///< much like its fellows, so that a fit far from its end would confuse them
-  bool on_rig = false;   ///< additive whatever effects act on the component
-  bool is_gain = false;  ///< the scale is a gain on all forces: of gains that are free in each log, the mean
+  bool additive = true;    ///< the force is that of the component plus scale times that of the entry alone
+  bool refines = false;    ///< much like its fellows, so that a fit far from its end would confuse them
+  bool on_rig = false;     ///< additive whatever effects act on the component
+  bool is_offset = false;  ///< the scale is a zero of all forces: of those that are free in each log, the mean
+  bool is_gain = false;    ///< the scale is a gain on all forces: of gains that are free in each log, the mean
   /// A force effect whose factor is 1 less the scale times a share that the displacement alone decides.
   bool softening = false;
   /// A zero of the displacement changes more of it than its mean; set by Fitter::prepare.
@@ -46,6 +47,7 @@ struct Candidate {
   /// Effects that its law has as a limit: it holds their terms besides its own.
   std::vector<std::string> contains = {};
   FreeInLog free_in_log = {};  ///< belongs to it
+  bool constant = false;       ///< adds a constant force, whose form is never wrong
   /// What its terms do, all of the model's parameters do together: beside right ones it is another reading of wrong
   /// ones, beside other effects it takes part only for gains that differ from log to log.
   bool like_parameters = false;

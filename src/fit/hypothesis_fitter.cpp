@@ -15,19 +15,25 @@ constexpr double kSlow = 0.2;         // of what a fit still lacks: at least fiv
 constexpr int kMostHalvings = 6;      // of a step that does not lead down
 constexpr double kNothing = 1e-9;     // of the typical scale: a term of this scale is left out
 
-// What the gains of all logs have in common is that of the term, where there is one. Of what is free in a log its gain
-// is the last.
-void takeCommonGain(const Hypothesis& hypothesis, const Eigen::VectorXd& unknowns, ParameterVector& parameters) {
-  const auto term = std::find_if(hypothesis.terms.begin(), hypothesis.terms.end(),
-                                 [](const BasisTerm& other) { return other.is_gain; });
-  if (term == hypothesis.terms.end()) {
-    return;
+// The mean over the logs of what such unknowns leave one of; by `of_columns`, what each column takes of it.
+double meanLeft(const Eigen::VectorXd& of_columns, const Eigen::VectorXd& unknowns) {
+  const Eigen::Index last = unknowns.size();
+  return of_columns[last] - of_columns.head(last).dot(unknowns);
+}
+
+// What the zeros of the force, or gains, of all logs have in common is that of the term, where there is one.
+void takeCommon(const Hypothesis& hypothesis, const BlockGrams& blocks, const Eigen::VectorXd& unknowns,
+                ParameterVector& parameters) {
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    const BasisTerm& term = hypothesis.terms[t];
+    double& scale = parameters.scales[static_cast<Eigen::Index>(t)];
+    if (term.is_offset && hypothesis.free_in_log.offset) {
+      scale = std::clamp(scale + meanLeft(blocks.mean_offset, unknowns), term.lower, term.upper);
+    } else if (term.is_gain && hypothesis.free_in_log.gain) {
+      const double gain = (1.0 + scale) * (1.0 + meanLeft(blocks.mean_gain, unknowns)) - 1.0;
+      scale = std::clamp(gain, term.lower, term.upper);
+    }
   }
-  const Eigen::Index of_log = hypothesis.free_in_log.count();
-  const Eigen::Index first = parameters.model.size() + parameters.scales.size() + of_log - 1;
-  const double mean = unknowns(Eigen::seq(first, unknowns.size() - 1, of_log)).mean();
-  double& scale = parameters.scales[term - hypothesis.terms.begin()];
-  scale = std::clamp((1.0 + scale) * (1.0 + mean), 1.0 + term->lower, 1.0 + term->upper) - 1.0;
 }
 
 }  // namespace
@@ -42,18 +48,20 @@ double HypothesisFitter::gapAt(const Hypothesis& hypothesis, const ParameterVect
   return forces ? gapOf(hypothesis, *forces) : std::numeric_limits<double>::infinity();
 }
 
-BlockGrams HypothesisFitter::linearise(const Hypothesis& hypothesis, const Place& place,
-                                       const std::vector<bool>& active, int threads) const {
-  BlockGrams result = normalEquationsAbout(hypothesis, place.parameters, place.forces, active, threads);
+std::vector<BlockGrams> HypothesisFitter::linearise(const Hypothesis& hypothesis, const Place& place,
+                                                    const Linearised& how) const {
+  std::vector<BlockGrams> results = normalEquationsAbout(hypothesis, place.parameters, place.forces, how);
   const Eigen::Index size = model().size();
   const Eigen::MatrixXd slopes = one_deviation_ * model().departureSlopes(place.parameters.model);
   const Eigen::VectorXd left = -one_deviation_ * model().departures(place.parameters.model);
-  result.prior.topLeftCorner(size, size) = slopes.transpose() * slopes;
-  result.prior.rightCols<1>().head(size) = slopes.transpose() * left;
-  result.prior.bottomRows<1>().head(size) = result.prior.rightCols<1>().head(size).transpose();
-  result.prior.bottomRightCorner<1, 1>().setConstant(left.squaredNorm());
-  result.sumUp();
-  return result;
+  for (BlockGrams& result : results) {
+    result.prior.topLeftCorner(size, size) = slopes.transpose() * slopes;
+    result.prior.rightCols<1>().head(size) = slopes.transpose() * left;
+    result.prior.bottomRows<1>().head(size) = result.prior.rightCols<1>().head(size).transpose();
+    result.prior.bottomRightCorner<1, 1>().setConstant(left.squaredNorm());
+    result.addPrior();
+  }
+  return results;
 }
 
 numerics::Limits HypothesisFitter::stepBounds(const Hypothesis& hypothesis, const ParameterVector& parameters,
@@ -169,8 +177,8 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
   result.parameters = std::move(place.parameters);
   const numerics::Limits bounds = stepBounds(hypothesis, result.parameters, blocks.unknowns());
   const auto step = [&](const Eigen::MatrixXd& gram) { return solve(gram, bounds); };
-  if (hypothesis.free_in_log.gain) {
-    takeCommonGain(hypothesis, step(blocks.sum), result.parameters);
+  if (hypothesis.free_in_log.ofTerms()) {
+    takeCommon(hypothesis, blocks, step(blocks.sum), result.parameters);
   }
   const std::vector<double> errors = crossValidate(blocks, step);
   double held_out = 0.0;

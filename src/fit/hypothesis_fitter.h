@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "fit/hypothesis.h"
@@ -67,6 +68,12 @@ class HypothesisFitter {
     return linearise(hypothesis, startAt(hypothesis, parameters), active, threads);
   }
 
+  /// The same by folds alone, with each of these free in each log.
+  std::vector<BlockGrams> lineariseFolds(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                         const std::vector<FreeInLog>& free, int threads) const {
+    return linearise(hypothesis, startAt(hypothesis, parameters), {{}, free, Kept::folds, threads});
+  }
+
   /// Fit by Gauss-Newton steps within the bounds, from a start.
   Fit fit(const Hypothesis& hypothesis, const ParameterVector& start, const FitLimits& limits) const;
 
@@ -93,6 +100,14 @@ class HypothesisFitter {
  protected:
   HypothesisFitter(const ModelParameters& model, double one_deviation) : model_(model), one_deviation_(one_deviation) {}
 
+  /// Normal equations as they are asked for.
+  struct Linearised {
+    std::vector<bool> active;     ///< terms that are not get a column of zeros; all are where it is empty
+    std::vector<FreeInLog> free;  ///< in each log; one result for each
+    Kept kept;
+    int threads;
+  };
+
  private:
   /// Forces of a hypothesis; nothing where it has no model.
   virtual std::optional<gap::Forces> simulate(const Hypothesis& hypothesis,
@@ -100,9 +115,8 @@ class HypothesisFitter {
   /// Gap of a hypothesis whose forces are these.
   virtual double gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const = 0;
   /// Normal equations about a parameter vector whose forces are `base`, but for the prior of model parameters.
-  virtual BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                          const gap::Forces& base, const std::vector<bool>& active,
-                                          int threads) const = 0;
+  virtual std::vector<BlockGrams> normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                                       const gap::Forces& base, const Linearised& how) const = 0;
 
   /// Where Gauss-Newton steps are.
   struct Place {
@@ -111,7 +125,10 @@ class HypothesisFitter {
     double cost = 0.0;  ///< gap and departure together
   };
   BlockGrams linearise(const Hypothesis& hypothesis, const Place& place, const std::vector<bool>& active,
-                       int threads) const;
+                       int threads) const {
+    return std::move(linearise(hypothesis, place, {active, {hypothesis.free_in_log}, Kept::blocks, threads}).front());
+  }
+  std::vector<BlockGrams> linearise(const Hypothesis& hypothesis, const Place& place, const Linearised& how) const;
   Place placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const;
   /// The same; throws std::invalid_argument where there is no model.
   Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;

@@ -10,7 +10,9 @@
 #include "element/each.h"
 #include "fit/parallel.h"
 #include "numerics/bounded_least_squares.h"
+#include "numerics/elimination.h"
 #include "numerics/gram.h"
+#include "numerics/least_squares.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -18,8 +20,27 @@ namespace {
 constexpr double kCyclesPerBlock = 4.0;  // of the motion's mean frequency: longer than what a residual remembers
 constexpr double kMostBlocks = 24.0;
 constexpr double kFewestBlocks = 8.0;
+constexpr double kBlocksOfAll = 480.0;  // many logs have fewer each: they predict each other
+constexpr double kBlocksOfOne = 2.0;    // one tells the log's own unknowns, the other has the error
 
 using Places = std::vector<Eigen::Index>;
+
+// Nothing added up yet.
+void prepare(Eigen::Index width, Kept kept, const FreeInLog& free, BlockGrams& result) {
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(width, width);
+  result.prior = result.sum = none;
+  result.without_fold.assign(kFolds, none);
+  result.squares = Eigen::VectorXd::Zero(width);
+  result.mean_offset = Eigen::VectorXd::Zero(free.offset ? width : 0);
+  result.mean_gain = Eigen::VectorXd::Zero(free.gain ? width : 0);
+  if (kept == Kept::folds) {
+    result.held_out.assign(kFolds, none);
+    result.weight.assign(kFolds, 0.0);
+    result.record.assign(kFolds, 0);
+    result.fold.resize(kFolds);
+    std::iota(result.fold.begin(), result.fold.end(), 0);
+  }
+}
 
 // These and the next ones from `first` on.
 Places with(Places places, Eigen::Index first, Eigen::Index count) {
@@ -47,24 +68,14 @@ void finish(const log::Record& record, Eigen::Index first, Eigen::MatrixXd& colu
   }
 }
 
-// Takes what the rig may have added, the last columns N, out of the products in the blocks of a log:
-// (x - N s)'(y - N t), s and t being its shares in the whole log. Returns the squares before that.
-Eigen::VectorXd freeOfRig(Eigen::Index rig, Eigen::Index width, std::vector<Eigen::MatrixXd>& grams) {
-  Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(rig, width);
-  Eigen::VectorXd squares = Eigen::VectorXd::Zero(width);
-  for (const Eigen::MatrixXd& gram : grams) {
-    shares += gram.bottomLeftCorner(rig, width);
-    squares += gram.diagonal().head(width);
-  }
-  for (Eigen::MatrixXd& gram : grams) {
-    const Eigen::MatrixXd on_rig = gram.bottomLeftCorner(rig, width);
-    const Eigen::MatrixXd left = on_rig - gram.bottomRightCorner(rig, rig) * shares;
-    gram = (gram.topLeftCorner(width, width) - on_rig.transpose() * shares - shares.transpose() * left).eval();
-  }
-  return squares;
-}
-
 }  // namespace
+
+void BlockGrams::addPrior() {
+  sum += prior;
+  for (Eigen::MatrixXd& others : without_fold) {
+    others += prior;
+  }
+}
 
 // Sums, not differences: what is zero without a fold has to be so to the last bit.
 void BlockGrams::sumUp() {
@@ -79,23 +90,43 @@ void BlockGrams::sumUp() {
       }
     }
   }
+  held_out = gram;
+  blocks = gram.size();
 }
 
 BlockGrams BlockGrams::of(const std::vector<Eigen::Index>& unknowns) const {
   const auto part = [&](const Eigen::MatrixXd& all) { return ofUnknowns(all, unknowns); };
-  return {element::each(gram, part),        fold, record, weight, part(prior), squares(unknowns), part(sum),
-          element::each(without_fold, part)};
+  BlockGrams result;
+  result.gram = element::each(gram, part);
+  result.held_out = element::each(held_out, part);
+  result.fold = fold;
+  result.record = record;
+  result.weight = weight;
+  result.prior = part(prior);
+  result.squares = squares(unknowns);
+  result.blocks = blocks;
+  result.sum = part(sum);
+  result.without_fold = element::each(without_fold, part);
+  return result;
 }
 
 // What is to be multiplied.
 struct LogBlocks::Request {
   const gap::Forces& base;
   const std::vector<ForceColumn>& columns;
-  const FreeInLog& free;
-  Eigen::Index width;  // of the columns, what is free in all logs, and the residual
+  FreeInLog free;  // all of it that any of the results has
+  Kept kept;
+  Eigen::Index width;  // of the columns and the residual
   Places fresh;        // columns to be multiplied by all others
   Places known;        // those that no fit changes
   Places index;        // of these among all that no fit changes
+};
+
+// One log without what the rig may have added: columns, residual, what is free in it.
+struct LogBlocks::OfLog {
+  numerics::BlockProducts products;
+  numerics::BlockPlaces places;
+  Eigen::VectorXd squares;
 };
 
 LogBlocks::LogBlocks(const std::vector<log::Record>& records, std::vector<double> weights,
@@ -103,7 +134,7 @@ LogBlocks::LogBlocks(const std::vector<log::Record>& records, std::vector<double
     : records_(records), weights_(std::move(weights)), known_(std::move(known)), blocks_(records.size()) {
   const auto count = static_cast<Eigen::Index>(known_.size());
   parallelFor(records.size(), threads, [&](std::size_t r) {
-    blocks_[r] = cut(records[r]);
+    blocks_[r] = cut(records[r], records.size());
     for (Block& block : blocks_[r]) {
       Eigen::MatrixXd columns(block.size, count + records[r].nuisances.cols());
       fill(known_, with({}, 0, count), r, block.first, weights_[r], columns);
@@ -114,10 +145,11 @@ LogBlocks::LogBlocks(const std::vector<log::Record>& records, std::vector<double
 }
 
 // None where no sample counts, as where a sensor gave nothing for some cycles.
-std::vector<LogBlocks::Block> LogBlocks::cut(const log::Record& record) {
+std::vector<LogBlocks::Block> LogBlocks::cut(const log::Record& record, std::size_t logs) {
   const double cycles = record.duration() * record.mean_frequency;
-  const auto count =
-      static_cast<Eigen::Index>(std::clamp(std::round(cycles / kCyclesPerBlock), kFewestBlocks, kMostBlocks));
+  const double most = std::clamp(std::floor(kBlocksOfAll / static_cast<double>(logs)), kBlocksOfOne, kMostBlocks);
+  const double fewest = std::min(kFewestBlocks, most);
+  const auto count = static_cast<Eigen::Index>(std::clamp(std::round(cycles / kCyclesPerBlock), fewest, most));
   std::vector<Block> blocks;
   for (Eigen::Index b = 0; b < count; ++b) {
     const Eigen::Index first = record.size() * b / count;
@@ -129,25 +161,24 @@ std::vector<LogBlocks::Block> LogBlocks::cut(const log::Record& record) {
   return blocks;
 }
 
-// What is free in a log, and its residual.
+// The residual of a log, and what is free in it.
 Eigen::MatrixXd LogBlocks::ownOf(const Request& request, std::size_t r) const {
   const Eigen::Index free = request.free.count();
   Eigen::MatrixXd columns(records_[r].size(), free + 1);
-  columns.leftCols(free) = weights_[r] * request.free.columns(records_[r], r, request.base[r]);
-  columns.col(free) = weights_[r] * (records_[r].force - request.base[r]);
+  columns.col(0) = weights_[r] * (records_[r].force - request.base[r]);
+  columns.rightCols(free) = weights_[r] * request.free.columns(records_[r], r, request.base[r]);
   return columns;
 }
 
-// Of the blocks of one log.
+// Of the blocks of one log: columns, residual, what is free in it, what the rig may have added.
 std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request& request) const {
   const Eigen::Index rig = records_[r].nuisances.cols();
-  const Eigen::Index free = request.free.count();
-  const auto first_free = static_cast<Eigen::Index>(request.columns.size()) + free * static_cast<Eigen::Index>(r);
-  const Places own = with(with(request.fresh, first_free, free), request.width - 1, 1);
-  const Places own_and_rig = with(own, request.width, rig);
-  const Places known_and_rig = with(request.known, request.width, rig);
-  const Places index = with(request.index, static_cast<Eigen::Index>(known_.size()), rig);
   const Eigen::MatrixXd of_log = ownOf(request, r);
+  const Eigen::Index width = request.width - 1 + of_log.cols();
+  const Places own = with(request.fresh, request.width - 1, of_log.cols());
+  const Places own_and_rig = with(own, width, rig);
+  const Places known_and_rig = with(request.known, width, rig);
+  const Places index = with(request.index, static_cast<Eigen::Index>(known_.size()), rig);
   std::vector<Eigen::MatrixXd> grams;
   for (const Block& block : blocks_[r]) {
     Eigen::MatrixXd columns(block.size, static_cast<Eigen::Index>(own_and_rig.size()));
@@ -155,7 +186,7 @@ std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request&
     columns.middleCols(static_cast<Eigen::Index>(request.fresh.size()), of_log.cols()) =
         of_log.middleRows(block.first, block.size);
     finish(records_[r], block.first, columns);
-    Eigen::MatrixXd& gram = grams.emplace_back(Eigen::MatrixXd::Zero(request.width + rig, request.width + rig));
+    Eigen::MatrixXd& gram = grams.emplace_back(Eigen::MatrixXd::Zero(width + rig, width + rig));
     gram(own_and_rig, own_and_rig) = numerics::gramOf(columns);
     if (!request.known.empty()) {
       Eigen::MatrixXd known(block.size, static_cast<Eigen::Index>(request.known.size()));
@@ -169,22 +200,78 @@ std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request&
   return grams;
 }
 
-// Trends and zeros of the displacement are in units that count as the standard deviation of their log's force.
-Eigen::MatrixXd LogBlocks::priorOf(const Request& request) const {
-  Eigen::VectorXd prior = Eigen::VectorXd::Zero(request.width);
-  auto place = static_cast<Eigen::Index>(request.columns.size());
-  for (std::size_t r = 0; r < records_.size(); ++r, place += request.free.count()) {
-    const double force = std::pow(weights_[r] * records_[r].force_deviation, 2) * records_[r].counted();
-    prior.segment(place, request.free.count()) = force * request.free.costs(records_[r]).cwiseAbs2();
+LogBlocks::OfLog LogBlocks::ofLog(std::size_t r, const Request& request) const {
+  const log::Record& record = records_[r];
+  const std::vector<Eigen::MatrixXd> products = productsIn(r, request);
+  OfLog result{{}, {{}, {}, kFolds, request.kept == Kept::blocks}, Eigen::VectorXd::Zero(request.width)};
+  for (std::size_t b = 0; b < products.size(); ++b) {
+    result.places.fold.push_back(static_cast<int>(b + r) % kFolds);
+    result.places.share.push_back(record.counted(blocks_[r][b].first, blocks_[r][b].size) / record.counted());
+    result.squares += products[b].diagonal().head(request.width);
   }
-  return prior.asDiagonal();
+  result.products = numerics::withoutErrors(products, numerics::penaltyOfWhitening(record.nuisances), result.places);
+  if (request.kept == Kept::folds) {
+    result.products = numerics::byFold(result.products, result.places);
+  }
+  return result;
 }
 
-BlockGrams LogBlocks::normalEquations(const gap::Forces& base, const std::vector<ForceColumn>& columns,
-                                      const FreeInLog& free, int threads) const {
-  const std::size_t logs = records_.size();
-  const std::size_t unknowns = columns.size() + logs * static_cast<std::size_t>(free.count());
-  Request request{base, columns, free, static_cast<Eigen::Index>(unknowns) + 1, {}, {}, {}};
+// Adds a log without what is free in it. Trends and zeros of the displacement are in units that count as the standard
+// deviation of the log's force.
+void LogBlocks::add(std::size_t r, const OfLog& of_log, const Request& request, const FreeInLog& free,
+                    BlockGrams& result) const {
+  const log::Record& record = records_[r];
+  const auto logs = static_cast<double>(records_.size());
+  Places columns = with({}, 0, request.width);
+  for (const Eigen::Index place : free.placesIn(request.free)) {
+    columns.push_back(request.width + place);
+  }
+  numerics::BlockProducts own = numerics::ofColumns(of_log.products, columns);
+  if (free.any()) {
+    const double force = std::pow(weights_[r] * record.force_deviation, 2) * record.counted();
+    Eigen::MatrixXd shares;
+    own = numerics::withoutUnknowns(own, force * free.costs(record).cwiseAbs2(), of_log.places, shares);
+    if (free.offset) {
+      result.mean_offset += shares.row(free.placeOfOffset()).transpose() * (record.force_deviation / logs);
+    }
+    if (free.gain) {
+      result.mean_gain += shares.row(free.placeOfGain()).transpose() / logs;
+    }
+  }
+  result.squares += of_log.squares;
+  result.blocks += blocks_[r].size();
+  result.sum += own.sum;
+  for (std::size_t fold = 0; fold < own.without_fold.size(); ++fold) {
+    result.without_fold[fold] += own.without_fold[fold];
+  }
+  for (std::size_t b = 0; b < own.held_out.size(); ++b) {
+    if (request.kept == Kept::folds) {
+      result.held_out[b] += own.held_out[b];
+    } else {
+      result.gram.push_back(std::move(own.in_sample[b]));
+      result.held_out.push_back(std::move(own.held_out[b]));
+      result.fold.push_back(of_log.places.fold[b]);
+      result.record.push_back(static_cast<int>(r));
+    }
+  }
+  for (std::size_t b = 0; b < blocks_[r].size(); ++b) {
+    const double weight =
+        record.weight * record.counted(blocks_[r][b].first, blocks_[r][b].size) / (record.counted() * logs);
+    if (request.kept == Kept::folds) {
+      result.weight[(b + r) % kFolds] += weight;
+    } else {
+      result.weight.push_back(weight);
+    }
+  }
+}
+
+std::vector<BlockGrams> LogBlocks::normalEquations(const gap::Forces& base, const std::vector<ForceColumn>& columns,
+                                                   const std::vector<FreeInLog>& free, Kept kept, int threads) const {
+  constexpr std::size_t kAtOnce = 8;  // logs whose products are in memory
+  Request request{base, columns, {}, kept, static_cast<Eigen::Index>(columns.size()) + 1, {}, {}, {}};
+  for (const FreeInLog& one : free) {
+    request.free = request.free | one;
+  }
   for (std::size_t j = 0; j < columns.size(); ++j) {
     const auto found = std::find(known_.begin(), known_.end(), columns[j]);
     if (columns[j] && found != known_.end()) {
@@ -194,27 +281,20 @@ BlockGrams LogBlocks::normalEquations(const gap::Forces& base, const std::vector
       request.fresh.push_back(static_cast<Eigen::Index>(j));
     }
   }
-  std::vector<std::vector<Eigen::MatrixXd>> grams(logs);
-  std::vector<Eigen::VectorXd> squares(logs);
-  parallelFor(logs, threads, [&](std::size_t r) {
-    grams[r] = productsIn(r, request);
-    squares[r] = freeOfRig(records_[r].nuisances.cols(), request.width, grams[r]);
-  });
-  BlockGrams result;
-  result.prior = priorOf(request);
-  result.squares = Eigen::VectorXd::Zero(request.width);
-  for (std::size_t r = 0; r < logs; ++r) {
-    result.squares += squares[r];
-    const double in_all = records_[r].counted() * static_cast<double>(logs);
-    for (std::size_t b = 0; b < blocks_[r].size(); ++b) {
-      result.gram.push_back(std::move(grams[r][b]));
-      result.fold.push_back(static_cast<int>(b + r) % kFolds);
-      result.record.push_back(static_cast<int>(r));
-      result.weight.push_back(records_[r].weight * records_[r].counted(blocks_[r][b].first, blocks_[r][b].size) /
-                              in_all);
-    }
+  std::vector<BlockGrams> results(free.size());
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    prepare(request.width, kept, free[i], results[i]);
   }
-  return result;
+  for (std::size_t first = 0; first < records_.size(); first += kAtOnce) {
+    std::vector<OfLog> logs(std::min(kAtOnce, records_.size() - first));
+    parallelFor(logs.size(), threads, [&](std::size_t i) { logs[i] = ofLog(first + i, request); });
+    parallelFor(results.size(), threads, [&](std::size_t i) {
+      for (std::size_t r = 0; r < logs.size(); ++r) {
+        add(first + r, logs[r], request, free[i], results[i]);
+      }
+    });
+  }
+  return results;
 }
 
 Eigen::MatrixXd ofUnknowns(const Eigen::MatrixXd& gram, std::vector<Eigen::Index> unknowns) {
@@ -238,8 +318,8 @@ std::vector<double> crossValidate(const BlockGrams& blocks,
                                   const std::function<Eigen::VectorXd(const Eigen::MatrixXd& gram)>& fit) {
   const std::vector<Eigen::VectorXd> by_fold = element::each(blocks.without_fold, fit);
   std::vector<double> errors;
-  for (std::size_t b = 0; b < blocks.gram.size(); ++b) {
-    const double error = squaresLeft(blocks.gram[b], by_fold[static_cast<std::size_t>(blocks.fold[b])]);
+  for (std::size_t b = 0; b < blocks.held_out.size(); ++b) {
+    const double error = squaresLeft(blocks.held_out[b], by_fold[static_cast<std::size_t>(blocks.fold[b])]);
     errors.push_back(std::isfinite(error) ? std::max(error, 0.0) / blocks.weight[b]
                                           : std::numeric_limits<double>::infinity());
   }

@@ -14,27 +14,40 @@ namespace rubber_suspension::fit {
 constexpr int kFolds = 4;
 
 /// Normal equations of blocks of the logs, from which any fit that leaves blocks out follows at once. Columns: own
-/// parameters, basis terms, what is free in each log, and last the residual at the point of linearisation. Each log is
-/// weighted such that residuals are in units of its force's standard deviation, and all logs count alike.
+/// parameters, basis terms, and last the residual at the point of linearisation. Unknowns of one log alone, and what
+/// the rig may have added to it, are taken out log by log, so that size and time grow with the number of logs, and not
+/// with its cube. Each log is weighted such that residuals are in units of its force's standard deviation, and all logs
+/// count alike.
 struct BlockGrams {
-  std::vector<Eigen::MatrixXd> gram;
-  std::vector<int> fold;
+  std::vector<Eigen::MatrixXd> gram;      ///< of each block in sample: with the own unknowns of all blocks
+  std::vector<Eigen::MatrixXd> held_out;  ///< with own unknowns that the other folds tell, of blocks or of whole folds
+  std::vector<int> fold;                  ///< these and the next are of what `held_out` is of
   std::vector<int> record;
   std::vector<double> weight;  ///< share of the block in all samples, weighted
   Eigen::MatrixXd prior;       ///< what departing from the configured model parameters costs
   Eigen::VectorXd squares;     ///< of each column over all blocks, with what the rig may have added to a log
+  std::size_t blocks = 0;
+  /// Mean over the logs of the zero of the force [N] and of the gain of each that take a column; empty: they are none.
+  Eigen::VectorXd mean_offset;
+  Eigen::VectorXd mean_gain;
 
   Eigen::MatrixXd sum;                        ///< of all blocks and the prior
   std::vector<Eigen::MatrixXd> without_fold;  ///< the same without the blocks of a fold
 
-  Eigen::Index unknowns() const { return gram[0].rows() - 1; }
+  Eigen::Index unknowns() const { return sum.rows() - 1; }
 
-  /// Fill in the sums, for kFolds folds at least.
+  /// Adds the prior to the sums.
+  void addPrior();
+
+  /// Fill in the sums by the blocks in sample, which stand for those held out, for kFolds folds at least.
   void sumUp();
 
   /// Those of some of the unknowns alone.
   BlockGrams of(const std::vector<Eigen::Index>& unknowns) const;
 };
+
+/// What is kept of each block, or of each fold. Of many columns the latter are enough, and small.
+enum class Kept { blocks, folds };
 
 /// The logs cut into blocks, and the products with each other of columns that no fit changes, found once for all fits.
 class LogBlocks {
@@ -45,10 +58,10 @@ class LogBlocks {
 
   const std::vector<double>& weights() const { return weights_; }
 
-  /// Normal equations about a model whose forces [N] on the logs are `base`. `free`: unknown in each log, too. The
-  /// prior is that of trends and of zeros of the displacement alone.
-  BlockGrams normalEquations(const gap::Forces& base, const std::vector<ForceColumn>& columns, const FreeInLog& free,
-                             int threads) const;
+  /// Normal equations about a model whose forces [N] on the logs are `base`, without a prior. `free`: unknown in each
+  /// log, too; one result for each.
+  std::vector<BlockGrams> normalEquations(const gap::Forces& base, const std::vector<ForceColumn>& columns,
+                                          const std::vector<FreeInLog>& free, Kept kept, int threads) const;
 
  private:
   /// Samples of a log.
@@ -58,10 +71,12 @@ class LogBlocks {
     Eigen::MatrixXd known;  // products of the columns that no fit changes, and of what the rig may have added
   };
   struct Request;
-  static std::vector<Block> cut(const log::Record& record);
+  static std::vector<Block> cut(const log::Record& record, std::size_t logs);
+  struct OfLog;
   Eigen::MatrixXd ownOf(const Request& request, std::size_t r) const;
   std::vector<Eigen::MatrixXd> productsIn(std::size_t r, const Request& request) const;
-  Eigen::MatrixXd priorOf(const Request& request) const;
+  OfLog ofLog(std::size_t r, const Request& request) const;
+  void add(std::size_t r, const OfLog& of_log, const Request& request, const FreeInLog& free, BlockGrams& result) const;
 
   const std::vector<log::Record>& records_;
   std::vector<double> weights_;

@@ -103,7 +103,6 @@ struct Choice {
 class RidgeRegression {
  public:
   RidgeRegression(BlockGrams blocks, std::size_t records) : blocks_(std::move(blocks)) {
-    blocks_.sumUp();
     const Eigen::VectorXd squares = blocks_.sum.diagonal();
     // A function that never moves is left at nothing.
     scale_ = squares.unaryExpr([](double square) { return square > 0.0 ? 1.0 / std::sqrt(square) : 0.0; });
@@ -252,7 +251,9 @@ SurrogateFit fitSurrogate(const std::vector<log::Record>& records, const std::ve
                  records[r].force_deviation;
   });
   const LogBlocks blocks(thin_records, weights);
-  const RidgeRegression regression(blocks.normalEquations(base, columnsOf(functions), {}, threads), count);
+  std::vector<BlockGrams> equations =
+      blocks.normalEquations(base, columnsOf(functions), {FreeInLog{}}, Kept::blocks, threads);
+  const RidgeRegression regression(std::move(equations.front()), count);
   const Choice choice = chooseFunctions(regression, basis);
   SurrogateFit fit;
   fit.unseen = regression.predict(choice);

@@ -145,10 +145,11 @@ double TableFitter::gapOf(const Hypothesis& /*hypothesis*/, const gap::Forces& f
   return std::isfinite(gap) ? gap : std::numeric_limits<double>::infinity();
 }
 
-BlockGrams TableFitter::normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                             const gap::Forces& base, const std::vector<bool>& active,
-                                             int threads) const {
-  const std::vector<ForceColumn> columns = forces_.columns(hypothesis, parameters, active, base, threads);
+// Nothing is free in a row: one result stands for all.
+std::vector<BlockGrams> TableFitter::normalEquationsAbout(const Hypothesis& hypothesis,
+                                                          const ParameterVector& parameters, const gap::Forces& base,
+                                                          const Linearised& how) const {
+  const std::vector<ForceColumn> columns = forces_.columns(hypothesis, parameters, how.active, base, how.threads);
   const std::vector<std::complex<double>> model = loops_->stiffness(base);
   const auto unknowns = static_cast<Eigen::Index>(columns.size());
   const double share = 1.0 / static_cast<double>(base.size());
@@ -171,7 +172,8 @@ BlockGrams TableFitter::normalEquationsAbout(const Hypothesis& hypothesis, const
     result.gram.emplace_back((row.conjugate() * row.transpose()).real());
     result.squares += result.gram.back().diagonal();
   }
-  return result;
+  result.sumUp();
+  return std::vector<BlockGrams>(how.free.size(), result);
 }
 
 }  // namespace rubber_suspension::fit

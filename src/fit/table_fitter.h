@@ -62,8 +62,8 @@ class TableFitter final : public HypothesisFitter {
     return forces_.at(hypothesis, parameters);
   }
   double gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const override;
-  BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                  const gap::Forces& base, const std::vector<bool>& active, int threads) const override;
+  std::vector<BlockGrams> normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                               const gap::Forces& base, const Linearised& how) const override;
 
   std::shared_ptr<const TableLoops> loops_;
   HypothesisForces forces_;

@@ -8,7 +8,58 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "numerics/elimination.h"
+#include "numerics/gram.h"
+#include "numerics/least_squares.h"
+
 namespace rubber_suspension::gap {
+namespace {
+
+// Products of a residual, of unknowns of its own and of what the rig may have added over a part of a record.
+Eigen::MatrixXd productsOver(const log::Record& record, const Eigen::VectorXd& residual, const OwnUnknowns& own,
+                             Eigen::Index first, Eigen::Index count) {
+  const Eigen::Index rig = record.nuisances.cols();
+  Eigen::MatrixXd columns(count, 1 + own.columns.cols() + rig);
+  columns.col(0) = residual.segment(first, count);
+  columns.middleCols(1, own.columns.cols()) = own.columns.middleRows(first, count);
+  if (record.counts.size() > 0) {
+    columns.array().colwise() *= record.counts.segment(first, count).array();
+  }
+  if (rig > 0) {
+    columns.rightCols(rig) = record.nuisances.middleRows(first, count);
+  }
+  return numerics::gramOf(columns);
+}
+
+void addParts(const log::Record& record, const Eigen::VectorXd& residual, const OwnUnknowns& own, int log,
+              std::vector<PartError>& parts) {
+  constexpr Eigen::Index kParts = 10;
+  std::vector<Eigen::MatrixXd> products;
+  numerics::BlockPlaces places;
+  places.in_sample = false;
+  for (Eigen::Index p = 0; p < kParts; ++p) {
+    const Eigen::Index first = record.size() * p / kParts;
+    const Eigen::Index count = record.size() * (p + 1) / kParts - first;
+    const double counted = record.counted(first, count);
+    if (counted > 0.0) {
+      products.push_back(productsOver(record, residual, own, first, count));
+      places.fold.push_back(places.folds++);
+      places.share.push_back(counted / record.counted());
+    }
+  }
+  numerics::BlockProducts left =
+      numerics::withoutErrors(products, numerics::penaltyOfWhitening(record.nuisances), places);
+  if (own.penalty.size() > 0) {
+    Eigen::MatrixXd shares;
+    left = numerics::withoutUnknowns(left, own.penalty, places, shares);
+  }
+  for (std::size_t p = 0; p < places.share.size(); ++p) {
+    const double square = std::max(0.0, left.held_out[p](0, 0)) / std::pow(record.force_deviation, 2);
+    parts.push_back({square / (places.share[p] * record.counted()), record.weight * places.share[p], log});
+  }
+}
+
+}  // namespace
 
 double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated) {
   if (measured.empty() || measured.size() != simulated.size()) {
@@ -54,22 +105,11 @@ double gapOfParts(const std::vector<PartError>& parts) {
 }
 
 std::vector<PartError> partErrors(const std::vector<log::Record>& records,
-                                  const std::vector<Eigen::VectorXd>& simulated) {
-  constexpr Eigen::Index kParts = 10;
+                                  const std::vector<Eigen::VectorXd>& simulated, const std::vector<OwnUnknowns>& own) {
   std::vector<PartError> parts;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const log::Record& record = records[r];
-    const Eigen::VectorXd residual = record.withoutRig(record.force - simulated[r]);
-    for (Eigen::Index p = 0; p < kParts; ++p) {
-      const Eigen::Index first = record.size() * p / kParts;
-      const Eigen::Index count = record.size() * (p + 1) / kParts - first;
-      const double counted = record.counted(first, count);
-      if (counted > 0.0) {
-        const double error = residual.segment(first, count).squaredNorm() / counted;
-        parts.push_back({error / std::pow(record.force_deviation, 2), record.weight * counted / record.counted(),
-                         static_cast<int>(r)});
-      }
-    }
+    const OwnUnknowns none{Eigen::MatrixXd(records[r].size(), 0), Eigen::VectorXd(0)};
+    addParts(records[r], records[r].force - simulated[r], own.empty() ? none : own[r], static_cast<int>(r), parts);
   }
   return parts;
 }

@@ -58,14 +58,18 @@ Eigen::MatrixXd whiteningColumns(const Eigen::MatrixXd& c) {
   return n;
 }
 
-Eigen::MatrixXd columnsOfWhitening(const Eigen::MatrixXd& n) {
-  Eigen::MatrixXd c = n;
+Eigen::VectorXd penaltyOfWhitening(const Eigen::MatrixXd& n) {
+  Eigen::VectorXd penalty(n.cols());
   for (Eigen::Index j = 0; j < n.cols(); ++j) {
     const double square = n.col(j).squaredNorm();
     const double left = std::max(1.0 - square, 1e-9);
-    c.col(j) *= std::sqrt((1.0 / (left * left) - 1.0) / square);
+    penalty[j] = square / (1.0 / (left * left) - 1.0);
   }
-  return c;
+  return penalty;
+}
+
+Eigen::MatrixXd columnsOfWhitening(const Eigen::MatrixXd& n) {
+  return n * penaltyOfWhitening(n).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 }  // namespace rubber_suspension::numerics

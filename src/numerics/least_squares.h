@@ -32,6 +32,9 @@ Eigen::MatrixXd orthonormalColumns(const Eigen::MatrixXd& columns, double least_
 /// long: that of what C leaves entirely free.
 Eigen::MatrixXd whiteningColumns(const Eigen::MatrixXd& c);
 
+/// The penalty on the squares of unknowns of N by which least squares beside them leave what (I + C C')^-1 does.
+Eigen::VectorXd penaltyOfWhitening(const Eigen::MatrixXd& n);
+
 /// From N to columns that C C' is of.
 Eigen::MatrixXd columnsOfWhitening(const Eigen::MatrixXd& n);
 

@@ -118,7 +118,7 @@ ZERO, GAIN, DELAY, INDEPENDENT = 0.10, 0.005, 0.5, 50
 def without_trend(difference):
     """Without a slow trend of the log's own, which no simulation predicts (`kTrendsPerLog` in fit/free_in_log.h)."""
     time = np.linspace(0.0, 1.0, len(difference))
-    columns = np.stack([time - 0.5] + [np.cos(np.pi * k * time) for k in range(9)], axis=1)
+    columns = np.stack([time - 0.5] + [np.cos(np.pi * k * time) for k in range(1, 9)], axis=1)
     return difference - columns @ np.linalg.lstsq(columns, difference, rcond=None)[0]
 
 

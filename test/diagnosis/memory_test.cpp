@@ -15,7 +15,7 @@ constexpr std::size_t kRecorded = 20000000;
 
 std::string refusal(std::size_t samples, std::uint64_t available) {
   try {
-    diagnosis::prepare::requireMemory(samples, kRecorded, 2, available);
+    diagnosis::prepare::requireMemory({samples, 5}, kRecorded, 2, available);
   } catch (const log::LogError& error) {
     return error.what();
   }
@@ -24,12 +24,13 @@ std::string refusal(std::size_t samples, std::uint64_t available) {
 
 TEST(MemoryOfADiagnosis, IsRefusedOnceItIsMoreThanThereIs) {
   constexpr std::size_t kSamples = 1000000;
-  const std::uint64_t needed = diagnosis::prepare::memoryNeeded(kSamples, 2);
+  const std::uint64_t needed = diagnosis::prepare::memoryNeeded({kSamples, 5}, 2);
   EXPECT_EQ(refusal(kSamples, needed), "");
   EXPECT_NE(refusal(kSamples, needed - 1), "");
   EXPECT_NE(refusal(kSamples + 1, needed), "");
   EXPECT_NE(refusal(1, 0), "");
-  EXPECT_GT(diagnosis::prepare::memoryNeeded(kSamples, 8), needed);
+  EXPECT_GT(diagnosis::prepare::memoryNeeded({kSamples, 5}, 8), needed);
+  EXPECT_GT(diagnosis::prepare::memoryNeeded({kSamples, 1000}, 2), needed);
 }
 
 TEST(MemoryOfADiagnosis, TheRefusalSaysHowMuchIsNeededAndWhatIsAccepted) {
@@ -46,7 +47,7 @@ TEST(MemoryOfADiagnosis, IsAskedForBeforeTheSearch) {
   const std::vector<log::Log> logs = {runRig("a", 1, [](double, double, double) { return 0.0; })};
   const std::size_t both = 2 * logs.front().size();  // one of the two is held out
   diagnosis::DiagnosisOptions options;
-  options.available_memory = diagnosis::prepare::memoryNeeded(both, options.threads) - 1;
+  options.available_memory = diagnosis::prepare::memoryNeeded({both, 1}, options.threads) - 1;
   options.progress = [](const std::string&, double) { FAIL() << "the search has begun"; };
   EXPECT_THROW(diagnosis::diagnose(rigComponent(), logs, logs, options), log::LogError);
 }

@@ -40,9 +40,7 @@ BlockGrams equations(const std::vector<log::Record>& records) {
     base.emplace_back(Eigen::VectorXd::Zero(one.size()));
     column.push_back(one.displacement);
   }
-  BlockGrams blocks = LogBlocks(records, weights).normalEquations(base, {columnOf(column)}, {}, 1);
-  blocks.sumUp();
-  return blocks;
+  return LogBlocks(records, weights).normalEquations(base, {columnOf(column)}, {FreeInLog{}}, Kept::blocks, 1).front();
 }
 
 double heldOut(const BlockGrams& blocks) {
@@ -71,11 +69,10 @@ TEST(NormalEquations, LeaveOutBlocksWithoutSamplesThatCount) {
 double heldOutBesideTrends(const log::Record& one) {
   const double weight = 1.0 / (one.force_deviation * std::sqrt(one.counted()));
   const std::vector<log::Record> records = {one};
-  BlockGrams blocks =
-      LogBlocks(records, {weight})
-          .normalEquations({Eigen::VectorXd::Zero(one.size())}, {columnOf({one.displacement})}, {true}, 1);
-  blocks.sumUp();
-  return heldOut(blocks);
+  return heldOut(LogBlocks(records, {weight})
+                     .normalEquations({Eigen::VectorXd::Zero(one.size())}, {columnOf({one.displacement})},
+                                      {FreeInLog{true, true}}, Kept::blocks, 1)
+                     .front());
 }
 
 // A force that walks: trends of a walk predict more of it for blocks that are held out than free ones.
@@ -119,9 +116,11 @@ TEST(NormalEquations, AreTheSameWithKnownColumns) {
     cubic.emplace_back(one.displacement.array().cube() + 0.3);
   }
   const std::vector<ForceColumn> columns = {columnOf(displacement), nullptr, columnOf(cubic)};
-  const FreeInLog free{true, true};
-  const BlockGrams plain = LogBlocks(records, weights).normalEquations(base, columns, free, 1);
-  const BlockGrams faster = LogBlocks(records, weights, {columns[2]}, 2).normalEquations(base, columns, free, 1);
+  const BlockGrams plain =
+      LogBlocks(records, weights).normalEquations(base, columns, {FreeInLog{}}, Kept::blocks, 1).front();
+  const BlockGrams faster = LogBlocks(records, weights, {columns[2]}, 2)
+                                .normalEquations(base, columns, {FreeInLog{}}, Kept::blocks, 1)
+                                .front();
   ASSERT_EQ(plain.gram.size(), faster.gram.size());
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(plain.gram[0].rows(), plain.gram[0].rows());
   for (std::size_t b = 0; b < plain.gram.size(); ++b) {

@@ -35,6 +35,7 @@ inline diagnosis::judge::Evidence unexplained(std::size_t logs, int effects, dou
     evidence.hypotheses.push_back(fitted({effect}, errors, {std::vector<double>(logs, 0.0)}));
     evidence.effects.push_back("effect_" + std::to_string(effect));
     evidence.on_rig.push_back(false);
+    evidence.constant.push_back(false);
   }
   return evidence;
 }

@@ -162,6 +162,7 @@ RC_GTEST_PROP(AnEffectThatDoesNotApply, ChangesNothing, ()) {
   evidence.hypotheses.insert(evidence.hypotheses.begin() + Evidence::kFirstSingle + effect, single);
   evidence.effects.emplace_back("of_other_logs");
   evidence.on_rig.push_back(false);
+  evidence.constant.push_back(false);
   const SetPosterior after = posteriorOf(evidence);
   // The sum over all hypotheses is rounded in another order.
   const auto same = [](double x, double y) { return std::abs(x - y) <= 1e-13 * std::max(x, y); };

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/8";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/9";
 
 // JSON has no infinity: what a hypothesis leaves that no model run follows is null.
 double numberOf(const ordered_json& value) {
@@ -37,6 +37,7 @@ judge::HypothesisEvidence hypothesisOf(const ordered_json& value) {
   value.at("terms").get_to(hypothesis.terms);
   value.at("beyond").get_to(hypothesis.beyond);
   value.at("free_trends").get_to(hypothesis.free_trends);
+  value.at("free_offsets").get_to(hypothesis.free_offsets);
   value.at("free_gains").get_to(hypothesis.free_gains);
   value.at("keeps_values").get_to(hypothesis.keeps_values);
   hypothesis.chi_squared = numberOf(value.at("chi_squared"));
@@ -59,6 +60,7 @@ judge::Evidence evidenceOf(const ordered_json& value) {
   value.at("on_rig").get_to(evidence.on_rig);
   value.at("guess").get_to(evidence.guess);
   value.at("excluded").get_to(evidence.excluded);
+  value.at("constant").get_to(evidence.constant);
   for (const ordered_json& hypothesis : value.at("hypotheses")) {
     evidence.hypotheses.push_back(hypothesisOf(hypothesis));
   }

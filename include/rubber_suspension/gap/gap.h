@@ -38,10 +38,18 @@ struct PartError {
 /// Gap over all parts: the root of the weighted mean of their squares.
 double gapOfParts(const std::vector<PartError>& parts);
 
-/// Tenths of each record, which counts by its weight (Record::weight); what the rig may have added to a record, and
-/// samples of it that do not count, are left out.
+/// Unknowns that a log has for itself, by their columns over its samples, and the penalty on their squares.
+struct OwnUnknowns {
+  Eigen::MatrixXd columns;
+  Eigen::VectorXd penalty;
+};
+
+/// Tenths of each record, which counts by its weight (Record::weight); samples that do not count are left out, and so
+/// is what the rig may have added, and unknowns of the log: both as far as the other tenths tell them. `own`: of each
+/// record; empty: there are none.
 std::vector<PartError> partErrors(const std::vector<log::Record>& records,
-                                  const std::vector<Eigen::VectorXd>& simulated);
+                                  const std::vector<Eigen::VectorXd>& simulated,
+                                  const std::vector<OwnUnknowns>& own = {});
 
 /// Noise floor of a record by what a model leaves of its force [N], as a gap: white noise above three times the band of
 /// the displacement, but no more than the measured force itself has there (a mass that is driven by a noisy

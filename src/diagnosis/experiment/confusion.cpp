@@ -194,10 +194,12 @@ judge::Evidence evidenceOf(const Search& search, const Implant& implant, double 
     single.terms = candidate.terms.size();
     single.beyond = implant.singles[c].beyond;
     single.free_trends = candidate.free_in_log.trend;
+    single.free_offsets = candidate.free_in_log.offset;
     single.free_gains = candidate.free_in_log.gain;
     evidence.hypotheses.push_back(std::move(single));
     evidence.effects.push_back(candidate.effect);
     evidence.on_rig.push_back(candidate.on_rig);
+    evidence.constant.push_back(candidate.constant);
   }
   return evidence;
 }

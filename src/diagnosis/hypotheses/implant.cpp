@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "diagnosis/hypotheses/screening.h"
 #include "fit/parallel.h"
@@ -16,24 +17,25 @@ namespace {
 constexpr std::size_t kMostShapes = 6;  // of an effect: the first, the last and those evenly between
 constexpr double kNothing = 1e-9;       // of a typical effect's force: what the rig takes entirely
 
-// Unknowns that a candidate is fitted with: its basis terms, and those free in each log with it.
+// Basis terms that a candidate is fitted with.
 struct Fitted {
   fit::Hypothesis hypothesis;
   std::vector<Eigen::Index> columns;
   std::vector<bool> is_signed;
 };
 
-// Normal equations with the model parameters taken out.
+// Normal equations with the model parameters taken out, where this is free in each log.
 class Projected {
  public:
-  Projected(const fit::HypothesisFitter& fitter, const Screening& screening)
+  Projected(const fit::HypothesisFitter& fitter, const Screening& screening, const fit::FreeInLog& free)
       : departures_(fitter.model().departureSlopes(Eigen::VectorXd::Zero(screening.modelSize()))),
         candidates_(screening.candidates()),
         model_(screening.modelSize()),
-        size_(screening.blocks().sum.rows() - 1),
-        plain_((screening.blocks().sum - screening.blocks().prior).topLeftCorner(size_, size_)),
+        size_(screening.blocks().unknowns()),
+        whole_(plainOf(screening.blocks())),
+        plain_(plainOf(screening.blocks(free))),
         squares_(screening.blocks().squares) {
-    const Eigen::MatrixXd gram = screening.blocks().sum.topLeftCorner(size_, size_);
+    const Eigen::MatrixXd gram = screening.blocks(free).sum.topLeftCorner(size_, size_);
     Eigen::MatrixXd base = gram.topLeftCorner(model_, model_);
     base.diagonal().array() *= 1.0 + 1e-9;  // parameters of which the logs tell nothing
     base.diagonal().array() += std::numeric_limits<double>::min();
@@ -75,19 +77,25 @@ class Projected {
     rest.head(model_) = -taken_ * rest.tail(size_ - model_);
     leaves.gap = std::sqrt(std::clamp(rest.dot(plain_ * rest), 0.0, 1.0));
     leaves.chi = (departures_ * rest.head(model_)).norm();
-    leaves.added = std::sqrt(std::max(0.0, added.dot(plain_ * added)));
+    // What is free in a log takes its part beside the terms.
+    leaves.added = std::sqrt(std::max(0.0, added.dot(whole_ * added) + rest.dot((whole_ - plain_) * rest)));
     return leaves;
   }
 
  private:
+  Eigen::MatrixXd plainOf(const fit::BlockGrams& blocks) const {
+    return (blocks.sum - blocks.prior).topLeftCorner(size_, size_);
+  }
+
   Eigen::MatrixXd departures_;  // from what is known, by each model parameter
   const std::vector<fit::Candidate>& candidates_;
   Eigen::Index model_;
   Eigen::Index size_;
+  Eigen::MatrixXd whole_;      // without priors, nothing being free in a log
   Eigen::MatrixXd plain_;      // without priors
   Eigen::VectorXd squares_;    // of each column
   Eigen::MatrixXd taken_;      // of each column, by each model parameter
-  Eigen::MatrixXd projected_;  // of basis terms and what is free in each log
+  Eigen::MatrixXd projected_;  // of basis terms
 };
 
 // Places of the basis terms that stand for the shapes of an effect.
@@ -106,31 +114,31 @@ Fitted fittedBy(const Screening& screening, std::size_t candidate) {
     fitted.columns.push_back(column);
     fitted.is_signed.push_back(screening.terms()[static_cast<std::size_t>(column - screening.modelSize())].lower < 0.0);
   }
-  for (const Eigen::Index column : screening.freeColumns(screening.candidates()[candidate].free_in_log)) {
-    fitted.columns.push_back(column);
-    fitted.is_signed.push_back(true);
-  }
   return fitted;
 }
 
 }  // namespace
 
 std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Screening& screening, int threads) {
-  const Projected projected(fitter, screening);
+  const Projected alone(fitter, screening, {});
   const std::size_t candidates = screening.candidates().size();
   std::vector<Fitted> fitted;
+  std::vector<std::unique_ptr<const Projected>> beside_free(candidates);  // null: nothing is
   std::vector<Implant> implants;
   std::vector<Eigen::Index> column_of;
   for (std::size_t c = 0; c < candidates; ++c) {
     fitted.push_back(fittedBy(screening, c));
+    if (const fit::FreeInLog& free = screening.candidates()[c].free_in_log; free.any()) {
+      beside_free[c] = std::make_unique<const Projected>(fitter, screening, free);
+    }
     for (const std::size_t place : shapesOf(screening.candidates()[c].terms.size())) {
       const Eigen::Index column = screening.columnsOf()[c][place];
       const fit::BasisTerm& term = screening.terms()[static_cast<std::size_t>(column - screening.modelSize())];
-      const double gap = projected.gapOf(column);
+      const double gap = alone.gapOf(column);
       Implant implant;
       implant.effect = static_cast<int>(c);
       implant.term = place;
-      implant.blocks = screening.blocks().gram.size();
+      implant.blocks = screening.blocks().blocks;
       implant.hidden_by_rig = !(gap * term.typical > kNothing);
       implant.scale = implant.hidden_by_rig ? 0.0 : 1.0 / gap;
       implants.push_back(implant);
@@ -147,9 +155,10 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
     if (implant.hidden_by_rig) {
       return;
     }
-    implant.model = projected.leave(column_of[i], implant.scale, {});
-    for (const Fitted& by : fitted) {
-      implant.singles.push_back(projected.leave(column_of[i], implant.scale, by));
+    implant.model = alone.leave(column_of[i], implant.scale, {});
+    for (std::size_t c = 0; c < candidates; ++c) {
+      const Projected& projected = beside_free[c] ? *beside_free[c] : alone;
+      implant.singles.push_back(projected.leave(column_of[i], implant.scale, fitted[c]));
     }
   });
   return implants;

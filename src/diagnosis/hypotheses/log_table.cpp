@@ -23,11 +23,14 @@ double meanSquare(const log::Record& record, const Eigen::VectorXd& force) {
   return record.withoutRig(force).squaredNorm() / record.counted() / std::pow(record.force_deviation, 2);
 }
 
-// The part of a log's rest that a slow trend or a gain takes.
-double takenInLog(const fit::FreeInLog& free, const log::Record& record, const Eigen::VectorXd& simulated) {
+// The part of a log's rest that a slow trend, a zero or a gain takes beside what others have free.
+double takenInLog(const fit::FreeInLog& free, const fit::FreeInLog& others, const log::Record& record,
+                  const Eigen::VectorXd& simulated) {
   const Eigen::VectorXd residual = record.force - simulated;
-  const log::Record freed = free.addedTo(record, 0, simulated);
-  return std::max(0.0, meanSquare(record, residual) - meanSquare(freed, residual));
+  const auto left = [&](const fit::FreeInLog& all) {
+    return meanSquare(all.any() ? all.addedTo(record, 0, simulated) : record, residual);
+  };
+  return std::max(0.0, left(others) - left(free | others));
 }
 
 // Of a force, without its mean in the log where it belongs to the rubber: a zero of the force takes that.
@@ -38,13 +41,15 @@ double sizeOf(const log::Record& record, const Eigen::VectorXd& force, bool on_r
 }
 
 // `added`: what the member adds to the force; `with`: the force with it, for what is free in a log.
-std::vector<double> sizesOfMember(const fit::Candidate& candidate, const std::vector<log::Record>& records,
-                                  const gap::Forces& added, const gap::Forces& with) {
-  const fit::FreeInLog free = candidate.free_in_log;
+std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::FreeInLog& all,
+                                  const std::vector<log::Record>& records, const gap::Forces& added,
+                                  const gap::Forces& with) {
+  const fit::FreeInLog free = candidate.free_in_log & all;
+  const fit::FreeInLog others{all.trend && !free.trend, all.offset && !free.offset, all.gain && !free.gain};
   std::vector<double> sizes;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const double size =
-        sizeOf(records[r], added[r], candidate.on_rig) + (free.any() ? takenInLog(free, records[r], with[r]) : 0.0);
+    const double size = sizeOf(records[r], added[r], candidate.on_rig) +
+                        (free.any() ? takenInLog(free, others, records[r], with[r]) : 0.0);
     sizes.push_back(std::isfinite(size) ? size : std::numeric_limits<double>::infinity());
   }
   return sizes;
@@ -96,7 +101,8 @@ double floorUncertainty(const log::Record& record, const Eigen::VectorXd& residu
 // Shares of octaves in what forces leave of a log beyond a trend or a gain of its own.
 std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const log::Record& record,
                                  const Eigen::VectorXd& simulated) {
-  const fit::FreeInLog free{hypothesis.free_in_log.trend, hypothesis.free_in_log.gain};
+  fit::FreeInLog free = hypothesis.free_in_log;
+  free.by_zero = nullptr;
   const Eigen::VectorXd left = record.force - simulated;
   return octaveShares(free.any() ? free.addedTo(record, 0, simulated).withoutRig(left) : record.withoutRig(left));
 }
@@ -261,13 +267,13 @@ fit::ParameterVector withoutMember(const FittedHypothesis& fitted, std::size_t m
 std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& candidates,
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted) {
   std::vector<std::vector<double>> sizes;
+  const bool frees = fitted.hypothesis.free_in_log.any();
+  const gap::Forces with = frees ? *forces.at(fitted.hypothesis, fitted.fit.parameters) : gap::Forces();
   for (std::size_t m = 0; m < fitted.hypothesis.members.size(); ++m) {
     const fit::Candidate& candidate = candidates[static_cast<std::size_t>(fitted.hypothesis.members[m])];
     const Eigen::VectorXd others = withoutMember(fitted, m).scales;
     const gap::Forces added = forces.moreThanWith(others, fitted.hypothesis, fitted.fit.parameters);
-    const bool frees = candidate.free_in_log.any();
-    sizes.push_back(sizesOfMember(candidate, forces.records(), added,
-                                  frees ? *forces.at(fitted.hypothesis, fitted.fit.parameters) : gap::Forces()));
+    sizes.push_back(sizesOfMember(candidate, fitted.hypothesis.free_in_log, forces.records(), added, with));
   }
   return sizes;
 }

@@ -30,15 +30,22 @@ Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit:
       model_size_(fitter.model().size()),
       threads_(threads),
       all_(fit::makeHypothesis(candidates, allOf(candidates))) {
-  all_.free_in_log = {true, true};
   about_ = fitter.configured(all_);
   about_.model = about.fit.parameters.model;
   Eigen::Index fitted = 0;
   for (const Eigen::Index column : columnsOf(about.hypothesis)) {
     about_.scales[column - model_size_] = about.fit.parameters.scales[fitted++];
   }
-  blocks_ = fitter.linearise(all_, about_, {}, threads);
-  bounds_ = fitter.stepBounds(all_, about_, blocks_.unknowns());
+  std::vector<fit::FreeInLog> free;
+  for (const bool gain : {false, true}) {
+    for (const bool offset : {false, true}) {
+      for (const bool trend : {false, true}) {
+        free.push_back({trend, offset, gain});
+      }
+    }
+  }
+  blocks_ = fitter.lineariseFolds(all_, about_, free, threads);
+  bounds_ = fitter.stepBounds(all_, about_, blocks().unknowns());
   preferLawsAtWork(about.hypothesis);
   for (const int candidate : allOf(candidates)) {
     columns_of_.push_back(columnsOf(hypothesisOf({candidate})));
@@ -82,8 +89,7 @@ Screening::Part Screening::partOf(const std::vector<int>& members) const {
   const fit::Hypothesis hypothesis = hypothesisOf(members);
   const std::vector<Eigen::Index> terms = columnsOf(hypothesis);
   part.columns.insert(part.columns.end(), terms.begin(), terms.end());
-  const std::vector<Eigen::Index> in_log = freeColumns(hypothesis.free_in_log);
-  part.columns.insert(part.columns.end(), in_log.begin(), in_log.end());
+  part.free = hypothesis.free_in_log;
   part.bounds = {bounds_.lower(part.columns), bounds_.upper(part.columns)};
   return part;
 }
@@ -91,14 +97,15 @@ Screening::Part Screening::partOf(const std::vector<int>& members) const {
 Screened Screening::screen(std::vector<int> members) const {
   std::sort(members.begin(), members.end());
   const Part part = partOf(members);
-  const std::vector<double> errors = fit::crossValidate(
-      blocks_.of(part.columns), [&](const Eigen::MatrixXd& gram) { return fit::solve(gram, part.bounds); });
-  return {members, std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks_.weight.begin(), 0.0))};
+  const fit::BlockGrams folds = blocks(part.free).of(part.columns);
+  const std::vector<double> errors =
+      fit::crossValidate(folds, [&](const Eigen::MatrixXd& gram) { return fit::solve(gram, part.bounds); });
+  return {members, std::sqrt(std::inner_product(errors.begin(), errors.end(), folds.weight.begin(), 0.0))};
 }
 
 double Screening::leftBy(const std::vector<int>& members) const {
   const Part part = partOf(members);
-  const Eigen::MatrixXd gram = fit::ofUnknowns(blocks_.sum, part.columns);
+  const Eigen::MatrixXd gram = fit::ofUnknowns(blocks(part.free).sum, part.columns);
   return std::sqrt(std::max(0.0, fit::squaresLeft(gram, fit::solve(gram, part.bounds))));
 }
 
@@ -109,32 +116,17 @@ fit::ParameterVector Screening::bestOf(const std::vector<int>& members) const {
   auto upper = part.bounds.upper.head(model_size_);
   lower = lower.cwiseMax(-fit::kLongestStep);
   upper = upper.cwiseMin(fit::kLongestStep);
-  const Eigen::VectorXd step = fit::solve(fit::ofUnknowns(blocks_.sum, part.columns), part.bounds);
+  const Eigen::VectorXd step = fit::solve(fit::ofUnknowns(blocks(part.free).sum, part.columns), part.bounds);
   fit::ParameterVector best{about_.model + step.head(model_size_), {}};
   best.scales.resize(0);
   std::vector<double> scales;
   for (std::size_t i = static_cast<std::size_t>(model_size_); i < part.columns.size(); ++i) {
     const Eigen::Index term = part.columns[i] - model_size_;
-    if (term < static_cast<Eigen::Index>(all_.terms.size())) {
-      const fit::BasisTerm& info = all_.terms[static_cast<std::size_t>(term)];
-      scales.push_back(std::clamp(about_.scales[term] + step[static_cast<Eigen::Index>(i)], info.lower, info.upper));
-    }
+    const fit::BasisTerm& info = all_.terms[static_cast<std::size_t>(term)];
+    scales.push_back(std::clamp(about_.scales[term] + step[static_cast<Eigen::Index>(i)], info.lower, info.upper));
   }
   best.scales = Eigen::Map<const Eigen::VectorXd>(scales.data(), static_cast<Eigen::Index>(scales.size()));
   return best;
-}
-
-std::vector<Eigen::Index> Screening::freeColumns(const fit::FreeInLog& free) const {
-  std::vector<Eigen::Index> columns;
-  const Eigen::Index first = model_size_ + static_cast<Eigen::Index>(all_.terms.size());
-  const Eigen::Index of_log = all_.free_in_log.count();
-  for (Eigen::Index j = first; j < blocks_.unknowns(); ++j) {
-    const bool is_gain = (j - first) % of_log == of_log - 1;
-    if (is_gain ? free.gain : free.trend) {
-      columns.push_back(j);
-    }
-  }
-  return columns;
 }
 
 bool Screening::joins(int candidate, const std::vector<int>& members) const {
@@ -169,14 +161,14 @@ std::vector<Screened> Screening::pairs() const {
 }
 
 void Screening::measureVisibility(double noise, Search& result) const {
-  const Eigen::MatrixXd total = blocks_.sum - blocks_.prior;
+  const Eigen::MatrixXd total = blocks().sum - blocks().prior;
   const Eigen::MatrixXd base = total.topLeftCorner(model_size_, model_size_);
   for (const auto& columns : columns_of_) {
     double share = 0.0;
     bool testable = false;
     for (const Eigen::Index j : columns) {
       const Eigen::VectorXd cross = total.col(j).head(model_size_);
-      const double whole = blocks_.squares[j];
+      const double whole = blocks().squares[j];
       const double rest = std::max(0.0, whole - cross.dot(numerics::solveLeastNorm(base, cross)));
       const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
       share = std::max(share, visible);

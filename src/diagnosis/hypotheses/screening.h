@@ -14,8 +14,8 @@ struct Screened {
   double error;
 };
 
-/// One set of normal equations with the basis terms of all candidates, from which any hypothesis about the same model
-/// follows as if it were linear. Fitter and candidates have to outlive it.
+/// Normal equations with the basis terms of all candidates, from which any hypothesis about the same model follows as
+/// if it were linear: one set for each choice of what is free in a log. Fitter and candidates have to outlive it.
 class Screening {
  public:
   /// About a fitted hypothesis: its model parameters and scales, all other candidates at nothing.
@@ -39,16 +39,13 @@ class Screening {
   /// Where the parameters of a hypothesis leave least.
   fit::ParameterVector bestOf(const std::vector<int>& members) const;
 
-  /// The normal equations: model parameters, basis terms of one candidate after the other, what is free
-  /// in each log, residual. A candidate's own terms come first among its columns.
-  const fit::BlockGrams& blocks() const { return blocks_; }
+  /// The normal equations: model parameters, basis terms of one candidate after the other, residual. What is free in
+  /// each log is taken out. A candidate's own terms come first among its columns.
+  const fit::BlockGrams& blocks(const fit::FreeInLog& free = {}) const { return blocks_[placeOf(free)]; }
   Eigen::Index modelSize() const { return model_size_; }
   const std::vector<std::vector<Eigen::Index>>& columnsOf() const { return columns_of_; }
   const std::vector<fit::BasisTerm>& terms() const { return all_.terms; }
   const std::vector<fit::Candidate>& candidates() const { return candidates_; }
-
-  /// The columns of what is free in each log.
-  std::vector<Eigen::Index> freeColumns(const fit::FreeInLog& free) const;
 
   /// Part of each candidate's force that the model parameters cannot take over, and whether a typical size of it stands
   /// out of the noise.
@@ -59,7 +56,11 @@ class Screening {
   struct Part {
     std::vector<Eigen::Index> columns;
     numerics::Limits bounds;
+    fit::FreeInLog free;
   };
+  static std::size_t placeOf(const fit::FreeInLog& free) {
+    return (free.trend ? 1U : 0U) + (free.offset ? 2U : 0U) + (free.gain ? 4U : 0U);
+  }
   Part partOf(const std::vector<int>& members) const;
   /// The columns of the terms of a hypothesis.
   std::vector<Eigen::Index> columnsOf(const fit::Hypothesis& hypothesis) const;
@@ -74,8 +75,8 @@ class Screening {
   fit::ParameterVector about_;  // of all candidates
   fit::Hypothesis all_;
   std::vector<std::vector<Eigen::Index>> columns_of_;
-  std::vector<int> preferred_;  // of laws that others contain
-  fit::BlockGrams blocks_;
+  std::vector<int> preferred_;           // of laws that others contain
+  std::vector<fit::BlockGrams> blocks_;  // at placeOf() what is free
   numerics::Limits bounds_;
 };
 

@@ -372,6 +372,7 @@ judge::HypothesisEvidence evidenceOf(const std::vector<fit::Candidate>& candidat
   evidence.terms = fitted.hypothesis.terms.size();
   evidence.beyond = fit::numbersBeyond(candidates, fitted.hypothesis, fitted.fit.parameters.scales);
   evidence.free_trends = fitted.hypothesis.free_in_log.trend;
+  evidence.free_offsets = fitted.hypothesis.free_in_log.offset;
   evidence.free_gains = fitted.hypothesis.free_in_log.gain;
   evidence.keeps_values = fitted.hypothesis.keepsParameters();
   const bool applies = !fitted.hypothesis.terms.empty() || fitted.hypothesis.members.empty();
@@ -429,6 +430,7 @@ judge::Evidence evidenceOf(const Search& search) {
     evidence.effects.push_back(candidate.effect);
     evidence.on_rig.push_back(candidate.on_rig);
     evidence.excluded.push_back(candidate.excluded);
+    evidence.constant.push_back(candidate.constant);
   }
   return evidence;
 }

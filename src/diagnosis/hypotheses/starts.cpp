@@ -23,6 +23,19 @@ void keepBetter(FittedHypothesis fitted, FittedHypothesis& best) {
   }
 }
 
+// One zero of the force for all logs, where one for each does no better.
+void keepOneOffset(const fit::HypothesisFitter& fitter, const fit::FitLimits& limits, FittedHypothesis& fitted) {
+  if (!fitted.hypothesis.free_in_log.offset || fitted.fit.gap > limits.reach) {
+    return;
+  }
+  FittedHypothesis one = fitted;
+  one.hypothesis.free_in_log.offset = false;
+  one.fit = fitter.fit(one.hypothesis, fitted.fit.parameters, {kZeroIterations, limits.reach});
+  if (kClearlyBetter * one.fit.score() <= fitted.fit.score()) {
+    fitted = std::move(one);
+  }
+}
+
 // From a start, with zeros of the displacement where what is at work there depends on them; once more with them where
 // only what was found does.
 void fitFrom(const fit::HypothesisFitter& fitter, const fit::ParameterVector& start, const fit::FitLimits& limits,
@@ -38,6 +51,7 @@ void fitFrom(const fit::HypothesisFitter& fitter, const fit::ParameterVector& st
       keepBetter(std::move(with_zeros), fitted);
     }
   }
+  keepOneOffset(fitter, limits, fitted);
   keepBetter(std::move(fitted), best);
 }
 
@@ -127,7 +141,9 @@ void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& fro
   const fit::ParameterVector as_fitted = taken(fitter, from, hypothesis);
   const bool promising = fitter.gapAt(hypothesis, start) < from.fit.gap;
   const fit::ParameterVector& first = promising ? start : as_fitted;
-  fitFrom(fitter, first, {kFurtherIterations, reach, mayMove(from, hypothesis, first)}, further);
+  // Values and gains of logs go far to come to one of what both do.
+  const int iterations = hypothesis.free_in_log.gain ? kSingleIterations : kFurtherIterations;
+  fitFrom(fitter, first, {iterations, reach, mayMove(from, hypothesis, first)}, further);
   if (further.fit.gap <= reach && from.fit.parameters.largestChange() > kFar && hypothesis.isAdditive()) {
     FittedHypothesis again{hypothesis, {}};
     fitFrom(fitter, fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1), {kSingleIterations, reach},

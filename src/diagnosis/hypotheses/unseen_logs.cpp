@@ -52,17 +52,16 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
 
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
                                          const gap::Forces& simulated) {
-  if (!hypothesis.free_in_log.any()) {
-    return gap::partErrors(records, simulated);
+  std::vector<gap::OwnUnknowns> own;
+  for (std::size_t r = 0; hypothesis.free_in_log.any() && r < records.size(); ++r) {
+    own.push_back(hypothesis.free_in_log.unknowns(records[r], r, simulated[r]));
   }
-  std::vector<log::Record> freed;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    freed.push_back(hypothesis.free_in_log.addedTo(records[r], r, simulated[r]));
-  }
-  return gap::partErrors(freed, simulated);
+  return gap::partErrors(records, simulated, own);
 }
 
-fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis) { return {false, hypothesis.free_in_log.gain}; }
+fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis) {
+  return {false, hypothesis.free_in_log.offset, hypothesis.free_in_log.gain};
+}
 
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const fit::FreeInLog& free,
                                 const gap::Forces& simulated, const std::vector<log::Record>& records,

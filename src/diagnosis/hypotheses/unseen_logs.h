@@ -31,12 +31,12 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
                           const gap::Forces& predicted, const std::vector<log::Record>& records,
                           const std::vector<fit::DisplacementZero>& zeros);
 
-/// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each
-/// log, which is what such a hypothesis says of a log and no simulation predicts.
+/// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each log, which
+/// no simulation predicts, as far as the other tenths of the log tell it.
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
                                          const gap::Forces& simulated);
 
-/// The part of it that is free in a noise floor: gains, which are no noise. Trends take slow noise with them.
+/// The part of it that is free in a noise floor: zeros and gains, which are no noise. Trends take slow noise with them.
 fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
 
 /// Noise floor of each record, by what a component leaves of its force, up to a limit; without what is free in each

@@ -15,6 +15,7 @@ struct HypothesisEvidence {
   /// Of these the ones beyond the laws that the members contain (fit::numbersBeyond()) that are not at their limits.
   std::size_t beyond = 0;
   bool free_trends = false;        ///< a slow trend per log is free, too
+  bool free_offsets = false;       ///< a zero of the force per log is free, too
   bool free_gains = false;         ///< a gain per log is free, too
   bool keeps_values = false;       ///< model parameters are as configured: its member does what other ones would
   double chi_squared = 0.0;        ///< of the numbers of the data sheet, each over its tolerance
@@ -47,6 +48,7 @@ struct Evidence {
   std::vector<LogEvidence> logs;     ///< those of the fit, then unseen ones
   std::vector<std::string> effects;  ///< names, by the numbers that members are
   std::vector<bool> on_rig;          ///< of each effect: it belongs to the rig, not to the rubber
+  std::vector<bool> constant;        ///< of each effect: it adds a constant force, whose form is never wrong
   bool guess = false;                ///< the data sheet is a guess, so that the model as configured is no answer
   std::vector<bool> excluded = {};   ///< of each effect: it is ruled out, as all hypotheses with it; empty: none is
 

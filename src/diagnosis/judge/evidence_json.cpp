@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/8";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/9";
 
 ordered_json logJson(const LogEvidence& log) {
   return {{"floor", log.floor},   {"floor_uncertainty", log.floor_uncertainty},
@@ -21,6 +21,7 @@ ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
           {"terms", hypothesis.terms},
           {"beyond", hypothesis.beyond},
           {"free_trends", hypothesis.free_trends},
+          {"free_offsets", hypothesis.free_offsets},
           {"free_gains", hypothesis.free_gains},
           {"keeps_values", hypothesis.keeps_values},
           {"chi_squared", hypothesis.chi_squared},
@@ -45,6 +46,7 @@ std::string toJson(const Evidence& evidence) {
                               {"on_rig", evidence.on_rig},
                               {"guess", evidence.guess},
                               {"excluded", evidence.excluded},
+                              {"constant", evidence.constant},
                               {"logs", logs},
                               {"hypotheses", hypotheses}};
   return value.dump() + "\n";

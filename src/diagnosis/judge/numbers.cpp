@@ -41,6 +41,7 @@ const std::vector<NumberInfo>& numberTable() {
        "cost of each number that a law has beyond those that it contains, over half the logarithm of the blocks", "1",
        &N::per_number_beyond, true, 0.2, 0.7},
       {"per_trend", "cost of a trend of its own for a log", "ln odds", &N::per_trend, false, 0.4, 0.3},
+      {"per_offset", "cost of a zero of the force of its own for a log", "ln odds", &N::per_offset, false, 0.4, 0.3},
       {"per_gain", "cost of a gain of its own for a log", "ln odds", &N::per_gain, false, 0.4, 0.3},
       {"share", "share of what values leave, below which an effect is improbable", "of the gap that values leave",
        &N::share, true, 0.5, 0.5},

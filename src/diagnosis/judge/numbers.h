@@ -27,6 +27,7 @@ struct JudgeNumbers {
   double third = -1.0;
   double per_number_beyond = 0.2;
   double per_trend = 0.4;
+  double per_offset = 0.4;
   double per_gain = 0.4;
   double share = 0.5;
   double share_spread = 0.7;

@@ -86,12 +86,15 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
   const auto logs = static_cast<double>(table.weight.size());
   table.beyond[row] = static_cast<double>(hypothesis.beyond);
   table.trends[row] = hypothesis.free_trends ? logs : 0.0;
+  table.offsets[row] = hypothesis.free_offsets ? logs : 0.0;
   table.gains[row] = hypothesis.free_gains ? logs : 0.0;
   table.sizes.emplace_back();
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
     const ArrayXd squares = arrayOf(hypothesis.sizes[m]);
-    const bool on_rig = evidence.on_rig[static_cast<std::size_t>(hypothesis.members[m])];
-    (on_rig ? table.added_rig : table.added).row(row) += squares.transpose();
+    const auto member = static_cast<std::size_t>(hypothesis.members[m]);
+    if (!evidence.constant[member]) {
+      (evidence.on_rig[member] ? table.added_rig : table.added).row(row) += squares.transpose();
+    }
     table.sizes.back().push_back(0.5 * std::log(std::max((squares * table.weight).sum(), kLeastSquare)));
   }
 }
@@ -117,7 +120,7 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
     prior += numbers.rateOf(table.effects[static_cast<std::size_t>(member)]);
   }
   return prior - costOfNumbers(table.beyond[row], table.blocks, numbers) - numbers.per_trend * table.trends[row] -
-         numbers.per_gain * table.gains[row];
+         numbers.per_offset * table.offsets[row] - numbers.per_gain * table.gains[row];
 }
 
 // Values that are far from those of the data sheet are improbable, whatever they leave: Student's t.
@@ -173,12 +176,13 @@ ScoreTable scoreTable(const Evidence& evidence) {
   ScoreTable table;
   table.effects = evidence.effects;
   table.guess = evidence.guess;
+  table.constant = evidence.constant;
   fillLogs(evidence, table);
   fillBands(evidence, table);
   const auto rows = static_cast<Index>(evidence.hypotheses.size());
   table.left = table.added = table.added_rig = ArrayXXd::Zero(rows, table.weight.size());
   table.in_bands = ArrayXXd::Zero(rows, static_cast<Index>(table.bands.size()));
-  table.departure = table.beyond = table.trends = table.gains = ArrayXd::Zero(rows);
+  table.departure = table.beyond = table.trends = table.offsets = table.gains = ArrayXd::Zero(rows);
   for (Index row = 0; row < rows; ++row) {
     const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
     table.members.push_back(hypothesis.members);

@@ -21,6 +21,7 @@ struct Band {
 /// squares in units of the variance of the force.
 struct ScoreTable {
   std::vector<std::string> effects;
+  std::vector<bool> constant;  ///< of each effect
   std::vector<std::vector<int>> members;
   Eigen::ArrayXXd left;       ///< squares beyond the noise floor
   Eigen::ArrayXXd added;      ///< squares of the forces of the members that belong to the rubber
@@ -29,6 +30,7 @@ struct ScoreTable {
   Eigen::ArrayXd departure;   ///< chi^2 of the numbers of the data sheet
   Eigen::ArrayXd beyond;      ///< numbers beyond the laws that the members contain
   Eigen::ArrayXd trends;      ///< of logs, that are free
+  Eigen::ArrayXd offsets;     ///< likewise
   Eigen::ArrayXd gains;       ///< likewise
   std::vector<bool> another_reading;  ///< of wrong values, by an effect beside those as configured
   /// Logarithm of the size of each member over all logs; of wrong values, of what they remove.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace rubber_suspension::diagnosis::judge {
@@ -11,6 +12,20 @@ double SetPosterior::ofSets() const {
   return std::accumulate(sets.begin(), sets.end(), 0.0,
                          [](double sum, const SetProbability& set) { return sum + set.sum(); });
 }
+
+namespace {
+
+std::vector<double> sizesInMotion(const ScoreTable& table, std::size_t hypothesis) {
+  std::vector<double> sizes = table.sizes[hypothesis];
+  for (std::size_t m = 0; m < sizes.size(); ++m) {
+    if (table.constant[static_cast<std::size_t>(table.members[hypothesis][m])]) {
+      sizes[m] = -std::numeric_limits<double>::infinity();
+    }
+  }
+  return sizes;
+}
+
+}  // namespace
 
 SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers) {
   LogWeights weights = logWeights(table, numbers);
@@ -29,7 +44,7 @@ SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers) 
   for (std::size_t h = Evidence::kFirstSingle; h < table.members.size(); ++h) {
     const auto row = static_cast<Eigen::Index>(h);
     posterior.sets.push_back(
-        {table.members[h], static_cast<int>(h), weights.alone[row], weights.beside[row], table.sizes[h]});
+        {table.members[h], static_cast<int>(h), weights.alone[row], weights.beside[row], sizesInMotion(table, h)});
   }
   std::stable_sort(posterior.sets.begin(), posterior.sets.end(),
                    [](const SetProbability& a, const SetProbability& b) { return a.sum() > b.sum(); });

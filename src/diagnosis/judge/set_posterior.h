@@ -10,10 +10,11 @@ namespace rubber_suspension::diagnosis::judge {
 /// A set of effects.
 struct SetProbability {
   std::vector<int> members;
-  int hypothesis = 0;              ///< of the evidence
-  double alone = 0.0;              ///< nothing else is at work
-  double beside = 0.0;             ///< beside a rest
-  std::vector<double> sizes = {};  ///< logarithm of the size of each member
+  int hypothesis = 0;   ///< of the evidence
+  double alone = 0.0;   ///< nothing else is at work
+  double beside = 0.0;  ///< beside a rest
+  /// Logarithm of the size of each member, minus infinity for constants: those are no part of the motion.
+  std::vector<double> sizes = {};
 
   double sum() const { return alone + beside; }
 };

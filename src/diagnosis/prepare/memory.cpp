@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "rubber_suspension/log/log.h"
@@ -23,25 +24,32 @@ std::string readable(std::uint64_t bytes) {
   return mebibytes < 1000.0 ? fmt::format("{:.0f} MiB", mebibytes) : fmt::format("{:.1f} GiB", mebibytes / 1024.0);
 }
 
+// Products of all columns that no fit changes, some 200 at most, over each block of the logs (fit::LogBlocks).
+constexpr std::uint64_t kBytesPerBlock = 400 * 1024;
+
+std::uint64_t blocksOf(std::uint64_t stretches) {
+  return std::min(24 * stretches, std::max(std::uint64_t{480}, 2 * stretches));
+}
+
 std::uint64_t bytesPerSample(int threads) {
   return kBytesPerSample + kBytesPerSampleAndThread * static_cast<std::uint64_t>(threads);
 }
 
 }  // namespace
 
-std::uint64_t memoryNeeded(std::size_t samples, int threads) {
-  return kBytesOfProgram + bytesPerSample(threads) * samples;
+std::uint64_t memoryNeeded(const Searched& searched, int threads) {
+  return kBytesOfProgram + kBytesPerBlock * blocksOf(searched.stretches) + bytesPerSample(threads) * searched.samples;
 }
 
-void requireMemory(std::size_t samples, std::size_t recorded, int threads, std::uint64_t available) {
-  const std::uint64_t needed = memoryNeeded(samples, threads);
+void requireMemory(const Searched& searched, std::size_t recorded, int threads, std::uint64_t available) {
+  const std::uint64_t needed = memoryNeeded(searched, threads);
   if (needed > available) {
-    const std::uint64_t fixed = memoryNeeded(0, threads);
+    const std::uint64_t fixed = memoryNeeded({0, searched.stretches}, threads);
     const std::uint64_t most = available > fixed ? (available - fixed) / bytesPerSample(threads) : 0;
     throw log::LogError(
         fmt::format("a search that takes {} of {} samples needs about {}, and {} are available; accepted: {} samples "
                     "(--most-samples), or fewer or shorter logs",
-                    samples, recorded, readable(needed), readable(available), most));
+                    searched.samples, recorded, readable(needed), readable(available), most));
   }
 }
 

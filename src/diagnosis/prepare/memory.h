@@ -6,10 +6,16 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Most that a diagnosis takes whose search takes so many samples, about, besides logs that are in memory [bytes].
-std::uint64_t memoryNeeded(std::size_t samples, int threads);
+/// What a search takes: samples, in so many stretches of logs.
+struct Searched {
+  std::size_t samples = 0;
+  std::size_t stretches = 0;
+};
+
+/// Most that a diagnosis takes besides logs that are in memory [bytes].
+std::uint64_t memoryNeeded(const Searched& searched, int threads);
 
 /// Throws log::LogError where such a diagnosis, of logs of so many samples, takes more than what is available [bytes].
-void requireMemory(std::size_t samples, std::size_t recorded, int threads, std::uint64_t available);
+void requireMemory(const Searched& searched, std::size_t recorded, int threads, std::uint64_t available);
 
 }  // namespace rubber_suspension::diagnosis::prepare

@@ -78,10 +78,17 @@ bool isBeyondChance(const measurement::RigFinding& finding) {
   return finding.interval_95[0] > 0.0 || finding.interval_95[1] < 0.0;
 }
 
-// For gains that are no tolerated error of the rig but a cause.
-io::RigTolerances withAnyGain(io::RigTolerances tolerances) {
-  tolerances.gain.value = 1.0;
+// For zeros and gains that are no tolerated error of the rig but a cause.
+io::RigTolerances withAny(const fit::FreeInLog& named, io::RigTolerances tolerances) {
+  constexpr double kAnyZero = 100.0;  // of the range of the force
+  tolerances.gain.value = named.gain ? 1.0 : tolerances.gain.value;
+  tolerances.force_zero = named.offset ? io::RigTolerance{kAnyZero, true} : tolerances.force_zero;
   return tolerances;
+}
+
+bool isNamed(const measurement::RigFinding& finding, const fit::FreeInLog& named) {
+  return (named.gain && finding.finding == measurement::finding::kSensorGain) ||
+         (named.offset && finding.finding == measurement::finding::kForceZero);
 }
 
 // Whether another model finds a value of the same within the interval.
@@ -294,9 +301,9 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
                                                  const std::vector<log::Record>& records,
-                                                 const std::vector<fit::DisplacementZero>& zeros, bool gains_are_named,
-                                                 int threads) {
-  const measurement::RigModel rig(records, masksOf(records), gains_are_named ? withAnyGain(tolerances) : tolerances);
+                                                 const std::vector<fit::DisplacementZero>& zeros,
+                                                 const fit::FreeInLog& named, int threads) {
+  const measurement::RigModel rig(records, masksOf(records), withAny(named, tolerances));
   std::array<std::vector<measurement::RigFit>, 2> by;
   fit::parallelFor(by.size(), threads, [&](std::size_t i) { by[i] = fitRig(rig, i == 0 ? judged : rival, zeros); });
   const auto& [fits, by_rival] = by;
@@ -314,8 +321,7 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
     const auto of_log = findingsBy(r, fits[r]);
     const auto of_rival = findingsBy(r, by_rival[r]);
     std::copy_if(of_log.begin(), of_log.end(), std::back_inserter(found), [&](const measurement::RigFinding& finding) {
-      const bool is_named = gains_are_named && finding.finding == "sensor_gain";
-      return isBeyondChance(finding) && (is_named || agrees(finding, of_rival));
+      return isBeyondChance(finding) && (isNamed(finding, named) || agrees(finding, of_rival));
     });
   }
   return found;

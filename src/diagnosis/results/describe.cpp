@@ -155,7 +155,8 @@ class Describer {
     const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
     fit::Hypothesis freed;  // what the effects that are in have free in each log
     for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
-      const fit::FreeInLog free = search_.candidates[static_cast<std::size_t>(answer_.effects[e])].free_in_log;
+      const fit::FreeInLog free =
+          search_.candidates[static_cast<std::size_t>(answer_.effects[e])].free_in_log & judged_.hypothesis.free_in_log;
       freed.free_in_log = in[1 + e] ? freed.free_in_log | free : freed.free_in_log;
     }
     return gap::gapOfParts(hypotheses::partErrorsOf(
@@ -213,7 +214,7 @@ class Describer {
       const auto found =
           prepare::rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
                                held_out ? prepared_.zeros.held_out : prepared_.zeros.training,
-                               judged_.hypothesis.free_in_log.gain, options_.threads);
+                               judged_.hypothesis.free_in_log, options_.threads);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
   }

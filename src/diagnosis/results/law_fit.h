@@ -102,10 +102,10 @@ class LawFitter final : public fit::HypothesisFitter {
     return fitter_.gapOf(hypothesis, forces);
   }
   /// Few unknowns, all of which move.
-  fit::BlockGrams normalEquationsAbout(const fit::Hypothesis& hypothesis, const fit::ParameterVector& parameters,
-                                       const gap::Forces& base, const std::vector<bool>& /*active*/,
-                                       int /*threads*/) const override {
-    return fitter_.blocks().normalEquations(base, forces_.columns(parameters, base, threads_), hypothesis.free_in_log,
+  std::vector<fit::BlockGrams> normalEquationsAbout(const fit::Hypothesis& /*hypothesis*/,
+                                                    const fit::ParameterVector& parameters, const gap::Forces& base,
+                                                    const Linearised& how) const override {
+    return fitter_.blocks().normalEquations(base, forces_.columns(parameters, base, threads_), how.free, how.kept,
                                             threads_);
   }
 

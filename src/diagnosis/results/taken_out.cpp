@@ -147,10 +147,13 @@ LogAccount accountOf(const log::Record& record, const RawChannels& raw, const St
     return also.addedTo(record, r, forces.bridged[r]).withoutRig(residual).squaredNorm() / counts.sum() / variance;
   };
   if (free.by_zero) {
-    account.takeOut(taken_out::kDisplacement, without({false, false, free.by_zero}));
+    account.takeOut(taken_out::kDisplacement, without({false, false, false, free.by_zero}));
   }
   if (free.trend) {
-    account.takeOut(taken_out::kDrift, without({true, false, free.by_zero}));
+    account.takeOut(taken_out::kDrift, without({true, false, false, free.by_zero}));
+  }
+  if (free.offset) {
+    account.takeOut(taken_out::kZero, without({free.trend, true, false, free.by_zero}));
   }
   if (free.gain) {
     account.takeOut(taken_out::kGain, without(free));

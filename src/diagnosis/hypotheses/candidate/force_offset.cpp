@@ -1,14 +1,21 @@
-// Candidate effect: a constant force.
+// Candidate effect: a constant force, another one in each log.
 #include "diagnosis/hypotheses/candidate/registry.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
+// A zero belongs to a log: amplifiers are set to zero between them, and pressures change.
 fit::Candidate forceOffset(const fit::Excitation& excitation) {
   fit::BasisTerm term = fit::additiveTerm("force_offset", "offset", 0.02 * excitation.force);
   term.lower = -term.upper;
   term.on_rig = true;
-  fit::Candidate candidate{"force_offset", "zero of the load cell: error of the mean only", true, {term}};
+  term.is_offset = true;
+  fit::Candidate candidate{"force_offset",
+                           "zero of the load cell: error of the mean only, the same in all logs or another one in each",
+                           true,
+                           {term}};
+  candidate.free_in_log.offset = excitation.whole_logs > 1;
+  candidate.constant = true;
   return candidate;
 }
 

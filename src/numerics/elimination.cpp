@@ -1,0 +1,147 @@
+// Elimination by Cholesky factors of the unknowns' own part.
+#include "numerics/elimination.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+#include "numerics/symmetric.h"
+
+namespace rubber_suspension::numerics {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// A penalty that keeps unknowns of which blocks tell nothing at 0, and changes no other to speak of.
+VectorXd atLeast(const VectorXd& penalty, const MatrixXd& sum) {
+  constexpr double kLeast = 1e-10;  // of what all blocks tell
+  constexpr double kNothing = 1e-300;
+  const VectorXd least = (kLeast * sum.diagonal().tail(penalty.size())).cwiseMax(kNothing);
+  return penalty.cwiseMax(least);
+}
+
+// The unknowns that leave least of each column of X.
+MatrixXd sharesOf(const MatrixXd& products, const VectorXd& penalty) {
+  const Index own = penalty.size();
+  MatrixXd gram = products.bottomRightCorner(own, own);
+  gram.diagonal() += penalty;
+  return Cholesky(gram).solve(MatrixXd(products.bottomLeftCorner(own, products.cols() - own)));
+}
+
+// What the best unknowns leave, their penalty included.
+MatrixXd leftBy(const MatrixXd& products, const MatrixXd& shares) {
+  const Index width = shares.cols();
+  return products.topLeftCorner(width, width) - products.topRightCorner(width, shares.rows()) * shares;
+}
+
+// The products of X - U shares.
+MatrixXd leftWith(const MatrixXd& products, const MatrixXd& shares) {
+  const Index own = shares.rows();
+  const Index width = shares.cols();
+  const MatrixXd across = products.bottomLeftCorner(own, width);
+  const MatrixXd rest = across - products.bottomRightCorner(own, own) * shares;
+  return products.topLeftCorner(width, width) - across.transpose() * shares - shares.transpose() * rest;
+}
+
+MatrixXd costOf(const MatrixXd& shares, const VectorXd& penalty) {
+  return shares.transpose() * penalty.asDiagonal() * shares;
+}
+
+MatrixXd sumOf(const std::vector<MatrixXd>& products) {
+  return std::accumulate(products.begin() + 1, products.end(), products.front(),
+                         [](MatrixXd sum, const MatrixXd& one) -> MatrixXd { return std::move(sum) + one; });
+}
+
+// Sums, not differences: what is zero without a fold has to be so to the last bit.
+std::vector<MatrixXd> sumsWithoutFold(const std::vector<MatrixXd>& products, const BlockPlaces& places) {
+  std::vector<MatrixXd> sums(static_cast<std::size_t>(places.folds),
+                             MatrixXd::Zero(products.front().rows(), products.front().cols()));
+  for (std::size_t b = 0; b < products.size(); ++b) {
+    for (std::size_t fold = 0; fold < sums.size(); ++fold) {
+      if (static_cast<int>(fold) != places.fold[b]) {
+        sums[fold] += products[b];
+      }
+    }
+  }
+  return sums;
+}
+
+}  // namespace
+
+BlockProducts withoutErrors(const std::vector<MatrixXd>& products, const VectorXd& penalty, const BlockPlaces& places) {
+  const MatrixXd sum = sumOf(products);
+  const std::vector<MatrixXd> training = sumsWithoutFold(products, places);
+  if (penalty.size() == 0) {
+    return {sum, training, products, products};
+  }
+  BlockProducts result;
+  const VectorXd all = atLeast(penalty, sum);
+  const MatrixXd shares = sharesOf(sum, all);
+  const MatrixXd cost = costOf(shares, all);
+  std::vector<MatrixXd> cost_without;
+  result.sum = leftBy(sum, shares);
+  for (const MatrixXd& others : training) {
+    const MatrixXd found = sharesOf(others, all);
+    result.without_fold.push_back(leftBy(others, found));
+    cost_without.push_back(costOf(found, all));
+  }
+  for (std::size_t b = 0; b < products.size(); ++b) {
+    const auto fold = static_cast<std::size_t>(places.fold[b]);
+    const MatrixXd with = training[fold] + products[b];
+    if (places.in_sample) {
+      result.in_sample.push_back(leftWith(products[b], shares) + places.share[b] * cost);
+    }
+    result.held_out.push_back(leftBy(with, sharesOf(with, all)) - result.without_fold[fold] +
+                              places.share[b] * cost_without[fold]);
+  }
+  return result;
+}
+
+BlockProducts withoutUnknowns(const BlockProducts& products, const VectorXd& penalty, const BlockPlaces& places,
+                              MatrixXd& shares) {
+  const VectorXd all = atLeast(penalty, products.sum);
+  shares = sharesOf(products.sum, all);
+  const MatrixXd cost = costOf(shares, all);
+  BlockProducts result;
+  result.sum = leftBy(products.sum, shares);
+  std::vector<MatrixXd> found;
+  for (const MatrixXd& others : products.without_fold) {
+    found.push_back(sharesOf(others, all));
+    result.without_fold.push_back(leftBy(others, found.back()));
+  }
+  for (std::size_t b = 0; b < products.held_out.size(); ++b) {
+    const MatrixXd& of_others = found[static_cast<std::size_t>(places.fold[b])];
+    if (places.in_sample) {
+      result.in_sample.push_back(leftWith(products.in_sample[b], shares) + places.share[b] * cost);
+    }
+    result.held_out.push_back(leftWith(products.held_out[b], of_others));
+  }
+  return result;
+}
+
+BlockProducts byFold(const BlockProducts& products, BlockPlaces& places) {
+  BlockProducts result{products.sum, products.without_fold, {}, {}};
+  result.held_out.assign(static_cast<std::size_t>(places.folds),
+                         MatrixXd::Zero(products.sum.rows(), products.sum.cols()));
+  for (std::size_t b = 0; b < products.held_out.size(); ++b) {
+    result.held_out[static_cast<std::size_t>(places.fold[b])] += products.held_out[b];
+  }
+  places.fold.resize(result.held_out.size());
+  std::iota(places.fold.begin(), places.fold.end(), 0);
+  places.in_sample = false;
+  return result;
+}
+
+BlockProducts ofColumns(const BlockProducts& products, const std::vector<Index>& columns) {
+  const auto part = [&](const MatrixXd& all) -> MatrixXd { return all(columns, columns); };
+  const auto parts = [&](const std::vector<MatrixXd>& all) {
+    std::vector<MatrixXd> result;
+    std::transform(all.begin(), all.end(), std::back_inserter(result), part);
+    return result;
+  };
+  return {part(products.sum), parts(products.without_fold), parts(products.in_sample), parts(products.held_out)};
+}
+
+}  // namespace rubber_suspension::numerics

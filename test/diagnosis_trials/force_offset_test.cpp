@@ -1,0 +1,82 @@
+// A zero of the force that differs from log to log, and what is told apart from it: friction beside it, and no drift.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "diagnosis/checked_diagnosis.h"
+#include "diagnosis/rig.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::Not;
+
+RigEffect beside(RigEffect effect, double offset) {
+  return [effect = std::move(effect), offset](double time, double z, double rate) {
+    return offset + effect(time, z, rate);
+  };
+}
+
+RigEffect nothing() {
+  return [](double, double, double) { return 0.0; };
+}
+
+double zeroFound(const diagnosis::Diagnosis& result, const std::string& log) {
+  const auto found = std::find_if(result.rig_findings.begin(), result.rig_findings.end(), [&](const auto& finding) {
+    return finding.log == log && finding.finding == "force_zero";
+  });
+  return found == result.rig_findings.end() ? 0.0 : found->value;
+}
+
+// A pneumatic seal: pressure times area, tens of standard deviations of the force, and another one in each log.
+TEST(ForceOffset, OfEachLogStandsBesideFriction) {
+  const diagnosis::Diagnosis result = checkedDiagnosis(
+      rigComponent(),
+      {runRig("1 bar", 1, beside(rigFriction(), 8e3)), runRig("3 bar", 2, beside(rigFriction(), 22e3)),
+       runRig("7 bar", 3, beside(rigFriction(), 50e3))},
+      {runRig("5 bar", 4, beside(rigFriction(), 36e3)), runRig("2 bar", 5, beside(rigFriction(), 15e3))});
+  EXPECT_THAT(result.effects, ElementsAre("friction", "force_offset")) << result.sentence;
+  EXPECT_LT(result.gap.augmented, 1.3 * result.gap.noise_floor);
+  // Beside their mean, to the noise of 20 N and to what a zero and friction have in common.
+  EXPECT_NEAR(zeroFound(result, "7 bar") - zeroFound(result, "1 bar"), 42e3, 60.0);
+  EXPECT_NEAR(zeroFound(result, "5 bar") - zeroFound(result, "2 bar"), 21e3, 60.0);
+}
+
+// One zero for all logs is the same effect with one number.
+TEST(ForceOffset, OfAllLogsIsOneNumber) {
+  const diagnosis::Diagnosis result = checkedDiagnosis(
+      rigComponent(), {runRig("one", 1, beside(nothing(), 900.0)), runRig("two", 2, beside(nothing(), 900.0))},
+      {runRig("unseen", 3, beside(nothing(), 900.0))});
+  EXPECT_THAT(result.effects, ElementsAre("force_offset")) << result.sentence;
+  ASSERT_EQ(result.augmented.add.size(), 1U);
+  EXPECT_NEAR(result.augmented.add.front().value("offset"), 900.0, 20.0);
+}
+
+// Triangles of 6 s over a minute: what the model lacks is alike in all of them, and no drift between them.
+TEST(ForceOffset, TrianglesAreNoDrift) {
+  const auto triangles = [](const std::string& name, unsigned seed, double amplitude) {
+    std::mt19937 generator(seed);
+    constexpr double kStep = 0.012;
+    constexpr double kPeriod = 6.0;
+    const auto motion = [&](double time) {
+      const double phase = std::fmod(time / kPeriod, 1.0);
+      const double z = phase < 0.25 ? 4.0 * phase : phase < 0.75 ? 2.0 - 4.0 * phase : 4.0 * phase - 4.0;
+      const double rate = (phase < 0.25 || phase >= 0.75 ? 4.0 : -4.0) / kPeriod;
+      return std::make_pair(amplitude * z, amplitude * rate);
+    };
+    return runMotion(name, generator, motion, rigFriction(), 20.0, kStep);
+  };
+  const diagnosis::Diagnosis result = checkedDiagnosis(
+      rigComponent(), {triangles("small", 1, 0.5e-3), triangles("large", 2, 2e-3)}, {triangles("unseen", 3, 1e-3)});
+  EXPECT_THAT(result.effects, Not(Contains("force_drift"))) << result.sentence;
+  EXPECT_THAT(result.effects, Contains("friction")) << result.sentence;
+}
+
+}  // namespace
+}  // namespace rubber_suspension
