@@ -48,7 +48,7 @@ TEST(Invariants, AreEachFoundBroken) {
       {"an interval that ends at a bound says so", [](Diagnosis& d) { d.effect_sizes.front().interval_95[0] = 0.0; }},
       {"what was taken out adds up", [](Diagnosis& d) { d.admission.front().left *= 1.1; }},
       {"what was taken out explains the gaps", [](Diagnosis& d) { d.gap_as_recorded.augmented *= 1.1; }},
-      {"where adds up to 1", [](Diagnosis& d) { d.where.pop_back(); }},
+      {"where adds up to 1", [](Diagnosis& d) { d.where.front().share *= 0.5; }},
       {"a surrogate where unknown or partly", [](Diagnosis& d) { d.surrogate.emplace(); }},
       {"a next experiment, or why none", [](Diagnosis& d) { d.next_experiment.clear(); }}};
   for (const auto& [name, change] : changes) {
@@ -60,14 +60,14 @@ TEST(Invariants, AreEachFoundBroken) {
 
 TEST(Defect, TellsNoVerdict) {
   Diagnosis changed = ofAStop();
-  changed.gap.re_estimated = 0.99 * changed.gap.augmented;
+  changed.gap.re_estimated = changed.gap.augmented;
   const Diagnosis told = heldToInvariants(std::move(changed));
   EXPECT_EQ(told.verdict, diagnosis::Verdict::defect);
   EXPECT_TRUE(told.effects.empty());
   EXPECT_THAT(told.defect, HasSubstr("named: the gap falls"));
   EXPECT_THAT(told.sentence, HasSubstr("No verdict"));
-  EXPECT_THAT(toJson(told), HasSubstr("\"defect\": \"named: the gap falls"));
-  EXPECT_THAT(toHtml(told), HasSubstr("no component file is written"));
+  EXPECT_NE(toJson(told).find("\"defect\": \"named: the gap falls"), std::string::npos);
+  EXPECT_NE(toHtml(told).find("no component file is written"), std::string::npos);
   const std::string folder = testing::TempDir() + "/defect";
   writeReport(told, folder);
   EXPECT_TRUE(std::filesystem::exists(folder + "/report.html"));

@@ -79,12 +79,14 @@ class SimplestLaw : public testing::Test {
   diagnosis::results::SimplestLaw simple_;
 };
 
+// Iwan's law with the numbers of Berg's has up to 2.37 over 1.99 times the force on a settled loop (element/iwan.h), and
+// so a limit between 672 and 800 N where Berg's is 800 N.
 TEST_F(SimplestLaw, OfFrictionHasTwoNumbers) {
   fit("friction", {{"friction", {{"maximum_force", {800.0}}, {"displacement", {1e-4}}}}});
   expectPaid();
   ASSERT_EQ(found().size(), 1U);
   EXPECT_EQ(numbersIn(found()), 2U);
-  EXPECT_NEAR(headlineOf(found()).at("maximum_force"), 800.0, 80.0);
+  EXPECT_NEAR(headlineOf(found()).at("maximum_force"), 736.0, 64.0);
 }
 
 TEST_F(SimplestLaw, OfASymmetricStopIsOneEntry) {
@@ -150,9 +152,9 @@ TEST(WrittenComponent, HasNumbersThatAreKnown) {
 }
 
 TEST(Headline, TellsFrictionOverAllTerms) {
-  const auto dahl = headlineOf({{"bouc_wen", {{"stiffness", {3e6}}, {"beta", {1e4}}, {"gamma", {0.0}}}}});
-  EXPECT_NEAR(dahl.at("maximum_force"), 300.0, 1e-9);
-  EXPECT_NEAR(dahl.at("displacement"), std::log(2.0) * 1e-4, 1e-12);
+  const auto iwan = headlineOf({{"iwan", {{"maximum_force", {300.0}}, {"displacement", {1e-4}}}}});
+  EXPECT_NEAR(iwan.at("maximum_force"), 300.0, 1e-9);
+  EXPECT_NEAR(iwan.at("displacement"), 1e-4, 1e-12);
   const auto both = headlineOf({{"friction", {{"maximum_force", {200.0}}, {"displacement", {1e-4}}}},
                                 {"iwan_table", {{"yield_displacement", {1e-4}}, {"stiffness", {2e6}}}}});
   EXPECT_NEAR(both.at("maximum_force"), 400.0, 1e-9);
