@@ -100,8 +100,7 @@ KindColumns kindColumns(const log::Record& record, const VectorXd& simulated) {
   return result;
 }
 
-// The part of a record's residual that its nuisances take, by kind: each as far as they reach it. The rest is of the
-// state before the log.
+// The part of a record's residual that its nuisances take, by kind: each as far as they reach it.
 void takeNuisances(const log::Record& record, const VectorXd& counts, const VectorXd& simulated, LogAccount& account) {
   constexpr double kRidge = 1e-6;
   const VectorXd residual = (record.force - simulated).cwiseProduct(counts);
@@ -124,7 +123,6 @@ void takeNuisances(const log::Record& record, const VectorXd& counts, const Vect
       account.takeOut(kinds.kinds[static_cast<std::size_t>(j)], account.left() - square);
     }
   }
-  account.takeOut(taken_out::kInitialState, left.squaredNorm() / scale);
 }
 
 // Forces of the elements on the displacement at each stage.
@@ -143,9 +141,14 @@ LogAccount accountOf(const log::Record& record, const RawChannels& raw, const St
   account.takeOut(taken_out::kSpikes, meanSquare(residual, withStart(counts)) / variance);
   account.takeOut(taken_out::kInitialState, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, forces.bridged[r], account);
+  // As gaps are: each part of the log without what the others tell of the rig. What is not of a kind above is of the
+  // state before the log.
   const auto without = [&](const fit::FreeInLog& also) {
-    return also.addedTo(record, r, forces.bridged[r]).withoutRig(residual).squaredNorm() / counts.sum() / variance;
+    const double gap =
+        gap::gapOfParts(gap::partErrors({record}, {forces.bridged[r]}, {also.unknowns(record, r, forces.bridged[r])}));
+    return gap * gap;
   };
+  account.takeOut(taken_out::kInitialState, without({}));
   if (free.by_zero) {
     account.takeOut(taken_out::kDisplacement, without({false, false, false, free.by_zero}));
   }
