@@ -88,7 +88,7 @@ void ModelParameters::addRelaxation() {
   // A sheet may leave next to nothing of it.
   addFree(true, "relaxing_stiffness", &Relaxation::relaxing_stiffness,
           std::max(kLargestOfLadder, kLargestRatio * relaxation.static_stiffness / relaxation.relaxing_stiffness));
-  addFree(true, "break_frequency", &Relaxation::break_frequency, usual);
+  addFree(true, "break_frequency", &Relaxation::break_frequency, kLargestOfLadder);
   addFree(band, "alpha", &Relaxation::alpha, kLargestOfLadder);
   addFree(description_.specification().has("low_frequency"), "band_ratio", &Relaxation::band_ratio, usual);
   addFree(relaxation.damping > 0.0, "damping", &Relaxation::damping, kLargestOfLadder);
