@@ -44,6 +44,7 @@ struct JobOptions {
   std::string segment;                     ///< as --segment
   double bridge = -1.0;                    ///< as --bridge [s]; less than 0: not given
   bool accept_units = false;               ///< as --accept-units
+  bool large = false;                      ///< as --large
   std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
   std::vector<std::string> hold;           ///< as --hold, of estimate
   int starts = 0;                          ///< as --starts, of estimate; 0: not given
@@ -60,6 +61,7 @@ void forEachOption(Visit visit) {
   visit("segment", &JobOptions::segment);
   visit("bridge", &JobOptions::bridge);
   visit("accept_units", &JobOptions::accept_units);
+  visit("large", &JobOptions::large);
   visit("rig", &JobOptions::rig);
   visit("hold", &JobOptions::hold);
   visit("starts", &JobOptions::starts);

@@ -32,7 +32,8 @@ OptionTable LogOptions::table() {
       Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",
              "longest time without a number that is passed over; 0.5 by itself, where 99 of 100 rows have their "
              "numbers")
-          .rare()};
+          .rare(),
+      Option("--large", large_, "read a packed file that unpacks to more than a hundred times its size").rare()};
 }
 
 Option LogOptions::acceptUnits() {
@@ -43,8 +44,8 @@ Option LogOptions::acceptUnits() {
 }
 
 const std::vector<std::string>& LogOptions::names() {
-  static const std::vector<std::string> all = {"--columns", "--unit",    "--sampling-rate",
-                                               "--decimal", "--segment", "--bridge"};
+  static const std::vector<std::string> all = {"--columns", "--unit",   "--sampling-rate", "--decimal",
+                                               "--segment", "--bridge", "--large"};
   return all;
 }
 
@@ -95,6 +96,7 @@ log::LogFormat LogOptions::format() const {
                               bridge_);
   });
   format.accept_units = accept_units_;
+  format.large = large_;
   return format;
 }
 

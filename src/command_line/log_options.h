@@ -54,6 +54,7 @@ class LogOptions {
   std::string segment_;
   double bridge_ = -1.0;  // [s]; less than 0: not given
   bool accept_units_ = false;
+  bool large_ = false;
 };
 
 }  // namespace rubber_suspension::command_line

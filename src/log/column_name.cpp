@@ -113,8 +113,13 @@ std::string spelledSuffix(const std::string& suffix, const std::string& bare) {
 // A number is no name.
 bool splitSuffix(ColumnName& name, char mark) {
   const std::size_t at = name.text.rfind(mark);
-  return at != std::string::npos && name.text.find_first_not_of("0123456789.,+- ") < at &&
-         isPlainSuffix(spelledSuffix(name.text.substr(at + 1), name.text.substr(0, at))) && splitAt(name, at, at + 1);
+  if (at == std::string::npos || name.text.find_first_not_of("0123456789.,+- ") >= at) {
+    return false;
+  }
+  const std::string bare = name.text.substr(0, at);
+  const std::string suffix = name.text.substr(at + 1);
+  const bool of_time = quantityOfName(bare) == Quantity::time && (suffix == "ns" || suffix == "min" || suffix == "h");
+  return (of_time || isPlainSuffix(spelledSuffix(suffix, bare))) && splitAt(name, at, at + 1);
 }
 
 // "F/kN" and "s/mm", but neither "N/mm" nor "Stiffness N/mm", where the unit begins earlier.

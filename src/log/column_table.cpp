@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "element/each.h"
 #include "element/refuse.h"
 #include "log/file_readers.h"
 #include "log/log_columns.h"
@@ -48,16 +47,18 @@ class ColumnReader {
 
   void read(std::size_t first, std::size_t count, Log& block) {
     block.units = units_;
-    const auto all =
-        element::each(columns_.all(), [&](const Column* column) { return numbers(*column, first, count); });
+    const std::vector<long double> time = times(first, count);
+    const std::vector<double> displacement = numbers(columns_.displacement, first, count);
+    const std::vector<double> force = numbers(columns_.force, first, count);
+    const std::vector<double> temperature = numbers(columns_.temperature, first, count);
     try {
       for (std::size_t i = 0; i < count; ++i) {
         SampleRow row;
         row.place = first + i + 1;
-        row.displacement = valueOf(columns_.displacement, all[1], i, row);
-        row.force = valueOf(columns_.force, all[2], i, row);
-        row.temperature = valueOf(columns_.temperature, all[3], i, row);
-        setStamp(all[0], i, row);
+        row.displacement = valueOf(columns_.displacement, displacement, i, row);
+        row.force = valueOf(columns_.force, force, i, row);
+        row.temperature = valueOf(columns_.temperature, temperature, i, row);
+        setStamp(time, i, row);
         rules_.take(row, block);
       }
       if (first + count == samples_) {
@@ -111,7 +112,16 @@ class ColumnReader {
     return column.found() ? file_.read(places_[column.index], column.name, first, count) : std::vector<double>();
   }
 
-  static double valueOf(const Column& column, const std::vector<double>& numbers, std::size_t i, SampleRow& row) {
+  std::vector<long double> times(std::size_t first, std::size_t count) const {
+    if (columns_.time.found() && file_.read_time) {
+      return file_.read_time(places_[columns_.time.index], columns_.time.name, first, count);
+    }
+    const std::vector<double> time = numbers(columns_.time, first, count);
+    return {time.begin(), time.end()};
+  }
+
+  template <class Number>
+  static double valueOf(const Column& column, const std::vector<Number>& numbers, std::size_t i, SampleRow& row) {
     if (!column.found()) {
       return 0.0;
     }
@@ -119,10 +129,10 @@ class ColumnReader {
       row.unmeasured = fmt::format("{}: {} is not finite", column.name, numbers[i]);
       return std::numeric_limits<double>::quiet_NaN();
     }
-    return column.toSi(numbers[i]);
+    return column.toSi(static_cast<double>(numbers[i]));
   }
 
-  void setStamp(const std::vector<double>& time, std::size_t i, SampleRow& row) const {
+  void setStamp(const std::vector<long double>& time, std::size_t i, SampleRow& row) const {
     const double value = time.empty() ? 0.0 : valueOf(columns_.time, time, i, row);
     if (!time.empty() && std::isfinite(value)) {
       try {

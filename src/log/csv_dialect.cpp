@@ -241,7 +241,9 @@ std::optional<CsvHeader> HeaderFinder::namedColumns(std::size_t i, bool units_fo
   const bool row_is_there = following < lines_.size();
   header.next_line = row_is_there ? lines_[following].number : lines_.back().number + 1;
   const std::size_t count = row_is_there ? fieldsOf(lines_[following].text, header.separator).size() : 0;
-  const std::vector<Field> fields = namesIn(line, header.separator, count);
+  std::vector<Field> fields = namesIn(line, header.separator, count);
+  header.comments_follow = fields.size() > 2 && lowerCase(std::string(fields.back().text)) == "comment";
+  fields.resize(fields.size() - (header.comments_follow ? 1 : 0));
   std::vector<std::string> units;
   if (units_follow) {
     units = i + 1 < lines_.size() ? cellsBelow(withoutCommentMark(lines_[i + 1].text), header.separator, fields.size())

@@ -81,7 +81,7 @@ class CsvLogReader {
  public:
   CsvLogReader(const std::string& path, const LogFormat& format, char found_mark)
       : path_(path), file_(logName(path)), format_(format), marks_(format.decimal, found_mark, ownMarks(format)) {
-    TextSource source = openText(path);
+    TextSource source = openText(path, format.large);
     coding_ = source.coding;
     reader_ = std::make_unique<LineReader>(std::move(source.bytes), kMaximumLogLine);
   }
@@ -200,6 +200,8 @@ class CsvLogReader {
 
   void endSegment(bool another_follows) {
     const bool wanted = isWanted();
+    element::refuseIf<std::runtime_error>(segments_.size() == kMaximumSegments,
+                                          "more than {} segments; accepted: that many at most", kMaximumSegments);
     segments_.push_back(fmt::format("lines {} to {}{}", first_row_, last_row_, border_));
     // Without a word on segments, several are refused at the end.
     if (!wanted || (format_.segment == 0 && another_follows)) {
@@ -377,6 +379,9 @@ class CsvLogReader {
     splitFields(line, header_.separator, fields_);
     while (fields_.size() > columns_.count && fields_.back().text.empty() && !fields_.back().quoted) {
       fields_.pop_back();  // a separator at the end of the line
+    }
+    if (header_.comments_follow && fields_.size() == columns_.count + 1) {
+      fields_.pop_back();
     }
     if (fields_.size() != columns_.count) {
       throw std::runtime_error(fmt::format("{} field{}; accepted: {}, as in the header: {}", fields_.size(),

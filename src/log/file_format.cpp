@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "element/refuse.h"
 #include "log/text.h"
 
 namespace rubber_suspension::log {
@@ -26,7 +27,7 @@ constexpr const char* kAsAText = "export it as text (CSV)";
 
 // asammdf, npTDMS and mcap are the readers of these formats that their users keep up; Debian has none of them.
 constexpr Mark kMarks[] = {
-    {"\x1F\x8B"sv, FileFormat::gzip, "gzip", ""},
+    {"\x1F\x8B"sv, FileFormat::gzip, "gzip within gzip", "gunzip"},
     {"#ROSBAG V"sv, FileFormat::bag, "a ROS bag", "give it the extension .bag"},
     {"MATLAB "sv, FileFormat::matlab, "a MATLAB file", "give it as it is, not within gzip"},
     {"\x89HDF\r\n\x1A\n"sv, FileFormat::hdf5, "HDF5", "give it as it is, not within gzip"},
@@ -72,6 +73,15 @@ const Mark* markOf(const std::string& head) {
 FileFormat formatOf(const std::string& head) {
   const Mark* mark = markOf(head);
   return mark == nullptr ? FileFormat::text : mark->format;
+}
+
+void refuseUnpacked(std::size_t unpacked, std::size_t packed, bool large) {
+  constexpr std::size_t kFreely = 64UL * 1024 * 1024;  // bytes
+  constexpr std::size_t kMostTimes = 100;
+  element::refuseIf<std::runtime_error>(
+      !large && unpacked > kFreely && unpacked / kMostTimes > packed,
+      "unpacks to more than {} times its {} bytes; accepted: at most that beyond 64 MiB, or --large", kMostTimes,
+      packed);
 }
 
 bool isRegularFile(const std::string& path) {

@@ -24,4 +24,8 @@ FileFormat formatOfFile(const std::string& path);
 /// a file that can be read.
 void refuseForeignFormat(const std::string& head);
 
+/// Refuses what claims far more memory or time than it has bytes itself, unless the user says that it is large. Throws
+/// std::runtime_error.
+void refuseUnpacked(std::size_t unpacked, std::size_t packed, bool large);
+
 }  // namespace rubber_suspension::log

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "element/largest_number.h"
 #include "element/refuse.h"
 #include "log/text.h"
 #include "numerics/median.h"
@@ -50,6 +51,15 @@ SampleRules::SampleRules(const LogFormat& format, const Columns& columns, const 
     : format_(format), columns_(columns), word_(word) {}
 
 void SampleRules::take(SampleRow& row, Log& to) {
+  const auto require = [&](const Column& column, double value) {
+    if (std::abs(value) > element::kLargestNumber) {
+      throw RowError(row.place, fmt::format("{}: {:g} is out of range; accepted: at most {:g} in size", column.name,
+                                            value, element::kLargestNumber));
+    }
+  };
+  require(columns_.displacement, row.displacement);
+  require(columns_.force, row.force);
+  require(columns_.temperature, row.temperature);
   if (!collected_.empty()) {
     collected_.push_back(row.stamp.value_or(collected_.back()));
     if (collected_.size() >= kMostCollected) {

@@ -67,6 +67,11 @@ std::int64_t daysSince1970(std::int64_t year, int month, int day) {
   return era * 146097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719468;
 }
 
+int daysIn(int year, int month) {
+  return static_cast<int>(daysSince1970(month == 12 ? year + 1 : year, month == 12 ? 1 : month + 1, 1) -
+                          daysSince1970(year, month, 1));
+}
+
 struct CalendarDay {
   std::int64_t days = 0;  // since 1970
   bool doubtful = false;  // which number is the month
@@ -89,7 +94,8 @@ std::optional<CalendarDay> takeDate(TimeText& text) {
   }
   const int year = parts[0] + (parts[0] < 100 ? 2000 : 0);
   const bool doubtful = separator == '/' && parts[0] != 0 && parts[1] <= 12 && parts[2] <= 12;
-  if (parts[1] < 1 || parts[1] > 12 || parts[2] < 1 || parts[2] > 31 || year < 1900 || year > 2200) {
+  if (parts[1] < 1 || parts[1] > 12 || year < 1900 || year > 2200 || parts[2] < 1 ||
+      parts[2] > daysIn(year, parts[1])) {
     return std::nullopt;
   }
   return CalendarDay{daysSince1970(year, parts[1], parts[2]), doubtful};

@@ -5,6 +5,8 @@
 #include <boost/iterator/counting_iterator.hpp>
 #include <cmath>
 
+#include "element/largest_number.h"
+
 namespace rubber_suspension::node {
 
 GapMonitor::GapMonitor(std::size_t capacity) : capacity_(std::max(capacity, kCapacity)) {}
@@ -47,7 +49,8 @@ void GapMonitor::takeWaiting(std::uint64_t number) {
 }
 
 void GapMonitor::addSimulated(std::int64_t stamp, double displacement, double force, double beside) {
-  if (!wanted_.load(std::memory_order_relaxed)) {
+  const bool counts = std::abs(displacement) <= element::kLargestNumber && std::abs(force) <= element::kLargestNumber;
+  if (!counts || !wanted_.load(std::memory_order_relaxed)) {
     return;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -80,7 +83,7 @@ bool GapMonitor::addMeasured(std::int64_t stamp, double force) {
     waiting_.reserve(kWaiting);
     wanted_ = true;
   }
-  if (!std::isfinite(force)) {
+  if (!(std::abs(force) <= element::kLargestNumber)) {
     ++counters_.not_finite;
     return false;
   }

@@ -25,7 +25,7 @@ struct MatchedSample {
 struct MatchCounters {
   std::uint64_t matched = 0;
   std::uint64_t unmatched = 0;   ///< measured forces whose stamp no sample had, or had no more
-  std::uint64_t not_finite = 0;  ///< measured forces dropped
+  std::uint64_t not_finite = 0;  ///< measured forces dropped, those beyond element::kLargestNumber among them
 };
 
 /// Takes samples and measured forces from different threads, in any order to each other, late or early. Costs nothing
@@ -39,11 +39,12 @@ class GapMonitor {
   explicit GapMonitor(std::size_t capacity = kCapacity);
 
   /// A sample that the component accepted. A stamp that steps back is a new replay: all earlier samples are forgotten.
-  /// `beside` is the force [N] of a model that is computed beside the published one, if any.
+  /// One beyond element::kLargestNumber is passed over. `beside` is the force [N] of a model that is computed beside
+  /// the published one, if any.
   void addSimulated(std::int64_t stamp, double displacement, double force,
                     double beside = std::numeric_limits<double>::quiet_NaN());
 
-  /// Returns false where the force is not finite.
+  /// Returns false where the force is not finite, or beyond element::kLargestNumber.
   bool addMeasured(std::int64_t stamp, double force);
 
   /// Forget all samples; counters stay.

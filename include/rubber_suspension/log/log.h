@@ -68,6 +68,7 @@ struct LogFormat {
   std::optional<double> bridge;  ///< longest time without a number that is passed over [s]; nothing: 0.5 s, and only
                                  ///< where 99 of 100 rows have their numbers
   bool accept_units = false;     ///< no check shall doubt the units
+  bool large = false;            ///< a packed file may unpack to more than a hundred times its size
 };
 
 /// The format that options of a command describe: `--columns displacement=D force=-0.001*F`, or the quantities in the
@@ -82,7 +83,8 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
                         const std::string& decimal, const std::string& segment, double bridge);
 
 /// Bounds on a CSV log; a file beyond them is refused.
-constexpr std::size_t kMaximumLogRows = 20000000;   // 5.5 hours at 1 kHz
+constexpr std::size_t kMaximumLogRows = 20000000;  // 5.5 hours at 1 kHz
+constexpr std::size_t kMaximumSegments = 10000;
 constexpr std::size_t kMaximumLogLine = 64 * 1024;  // bytes
 
 /// Read a log from text. Canonical, and read fastest, is what this package writes: a header with columns time_s,
