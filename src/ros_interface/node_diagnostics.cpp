@@ -120,6 +120,9 @@ void addGap(const std::string& direction, const node::LiveGap& gap, const node::
   status.add(of + "gap, noise floor", gap.noise_floor);
   status.add(of + "gap, beyond noise", gap.beyond_noise);
   status.add(of + "gap, trend [1/s]", gap.trend);
+  status.add(of + "ISO/TS 18571",
+             fmt::format("{:.3f} ({}){}", gap.iso18571.total, gap::iso18571Grade(gap.iso18571.total),
+                         gap.iso18571.repeats ? "; the measured force repeats itself" : ""));
   for (std::size_t i = 0; i < gap.share.size(); ++i) {
     status.add(of + "gap, share of " + gap::toString(static_cast<gap::Quantity>(i)), gap.share[i]);
   }
@@ -144,6 +147,12 @@ rubber_suspension::Gap gapMessage(const node::LiveGap& gap, const node::GapSetti
   message.noise_floor = gap.noise_floor;
   message.beyond_noise = gap.beyond_noise;
   message.trend = gap.trend;
+  message.iso18571_total = gap.iso18571.total;
+  message.iso18571_corridor = gap.iso18571.corridor;
+  message.iso18571_phase = gap.iso18571.phase;
+  message.iso18571_magnitude = gap.iso18571.magnitude;
+  message.iso18571_slope = gap.iso18571.slope;
+  message.iso18571_repeats = gap.iso18571.repeats;
   for (const measurement::RigFinding& finding : gap.rig_findings) {
     message.rig_findings.push_back(finding.text);
   }
