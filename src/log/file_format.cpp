@@ -37,8 +37,7 @@ constexpr Mark kMarks[] = {
     {"TDSm"sv, FileFormat::foreign, "NI TDMS",
      "pip install npTDMS pandas; python3 -c \"from nptdms import TdmsFile; "
      "TdmsFile.read('LOG.tdms').as_dataframe(time_index=True).to_csv('LOG.csv', index_label='time_s')\""},
-    {"FORMAT\0"sv, FileFormat::foreign, "MTS RPC III",
-     "pip install rpc-reader; rpc_reader LOG.rsp writes LOG.npz for NumPy, or export it as text (CSV) in RPC Pro"},
+    {"FORMAT\0"sv, FileFormat::rpc, "MTS RPC III", "give it as it is, not within gzip"},
     {"\x89MCAP0\r\n"sv, FileFormat::foreign, "MCAP",
      "pip install mcap-ros1-support; python3 -c \"from mcap_ros1.reader import read_ros1_messages as r; "
      "print('time_s,displacement_m'); [print('%s,%r' % (m.ros_msg.header.stamp.to_sec(), m.ros_msg.displacement)) "
@@ -105,7 +104,7 @@ void refuseForeignFormat(const std::string& head) {
   const Mark* mark = markOf(head);
   if (mark != nullptr) {
     throw std::runtime_error(
-        fmt::format("{}, which is not read; accepted: text (CSV), gzip of text, .mat, HDF5, ROS bag; "
+        fmt::format("{}, which is not read; accepted: text (CSV), gzip of text, .mat, HDF5, RPC III, ROS bag; "
                     "to convert it: {}",
                     mark->name, mark->remedy));
   }

@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::log {
 
-enum class FileFormat { text, gzip, bag, matlab, hdf5, foreign };
+enum class FileFormat { text, gzip, bag, matlab, hdf5, rpc, foreign };
 
 /// The number of first bytes that tell the format.
 constexpr std::size_t kFormatHead = 256;
