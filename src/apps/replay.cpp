@@ -56,7 +56,6 @@ void noteBridged(const Options& options, std::uint64_t bridged) {
 // The agreement of each direction that was measured.
 std::vector<gap::ComparedForce> compare(const log::Log& log, const gap::Replay& replay,
                                         const gap::AgreementLimits& limits) {
-  log::requireForce(log);
   return {{"", gap::agreementOf(log, replay.force), limits}};
 }
 
@@ -130,6 +129,9 @@ int run(const Options& options) {
     return runPoses(options, description);
   }
   const log::Log log = options.log_options.read("replay", options.log, description.name);
+  if (options.compare) {
+    log::requireForce(log);
+  }
   const gap::Replay result = gap::replay(description.makeComponent(), log);
   warnOfTemperature("replay", options.log, !log.temperature.empty(), description);
   warnOf("replay", options.log, gap::oddMotion(log, result.force, gap::motionScaleOf(description)));

@@ -16,7 +16,7 @@ import zipfile
 
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 HERE = pathlib.Path(__file__).resolve().parent
-CONFIG = HERE.parents[1] / "config" / "example.yaml"
+CONFIG = HERE.parents[2] / "config" / "example.yaml"
 MINGW = shutil.which("x86_64-w64-mingw32-g++-posix")
 WINE = shutil.which("wine64") or next(iter(map(str, pathlib.Path("/usr/lib/wine").glob("wine64"))), None)
 STOP = 0.5  # [s]
