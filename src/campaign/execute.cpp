@@ -116,7 +116,7 @@ ordered_json replayValues(const log::Log& log, const gap::Replay& replay) {
                          {"force_rms_n", std::sqrt(squares / static_cast<double>(log.size()))},
                          {"work_j", work}};
   if (!log.force.empty()) {
-    values["gap"] = gap::relativeGap(log.force, replay.force);
+    values["gap"] = gap::relativeGap(log.force, replay.force, log.counts);
   }
   return values;
 }

@@ -10,6 +10,7 @@
 #include "element/refuse.h"
 #include "gap/last_cycles.h"
 #include "log/even_blocks.h"
+#include "log/samples.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::gap {
@@ -169,9 +170,18 @@ Agreement agreementOf(const log::Log& log, const std::vector<double>& simulated,
   element::refuseIf(first + 2 > log.size(), "{}: less than two samples are left to compare", log.name);
   const log::Log both = bothForces(log, simulated, first);
   Agreement agreement;
-  agreement.gap = relativeGap(both.displacement, both.force);
+  const std::vector<double> counts =
+      log.counts.empty()
+          ? log.counts
+          : std::vector<double>(log.counts.begin() + static_cast<std::ptrdiff_t>(first), log.counts.end());
+  agreement.gap = relativeGap(both.displacement, both.force, counts);
   double squares = 0.0;
+  double compared = 0.0;
   for (std::size_t i = 0; i < both.size(); ++i) {
+    if (!log::isCounted(log, first + i)) {
+      continue;
+    }
+    compared += 1.0;
     const double difference = std::abs(both.force[i] - both.displacement[i]);
     squares += difference * difference;
     if (!(difference <= agreement.peak)) {
@@ -179,7 +189,7 @@ Agreement agreementOf(const log::Log& log, const std::vector<double>& simulated,
       agreement.peak_time = log.duration(0, first + i);
     }
   }
-  agreement.rms = std::sqrt(squares / static_cast<double>(both.size()));
+  agreement.rms = std::sqrt(squares / compared);
   addEnergies(log, both, first, agreement);
   agreement.iso18571 = ratingOf(both);
   return agreement;

@@ -24,9 +24,9 @@ struct Agreement {
   std::optional<double> energyError() const;
 };
 
-/// Compare the force that a log has measured with a simulated one, from the sample `first` on. Throws
-/// std::invalid_argument where the numbers of values differ, less than two samples are left or the measured force does
-/// not change there.
+/// Compare the force that a log has measured with a simulated one, from the sample `first` on, where it was measured;
+/// for energy and ISO 18571 it is interpolated elsewhere. Throws std::invalid_argument where the numbers of values
+/// differ, less than two samples are left or the measured force does not change there.
 Agreement agreementOf(const log::Log& log, const std::vector<double>& simulated, std::size_t first = 0);
 
 /// Limits of an agreement; what is not set is not asked for.

@@ -206,7 +206,7 @@ std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t fi
 // A file whose columns are known.
 class Hdf5File {
  public:
-  explicit Hdf5File(const std::string& path) : path_(path), file_(openHdf5(path), H5Fclose) {
+  explicit Hdf5File(const std::string& path) : file_(openHdf5(path), H5Fclose) {
     std::string pandas;  // group that pandas has written
     visitObjects(file_.get(), [&](const std::string& object, const Hdf5Handle* dataset) {
       if (dataset == nullptr) {
@@ -217,10 +217,11 @@ class Hdf5File {
       }
       return columns_.size() < kMostColumns;
     });
-    element::refuseIf<std::runtime_error>(!pandas.empty(),
-                                          "a table of pandas, which is not read; accepted: CSV, by python3 -c \"import "
-                                          "pandas; pandas.read_hdf('{}', '{}').to_csv('LOG.csv')\"",
-                                          path, pandas);
+    element::refuseIf<std::runtime_error>(
+        !pandas.empty(),
+        "a table of pandas, which is not read; accepted: CSV, by python3 -c \"import "
+        "pandas; pandas.read_hdf('{}', '{}').reset_index().to_csv('LOG.csv', index=False)\"",
+        path, pandas);
     element::refuseIf<std::runtime_error>(columns_.empty(),
                                           "no columns: {}; accepted: vectors or matrices of numbers, up to {} columns",
                                           describeDatasets(file_.get()), kMostColumns);
@@ -250,13 +251,11 @@ class Hdf5File {
             [this](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
               return readNumbers(file_.get(), columns_[place], first, count);
             },
-            path_,
             [this](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
               return readAs<long double>(H5T_NATIVE_LDOUBLE, file_.get(), columns_[place], first, count);
             }};
   }
 
-  std::string path_;
   Hdf5Handle file_;
   std::vector<Hdf5Column> columns_;
 };

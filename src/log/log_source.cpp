@@ -23,12 +23,9 @@ class MemorySource : public LogSource {
   std::vector<std::string> read(const Take& take) const override {
     const Log& log = *log_;
     checkLengths(log);
-    bool more = true;
-    for (std::size_t first = 0; more && first < log.size(); first += kLogBlock) {
-      const std::size_t count = std::min(kLogBlock, log.size() - first);
-      checkSamples(log, first, count);
-      more = count == log.size() ? take(log, 0) : take(samplesOf(log, first, count), first);
-    }
+    checkSamples(log, 0, log.size());
+    std::size_t first = 0;
+    handOutBlocks(log, kLogBlock, take, first);
     return log.notes;
   }
 

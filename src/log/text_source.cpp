@@ -224,6 +224,19 @@ TextSource openText(const std::string& path, bool large) {
   return result;
 }
 
+std::string readText(const std::string& path, std::size_t maximum_size) {
+  const TextSource source = openText(path, false);
+  std::string text(maximum_size + 1, '\0');
+  std::size_t filled = 0;
+  for (std::size_t count = 1; count > 0 && filled < text.size(); filled += count) {
+    count = source.bytes->read(&text[filled], text.size() - filled);
+  }
+  text.resize(filled);
+  element::refuseIf<std::runtime_error>(filled > maximum_size, "more than {} bytes; accepted: that many at most",
+                                        maximum_size);
+  return text;
+}
+
 LineReader::LineReader(std::unique_ptr<ByteSource> source, std::size_t maximum_line)
     : source_(std::move(source)), maximum_line_(maximum_line), buffer_(2 * maximum_line + 1) {
   fill();

@@ -32,6 +32,9 @@ struct TextSource {
 /// `large`: what is within gzip may be more than refuseUnpacked() accepts.
 TextSource openText(const std::string& path, bool large = false);
 
+/// The whole of such a text, of at most that many bytes. Throws as openText() does.
+std::string readText(const std::string& path, std::size_t maximum_size);
+
 /// Reads text line by line through a bounded buffer, for files of any size.
 class LineReader {
  public:

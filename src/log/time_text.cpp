@@ -2,10 +2,15 @@
 #include "log/time_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "element/refuse.h"
+#include "log/text.h"
+#include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::log {
 namespace {
@@ -154,6 +159,46 @@ std::optional<std::int64_t> takeZone(TimeText& text) {
   return (west ? -1 : 1) * (hours * 60 + minutes) * 60 * kNanoseconds;
 }
 
+// "0 days 00:00:00.001", as pandas writes a duration; a negative one is days before a time of day.
+std::optional<std::int64_t> takeDays(std::string_view text) {
+  TimeText whole(text);
+  const bool before = whole.take("-");
+  const int days = whole.number(5);
+  whole.skipBlanks();
+  if (days < 0 || !whole.take("d") || !whole.take("a") || !whole.take("y")) {
+    return std::nullopt;
+  }
+  whole.take("s");
+  whole.skipBlanks();
+  whole.take("+");
+  const auto of_day = takeClock(whole);
+  return of_day && whole.atEnd() ? std::optional((before ? -days : days) * kDay + *of_day) : std::nullopt;
+}
+
+// "0.001 sec": a number and its unit.
+std::optional<std::int64_t> takeQuantity(std::string_view text) {
+  const std::size_t blank = text.find_first_of(kBlanks);
+  if (blank == std::string_view::npos || blank == 0 || !(isDigitOfTime(text[blank - 1]) || text[blank - 1] == '.')) {
+    return std::nullopt;
+  }
+  const std::string unit = trimmed(text.substr(blank));
+  std::string number(text.substr(0, blank));
+  std::replace(number.begin(), number.end(), ',', '.');
+  const auto spelled = unitOfSuffix(unit);
+  const auto value = parseNumber(number);
+  if (!spelled || !value) {
+    return std::nullopt;
+  }
+  try {
+    const double seconds = UnitConversion(*spelled, "s")(1.0);
+    const long double nanoseconds = std::strtold(number.c_str(), nullptr) * static_cast<long double>(seconds) * 1e9L;
+    constexpr long double kMost = 9e18L;
+    return std::abs(nanoseconds) < kMost ? std::optional<std::int64_t>(std::llroundl(nanoseconds)) : std::nullopt;
+  } catch (const std::invalid_argument&) {  // of another quantity
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 bool isTimeText(std::string_view text) { return TimeTextReader().read(text).has_value(); }
@@ -162,7 +207,10 @@ std::optional<std::int64_t> TimeTextReader::read(std::string_view text) {
   TimeText whole(text);
   std::optional<CalendarDay> day;
   if (text.find(':') == std::string_view::npos) {
-    return std::nullopt;
+    return takeQuantity(text);
+  }
+  if (const auto days = takeDays(text)) {
+    return days;
   }
   if (text.find_first_of("-./") < text.find(':')) {
     day = takeDate(whole);

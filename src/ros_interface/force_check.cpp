@@ -74,7 +74,10 @@ std::optional<gap::Agreement> compareForces(const log::Log& log, const ForceRefe
     return std::nullopt;
   }
   log::Log with_reference = log;
-  with_reference.force = reference.force;
+  if (reference.force != log.force) {  // of a component, which is known at each sample
+    with_reference.force = reference.force;
+    with_reference.counts.clear();
+  }
   return gap::agreementOf(with_reference, result.totals(), firstCompared(log, skip));
 }
 

@@ -49,13 +49,27 @@ constexpr Fault kFaults[] = {
      &ChannelReport::refused_temperatures},
 };
 
+// Stamps that repeat 0 were never filled; the cure is told once.
+std::string wordsOf(const Fault& fault, const ChannelReport& before, const ChannelReport& now) {
+  if (fault.count != &ChannelReport::repeated || !now.started || now.last_time != 0.0) {
+    return fault.words;
+  }
+  std::string text = "with an empty header, whose stamp is 0 (dropped)";
+  if (before.repeated == 0) {
+    text +=
+        ": the sender has to fill it; rostopic pub does with 'header: auto', and a driver that sends Float64 needs a "
+        "message with a header, such as Float64Stamped, whose stamp is copied into Displacement";
+  }
+  return text;
+}
+
 // The warning between two reports of one component; empty if there is none.
 std::string describeFaults(const ChannelReport& before, const ChannelReport& now) {
   std::string text;
   for (const Fault& fault : kFaults) {
     const std::uint64_t news = now.*fault.count - before.*fault.count;
     if (news > 0) {
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", news, fault.words);
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", news, wordsOf(fault, before, now));
     }
   }
   if (now.beyond_valid > before.beyond_valid && now.valid) {

@@ -313,30 +313,42 @@ TEST(Hdf5File, OfGroupsWithALogEachHoldsSegments) {
 }
 
 // As converters of MDF files write them: groups of a rate of their own.
-TEST(Hdf5File, OfGroupsOfOneRateIsALogOfTwoRatesIsRefusedWithTheLineThatConvertsIt) {
-  for (const std::size_t forces : {std::size_t{100}, std::size_t{50}}) {
-    const TemporaryFile file("log.h5", "");
-    {
-      const Hdf5Writer writer(file.path());
-      std::vector<double> values(100);
-      std::iota(values.begin(), values.end(), 0.0);
-      writer.group("a");
-      writer.dataset("a/time_s", values);
-      writer.dataset("a/displacement_mm", values);
-      values.resize(forces);
-      writer.group("b");
-      writer.dataset("b/time_s", values);
-      writer.dataset("b/force_N", values);
+// Each group goes by its own time.
+TEST(Hdf5File, OfGroupsOfTwoRatesIsOneLog) {
+  const TemporaryFile file("log.h5", "");
+  {
+    const Hdf5Writer writer(file.path());
+    std::vector<double> values(100);
+    std::iota(values.begin(), values.end(), 0.0);
+    writer.group("a");
+    writer.dataset("a/time_s", values);
+    writer.dataset("a/displacement_mm", values);
+    for (double& value : values) {
+      value *= 2.0;
     }
-    if (forces == 100) {
-      EXPECT_EQ(log::readLog(file.path()).force.back(), 99.0);
-    } else {
-      EXPECT_THAT(refusalOfHdf5(file.path()),
-                  AllOf(HasSubstr("b/force_N has 50 values, a/displacement_mm has 100; accepted: as many in each"),
-                        HasSubstr("n.interp(t, f['a/time_s'], f['a/displacement_mm']), f['b/force_N']"),
-                        HasSubstr("header='time_s,displacement_mm,force_N'")));
-    }
+    values.resize(50);
+    writer.group("b");
+    writer.dataset("b/time_s", values);
+    writer.dataset("b/force_N", values);
   }
+  const log::Log log = log::readLog(file.path());
+  ASSERT_EQ(log.size(), 100U);
+  EXPECT_EQ(log.force[98], 98.0);
+  EXPECT_EQ(log.counts[98], 1.0);
+  EXPECT_EQ(log.counts[97], 0.0);
+}
+
+// A group without a time goes by that of the displacement.
+TEST(Hdf5File, OfColumnsOfTwoLengthsIsRefused) {
+  const TemporaryFile file("log.h5", "");
+  {
+    const Hdf5Writer writer(file.path());
+    writer.dataset("time_s", std::vector<double>(100, 1.0));
+    writer.dataset("displacement_mm", std::vector<double>(100, 1.0));
+    writer.dataset("force_N", std::vector<double>(50, 1.0));
+  }
+  EXPECT_THAT(refusalOfHdf5(file.path()),
+              HasSubstr("force_N has 50 values, displacement_mm has 100; accepted: as many in each column, or a time"));
 }
 
 TEST(Hdf5File, OfACompoundDatasetHasItsMembersAsColumns) {
@@ -489,7 +501,7 @@ TEST(Hdf5File, NamesATableOfPandas) {
     H5Gclose(group);
     H5Sclose(space);
   }
-  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("pandas.read_hdf('" + file.path() + "', 'run').to_csv('LOG.csv')"));
+  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("pandas.read_hdf('" + file.path() + "', 'run').reset_index()"));
 }
 
 }  // namespace
