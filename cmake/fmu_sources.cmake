@@ -12,9 +12,17 @@ set_target_properties(${model_identifier} PROPERTIES PREFIX "" NO_SONAME ON)
 target_compile_features(${model_identifier} PRIVATE cxx_std_17)
 # Without products and sums fused, the forces are those of the package to the last bit.
 target_compile_options(${model_identifier} PRIVATE -fvisibility=hidden -ffp-contract=off)
-target_compile_definitions(${model_identifier} PRIVATE RUBBER_SUSPENSION_BUILT_IN FMT_HEADER_ONLY)
+target_compile_definitions(${model_identifier} PRIVATE FMT_HEADER_ONLY)
+if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/component_text.h)  # else the binary has a block that an exporter fills
+  target_compile_definitions(${model_identifier} PRIVATE RUBBER_SUSPENSION_BUILT_IN)
+endif()
 target_include_directories(${model_identifier} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
   ${CMAKE_CURRENT_SOURCE_DIR}/include ${CMAKE_CURRENT_SOURCE_DIR}/src)
+target_precompile_headers(${model_identifier} PRIVATE <Eigen/Core> <fmt/format.h>)
 target_link_libraries(${model_identifier} PRIVATE Eigen3::Eigen)
-target_link_options(${model_identifier} PRIVATE -static-libstdc++ -static-libgcc
-  -Wl,--version-script=${CMAKE_CURRENT_SOURCE_DIR}/src/fmi/runtime/exports.map)
+if(WIN32)  # by mingw-w64: with all libraries in it, and the same bytes today and tomorrow
+  target_link_options(${model_identifier} PRIVATE -static -s -Wl,--no-insert-timestamp)
+else()
+  target_link_options(${model_identifier} PRIVATE -static-libstdc++ -static-libgcc
+    -Wl,--version-script=${CMAKE_CURRENT_SOURCE_DIR}/src/fmi/runtime/exports.map)
+endif()

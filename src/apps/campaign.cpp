@@ -137,10 +137,13 @@ int run(const Options& options) {
   settings.workers = options.threads;
   settings.job_minutes = options.job_minutes;
   const campaign::RunSummary summary = campaign::run(options.folder, version(), settings, readLog, say);
-  std::cout << fmt::format("{} jobs done, {} failed, {} passed over because they have a result\n", summary.done,
-                           summary.failed, summary.passed_over);
+  std::cout << fmt::format(
+      "{} jobs done, {} failed, {} passed over because they have a result{}{}\n", summary.done, summary.failed,
+      summary.passed_over,
+      summary.failed_before > 0 ? fmt::format(", {} of them a failure", summary.failed_before) : "",
+      summary.not_done > 0 ? fmt::format("; {} not done", summary.not_done) : "");
   element::refuseIf<std::runtime_error>(summary.interrupted, "interrupted; the same command continues");
-  return summary.failed == 0 ? kSuccess : kFailed;
+  return summary.failed + summary.failed_before + summary.not_done == 0 ? kSuccess : kFailed;
 }
 
 int submit(const Options& options) {

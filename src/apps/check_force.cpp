@@ -3,6 +3,7 @@
 #include <ros/node_handle.h>
 
 #include "apps/bench_client.h"
+#include "command_line/agreement_options.h"
 #include "command_line/command.h"
 #include "command_line/log_options.h"
 #include "command_line/plot_option.h"
@@ -27,6 +28,7 @@ struct Options {
   std::string reset;
   std::string report;
   std::string plot;
+  AgreementOptions agreement;
   bool text = false;
 
   OptionTable table();
@@ -51,6 +53,7 @@ OptionTable Options::table() {
           .reads(),
       Option("--config-component", config_component, "NAME", "its name in that file, if different").rare(),
       Option("--skip", skip, "SECONDS", "start of the log that is played but not compared").rare().within(0, 1e9),
+      agreement.table(),
       playerTable(play, "bench"),
       Option("--reset", reset, "SERVICE", "service (std_srvs/Trigger) to call before the first sample").rare(),
       plotOption(plot, "forces over time and displacement, and of their difference,").rare(),
@@ -74,7 +77,8 @@ ros_interface::ForceReference referenceFor(const Options& options, const log::Lo
 
 struct Outcome {
   std::vector<ros_interface::TestCase> cases;
-  io::Figure figure;  ///< without axes where there was nothing to compare
+  std::vector<gap::ComparedForce> compared;  ///< empty where there was nothing to compare
+  io::Figure figure;                         ///< without axes where there was nothing to compare
 };
 
 Outcome check(ros_interface::RosCommandLine& line, const Options& options) {
@@ -88,10 +92,18 @@ Outcome check(ros_interface::RosCommandLine& line, const Options& options) {
   resetComponent(handle, options.reset);
   const ros_interface::PlayResult result = player.play(log);
   const std::string& component = options.play.component;
-  return {
-      {ros_interface::checkAnswers(component, log, result),
-       ros_interface::checkForces(log, reference, result, options.tolerance, options.skip)},
-      result.answered() < log.size() ? io::Figure() : ros_interface::forceFigure(component, log, reference, result)};
+  const auto agreement = ros_interface::compareForces(log, reference, result, options.skip);
+  Outcome outcome;
+  outcome.cases = {ros_interface::checkAnswers(component, log, result),
+                   ros_interface::checkForces(log, reference, result, agreement, options.tolerance)};
+  if (agreement) {
+    outcome.compared = {{"", *agreement, options.agreement.limits()}};
+    if (const std::string beyond = gap::beyondLimits(outcome.compared.front()); !beyond.empty()) {
+      outcome.cases.push_back({"agreement", false, beyond, 0.0});
+    }
+    outcome.figure = ros_interface::forceFigure(component, log, reference, result);
+  }
+  return outcome;
 }
 
 // Whatever keeps the check from being made is a failure of it, and belongs into the report.
@@ -101,12 +113,13 @@ Outcome checkOrFail(ros_interface::RosCommandLine& line, const Options& options)
   } catch (const UsageError&) {
     throw;
   } catch (const std::exception& error) {
-    return {{{"forces", false, error.what(), 0.0}}, {}};
+    return {{{"forces", false, error.what(), 0.0}}, {}, {}};
   }
 }
 
 int run(ros_interface::RosCommandLine& line, const Options& options) {
   const std::string path = reportPath(options);
+  options.agreement.limits();  // which may be wrong usage: before anything is played
   options.log_options.requireUse({options.log});
   const Outcome outcome = checkOrFail(line, options);
   if (!path.empty()) {
@@ -114,6 +127,10 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
   }
   if (!outcome.figure.axes.empty()) {
     drawPlot(options.plot, [&] { return outcome.figure; });
+  }
+  options.agreement.write(options.play.component, options.log, outcome.compared);
+  for (const gap::ComparedForce& compared : outcome.compared) {
+    std::cout << gap::agreementTable(compared);
   }
   int status = kSuccess;
   for (const ros_interface::TestCase& test : outcome.cases) {
@@ -139,7 +156,7 @@ int main(int argc, char** argv) {
        {{"Against the force in the log", "--component bush --log log.csv --tolerance 0.05"},
         {"Against a component file, to the last bit",
          "--component bush --log log.csv --config component.yaml --tolerance 0"},
-        {"Without the first two seconds, with a picture",
-         "--component bush --log log.csv --tolerance 0.05 --skip 2 --plot forces.svg"}}},
+        {"By the total of ISO/TS 18571 as well, without the first two seconds",
+         "--component bush --log log.csv --tolerance 0.2 --limits iso18571=0.8 --json agreement.json --skip 2"}}},
       [&](Options& options) { return run(line, options); });
 }

@@ -33,6 +33,7 @@ io::FileKind kindOf(const std::string& name) {
                                                             {"plan.html", io::FileKind::plan_html},
                                                             {"missing_force.csv", io::FileKind::force_map_csv},
                                                             {"next_experiment.csv", io::FileKind::force_csv},
+                                                            {"next_experiment.drv", io::FileKind::rpc},
                                                             {".json", io::FileKind::report_json},
                                                             {".html", io::FileKind::report_html},
                                                             {".yaml", io::FileKind::component_file},

@@ -3,13 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "command_line/agreement_options.h"
 #include "command_line/command.h"
 #include "command_line/component_options.h"
 #include "command_line/log_options.h"
 #include "command_line/plot_option.h"
 #include "command_line/warnings.h"
+#include "element/refuse.h"
 #include "gap/odd_motion.h"
 #include "rubber_suspension/gap/pose_replay.h"
+#include "rubber_suspension/log/record.h"
 
 namespace {
 
@@ -21,17 +26,24 @@ struct Options {
   std::string log;
   std::string output;
   std::string plot;
+  bool compare = false;
+  AgreementOptions agreement;
   LogOptions log_options;
 
   OptionTable table() {
-    return {
+    OptionTable options = {
         component.table(),
         Option("--log", log, "FILE", "log to simulate: text (CSV), .mat, HDF5 or .bag").required().reads(),
         Option("--output", output, "FILE",
                "CSV to write: time_s,displacement_m,force_N; of six directions time_s,x_m ... rz_rad,Fx_N ... Mz_Nm")
             .required()
             .writes(io::FileKind::force_csv),
-        plotOption(plot, "forces over time and displacement"), log_options.table()};
+        Option("--compare", compare,
+               "table of the agreement with the measured force: RMS, peak error, energy per cycle, ISO/TS 18571"),
+        agreement.table(),
+        plotOption(plot, "forces over time and displacement"),
+        log_options.table()};
+    return options.needs({"--limits", "--json"}, {"--compare"});
   }
 };
 
@@ -41,6 +53,50 @@ void noteBridged(const Options& options, std::uint64_t bridged) {
   }
 }
 
+// The agreement of each direction that was measured.
+std::vector<gap::ComparedForce> compare(const log::Log& log, const gap::Replay& replay,
+                                        const gap::AgreementLimits& limits) {
+  return {{"", gap::agreementOf(log, replay.force), limits}};
+}
+
+std::vector<gap::ComparedForce> compare(const log::PoseLog& log, const gap::PoseReplay& replay,
+                                        const gap::AgreementLimits& limits) {
+  std::vector<gap::ComparedForce> compared;
+  for (std::size_t k = 0; k < component::kDirections; ++k) {
+    log::Log direction;
+    direction.name = log.name;
+    direction.stamp = log.stamp;
+    direction.displacement = log.coordinate[k];
+    direction.force = log.wrench[k];
+    const auto [least, most] = std::minmax_element(direction.force.begin(), direction.force.end());
+    if (least != most && *least < *most) {
+      compared.push_back({component::toString(static_cast<component::Direction>(k)),
+                          gap::agreementOf(direction, replay.wrench[k]), limits});
+      if (compared.back().isMoment()) {
+        compared.back().limits.rms = compared.back().limits.peak = std::nullopt;
+      }
+    }
+  }
+  element::refuseIf<log::LogError>(compared.empty(), "{}: --compare: the log has measured no force that changes",
+                                   log.name);
+  return compared;
+}
+
+// Exit status 1 where a figure is beyond its limit.
+int publishAgreement(const Options& options, const std::string& component,
+                     const std::vector<gap::ComparedForce>& compared) {
+  options.agreement.write(component, options.log, compared);
+  int status = kSuccess;
+  for (const gap::ComparedForce& one : compared) {
+    std::cout << gap::agreementTable(one);
+    if (const std::string beyond = gap::beyondLimits(one); !beyond.empty()) {
+      printError("replay", options.log + ": " + beyond);
+      status = kFailed;
+    }
+  }
+  return status;
+}
+
 // Writes the forces, or wrenches, by `write`, and says what they come to.
 template <class Log, class Loads, class Replay>
 int publish(const Options& options, const std::string& component, const Log& log, const Loads& loads,
@@ -48,7 +104,8 @@ int publish(const Options& options, const std::string& component, const Log& log
   during("writing " + options.output, [&] { write(options.output, log, loads); });
   drawPlot(options.plot, [&] { return gap::replayFigure(component, log, loads); });
   std::cout << gap::summary(component, log, replay) << "\n" << options.output << '\n';
-  return kSuccess;
+  return options.compare ? publishAgreement(options, component, compare(log, replay, options.agreement.limits()))
+                         : kSuccess;
 }
 
 int runPoses(const Options& options, const io::ComponentDescription& description) {
@@ -65,12 +122,16 @@ int runPoses(const Options& options, const io::ComponentDescription& description
 }
 
 int run(const Options& options) {
+  options.agreement.limits();  // which may be wrong usage: before anything is read
   options.log_options.requireUse({options.log});
   const io::ComponentDescription description = options.component.readAny("replay");
   if (description.six) {
     return runPoses(options, description);
   }
   const log::Log log = options.log_options.read("replay", options.log, description.name);
+  if (options.compare) {
+    log::requireForce(log);
+  }
   const gap::Replay result = gap::replay(description.makeComponent(), log);
   warnOfTemperature("replay", options.log, !log.temperature.empty(), description);
   warnOf("replay", options.log, gap::oddMotion(log, result.force, gap::motionScaleOf(description)));
@@ -87,7 +148,8 @@ int main(int argc, char** argv) {
       {"replay",
        "Simulates a component on a recorded log: the same forces as the node, to the last bit.",
        {{"The force of a log", "--config component.yaml --log log.csv --output force.csv"},
-        {"The same as a picture", "--config component.yaml --log log.csv --output force.csv --plot force.svg"},
+        {"The same as a picture, and held against the measured force",
+         "--config component.yaml --log log.csv --output force.csv --plot force.svg --compare"},
         {"Columns without names, in mm and kN",
          "--config component.yaml --log raw.csv --columns time displacement force --unit displacement=mm force=kN "
          "--output force.csv"}}},

@@ -13,15 +13,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <set>
 
 #include "bag/bag_check.h"
 #include "bag/message_field.h"
+#include "element/refuse.h"
 #include "log/column_name.h"
 #include "log/file_format.h"
 #include "log/log_columns.h"
+#include "log/signals.h"
 #include "log/text.h"
 #include "rubber_suspension/component/pose_stream.h"
 #include "rubber_suspension/log/units.h"
@@ -75,7 +78,13 @@ double valueOf(const Displacement& message) { return message.displacement; }
 double valueOf(const MeasuredForce& message) { return message.force; }
 double valueOf(const sensor_msgs::Temperature& message) { return message.temperature; }
 
-// Hands out the messages of a topic with their stamps [ns].
+// Of a message [ns].
+struct Times {
+  std::int64_t stamp;
+  std::int64_t receipt;
+};
+
+// Hands out the messages of a topic with their times.
 template <class Message, class Take>
 void readMessages(const rosbag::Bag& bag, const std::string& path, const std::string& topic, Take take) {
   rosbag::View view(bag, rosbag::TopicQuery(topic));
@@ -89,126 +98,180 @@ void readMessages(const rosbag::Bag& bag, const std::string& path, const std::st
       throw log::LogError(fmt::format("{}: {} has type {} of another definition or name; accepted: {}", path, topic,
                                       instance.getDataType(), ros::message_traits::datatype<Message>()));
     }
-    take(static_cast<std::int64_t>(message->header.stamp.toNSec()), *message);
+    take({static_cast<std::int64_t>(message->header.stamp.toNSec()),
+          static_cast<std::int64_t>(instance.getTime().toNSec())},
+         *message);
   }
 }
 
 template <class Message>
 Series readTopic(const rosbag::Bag& bag, const std::string& path, const std::string& topic) {
   Series series;
-  readMessages<Message>(bag, path, topic, [&](std::int64_t stamp, const Message& message) {
-    series.stamp.push_back(stamp);
+  readMessages<Message>(bag, path, topic, [&](const Times& times, const Message& message) {
+    series.stamp.push_back(times.stamp);
+    series.receipt.push_back(times.receipt);
     series.value.push_back(valueOf(message));
   });
   return series;
 }
 
-void checkIncreasing(const Series& series, const std::string& path, const std::string& topic) {
+void checkIncreasing(const Series& series, const std::string& path, const std::string& topic,
+                     const std::string& cure = "") {
   for (std::size_t i = 1; i < series.stamp.size(); ++i) {
     if (series.stamp[i] <= series.stamp[i - 1]) {
-      throw log::LogError(fmt::format("{}: message {} on {}: stamp {:.9f} s does not increase (before: {:.9f} s)", path,
-                                      i + 1, topic, 1e-9 * static_cast<double>(series.stamp[i]),
-                                      1e-9 * static_cast<double>(series.stamp[i - 1])));
+      throw log::LogError(fmt::format("{}: message {} on {}: stamp {:.9f} s does not increase (before: {:.9f} s){}",
+                                      path, i + 1, topic, 1e-9 * static_cast<double>(series.stamp[i]),
+                                      1e-9 * static_cast<double>(series.stamp[i - 1]), cure));
     }
   }
 }
 
-using ForceAt = std::function<std::optional<double>(std::int64_t)>;
+// A series and its topic, for notes; an empty one is not there.
+struct Channel {
+  Series series;
+  std::string topic;
+};
 
-// The measured force that has the stamp; to be asked for stamps that increase.
-ForceAt forceOfSameStamp(const Series& measured) {
-  return [&measured, j = std::size_t{0}](std::int64_t stamp) mutable -> std::optional<double> {
-    while (j < measured.stamp.size() && measured.stamp[j] < stamp) {
-      ++j;
-    }
-    const bool found = j < measured.stamp.size() && measured.stamp[j] == stamp;
-    return found ? std::optional<double>(measured.value[j]) : std::nullopt;
-  };
-}
-
-std::int64_t medianInterval(const Series& series) {
-  std::vector<std::int64_t> intervals;
-  for (std::size_t i = 1; i < series.stamp.size(); ++i) {
-    intervals.push_back(series.stamp[i] - series.stamp[i - 1]);
+// The options that read messages whose stamps are of no use, as far as they will read these.
+std::string cureOf(const Series& series, bool may_have_rate) {
+  std::vector<std::int64_t> steps;
+  for (std::size_t i = 1; i < series.receipt.size(); ++i) {
+    steps.push_back(series.receipt[i] - series.receipt[i - 1]);
   }
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
-}
-
-// The measured force between the two stamps around the one asked for, taken as linear; none across missing samples.
-ForceAt forceInBetween(const Series& measured) {
-  const std::int64_t longest = 3 * medianInterval(measured);
-  return [&measured, longest, j = std::size_t{0}](std::int64_t stamp) mutable -> std::optional<double> {
-    while (j + 2 < measured.stamp.size() && measured.stamp[j + 1] < stamp) {
-      ++j;
-    }
-    const std::int64_t before = measured.stamp[j];
-    const std::int64_t after = measured.stamp[j + 1];
-    if (stamp < before || stamp > after || after - before > longest) {
-      return std::nullopt;
-    }
-    const double share = static_cast<double>(stamp - before) / static_cast<double>(after - before);
-    return (1.0 - share) * measured.value[j] + share * measured.value[j + 1];
-  };
-}
-
-// A force of another clock or rate has no stamps, or only a few by chance, in common with the displacement.
-bool hasOwnClock(const Series& displacement, const Series& measured) {
-  std::size_t common = 0;
-  std::size_t i = 0;
-  for (const std::int64_t stamp : measured.stamp) {
-    while (i < displacement.stamp.size() && displacement.stamp[i] < stamp) {
-      ++i;
-    }
-    common += i < displacement.stamp.size() && displacement.stamp[i] == stamp ? 1 : 0;
+  const auto [shortest, longest] = std::minmax_element(steps.begin(), steps.end());
+  const double span = 1e-9 * static_cast<double>(series.receipt.back() - series.receipt.front());
+  const double rate = span > 0.0 ? static_cast<double>(steps.size()) / span : 0.0;
+  std::vector<std::string> cures;
+  if (*shortest > 0 && series.stamp != series.receipt) {
+    cures.push_back(fmt::format("--clock receipt ({:.4g} Hz, steps of {:.3g} to {:.3g} ms)", rate,
+                                1e-6 * static_cast<double>(*shortest), 1e-6 * static_cast<double>(*longest)));
   }
-  return measured.stamp.size() > 1 && 2 * common < measured.stamp.size();
+  if (may_have_rate) {
+    cures.push_back(rate > 0.0 ? fmt::format("--sampling-rate {:.4g}", rate) : "--sampling-rate and its value");
+  }
+  return cures.empty() ? "" : fmt::format("; accepted: stamps that increase, or {}", fmt::join(cures, ", or "));
 }
 
-// First sample and length of the longest stretch of displacements that all have a force; forces of it in `force`.
-std::size_t longestMatch(const Series& displacement, const ForceAt& force_at, std::vector<double>& force) {
-  std::size_t best_start = 0;
-  std::vector<double> current;
-  for (std::size_t i = 0; i < displacement.stamp.size(); ++i) {
-    if (const auto value = force_at(displacement.stamp[i])) {
-      current.push_back(*value);
-    } else {
-      current.clear();
-    }
-    if (current.size() > force.size()) {
-      force = current;
-      best_start = i + 1 - current.size();
+void keepOnly(Series& series, const std::vector<std::size_t>& places) {
+  Series kept;
+  for (const std::size_t i : places) {
+    kept.stamp.push_back(series.stamp[i]);
+    kept.receipt.push_back(series.receipt[i]);
+    kept.value.push_back(series.value[i]);
+  }
+  series = std::move(kept);
+}
+
+// Messages by their stamps: one that another has overtaken has its place, one without a stamp amid others has none.
+void orderByStamps(Channel& channel, const std::string& path, bool may_have_rate, std::vector<std::string>& notes) {
+  constexpr std::int64_t kReplay = 1000000000;  // back by more is a new replay, as in the node [ns]
+  Series& series = channel.series;
+  const std::size_t all = series.stamp.size();
+  if (all > 1 && std::all_of(series.stamp.begin(), series.stamp.end(), [](std::int64_t stamp) { return stamp == 0; })) {
+    throw log::LogError(fmt::format("{}: {}: header.stamp is 0 in each of {} messages: nobody filled it{}", path,
+                                    channel.topic, all, cureOf(series, may_have_rate)));
+  }
+  std::vector<std::size_t> stamped;
+  for (std::size_t i = 0; i < all; ++i) {
+    if (i == 0 || series.stamp[i] != 0) {
+      stamped.push_back(i);
     }
   }
-  return best_start;
+  if (stamped.size() < all) {
+    keepOnly(series, stamped);
+    notes.push_back(
+        fmt::format("{}: {} of {} messages have the stamp 0: left out", channel.topic, all - stamped.size(), all));
+  }
+  std::vector<std::size_t> order(series.stamp.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::size_t overtaken = 0;
+  std::int64_t latest = series.stamp.empty() ? 0 : series.stamp.front();
+  for (const std::int64_t stamp : series.stamp) {
+    overtaken += stamp < latest ? 1 : 0;
+    if (latest - stamp > kReplay) {
+      checkIncreasing(series, path, channel.topic, cureOf(series, may_have_rate));
+    }
+    latest = std::max(latest, stamp);
+  }
+  if (overtaken > 0) {
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return series.stamp[a] < series.stamp[b]; });
+    keepOnly(series, order);
+    notes.push_back(fmt::format("{}: {} of {} messages stand behind later ones: taken by their stamps", channel.topic,
+                                overtaken, series.stamp.size()));
+  }
+  checkIncreasing(series, path, channel.topic, cureOf(series, may_have_rate));
 }
 
-template <class Value>
-void keep(std::vector<Value>& values, std::size_t start, std::size_t count) {
-  const auto first = values.begin() + static_cast<std::ptrdiff_t>(start);
-  values = std::vector<Value>(first, first + static_cast<std::ptrdiff_t>(count));
-}
-
-void addMeasuredForce(const Series& displacement, const Series& measured, const std::string& topic, log::Log& log) {
-  const bool own_clock = hasOwnClock(displacement, measured);
-  const ForceAt force_at = own_clock ? forceInBetween(measured) : forceOfSameStamp(measured);
-  const std::size_t start = longestMatch(displacement, force_at, log.force);
-  const std::size_t count = log.force.size();
-  const char* what = own_clock ? "a force around their stamp" : "a force of the same stamp";
-  if (count == 0) {
-    log.notes.push_back(fmt::format("{}: {}: no displacement has {}; ignored", log.name, topic, what));
+// Stamps as the format asks for them.
+void setStamps(Channel& displacement, Channel& force, Channel& temperature, const std::string& path,
+               const log::LogFormat& format, std::vector<std::string>& notes) {
+  const std::size_t forces = force.series.stamp.size();
+  const bool paired = forces == 0 || forces == displacement.series.stamp.size();
+  if (format.rate) {
+    element::refuseIf<log::LogError>(!paired,
+                                     "{}: --sampling-rate: {} messages on {}, {} on {}; accepted: as many of each",
+                                     path, forces, force.topic, displacement.series.stamp.size(), displacement.topic);
+    for (Channel* channel : {&displacement, &force}) {
+      for (std::size_t i = 0; i < channel->series.stamp.size(); ++i) {
+        channel->series.stamp[i] = log::stampAtRate(i, *format.rate);
+      }
+    }
+    notes.push_back(fmt::format("the stamps are replaced by --sampling-rate {:g}{}", *format.rate,
+                                temperature.series.stamp.empty() ? "" : "; the temperature, without any, is left out"));
+    temperature.series = {};
     return;
   }
-  if (own_clock) {
-    log.notes.push_back(fmt::format(
-        "{}: {}: stamps of a clock or rate of its own; interpolated linearly to the displacement's", log.name, topic));
+  for (Channel* channel : {&displacement, &force, &temperature}) {
+    if (format.by_receipt) {
+      channel->series.stamp = channel->series.receipt;
+    }
+    if (!channel->series.stamp.empty()) {
+      orderByStamps(*channel, path, paired, notes);
+    }
   }
-  if (count < displacement.stamp.size()) {
-    log.notes.push_back(fmt::format("{}: {}: samples {} to {} of {} have {}; the others are left out", log.name, topic,
-                                    start + 1, start + count, displacement.stamp.size(), what));
-    keep(log.stamp, start, count);
-    keep(log.displacement, start, count);
+  if (format.by_receipt) {
+    notes.emplace_back("times are those of receipt");
+  }
+}
+
+log::Column columnOf(const Channel& channel) {
+  log::Column column;
+  column.index = channel.series.stamp.empty() ? log::Column::kNone : 0;
+  column.name = column.label = channel.topic;
+  return column;
+}
+
+// Both signals on the stamps of the displacement. A message without a number is none.
+void mergeSignals(const Channel& displacement, const Channel& force, log::LogFormat format, log::Log& log) {
+  log::Columns columns;
+  columns.displacement = columnOf(displacement);
+  columns.force = columnOf(force);
+  format.bridge = std::numeric_limits<double>::infinity();  // stamps tell of every gap
+  log::Signals signals(format, columns, "message");
+  const Series& z = displacement.series;
+  const Series& f = force.series;
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < z.stamp.size() || j < f.stamp.size()) {
+    const bool moves = i < z.stamp.size() && (j == f.stamp.size() || z.stamp[i] <= f.stamp[j]);
+    const bool pulls = j < f.stamp.size() && (!moves || f.stamp[j] == z.stamp[i]);
+    log::SignalRow row;
+    row.stamp = moves ? z.stamp[i] : f.stamp[j];
+    row.place = (moves ? i : j) + 1;
+    if (moves) {
+      row.value[log::kMotion] = z.value[i++];
+    }
+    if (pulls) {
+      row.faulty[log::kForce] = !std::isfinite(f.value[j]);
+      row.value[log::kForce] = row.faulty[log::kForce] ? log::kNotMeasured : f.value[j];
+      ++j;
+    }
+    signals.add(row, {}, log);
+  }
+  signals.finish(log);
+  for (std::string& note : signals.notes()) {
+    log.notes.push_back(std::move(note));
   }
 }
 
@@ -230,7 +293,6 @@ void addTemperature(const Series& measured, const std::string& topic, log::Log& 
   if (finite.stamp.empty()) {
     return;
   }
-  checkIncreasing(finite, log.name, topic);
   std::size_t j = 0;
   std::size_t early = 0;
   for (const std::int64_t stamp : log.stamp) {
@@ -246,19 +308,19 @@ void addTemperature(const Series& measured, const std::string& topic, log::Log& 
   }
 }
 
-// A series and its topic, for notes; an empty one is not there.
-struct Channel {
-  Series series;
-  std::string topic;
-};
-
-log::Log logOf(const std::string& path, const Series& displacement, const Channel& force, const Channel& temperature) {
+log::Log logOf(const std::string& path, Channel displacement, Channel force, Channel temperature,
+               const log::LogFormat& format) {
   log::Log log;
   log.name = log::logName(path);
-  log.stamp = displacement.stamp;
-  log.displacement = displacement.value;
-  if (!force.series.stamp.empty()) {
-    addMeasuredForce(displacement, force.series, force.topic, log);
+  for (const double value : displacement.series.value) {
+    element::refuseIf<log::LogError>(!std::isfinite(value), "{}: {}: {} is not finite; accepted: a finite number", path,
+                                     displacement.topic, value);
+  }
+  setStamps(displacement, force, temperature, path, format, log.notes);
+  try {
+    mergeSignals(displacement, force, format, log);
+  } catch (const std::runtime_error& error) {
+    throw log::LogError(fmt::format("{}: {}", path, error.what()));
   }
   addTemperature(temperature.series, temperature.topic, log);
   log::checkLog(log);
@@ -269,22 +331,21 @@ Channel temperatureOf(const rosbag::Bag& bag, const std::string& path, const std
   return {readTopic<sensor_msgs::Temperature>(bag, path, base + kTemperature), base + kTemperature};
 }
 
-log::Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std::string& component) {
+log::Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std::string& component,
+                     const log::LogFormat& format) {
   const std::string topic = topicOf(kDisplacement, bag, path, component);
-  const Series displacement = readTopic<Displacement>(bag, path, topic);
-  checkIncreasing(displacement, path, topic);
   const std::string base = topic.substr(0, topic.size() - std::string(kDisplacement).size());
   const std::string force_topic = base + kMeasuredForce;
-  const Series force = readTopic<MeasuredForce>(bag, path, force_topic);
-  checkIncreasing(force, path, force_topic);
-  return logOf(path, displacement, {force, force_topic}, temperatureOf(bag, path, base));
+  return logOf(path, {readTopic<Displacement>(bag, path, topic), topic},
+               {readTopic<MeasuredForce>(bag, path, force_topic), force_topic}, temperatureOf(bag, path, base), format);
 }
 
 using SixSeries = std::array<Series, component::kDirections>;
 
-void append(SixSeries& series, std::int64_t stamp, const std::array<double, component::kDirections>& values) {
+void append(SixSeries& series, const Times& times, const std::array<double, component::kDirections>& values) {
   for (std::size_t k = 0; k < values.size(); ++k) {
-    series[k].stamp.push_back(stamp);
+    series[k].stamp.push_back(times.stamp);
+    series[k].receipt.push_back(times.receipt);
     series[k].value.push_back(values[k]);
   }
 }
@@ -298,7 +359,7 @@ struct PoseSeries {
 PoseSeries readPoseTopic(const rosbag::Bag& bag, const std::string& path, const std::string& topic,
                          component::RotationMeasure measure) {
   PoseSeries poses;
-  readMessages<geometry_msgs::PoseStamped>(bag, path, topic, [&](std::int64_t stamp, const auto& message) {
+  readMessages<geometry_msgs::PoseStamped>(bag, path, topic, [&](const Times& times, const auto& message) {
     const auto& p = message.pose.position;
     const auto& q = message.pose.orientation;
     const Eigen::Quaterniond rotation(q.w, q.x, q.y, q.z);
@@ -308,7 +369,7 @@ PoseSeries readPoseTopic(const rosbag::Bag& bag, const std::string& path, const 
                                       component::PoseStream::kQuaternionTolerance));
     }
     const Eigen::Vector3d turn = component::coordinatesOf(measure, rotation.normalized()).value;
-    append(poses.coordinate, stamp, {p.x, p.y, p.z, turn.x(), turn.y(), turn.z()});
+    append(poses.coordinate, times, {p.x, p.y, p.z, turn.x(), turn.y(), turn.z()});
     poses.quaternion.push_back({q.w, q.x, q.y, q.z});
   });
   checkIncreasing(poses.coordinate[0], path, topic);
@@ -317,16 +378,16 @@ PoseSeries readPoseTopic(const rosbag::Bag& bag, const std::string& path, const 
 
 SixSeries readWrenchTopic(const rosbag::Bag& bag, const std::string& path, const std::string& topic) {
   SixSeries wrench;
-  readMessages<geometry_msgs::WrenchStamped>(bag, path, topic, [&](std::int64_t stamp, const auto& message) {
+  readMessages<geometry_msgs::WrenchStamped>(bag, path, topic, [&](const Times& times, const auto& message) {
     const auto& f = message.wrench.force;
     const auto& m = message.wrench.torque;
-    append(wrench, stamp, {f.x, f.y, f.z, m.x, m.y, m.z});
+    append(wrench, times, {f.x, f.y, f.z, m.x, m.y, m.z});
   });
   checkIncreasing(wrench[0], path, topic);
   return wrench;
 }
 
-// Each direction is matched as a log of its own; the stamps decide, so that all keep the same samples.
+// Each direction is matched as a log of its own; the stamps decide, so that all have their forces at the same samples.
 log::PoseLog readOpenPoses(const rosbag::Bag& bag, const std::string& path, const std::string& component,
                            component::RotationMeasure measure) {
   const std::string topic = topicOf(kPose, bag, path, component);
@@ -336,15 +397,14 @@ log::PoseLog readOpenPoses(const rosbag::Bag& bag, const std::string& path, cons
   log::PoseLog poses;
   for (std::size_t k = 0; k < component::kDirections; ++k) {
     const Series& coordinate = series.coordinate[k];
-    log::Log log = logOf(path, coordinate, {wrench[k], base + kMeasuredWrench},
-                         k == 0 ? temperatureOf(bag, path, base) : Channel());
+    log::Log log = logOf(path, {coordinate, topic}, {wrench[k], base + kMeasuredWrench},
+                         k == 0 ? temperatureOf(bag, path, base) : Channel(), {});
     poses.coordinate[k] = std::move(log.displacement);
     poses.wrench[k] = std::move(log.force);
     if (k == 0) {
-      const auto first = std::lower_bound(coordinate.stamp.begin(), coordinate.stamp.end(), log.stamp.front());
-      keep(series.quaternion, static_cast<std::size_t>(first - coordinate.stamp.begin()), log.size());
       poses.name = log.name;
       poses.stamp = std::move(log.stamp);
+      poses.counts = std::move(log.counts);
       poses.temperature = std::move(log.temperature);
       poses.notes = std::move(log.notes);
     }
@@ -366,7 +426,6 @@ Series namedSeries(const rosbag::Bag& bag, const std::string& path, const log::L
   for (double& value : series.value) {
     value = channel.factor * conversion(value);
   }
-  checkIncreasing(series, path, channel.column);
   return series;
 }
 
@@ -378,11 +437,12 @@ log::Log readNamedFields(const rosbag::Bag& bag, const std::string& path, const 
                         ": --columns of a bag; accepted: displacement=/TOPIC/FIELD and, where they are there, "
                         "force and temperature; time is that of the messages");
   }
-  const Series displacement = namedSeries(bag, path, format, log::Quantity::displacement);
-  const Channel force{namedSeries(bag, path, format, log::Quantity::force), force_field};
-  const Channel temperature{namedSeries(bag, path, format, log::Quantity::temperature), "temperature"};
-  log::Log log = logOf(path, displacement, force, temperature);
-  log.notes.insert(log.notes.begin(), "displacement from " + field(log::Quantity::displacement) +
+  const std::string displacement_field = field(log::Quantity::displacement);
+  log::Log log =
+      logOf(path, {namedSeries(bag, path, format, log::Quantity::displacement), displacement_field},
+            {namedSeries(bag, path, format, log::Quantity::force), force_field},
+            {namedSeries(bag, path, format, log::Quantity::temperature), field(log::Quantity::temperature)}, format);
+  log.notes.insert(log.notes.begin(), "displacement from " + displacement_field +
                                           (force_field.empty() ? "" : ", force from " + force_field));
   return log;
 }
@@ -421,7 +481,8 @@ auto ofBag(const std::string& path, Read read) {
 
 log::Log readBagLog(const std::string& path, const std::string& component, const log::LogFormat& format) {
   return ofBag(path, [&](const rosbag::Bag& bag) {
-    log::Log log = namesColumns(format) ? readNamedFields(bag, path, format) : readOpenBag(bag, path, component);
+    log::Log log =
+        namesColumns(format) ? readNamedFields(bag, path, format) : readOpenBag(bag, path, component, format);
     log.units = unitsOf(format);
     return log;
   });

@@ -14,11 +14,13 @@ namespace rubber_suspension::bag {
 
 /// Read displacement and, if recorded, measured force and temperature of one component from a bag: from topics that end
 /// in <component>/displacement, <component>/measured_force and <component>/temperature; with an empty name the bag's
-/// only component. Forces are matched by stamp; those whose stamps come from a clock of their own, which may drift
-/// against that of the displacement, or at another rate, are interpolated linearly, with a note. A bag in which only a
-/// part of the samples has a measured force gives the longest stretch in which all have one, with a note. Where the
-/// format names columns, they are fields of messages of any type (bag/message_field.h), in SI units or those of the
-/// format, and displacement is one of them. Throws LogError that names bag, topic, message and reason.
+/// only component. The stamps of the displacement are those of the log. Forces are matched by stamp: where one is
+/// missing, or comes at a lower rate, `counts` is 0; those of a clock of their own, which may drift against that of the
+/// displacement, are interpolated linearly, with a note. Messages are taken by their stamps, with a note where one
+/// overtook another. Stamps that do not increase are refused with the option that reads them: the format's rate in
+/// their place, or the time of receipt. Where the format names columns, they are fields of messages of any type
+/// (bag/message_field.h), in SI units or those of the format, and displacement is one of them. Throws LogError that
+/// names bag, topic, message and reason.
 log::Log readBagLog(const std::string& path, const std::string& component = "", const log::LogFormat& format = {});
 
 /// Read the poses of a component of six directions and, if recorded, measured wrenches and temperature: from topics

@@ -11,6 +11,7 @@
 
 #include "bag/bag_log.h"
 #include "bag/header_stamp.h"
+#include "log/samples.h"
 
 namespace rubber_suspension::bag {
 
@@ -101,7 +102,7 @@ void writeBagLog(const std::string& path, const std::string& component, const lo
   const std::int64_t shift = headerShift(log);
   for (std::size_t i = 0; i < log.size(); ++i) {
     writer.writeDisplacement(log.stamp[i] + shift, log.displacement[i]);
-    if (!log.force.empty()) {
+    if (!log.force.empty() && log::isCounted(log, i)) {
       writer.writeMeasuredForce(log.stamp[i] + shift, log.force[i]);
     }
     if (!log.temperature.empty() && (i == 0 || log.temperature[i] != log.temperature[i - 1])) {

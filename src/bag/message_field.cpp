@@ -299,7 +299,8 @@ Series readMessages(const rosbag::Bag& bag, const std::string& field) {
                       series.value.size() + 1));
     }
     series.value.push_back(*value);
-    series.stamp.push_back(has_header ? walk.headerStamp() : static_cast<std::int64_t>(instance.getTime().toNSec()));
+    series.receipt.push_back(static_cast<std::int64_t>(instance.getTime().toNSec()));
+    series.stamp.push_back(has_header ? walk.headerStamp() : series.receipt.back());
   }
   return series;
 }

@@ -13,7 +13,8 @@ namespace rubber_suspension::bag {
 
 /// Values over time.
 struct Series {
-  std::vector<std::int64_t> stamp;  // [ns]
+  std::vector<std::int64_t> stamp;    // [ns]
+  std::vector<std::int64_t> receipt;  // [ns]
   std::vector<double> value;
 };
 

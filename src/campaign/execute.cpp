@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <new>
 #include <stdexcept>
 
 #include "command/identify.h"
@@ -114,7 +117,7 @@ ordered_json replayValues(const log::Log& log, const gap::Replay& replay) {
                          {"force_rms_n", std::sqrt(squares / static_cast<double>(log.size()))},
                          {"work_j", work}};
   if (!log.force.empty()) {
-    values["gap"] = gap::relativeGap(log.force, replay.force);
+    values["gap"] = gap::relativeGap(log.force, replay.force, log.counts);
   }
   return values;
 }
@@ -130,6 +133,22 @@ std::map<std::string, std::uint64_t> filesIn(const std::string& folder) {
   return files;
 }
 
+bool tells(const std::exception& error, int code) {
+  return std::string(error.what()).find(std::strerror(code)) != std::string::npos;
+}
+
+// Throws again what the machine lacks, which says nothing of the job: memory, as std::bad_alloc, and room on the disk
+// or file descriptors. Writers and readers of many formats tell it in their text alone.
+void rethrowOfTheMachine(const std::exception& error) {
+  constexpr std::array kCodes = {ENOSPC, EDQUOT, EFBIG, EIO, EMFILE, ENFILE, ESTALE};
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr || tells(error, ENOMEM)) {
+    throw std::bad_alloc();
+  }
+  if (std::any_of(kCodes.begin(), kCodes.end(), [&](int code) { return tells(error, code); })) {
+    throw std::runtime_error(error.what());
+  }
+}
+
 // Keeps the logs and component files that it read last, because many jobs share them.
 class Executor {
  public:
@@ -142,6 +161,7 @@ class Executor {
     try {
       work(job, record);
     } catch (const std::exception& error) {
+      rethrowOfTheMachine(error);
       const std::string reason = log::oneLine(error.what());
       record = {};
       record.error = reason.empty() ? "failed without a reason" : reason;

@@ -381,14 +381,16 @@ BadInputs::BadInputs(const std::vector<std::string>& problems)
     : std::runtime_error(log::join(distinctLines(problems))), problems_(distinctLines(problems)) {}
 
 std::string readingKey(const JobOptions& options) {
-  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", log::join(options.columns), options.unit, options.sampling_rate,
-                     options.decimal, options.segment, options.bridge, options.accept_units);
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", log::join(options.columns), options.unit,
+                     options.sampling_rate, options.decimal, options.segment, options.bridge, options.sentinel,
+                     options.clock, options.accept_units, options.large);
 }
 
 log::LogFormat logFormat(const JobOptions& options) {
   log::LogFormat format = log::makeLogFormat(options.columns, options.unit, options.sampling_rate, options.decimal,
-                                             options.segment, options.bridge);
+                                             options.segment, options.bridge, options.sentinel, options.clock);
   format.accept_units = options.accept_units;
+  format.large = options.large;
   return format;
 }
 

@@ -43,7 +43,10 @@ struct JobOptions {
   std::string decimal;                     ///< as --decimal
   std::string segment;                     ///< as --segment
   double bridge = -1.0;                    ///< as --bridge [s]; less than 0: not given
+  std::string sentinel;                    ///< as --sentinel
+  std::string clock;                       ///< as --clock
   bool accept_units = false;               ///< as --accept-units
+  bool large = false;                      ///< as --large
   std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
   std::vector<std::string> exclude;        ///< as --exclude, of diagnose
   std::vector<std::string> hold;           ///< as --hold, of estimate
@@ -60,7 +63,10 @@ void forEachOption(Visit visit) {
   visit("decimal", &JobOptions::decimal);
   visit("segment", &JobOptions::segment);
   visit("bridge", &JobOptions::bridge);
+  visit("sentinel", &JobOptions::sentinel);
+  visit("clock", &JobOptions::clock);
   visit("accept_units", &JobOptions::accept_units);
+  visit("large", &JobOptions::large);
   visit("rig", &JobOptions::rig);
   visit("exclude", &JobOptions::exclude);
   visit("hold", &JobOptions::hold);

@@ -13,6 +13,7 @@
 #include "campaign/manifest.h"
 #include "element/refuse.h"
 #include "io/output_files.h"
+#include "io/sha256.h"
 #include "log/new_file.h"
 
 namespace rubber_suspension::campaign {
@@ -20,7 +21,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* const kRecordSchema = "rubber_suspension/job_record/2";
+const char* const kRecordSchema = "rubber_suspension/job_record/3";
 
 ordered_json findingsJson(const Findings& findings) {
   ordered_json json = {{"effects", findings.effects}, {"changes", findings.changes}};
@@ -50,6 +51,37 @@ ordered_json recordJson(const Record& record) {
           {"evidence", findingsJson(record.findings)},
           {"files", record.files},
           {"seconds", record.seconds}};
+}
+
+const std::string kDigestKey = ",\"sha256\":\"";
+
+// The text of a record as it is written: its last member is the digest of all before.
+std::string withDigest(std::string text) {
+  const std::string digest = io::sha256(text);
+  text.pop_back();
+  return text + kDigestKey + digest + "\"}\n";
+}
+
+bool holdsItsDigest(const std::string& text) {
+  const std::size_t at = text.rfind(kDigestKey);
+  return at != std::string::npos && withDigest(text.substr(0, at) + "}") == text;
+}
+
+// What stands where a record should and is no regular file; nothing where there is nothing.
+std::string otherKind(const std::string& path) {
+  std::error_code unknown;  // reading it says why
+  switch (std::filesystem::status(path, unknown).type()) {
+    case std::filesystem::file_type::directory:
+      return "a folder";
+    case std::filesystem::file_type::fifo:
+      return "a pipe";
+    case std::filesystem::file_type::character:
+    case std::filesystem::file_type::block:
+    case std::filesystem::file_type::socket:
+      return "a device or socket";
+    default:
+      return "";
+  }
 }
 
 // Copies of JSON call themselves for each level.
@@ -103,12 +135,18 @@ std::string reportPath(const Record& record) {
 void writeRecord(const Record& record, const std::string& folder) {
   const std::string path = recordPath(folder, record.id);
   io::makeFolder(std::filesystem::path(path).parent_path());
+  if (!otherKind(path).empty()) {
+    std::filesystem::rename(path, path + ".no_record");
+  }
   // An error may quote a file's bytes, which need not be UTF-8.
-  log::writeNewFile(path, recordJson(record).dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  log::writeNewFile(path, withDigest(recordJson(record).dump(-1, ' ', false, ordered_json::error_handler_t::replace)));
 }
 
 FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version, bool files) {
   const std::string path = recordPath(folder, id);
+  if (const std::string kind = otherKind(path); !kind.empty()) {  // a pipe would have its reader wait
+    return {std::nullopt, path + ": is " + kind + ", not a record"};
+  }
   std::ifstream file(path, std::ios::binary);
   if (!file) {
     return {std::nullopt, errno == ENOENT ? "" : path + ": cannot be read"};
@@ -118,6 +156,7 @@ FoundRecord findRecord(const std::string& folder, const std::string& id, const s
     Record record = recordFromJson(parsedShallow(text));
     element::refuseIf<std::runtime_error>(record.id != id, "the record of another job");
     element::refuseIf<std::runtime_error>(record.version != version, "of version {}, not {}", record.version, version);
+    element::refuseIf<std::runtime_error>(!holdsItsDigest(text), "was changed since it was written");
     if (files) {
       requireFiles(folder, record);
     }

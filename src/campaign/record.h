@@ -36,13 +36,14 @@ struct Record {
 std::string reportPath(const Record& record);
 
 /// Write it beside, on the disk, and give it its name: it is there completely or not at all. The files that it names
-/// have to be there already. Throws std::runtime_error.
+/// have to be there already. A folder or pipe in its place is given another name (.no_record). Throws
+/// std::runtime_error.
 void writeRecord(const Record& record, const std::string& folder);
 
 /// What stands where the record of a job should; nothing of both where there is none.
 struct FoundRecord {
   std::optional<Record> record;  ///< of this job, and all files of its report are there
-  std::string problem;           ///< of one that is cut off, of another version or job, or with a damaged report
+  std::string problem;  ///< of one that is cut off or changed, of another version or job, or with a damaged report
 };
 
 /// Read and check it; `files` says whether those of its report are looked for, too.

@@ -83,6 +83,7 @@ std::vector<std::size_t> jobsToDo(const Manifest& manifest, const std::string& f
     const FoundRecord found = findRecord(folder, manifest.jobs[distinct[place]].id, manifest.version);
     if (found.record && !(options.retry_failed && found.record->failed())) {
       ++summary.passed_over;
+      summary.failed_before += found.record->failed() ? 1 : 0;
       continue;
     }
     if (!found.problem.empty()) {
@@ -144,6 +145,12 @@ RunSummary run(const std::string& folder, const std::string& version, const RunO
     progress.advance();
     writeRecord({manifest.jobs[job].id, manifest.version, reason}, folder);
     failed(job, reason);
+  };
+  callbacks.left = [&](std::size_t job, const std::string& reason) {
+    progress.advance();
+    ++summary.not_done;
+    progress.clear();
+    say(fmt::format("{}: not done: {}; the next run tries it again", nameOf(manifest.jobs[job]), reason));
   };
   callbacks.tick = [&](const std::vector<std::size_t>& running) {
     heartbeat.beat(manifest, running);

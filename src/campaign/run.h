@@ -35,14 +35,17 @@ struct RunOptions {
 struct RunSummary {
   std::size_t done = 0;
   std::size_t failed = 0;
-  std::size_t passed_over = 0;  ///< that were done or failed before
+  std::size_t passed_over = 0;    ///< that were done or failed before
+  std::size_t failed_before = 0;  ///< of those passed over
+  std::size_t not_done = 0;       ///< for lack of memory, or killed from outside; the next run tries them again
   bool interrupted = false;
 };
 
 /// Receives each line for the user: broken records that are done again, failed jobs, and now and then the progress.
 using Say = std::function<void(const std::string& line)>;
 
-/// Throws std::runtime_error where the manifest is of another version than `version`, or nothing can be written.
+/// Throws std::runtime_error where the manifest is of another version than `version`, or nothing can be written: a full
+/// disk ends the run, and the next one continues.
 RunSummary run(const std::string& folder, const std::string& version, const RunOptions& options,
                const LogReader& read_log, const Say& say);
 

@@ -18,6 +18,7 @@
 #include <cstring>
 #include <list>
 #include <map>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -39,7 +40,7 @@ class SharedArray {
 };
 
 // The state of a job: one of these, or the number of the worker that has it, from 1.
-enum State { kDied = -3, kFailed = -2, kDone = -1, kWaiting = 0 };
+enum State { kLeft = -4, kDied = -3, kFailed = -2, kDone = -1, kWaiting = 0 };
 using AtomicState = std::atomic<int>;
 static_assert(AtomicState::is_always_lock_free, "processes share no lock");
 
@@ -174,11 +175,19 @@ class Pool {
       for (std::size_t place = 0; place < jobs_.size(); ++place) {
         int waiting = kWaiting;
         if (states_[place].compare_exchange_strong(waiting, number)) {
-          states_[place] = work(jobs_[place]) ? kDone : kFailed;
+          states_[place] = endOf(work, jobs_[place]);
         }
       }
     } catch (const std::exception& error) {
       std::string(error.what()).copy(&exception_[0], kMostBytes - 1);
+    }
+  }
+
+  static State endOf(const std::function<bool(std::size_t)>& work, std::size_t job) {
+    try {
+      return work(job) ? kDone : kFailed;
+    } catch (const std::bad_alloc&) {
+      return kLeft;
     }
   }
 
@@ -207,13 +216,15 @@ class Pool {
   // Its worker died.
   void bury(std::size_t place, int status) {
     const bool overdue = overdue_.count(place) != 0;
-    if (!overdue && isFromOutside(status) && killed_.insert(place).second) {
+    const bool outside = !overdue && isFromOutside(status);
+    if (outside && killed_.insert(place).second) {
       begun_.erase(place);
       states_[place] = kWaiting;
       return;
     }
     states_[place] = kDied;
-    callbacks_.died(jobs_[place], overdue ? limitText() : describe(status));
+    const auto& tell = outside ? callbacks_.left : callbacks_.died;
+    tell(jobs_[place], overdue ? limitText() : describe(status));
   }
 
   // Tells what has come to its end, and ends what takes too long: its silence is heard when it is gone, for a process
@@ -231,7 +242,9 @@ class Pool {
         }
         ++place;
       } else {
-        if (state != kDied) {
+        if (state == kLeft) {
+          callbacks_.left(jobs_[*place], "there was no memory for it");
+        } else if (state != kDied) {
           callbacks_.finished(jobs_[*place], state == kDone);
         }
         begun_.erase(*place);

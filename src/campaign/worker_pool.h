@@ -15,13 +15,16 @@ namespace rubber_suspension::campaign {
 
 struct PoolCallbacks {
   /// In a worker process, once after the fork: gives what works off a job and returns true where it is done, false
-  /// where it failed; what it has to say it writes to files. An exception ends the run, told as `error`.
+  /// where it failed; what it has to say it writes to files. std::bad_alloc leaves the job undone; any other exception
+  /// ends the run, told as `error`.
   std::function<std::function<bool(std::size_t job)>()> start_worker;
   /// In this process: a job is done, or has failed, as the worker said.
   std::function<void(std::size_t job, bool done)> finished;
   /// In this process: a worker died of a job, or was ended at its limit of time. `reason` says how, "the process
   /// died of signal 11 (Segmentation fault)".
   std::function<void(std::size_t job, const std::string& reason)> died;
+  /// In this process: a job was left undone, for what the machine lacks or did.
+  std::function<void(std::size_t job, const std::string& reason)> left;
   /// In this process, at least once a second, with the jobs that are being worked on.
   std::function<void(const std::vector<std::size_t>& running)> tick;
 };
@@ -33,7 +36,7 @@ enum class PoolEnd {
 
 /// Work off these jobs in their order with so many processes. To be called where this process has no other thread. A
 /// worker killed from outside (SIGKILL, SIGTERM, ...) speaks against its machine, not against the job, which is tried
-/// once more; killed twice, it counts as died of it (memory, most likely).
+/// once more; killed twice (memory, most likely), it is left undone.
 ///
 /// A job that takes longer than `longest` [s] is ended with its worker and counts as died of it, at once; 0: there is
 /// no limit. Time in which this process itself did not run (suspended with its workers, as a cluster does for more

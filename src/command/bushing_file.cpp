@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "command/spring_and_dashpot.h"
 #include "command/sweep_values.h"
 #include "element/refuse.h"
 #include "rubber_suspension/element/constants.h"
@@ -278,7 +279,8 @@ BushingFile makeBushingFile(const std::string& name, const Bushing& bushing, con
   const std::vector<Direction> directions = directionsOf(bushing, options);
   const std::string blocks =
       options.format == BushingFormat::adams ? adamsBlocks(directions) : altairBlocks(directions, bushing);
-  return {"$ " + name + ", by rubber_suspension\n" + blocks, notesOn(directions, bushing, options)};
+  const std::vector<std::string> notes = notesOn(directions, bushing, options);
+  return {"$ " + name + ", by rubber_suspension\n" + asComments(notes, "$") + blocks, notes};
 }
 
 }  // namespace rubber_suspension::command

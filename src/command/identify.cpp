@@ -221,8 +221,7 @@ void checkBenchOf(const io::ComponentDescription& description, const RecordsOfLo
 fit::Identification identifyFromLogs(const io::ComponentDescription& description, const std::vector<log::Log>& logs,
                                      fit::IdentificationOptions options) {
   for (const log::Log& log : logs) {
-    element::refuseIf<log::LogError>(log.force.size() != log.size(),
-                                     "{}: has no measured force, which is needed to find parameters", log.name);
+    log::requireForce(log);
   }
   const component::Component component = description.makeComponent();
   for (const log::Log& log : logs) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -15,9 +14,11 @@
 #include "element/refuse.h"
 #include "log/column_name.h"
 #include "log/csv_dialect.h"
+#include "log/log_columns.h"
 #include "log/number_marks.h"
 #include "log/sample_rules.h"
 #include "log/text.h"
+#include "log/text_source.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/log/units.h"
 
@@ -59,7 +60,8 @@ const std::vector<TableQuantity>& tableQuantities() {
       {"amplitude",
        "m",
        1.0,
-       {"amplitude", "disp amp", "displacement amplitude", "dynamic amplitude", "wegamplitude", "amp", "a"}},
+       {"amplitude", "disp amp", "displacement amplitude", "dynamic amplitude", "dyn amp", "wegamplitude", "amp",
+        "ampl", "a"}},
       {"peak to peak",
        "m",
        0.5,
@@ -67,7 +69,9 @@ const std::vector<TableQuantity>& tableQuantities() {
       {"stiffness",
        "N/m",
        1.0,
-       {"stiffness", "dynamic stiffness", "steifigkeit", "dynamische steifigkeit", "k*", "|k*|", "kdyn", "k_dyn"}},
+       {"stiffness", "dynamic stiffness", "steifigkeit", "dynamische steifigkeit", "k*", "|k*|", "kdyn", "k_dyn",
+        "stiffness level", "dynamic stiffness level", "transfer stiffness level", "dynamic transfer stiffness level",
+        "dynamic transfer stiffness"}},
       {"loss angle",
        "rad",
        1.0,
@@ -78,17 +82,45 @@ const std::vector<TableQuantity>& tableQuantities() {
        {"tan delta", "tan d", "tandelta", "tan_delta", "tan \u03b4", "loss factor", "verlustfaktor"}},
       {"storage stiffness", "N/m", 1.0, {"storage stiffness", "k'", "speichersteifigkeit"}},
       {"loss stiffness", "N/m", 1.0, {"loss stiffness", "k''", "k\"", "verluststeifigkeit"}},
-      {"damping", "N s/m", 1.0, {"damping", "damping constant", "damping coefficient", "d\u00e4mpfung"}},
+      {"damping", "N s/m", 1.0, {"damping", "damping constant", "damping coefficient", "damping c", "d\u00e4mpfung"}},
       {"preload", "N", 1.0, {"preload", "mean load", "vorlast"}},
       {"mean displacement", "m", 1.0, {"mean displacement", "mittelweg"}},
       {"temperature", "degC", 1.0, {"temperature", "temperatur"}}};
   return table;
 }
 
+// How laboratories write what an amplitude is, behind its name or its unit: times, to the amplitude of a sine.
+struct AmplitudeWord {
+  const char* word;
+  double factor;
+};
+
+constexpr AmplitudeWord kAmplitudeWords[] = {{"peak-to-peak", 0.5},
+                                             {"peak to peak", 0.5},
+                                             {"p-p", 0.5},
+                                             {"pk-pk", 0.5},
+                                             {"p2p", 0.5},
+                                             {"pp", 0.5},
+                                             {"rms", 1.4142135623730951},
+                                             {"eff", 1.4142135623730951},
+                                             {"0-p", 1.0},
+                                             {"0-pk", 1.0},
+                                             {"zero-peak", 1.0},
+                                             {"peak", 1.0},
+                                             {"pk", 1.0},
+                                             {"\u00b1", 1.0},
+                                             {"+/-", 1.0}};
+
 // A column that is used: which quantity, and how to make it SI.
 struct TableColumn {
   std::size_t quantity;
   log::UnitConversion conversion;
+  double factor = 1.0;
+  double level = 0.0;  // in dB re this [SI]; 0: no level
+
+  double toSi(double number) const {
+    return level > 0.0 ? level * std::pow(10.0, number / 20.0) : factor * conversion(number);
+  }
 };
 
 // Of a material, which is a stiffness once the shape is known.
@@ -107,7 +139,7 @@ class TableReader {
 
   fit::MeasuredTable read(const std::string& text) {
     try {
-      std::istringstream stream(log::toUtf8(text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? text.substr(3) : text));
+      std::istringstream stream(log::toUtf8(text));
       for (std::string line; std::getline(stream, line);) {
         ++line_;
         if (!line.empty() && line.back() == '\r') {
@@ -148,6 +180,7 @@ class TableReader {
     std::vector<log::Field> fields;
     log::splitFields(line, separator_, fields);
     names_ = element::each(fields, [](const log::Field& field) { return std::string(field.text); });
+    refuseMatrix();
     columns_ = element::each(names_, [&](const std::string& name) { return columnOf(name); });
     for (std::size_t i = 0; i < tableQuantities().size(); ++i) {
       refuseIf(countOf(i) > 1, "{}: stands twice; accepted: one column", tableQuantities()[i].name);
@@ -164,6 +197,24 @@ class TableReader {
     }
   }
 
+  // Stiffness over frequency, in rows, and amplitude, in columns.
+  void refuseMatrix() const {
+    const auto is_amplitude = [](const std::string& name) {
+      std::string point = name;
+      std::replace(point.begin(), point.end(), ',', '.');
+      try {
+        return !log::parseNumber(point) && log::parseQuantity(point, "m") > 0.0;
+      } catch (const std::invalid_argument&) {
+        return false;
+      }
+    };
+    refuseIf(
+        names_.size() > 2 && std::all_of(names_.begin() + 1, names_.end(), is_amplitude),
+        "{} over amplitudes {} to {}: a matrix, which lacks the loss angle; accepted: a row for each frequency and "
+        "amplitude, with the columns frequency, amplitude, stiffness, loss angle",
+        log::quoted(names_.front()), log::quoted(names_[1]), log::quoted(names_.back()));
+  }
+
   std::ptrdiff_t countOf(std::size_t quantity) const {
     return std::count_if(columns_.begin(), columns_.end(),
                          [&](const auto& column) { return column && column->quantity == quantity; });
@@ -174,8 +225,11 @@ class TableReader {
   void require(bool there, std::size_t quantity, const std::string& others) const {
     const TableQuantity& row = tableQuantities()[quantity];
     const auto of_material = element::those(names_, [](const auto& name) { return isOfMaterial(bareOf(name)); });
-    refuseIf(!there, "{}: missing; accepted: one column, with a unit such as '{} [{}]'{}{}", row.name, row.name,
+    const auto others_there =
+        element::those(names_, [&](const auto& name) { return !columnOf(name) && !isOfMaterial(bareOf(name)); });
+    refuseIf(!there, "{}: missing; accepted: one column, with a unit such as '{} [{}]'{}{}{}", row.name, row.name,
              row.unit, others,
+             others_there.empty() ? "" : "; not understood: " + element::joined(others_there, ", ", log::quoted),
              of_material.empty() ? ""
                                  : element::joined(of_material, ", ", log::quoted).insert(0, "; ") +
                                        ": of a material, which is a stiffness and a displacement once the shape (area, "
@@ -186,16 +240,78 @@ class TableReader {
 
   // "Loss angle [deg]", "stiffness_N_per_m", "tan delta"; nothing for another column.
   std::optional<TableColumn> columnOf(const std::string& text) const {
-    const log::ColumnName name = log::parseColumnName(text);
+    const log::ColumnName name = withUnitOfPairs(log::parseColumnName(text));
+    if (auto amplitude = amplitudeOf(text, name)) {
+      return amplitude;
+    }
     for (std::size_t i = 0; i < tableQuantities().size(); ++i) {
-      for (const std::string& word : tableQuantities()[i].words) {
+      const TableQuantity& quantity = tableQuantities()[i];
+      for (const std::string& word : quantity.words) {
         const std::string unit = unitBehind(text, name, word);
         if (!unit.empty()) {
-          return TableColumn{i, conversionOf(text, unit, tableQuantities()[i].unit)};
+          return log::startsWith(log::lowerCase(unit), "db re ")
+                     ? TableColumn{i, {quantity.unit, quantity.unit}, 1.0, levelOf(text, unit, quantity)}
+                     : TableColumn{i, conversionOf(text, unit, quantity.unit)};
         }
       }
     }
     return std::nullopt;
+  }
+
+  // "Amplitude RMS [mm]", "Dyn Amp (mm p-p)", "Amplitude (\u00b1mm)".
+  std::optional<TableColumn> amplitudeOf(const std::string& text, log::ColumnName name) const {
+    if (name.unit.empty() && name.text.find_first_of("([") != std::string::npos) {
+      const std::size_t open = name.text.find_last_of("([");
+      name.bare = log::trimmed(name.text.substr(0, open));
+      name.unit = log::trimmed(name.text.substr(open + 1, name.text.find_last_of(")]") - open - 1));
+    }
+    for (const AmplitudeWord& word : kAmplitudeWords) {
+      std::string bare = log::lowerCase(name.bare);
+      std::string unit = name.unit;
+      if (!takeWord(bare, word.word) && !takeWord(unit, word.word)) {
+        continue;
+      }
+      const auto& words = tableQuantities()[kAmplitude].words;
+      if (std::find(words.begin(), words.end(), bare) != words.end() && !unit.empty()) {
+        return TableColumn{kAmplitude, conversionOf(text, unit, "m"), word.factor};
+      }
+    }
+    return std::nullopt;
+  }
+
+  // The text without a word at its end or its beginning; false where it has none.
+  static bool takeWord(std::string& text, const std::string& word) {
+    const std::string lower = log::lowerCase(text);
+    const bool behind = log::endsWith(lower, word);
+    if (!behind && !log::startsWith(lower, word)) {
+      return false;
+    }
+    const std::string rest = behind ? text.substr(0, text.size() - word.size()) : text.substr(word.size());
+    constexpr const char* kBetween = " _-,";
+    const std::size_t first = rest.find_first_not_of(kBetween);
+    text = first == std::string::npos ? "" : rest.substr(first, rest.find_last_not_of(kBetween) - first + 1);
+    return true;
+  }
+
+  // "N-s/mm" as "N s/mm".
+  static log::ColumnName withUnitOfPairs(log::ColumnName name) {
+    const std::size_t open = name.text.find_last_of("([");
+    const std::size_t dash = name.text.find("-s/", open == std::string::npos ? 0 : open);
+    if (open == std::string::npos || dash == std::string::npos) {
+      return name;
+    }
+    std::string text = name.text;
+    return log::parseColumnName(text.replace(dash, 1, " "));
+  }
+
+  double levelOf(const std::string& text, const std::string& unit, const TableQuantity& quantity) const {
+    constexpr std::size_t kBefore = 6;  // "dB re "
+    try {
+      return log::parseQuantity(unit.substr(kBefore), quantity.unit);
+    } catch (const std::invalid_argument& error) {
+      refuse(fmt::format("column {}: {}; accepted: a level such as dB re 1 {}", log::quoted(text), error.what(),
+                         quantity.unit));
+    }
   }
 
   log::UnitConversion conversionOf(const std::string& text, const std::string& unit, const std::string& si) const {
@@ -217,6 +333,10 @@ class TableReader {
     }
     if (lower == joined || lower == word + " [-]") {
       return ratio;
+    }
+    const std::size_t open = lower.find_last_of("([");  // a unit that no library knows
+    if (open != std::string::npos && log::trimmed(lower.substr(0, open)) == word) {
+      return log::trimmed(text.substr(open + 1, text.find_last_of(")]") - open - 1));
     }
     if (joined.size() < 3) {
       return "";
@@ -240,7 +360,7 @@ class TableReader {
         refuseIf(!number, "{}: {} is no number", tableQuantities()[quantity].name,
                  log::quoted(std::string(fields[i].text)));
         marks_->see(*number, i);
-        values[quantity] = tableQuantities()[quantity].to_ours * columns_[i]->conversion(*number);
+        values[quantity] = tableQuantities()[quantity].to_ours * columns_[i]->toSi(*number);
       }
     }
     checkPreload(values);
@@ -318,8 +438,8 @@ fit::MeasuredTable parseTable(const std::string& text, const std::string& source
 
 fit::MeasuredTable readTable(const std::string& path) {
   try {
-    fit::MeasuredTable table = parseTable(log::readFile(path, kLargestFile), path);
-    table.name = log::oneLine(std::filesystem::path(path).stem().string());
+    fit::MeasuredTable table = parseTable(log::readText(path, kLargestFile), path);
+    table.name = log::logName(path);
     return table;
   } catch (const std::runtime_error& error) {
     const std::string reason = error.what();

@@ -10,6 +10,7 @@
 #include <streambuf>
 
 #include "command_line/parse.h"
+#include "element/largest_number.h"
 #include "element/refuse.h"
 #include "io/output_files.h"
 #include "log/text.h"
@@ -18,8 +19,8 @@
 namespace rubber_suspension::command_line {
 namespace {
 
-std::string accepted(const Quantity& quantity, const std::string& unit) {
-  return quantity.accepted.empty() ? element::describe(quantity.range) + " " + unit : quantity.accepted;
+std::string accepted(const Quantity& quantity, const std::string& unit, double value = 0.0) {
+  return quantity.accepted.empty() ? element::acceptedFor(value, quantity.range) + " " + unit : quantity.accepted;
 }
 
 // A bound of 0 is the same in the unit that the user wrote.
@@ -156,7 +157,7 @@ double quantityOf(const std::string& option, const std::string& text, const Quan
   }
   if (!quantity.range.contains(value)) {
     throw UsageError(fmt::format("{}: {} is out of range; accepted: {}", option, log::quoted(text),
-                                 accepted(quantity, unitForRange(text, quantity))));
+                                 accepted(quantity, unitForRange(text, quantity), value)));
   }
   return value;
 }
@@ -175,7 +176,9 @@ int runCommand(int argc, char** argv, const Command& command, const OptionTable&
     printError(command.name, error.what());
     return kWrongUsage;
   } catch (const std::bad_alloc&) {
-    printError(command.name, "out of memory; accepted: less to do at once, such as shorter logs or fewer --threads");
+    printError(command.name,
+               "out of memory; accepted: less to do at once, such as shorter logs or fewer --threads, or "
+               "a larger limit (ulimit -v)");
     return kFailed;
   } catch (const std::exception& error) {
     printError(command.name, error.what());

@@ -32,7 +32,15 @@ OptionTable LogOptions::table() {
       Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",
              "longest time without a number that is passed over; 0.5 by itself, where 99 of 100 rows have their "
              "numbers")
-          .rare()};
+          .rare(),
+      Option("--sentinel", sentinel_, "NUMBER",
+             "number of the file that stands for no measurement, or none where each number is one; by itself, what "
+             "repeats far beyond all others")
+          .rare(),
+      Option("--clock", clock_, "CLOCK",
+             "times of the messages of a bag: header, that of their stamps, or receipt, where nobody filled these")
+          .rare(),
+      Option("--large", large_, "read a packed file that unpacks to more than a hundred times its size").rare()};
 }
 
 Option LogOptions::acceptUnits() {
@@ -43,16 +51,17 @@ Option LogOptions::acceptUnits() {
 }
 
 const std::vector<std::string>& LogOptions::names() {
-  static const std::vector<std::string> all = {"--columns", "--unit",    "--sampling-rate",
-                                               "--decimal", "--segment", "--bridge"};
+  static const std::vector<std::string> all = {"--columns", "--unit",     "--sampling-rate", "--decimal", "--segment",
+                                               "--bridge",  "--sentinel", "--clock",         "--large"};
   return all;
 }
 
 void LogOptions::requireUse(const std::vector<std::string>& paths) const {
-  const bool of_text = sampling_rate_ > 0.0 || !decimal_.empty() || !segment_.empty() || bridge_ >= 0.0;
-  element::refuseIf<UsageError>(
-      of_text && std::all_of(paths.begin(), paths.end(), bag::isBagPath),
-      "--sampling-rate, --decimal, --segment and --bridge have no effect on a bag; accepted: without them");
+  const bool of_text = !decimal_.empty() || !segment_.empty() || bridge_ >= 0.0;
+  element::refuseIf<UsageError>(of_text && std::all_of(paths.begin(), paths.end(), bag::isBagPath),
+                                "--decimal, --segment and --bridge have no effect on a bag; accepted: without them");
+  element::refuseIf<UsageError>(!clock_.empty() && std::none_of(paths.begin(), paths.end(), bag::isBagPath),
+                                "--clock has no effect on anything but a bag; accepted: without it");
 }
 
 log::Log LogOptions::read(const std::string& command, const std::string& path, const std::string& component) const {
@@ -64,8 +73,9 @@ log::Log LogOptions::read(const std::string& command, const std::string& path, c
 log::PoseLog LogOptions::readPoses(const std::string& command, const std::string& path, const std::string& component,
                                    component::RotationMeasure measure) const {
   const bool is_bag = bag::isBagPath(path);
-  element::refuseIf<UsageError>(is_bag && !(columns_.empty() && unit_.empty()),
-                                "--columns and --unit have no effect on a bag of poses; accepted: without them");
+  element::refuseIf<UsageError>(
+      is_bag && !(columns_.empty() && unit_.empty() && clock_.empty() && sampling_rate_ == 0.0),
+      "--columns, --unit, --clock and --sampling-rate have no effect on a bag of poses; accepted: without them");
   log::PoseLog log = during("reading " + path, [&] {
     return is_bag ? bag::readBagPoses(path, component, measure) : log::readPoseLog(path, format());
   });
@@ -92,9 +102,10 @@ void LogOptions::printNotes(const std::string& command, const std::string& path,
 log::LogFormat LogOptions::format() const {
   log::LogFormat format = asUsage("", [&] {
     return log::makeLogFormat(columns_, fmt::format("{}", fmt::join(unit_, " ")), sampling_rate_, decimal_, segment_,
-                              bridge_);
+                              bridge_, sentinel_, clock_);
   });
   format.accept_units = accept_units_;
+  format.large = large_;
   return format;
 }
 

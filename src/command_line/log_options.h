@@ -15,7 +15,7 @@ namespace rubber_suspension::command_line {
 
 class LogOptions {
  public:
-  /// --columns, --unit, --sampling-rate, --decimal, --segment and --bridge.
+  /// --columns, --unit, --sampling-rate, --decimal, --segment, --bridge, --sentinel and --clock.
   OptionTable table();
 
   /// --accept-units, of the commands that hold logs against a component.
@@ -53,7 +53,10 @@ class LogOptions {
   std::string decimal_;
   std::string segment_;
   double bridge_ = -1.0;  // [s]; less than 0: not given
+  std::string sentinel_;
+  std::string clock_;
   bool accept_units_ = false;
+  bool large_ = false;
 };
 
 }  // namespace rubber_suspension::command_line

@@ -7,12 +7,19 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "element/largest_number.h"
+
 namespace rubber_suspension::element {
 
 bool Range::contains(double value) const {
   const bool above = open_lower ? value > lower : value >= lower;
   const bool below = open_upper ? value < upper : value <= upper;
-  return std::isfinite(value) && above && below;
+  return std::abs(value) <= kLargestNumber && above && below;
+}
+
+std::string acceptedFor(double value, const Range& range) {
+  return std::abs(value) > kLargestNumber ? fmt::format("{}, at most {:g} in size", describe(range), kLargestNumber)
+                                          : describe(range);
 }
 
 std::string describe(const Range& range) {

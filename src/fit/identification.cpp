@@ -16,6 +16,7 @@
 #include "fit/residual_covariance.h"
 #include "fit/variable_projection.h"
 #include "log/even_blocks.h"
+#include "log/samples.h"
 #include "numerics/gram.h"
 #include "numerics/median.h"
 #include "numerics/symmetric.h"
@@ -27,7 +28,8 @@ namespace {
 
 using element::refuseIf;
 
-constexpr double kTail = 0.025;  // on either side of a 95 % interval
+constexpr std::size_t kFewestCompared = 50;  // samples
+constexpr double kTail = 0.025;              // on either side of a 95 % interval
 constexpr double kDeadBandInStandardDeviations = 6.0;
 constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
 constexpr double kSameResidual = 1e-4;      // relative, by which starts count as ended at the same optimum
@@ -36,7 +38,8 @@ void checkLog(const log::Log& log, std::size_t number) {
   const std::size_t size = log.stamp.size();
   refuseIf(log.force.size() != size || log.displacement.size() != size,
            "log {}: needs displacement and force for every sample", number);
-  refuseIf(size < 50, "log {}: {} samples are too few; accepted: at least 50", number, size);
+  refuseIf(size < kFewestCompared, "log {}: {} samples are too few; accepted: at least {}", number, size,
+           kFewestCompared);
   for (std::size_t i = 0; i < size; ++i) {
     refuseIf(!std::isfinite(log.displacement[i]) || !std::isfinite(log.force[i]), "log {}: sample {} is not finite",
              number, i);
@@ -70,21 +73,35 @@ void checkRig(const std::vector<Eigen::MatrixXd>& rig, const std::vector<log::Lo
   refuseIf(!fits, "rig: needs columns over the samples of each log");
 }
 
-// Noise is taken as independent of that before a time gap.
-void addRuns(const log::Log& log, std::vector<Eigen::Index>& runs) {
-  std::vector<std::size_t> first = log::stretchesOf(log);
-  first.push_back(log.size());
-  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
-    runs.push_back(static_cast<Eigen::Index>(first[i + 1] - first[i]));
-  }
-}
+// The samples of all logs whose force was measured.
+struct Compared {
+  std::vector<Eigen::Index> rows;  // among all samples
+  std::vector<Eigen::Index> runs;  // how many follow one another: noise is independent of that before a time gap
+  Eigen::VectorXd force;
+};
 
-Eigen::VectorXd stackedForce(const std::vector<log::Log>& logs) {
-  std::vector<double> all;
+Compared comparedOf(const std::vector<log::Log>& logs) {
+  Compared compared;
+  std::vector<double> force;
+  Eigen::Index row = 0;
   for (const log::Log& log : logs) {
-    all.insert(all.end(), log.force.begin(), log.force.end());
+    std::vector<std::size_t> first = log::stretchesOf(log);
+    first.push_back(log.size());
+    for (std::size_t stretch = 0; stretch + 1 < first.size(); ++stretch) {
+      const std::size_t before = force.size();
+      for (std::size_t i = first[stretch]; i < first[stretch + 1]; ++i, ++row) {
+        if (log::isCounted(log, i)) {
+          compared.rows.push_back(row);
+          force.push_back(log.force[i]);
+        }
+      }
+      if (force.size() > before) {
+        compared.runs.push_back(static_cast<Eigen::Index>(force.size() - before));
+      }
+    }
   }
-  return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+  compared.force = Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<Eigen::Index>(force.size()));
+  return compared;
 }
 
 // One search coordinate of each nonlinear unknown.
@@ -296,11 +313,13 @@ void describeFit(Identification& result, const ForceModel& model, const ModelFit
 Identification identify(const std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
                         const IdentificationOptions& options) {
   refuseIf(logs.empty(), "no log given");
-  std::vector<Eigen::Index> runs;
   for (std::size_t i = 0; i < logs.size(); ++i) {
     checkLog(logs[i], i + 1);
-    addRuns(logs[i], runs);
   }
+  const Compared compared = comparedOf(logs);
+  refuseIf(compared.rows.size() < kFewestCompared,
+           "{} samples with a measured force are too few; accepted: at least {}", compared.rows.size(),
+           kFewestCompared);
   Identification result;
   std::vector<element::ElementDescription> completed = element::each(elements, element::complete);
   checkHeld(completed, options.held);
@@ -308,12 +327,11 @@ Identification identify(const std::vector<element::ElementDescription>& elements
   checkRig(options.rig, logs);
   ForceModel model(completed, logs, options.held, options.rig);
   refuseIf(model.nonlinear().empty() && model.linear().empty(), "no parameter is left to be found; all are held");
-  const Eigen::VectorXd force = stackedForce(logs);
-  VariableProjection squares(model, force);
+  VariableProjection squares(model, compared.force, compared.rows);
   const ModelFit best = squares.fitAt(searchAll(model, options, squares, result));
   result.force_offset = best.coefficients[static_cast<Eigen::Index>(model.linear().size())];
-  describeFit(result, model, best, squares.jacobian(best), runs);
-  describeResiduals(result, best.residual, force);
+  describeFit(result, model, best, squares.jacobian(best), compared.runs);
+  describeResiduals(result, best.residual, compared.force);
   dropElementsWithoutForce(result);
   return result;
 }

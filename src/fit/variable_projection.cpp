@@ -14,14 +14,14 @@ namespace rubber_suspension::fit {
 ModelFit VariableProjection::fitAt(const Eigen::VectorXd& search) {
   model_.evaluate(search);
   const Eigen::Index size = model_.basis().cols();
-  Eigen::MatrixXd columns(model_.size(), size + 1);
-  columns << model_.basis(), force_ - model_.rest();
+  Eigen::MatrixXd columns(force_.size(), size + 1);
+  columns << model_.basis()(rows_, Eigen::all), force_ - model_.rest()(rows_);
   const Eigen::MatrixXd products = numerics::gramOf(columns);
   ModelFit fit;
   fit.search = search;
   fit.coefficients = numerics::nonNegativeLeastSquares(products.topLeftCorner(size, size),
                                                        products.col(size).head(size), model_.signedColumns());
-  fit.residual = columns.col(size) - model_.basis() * fit.coefficients;
+  fit.residual = columns.col(size) - columns.leftCols(size) * fit.coefficients;
   return fit;
 }
 
@@ -43,8 +43,8 @@ numerics::SumOfSquares::Slope VariableProjection::slope() {
   }
   const auto basis = static_cast<Eigen::Index>(taken.size());
   const Eigen::Index unknowns = last_.search.size();
-  Eigen::MatrixXd columns(model_.size(), basis + unknowns);
-  columns << model_.basis()(Eigen::all, taken), derivatives(last_);
+  Eigen::MatrixXd columns(force_.size(), basis + unknowns);
+  columns << model_.basis()(rows_, taken), derivatives(last_);
   const Eigen::MatrixXd products = numerics::gramOf(columns);
   const Eigen::VectorXd moments = columns.transpose() * last_.residual;
   const Eigen::VectorXd scale = products.diagonal().head(basis).array().max(1e-300).rsqrt();
@@ -59,9 +59,9 @@ numerics::SumOfSquares::Slope VariableProjection::slope() {
 
 // Of the force by the search coordinates.
 Eigen::MatrixXd VariableProjection::derivatives(const ModelFit& fit) const {
-  Eigen::MatrixXd derivatives(model_.size(), fit.search.size());
+  Eigen::MatrixXd derivatives(force_.size(), fit.search.size());
   for (Eigen::Index i = 0; i < derivatives.cols(); ++i) {
-    derivatives.col(i) = model_.derivative(fit.search, i, fit.coefficients);
+    derivatives.col(i) = model_.derivative(fit.search, i, fit.coefficients)(rows_);
   }
   return derivatives;
 }
@@ -69,8 +69,8 @@ Eigen::MatrixXd VariableProjection::derivatives(const ModelFit& fit) const {
 Eigen::MatrixXd VariableProjection::jacobian(const ModelFit& fit) {
   const auto unit = [](double coefficient) { return coefficient != 0.0 ? std::abs(coefficient) : 1.0; };
   model_.evaluate(fit.search);
-  Eigen::MatrixXd jacobian(model_.size(), fit.search.size() + fit.coefficients.size());
-  jacobian << derivatives(fit), model_.basis() * fit.coefficients.unaryExpr(unit).asDiagonal();
+  Eigen::MatrixXd jacobian(force_.size(), fit.search.size() + fit.coefficients.size());
+  jacobian << derivatives(fit), model_.basis()(rows_, Eigen::all) * fit.coefficients.unaryExpr(unit).asDiagonal();
   return jacobian;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "fit/force_model.h"
 #include "numerics/trust_region.h"
@@ -20,9 +21,9 @@ struct ModelFit {
 /// and so is the optimum.
 class VariableProjection final : public numerics::SumOfSquares {
  public:
-  /// Both must outlive this.
-  VariableProjection(ForceModel& model, const Eigen::VectorXd& force)
-      : model_(model), force_(force), unit_(force.squaredNorm()) {}
+  /// `force`: the measured one at `rows` of the model, those that are compared. All must outlive this.
+  VariableProjection(ForceModel& model, const Eigen::VectorXd& force, const std::vector<Eigen::Index>& rows)
+      : model_(model), force_(force), rows_(rows), unit_(force.squaredNorm()) {}
 
   double at(const Eigen::VectorXd& search) override;
   Slope slope() override;
@@ -31,7 +32,7 @@ class VariableProjection final : public numerics::SumOfSquares {
 
   ModelFit fitAt(const Eigen::VectorXd& search);
   /// Derivatives of the force by the search coordinates, then by relative changes of the coefficients, or by the
-  /// coefficients themselves where they are zero; one row for each sample.
+  /// coefficients themselves where they are zero; one row for each sample that is compared.
   Eigen::MatrixXd jacobian(const ModelFit& fit);
 
  private:
@@ -39,6 +40,7 @@ class VariableProjection final : public numerics::SumOfSquares {
 
   ForceModel& model_;
   const Eigen::VectorXd& force_;
+  const std::vector<Eigen::Index>& rows_;
   double unit_;
   ModelFit last_;  // where the sum was asked for last, like the model
 };

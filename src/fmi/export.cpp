@@ -123,7 +123,9 @@ FmuParts installedParts() {
   element::refuseIf<std::runtime_error>(dladdr(reinterpret_cast<const void*>(&installedParts), &info) == 0,
                                         "the program's own place is unknown");
   const std::filesystem::path folder = std::filesystem::path(info.dli_fname).parent_path();
-  return {folder / "rubber_suspension_fmu.so", folder / "rubber_suspension_fmu_sources"};
+  const std::filesystem::path windows = folder / "rubber_suspension_fmu.dll";
+  return {folder / "rubber_suspension_fmu.so", folder / "rubber_suspension_fmu_sources",
+          std::filesystem::exists(windows) ? windows.string() : ""};
 }
 
 ComponentData dataOf(const io::ComponentDescription& description) {
@@ -152,10 +154,16 @@ ComponentData dataOf(const io::ComponentDescription& description) {
 std::vector<ArchiveEntry> fmuFiles(const io::ComponentDescription& description, Version version,
                                    const FmuParts& parts) {
   const ComponentData data = dataOf(description);
-  const std::string folder = version == Version::fmi2 ? "binaries/linux64" : "binaries/x86_64-linux";
-  std::vector<ArchiveEntry> files = {{"modelDescription.xml", modelDescription(data, version, kTool)},
-                                     {folder + "/" + data.name + ".so", binaryWith(toJson(data), parts.binary)},
-                                     {"resources/component.yaml", io::toYaml({description})}};
+  const bool is_2 = version == Version::fmi2;
+  const std::string text = toJson(data);
+  std::vector<ArchiveEntry> files = {
+      {"modelDescription.xml", modelDescription(data, version, kTool)},
+      {fmt::format("binaries/{}/{}.so", is_2 ? "linux64" : "x86_64-linux", data.name), binaryWith(text, parts.binary)},
+      {"resources/component.yaml", io::toYaml({description})}};
+  if (!parts.windows_binary.empty()) {
+    files.push_back({fmt::format("binaries/{}/{}.dll", is_2 ? "win64" : "x86_64-windows", data.name),
+                     binaryWith(text, parts.windows_binary)});
+  }
   addSources(files, data, parts.sources);
   return files;
 }

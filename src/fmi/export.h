@@ -20,11 +20,12 @@ std::string toZip(const std::vector<ArchiveEntry>& entries);
 
 /// The files of an FMU that are the same for all components.
 struct FmuParts {
-  std::string binary;   ///< path of the shared library without a component
-  std::string sources;  ///< path of the folder of its sources
+  std::string binary;               ///< path of the shared library without a component, for Linux
+  std::string sources;              ///< path of the folder of its sources
+  std::string windows_binary = {};  ///< path of the same for Windows; empty: it was not built
 };
 
-/// Those that were built with the program that calls this: they lie beside it.
+/// Those that were built with the program that calls this: they lie beside it, that for Windows where there is one.
 FmuParts installedParts();
 
 /// What an FMU says of a component: its elements complete, and a GUID that follows from it and the version of the

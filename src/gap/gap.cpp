@@ -61,17 +61,27 @@ void addParts(const log::Record& record, const Eigen::VectorXd& residual, const 
 
 }  // namespace
 
-double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated) {
+double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated,
+                   const std::vector<double>& counts) {
   if (measured.empty() || measured.size() != simulated.size()) {
     throw std::invalid_argument(fmt::format("{} measured and {} simulated forces; accepted: as many, at least one",
                                             measured.size(), simulated.size()));
   }
-  const double mean = std::accumulate(measured.begin(), measured.end(), 0.0) / static_cast<double>(measured.size());
+  const auto counted = [&](std::size_t i) { return counts.empty() || counts[i] > 0.0; };
+  double sum = 0.0;
+  double number = 0.0;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    sum += counted(i) ? measured[i] : 0.0;
+    number += counted(i) ? 1.0 : 0.0;
+  }
+  const double mean = sum / number;
   double gap = 0.0;
   double variance = 0.0;
   for (std::size_t i = 0; i < measured.size(); ++i) {
-    gap += (measured[i] - simulated[i]) * (measured[i] - simulated[i]);
-    variance += (measured[i] - mean) * (measured[i] - mean);
+    if (counted(i)) {
+      gap += (measured[i] - simulated[i]) * (measured[i] - simulated[i]);
+      variance += (measured[i] - mean) * (measured[i] - mean);
+    }
   }
   if (!(variance > 0.0)) {
     throw std::invalid_argument(fmt::format("measured force is {:g} N throughout; accepted: one that varies", mean));

@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::gap {
 
-double meanFrequency(const log::Log& log) {
+std::vector<std::size_t> meanCrossings(const log::Log& log) {
   constexpr double kHysteresis = 0.25;  // of the standard deviation, against noise of the sensor
   const auto size = static_cast<double>(log.size());
   const double mean = std::accumulate(log.displacement.begin(), log.displacement.end(), 0.0) / size;
@@ -16,14 +16,21 @@ double meanFrequency(const log::Log& log) {
   }
   const double band = kHysteresis * std::sqrt(variance);
   int side = 0;
-  int crossings = 0;
-  for (const double z : log.displacement) {
+  std::vector<std::size_t> crossings;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    const double z = log.displacement[i];
     const int now = z > mean + band ? 1 : z < mean - band ? -1 : side;
-    crossings += side != 0 && now != side ? 1 : 0;
+    if (side != 0 && now != side) {
+      crossings.push_back(i);
+    }
     side = now;
   }
+  return crossings;
+}
+
+double meanFrequency(const log::Log& log) {
   const double duration = log.duration(0, log.size() - 1);
-  return duration > 0.0 ? 0.5 * crossings / duration : 0.0;
+  return duration > 0.0 ? 0.5 * static_cast<double>(meanCrossings(log).size()) / duration : 0.0;
 }
 
 std::size_t firstOfLastCycles(const log::Log& log, double frequency, double cycles) {

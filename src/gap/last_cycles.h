@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension::gap {
+
+/// The samples at which the motion has crossed its mean, noise apart, in one direction and the other by turns.
+std::vector<std::size_t> meanCrossings(const log::Log& log);
 
 /// Mean frequency of the motion [Hz]: half the number of crossings of its mean, noise apart, over the duration; 0 where
 /// there are none.

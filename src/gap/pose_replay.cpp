@@ -80,6 +80,7 @@ std::array<log::Log, component::kDirections> directionLogs(const component::SixD
     direction.stamp = log.stamp;
     direction.temperature = log.temperature;
     direction.units = log.units;
+    direction.counts = log.counts;
   }
   for (std::size_t i = 0; i < log.size(); ++i) {
     const Eigen::Isometry3d pose =
@@ -116,7 +117,7 @@ std::string summary(const std::string& component, const log::PoseLog& log, const
     if (!measured.empty() &&
         *std::min_element(measured.begin(), measured.end()) < *std::max_element(measured.begin(), measured.end())) {
       text += fmt::format(", gap in {} {:.4f}", component::toString(static_cast<component::Direction>(k)),
-                          relativeGap(measured, replay.wrench[k]));
+                          relativeGap(measured, replay.wrench[k], log.counts));
     }
   }
   return text;

@@ -167,7 +167,7 @@ std::string summary(const std::string& component, const log::Log& log, const Rep
   const bool varies = !log.force.empty() && *std::min_element(log.force.begin(), log.force.end()) <
                                                 *std::max_element(log.force.begin(), log.force.end());
   if (varies) {
-    text += fmt::format(", gap to the measured force {:.4f}", relativeGap(log.force, replay.force));
+    text += fmt::format(", gap to the measured force {:.4f}", relativeGap(log.force, replay.force, log.counts));
   }
   return text;
 }

@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "element/largest_number.h"
 #include "element/suggestion.h"
 #include "io/cancellation.h"
 #include "io/effect_names.h"
@@ -927,10 +928,8 @@ class Loader {
       refuse(entry,
              fmt::format("{} is a temperature, not a difference of two; accepted: {}", text, accepted(parameter)));
     }
-    // Beyond any component, and where powers of it leave the range of a double or steps through it never end.
-    constexpr double kLargestNumber = 1e30;
-    constexpr double kLongestTime = 1e12;  // [s], 30,000 years
-    const double most = parameter.unit == "s" ? kLongestTime : kLargestNumber;
+    constexpr double kLongestTime = 1e12;  // [s], 30,000 years: steps through more never end
+    const double most = parameter.unit == "s" ? kLongestTime : element::kLargestNumber;
     if (std::isfinite(value) && std::abs(value) > most) {
       refuse(entry, fmt::format("{} is beyond what a component can have; accepted: at most {:g} {}", text, most,
                                 parameter.unit));

@@ -59,6 +59,9 @@ const KindInfo& infoOf(FileKind kind) {
       {FileKind::bushing_file, "a bushing property file", {"$", "["}, {"'bus'", "'gbs'"}},
       {FileKind::state_space_json, "a state-space model", {"{"}, {"rubber_suspension/state_space/"}},
       {FileKind::mat, "a state-space model", {"rubber_suspension"}, {}},
+      {FileKind::spring_and_dashpot, "k and c of a component", {"# "}, {"\nk_N_per_m: "}},
+      {FileKind::rpc, "a file of RPC III", {std::string("FORMAT\0", 7)}, {}},
+      {FileKind::agreement_json, "an agreement of forces", {"{"}, {"rubber_suspension/agreement/"}},
   };
   return table[static_cast<std::size_t>(kind)];
 }

@@ -32,6 +32,9 @@ enum class FileKind {
   bushing_file,         ///< bushing property file of Adams or Altair
   state_space_json,     ///< the linear part of components
   mat,                  ///< MATLAB file
+  spring_and_dashpot,   ///< k and c of a component
+  rpc,                  ///< RPC III, a drive file
+  agreement_json,       ///< agreement of a simulated force with a measured one
 };
 
 /// A file that a command reads, with the option that names it.

@@ -104,17 +104,33 @@ bool splitMark(ColumnName& name, const std::string& mark) {
   return at != std::string::npos && splitAt(name, at, at + mark.size());
 }
 
-// "KN" as "kN" behind "force", which leaves no doubt.
-std::string spelledSuffix(const std::string& suffix, const std::string& bare) {
-  const auto quantity = quantityOfName(bare);
-  return quantity ? spelledUnit(suffix, rowOf(*quantity).unit) : suffix;
+bool converts(const std::string& unit, const std::string& to) {
+  try {
+    UnitConversion(unit, to);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+// A unit of the quantity that a name tells; behind a force a mass as well, which is refused as such.
+bool isSuffixOf(const std::string& bare, const std::string& suffix) {
+  const auto named = quantityOfName(bare);
+  const auto quantity = named ? named : quantityOfOtherName(bare);
+  const auto unit = unitOfSuffix(suffix);
+  return quantity && unit &&
+         (converts(spelledUnit(suffix, rowOf(*quantity).unit), rowOf(*quantity).unit) ||
+          converts(*unit, rowOf(*quantity).unit) || (*quantity == Quantity::force && converts(*unit, "kg")));
 }
 
 // A number is no name.
 bool splitSuffix(ColumnName& name, char mark) {
   const std::size_t at = name.text.rfind(mark);
-  return at != std::string::npos && name.text.find_first_not_of("0123456789.,+- ") < at &&
-         isPlainSuffix(spelledSuffix(name.text.substr(at + 1), name.text.substr(0, at))) && splitAt(name, at, at + 1);
+  if (at == std::string::npos || name.text.find_first_not_of("0123456789.,+- ") >= at) {
+    return false;
+  }
+  const std::string suffix = name.text.substr(at + 1);
+  return (isPlainSuffix(suffix) || isSuffixOf(name.text.substr(0, at), suffix)) && splitAt(name, at, at + 1);
 }
 
 // "F/kN" and "s/mm", but neither "N/mm" nor "Stiffness N/mm", where the unit begins earlier.
@@ -128,6 +144,12 @@ bool splitSlash(ColumnName& name) {
 std::string groupOf(const std::string& name) {
   const std::size_t slash = name.find_last_of('/');
   return slash == std::string::npos ? "" : name.substr(0, slash);
+}
+
+bool looksLikeForce(const std::string& text) {
+  const std::string lower = lowerCase(text);
+  const std::string word = lower.substr(0, lower.find_first_of(" _-.[(/0123456789"));
+  return quantityOfName(word) == Quantity::force || quantityOfOtherName(word) == Quantity::force;
 }
 
 std::string toString(Quantity quantity) { return rowOf(quantity).name; }

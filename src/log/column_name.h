@@ -53,6 +53,9 @@ std::optional<Quantity> quantityOfUnit(const std::string& unit);
 /// The quantity that another word may name, where nothing else is that quantity: position, load, date.
 std::optional<Quantity> quantityOfOtherName(const std::string& bare);
 
+/// True for a name that begins with a word for a force: "force_raw", "Load 2".
+bool looksLikeForce(const std::string& text);
+
 /// The unit of a name that a file format defines, such as X_Value in LabVIEW's .lvm; else empty.
 std::string definedUnit(const std::string& bare);
 

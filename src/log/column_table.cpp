@@ -5,63 +5,155 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
-#include "element/each.h"
 #include "element/refuse.h"
 #include "log/file_readers.h"
 #include "log/log_columns.h"
 #include "log/sample_rules.h"
+#include "log/samples.h"
 #include "log/text.h"
 
 namespace rubber_suspension::log {
 namespace {
 
-// Reads the columns of a log part by part.
+// Columns that make one log.
+struct ColumnSegment {
+  std::string name;
+  std::vector<ColumnName> names;
+  std::vector<std::string> groups;
+  std::vector<std::size_t> places;
+};
+
+// Columns that share a time, read part by part.
+class Cursor {
+ public:
+  Cursor(const ColumnFile& file, const std::vector<std::size_t>& places, const Column& time, std::size_t length)
+      : file_(file), places_(places), time_(time), length_(length) {}
+
+  void add(const Column& column, std::size_t signal) { columns_.push_back({&column, signal, {}}); }
+
+  std::size_t length() const { return length_; }
+  bool atEnd() const { return next_ == length_; }
+
+  /// Reads on, so many elements at a time.
+  void load(std::size_t part) {
+    if (atEnd() || next_ < end_) {
+      return;
+    }
+    begin_ = next_;
+    end_ = next_ + std::min(part, length_ - next_);
+    times_ = timesOf();
+    for (Read& read : columns_) {
+      read.numbers = numbersOf(*read.column);
+    }
+  }
+
+  /// Of the next element; nothing where it is not measured. Throws RowError.
+  std::optional<std::int64_t> stamp(std::string& reason) const {
+    if (times_.empty() || !isNumber(times_[next_ - begin_], time_, reason)) {
+      return std::nullopt;
+    }
+    try {
+      return toStamp(times_[next_ - begin_], time_);
+    } catch (const std::runtime_error& error) {
+      throw RowError(next_ + 1, error.what());
+    }
+  }
+
+  /// Adds the values of the next element, and continues.
+  void take(SampleRow& row) {
+    row.place = next_ + 1;
+    for (const Read& read : columns_) {
+      const double number = read.numbers[next_ - begin_];
+      const bool measured = isNumber(number, *read.column, row.unmeasured[read.signal + 1]);
+      row.value[read.signal] = measured ? number : kNotMeasured;
+      row.faulty[read.signal] = std::isinf(number);
+    }
+    ++next_;
+  }
+
+ private:
+  struct Read {
+    const Column* column;
+    std::size_t signal;
+    std::vector<double> numbers;
+  };
+
+  std::vector<double> numbersOf(const Column& column) const {
+    return file_.read(places_[column.index], column.name, begin_, end_ - begin_);
+  }
+
+  std::vector<long double> timesOf() const {
+    if (time_.found() && file_.read_time) {
+      return file_.read_time(places_[time_.index], time_.name, begin_, end_ - begin_);
+    }
+    const std::vector<double> times = time_.found() ? numbersOf(time_) : std::vector<double>();
+    return {times.begin(), times.end()};
+  }
+
+  template <class Number>
+  static bool isNumber(Number number, const Column& column, std::string& reason) {
+    if (!std::isfinite(number)) {
+      reason = fmt::format("{}: {} is not finite", column.name, number);
+    }
+    return std::isfinite(number);
+  }
+
+  const ColumnFile& file_;
+  const std::vector<std::size_t>& places_;
+  Column time_;
+  std::size_t length_;
+  std::vector<Read> columns_;
+  std::vector<long double> times_;
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+  std::size_t next_ = 0;
+};
+
+// Reads the columns of a log part by part. Those of a group with a time of its own go by that.
 class ColumnReader {
  public:
-  ColumnReader(const std::vector<ColumnName>& names, const std::vector<std::size_t>& places, const ColumnFile& file,
-               const LogFormat& format)
-      : places_(places),
+  ColumnReader(const ColumnSegment& segment, const ColumnFile& file, const LogFormat& format)
+      : segment_(segment),
         file_(file),
-        names_(names),
-        columns_(findColumns(names, format)),
+        format_(format),
+        columns_(findColumns(segment.names, format)),
         units_(unitsOf(columns_, format)),
         rules_(format, columns_, "element") {
     requireTimeUnit(columns_, format);
-    notes_ = notesOnIgnored(names, columns_, format);
-    samples_ = lengthOf(columns_.displacement);
-    for (const Column* column : columns_.all()) {
-      requireLength(*column);
-    }
-    element::refuseIf<std::runtime_error>(samples_ < 2, "{}: {} samples; accepted: at least 2",
-                                          columns_.displacement.name, samples_);
+    notes_ = notesOnIgnored(segment.names, columns_, format);
+    cursors_.emplace_back(file, segment.places, columns_.time, lengthOf(columns_.displacement));
+    requireLength(columns_.time);
+    cursors_.front().add(columns_.displacement, kMotion);
+    addSignal(columns_.force, kForce);
+    addSignal(columns_.temperature, kTemperature);
+    element::refuseIf<std::runtime_error>(samples() < 2, "{}: {} samples; accepted: at least 2",
+                                          columns_.displacement.name, samples());
   }
   ColumnReader(const ColumnReader&) = delete;
   ColumnReader& operator=(const ColumnReader&) = delete;
 
-  std::size_t samples() const { return samples_; }
+  std::size_t samples() const { return cursors_.front().length(); }
 
-  void read(std::size_t first, std::size_t count, Log& block) {
-    block.units = units_;
-    const auto all =
-        element::each(columns_.all(), [&](const Column* column) { return numbers(*column, first, count); });
+  /// Hands out the log in blocks, of so many samples or more; false ends the reading.
+  void read(std::size_t part, const std::function<bool(Log& block)>& take) {
+    Log block;
     try {
-      for (std::size_t i = 0; i < count; ++i) {
-        SampleRow row;
-        row.place = first + i + 1;
-        row.displacement = valueOf(columns_.displacement, all[1], i, row);
-        row.force = valueOf(columns_.force, all[2], i, row);
-        row.temperature = valueOf(columns_.temperature, all[3], i, row);
-        setStamp(all[0], i, row);
-        rules_.take(row, block);
+      bool more = true;
+      while (more && readRow(part, block)) {
+        if (block.size() >= part) {
+          more = handOut(block, take);
+        }
       }
-      if (first + count == samples_) {
-        rules_.finish();
+      if (more) {
+        rules_.finish(block);
+        handOut(block, take);
       }
     } catch (const RowError& error) {
       throw std::runtime_error(fmt::format("element {}: {}", error.row(), error.what()));
@@ -80,81 +172,107 @@ class ColumnReader {
   }
 
  private:
-  std::size_t lengthOf(const Column& column) const { return file_.length(places_[column.index], column.name); }
+  std::size_t lengthOf(const Column& column) const { return file_.length(segment_.places[column.index], column.name); }
 
-  void requireLength(const Column& column) const {
-    if (column.found() && lengthOf(column) != samples_) {
-      throw std::runtime_error(fmt::format("{} has {} values, {} has {}; accepted: as many in each column{}",
-                                           column.name, lengthOf(column), columns_.displacement.name, samples_,
-                                           conversion()));
-    }
-  }
-
-  // The line that brings force and displacement of two groups, each with a time of its own, to one rate.
-  std::string conversion() const {
-    const std::string group = groupOf(columns_.force.name);
-    const auto time = std::find_if(names_.begin(), names_.end(), [&](const ColumnName& name) {
-      return groupOf(name.text) == group && quantityOfName(name.bare) == Quantity::time;
-    });
-    if (file_.path.empty() || !columns_.force.found() || !columns_.time.found() || time == names_.end()) {
-      return "";
-    }
-    return fmt::format(
-        ", by python3 -c \"import h5py, numpy as n; f = h5py.File('{}'); t = f['{}'][:]; n.savetxt('LOG.csv', n.c_[t, "
-        "n.interp(t, f['{}'], f['{}']), f['{}']], delimiter=',', header='time_s,displacement_{},force_{}', "
-        "comments='')\"",
-        file_.path, time->text, columns_.time.name, columns_.displacement.name, columns_.force.name,
-        names_[columns_.displacement.index].unit, names_[columns_.force.index].unit);
-  }
-
-  std::vector<double> numbers(const Column& column, std::size_t first, std::size_t count) const {
-    return column.found() ? file_.read(places_[column.index], column.name, first, count) : std::vector<double>();
-  }
-
-  static double valueOf(const Column& column, const std::vector<double>& numbers, std::size_t i, SampleRow& row) {
+  void addSignal(const Column& column, std::size_t signal) {
     if (!column.found()) {
-      return 0.0;
+      return;
     }
-    if (!std::isfinite(numbers[i])) {
-      row.unmeasured = fmt::format("{}: {} is not finite", column.name, numbers[i]);
-      return std::numeric_limits<double>::quiet_NaN();
+    const Column own_time = timeBeside(column);
+    if (own_time.found()) {
+      cursors_.emplace_back(file_, segment_.places, own_time, lengthOf(column));
+    } else {
+      requireLength(column);
     }
-    return column.toSi(numbers[i]);
+    (own_time.found() ? cursors_.back() : cursors_.front()).add(column, signal);
   }
 
-  void setStamp(const std::vector<double>& time, std::size_t i, SampleRow& row) const {
-    const double value = time.empty() ? 0.0 : valueOf(columns_.time, time, i, row);
-    if (!time.empty() && std::isfinite(value)) {
-      try {
-        row.stamp = toStamp(time[i], columns_.time);
-      } catch (const std::runtime_error& error) {
-        throw RowError(row.place, error.what());
+  // The time in another group than the displacement's; none where that of the displacement holds.
+  Column timeBeside(const Column& column) const {
+    const std::string& group = segment_.groups[column.index];
+    if (format_.rate || !columns_.time.found() || group == segment_.groups[columns_.displacement.index]) {
+      return {};
+    }
+    const std::string leaf = leafOf(columns_.time.name);
+    for (std::size_t i = 0; i < segment_.names.size(); ++i) {
+      const ColumnName& name = segment_.names[i];
+      const bool is_time = leafOf(name.text) == leaf || quantityOfName(name.bare) == Quantity::time;
+      if (segment_.groups[i] == group && i != columns_.time.index && is_time) {
+        Column time = timeAt(segment_.names, i, format_);
+        time.conversion = time.tells_unit ? time.conversion : columns_.time.conversion;
+        return lengthOf(time) == lengthOf(column) ? time : Column();
       }
     }
+    return {};
   }
 
-  std::vector<std::size_t> places_;  // in the file, of the columns
+  static std::string leafOf(const std::string& name) { return name.substr(name.find_last_of("/.") + 1); }
+
+  void requireLength(const Column& column) const {
+    if (column.found() && lengthOf(column) != samples()) {
+      throw std::runtime_error(
+          fmt::format("{} has {} values, {} has {}; accepted: as many in each column, or a time of "
+                      "its own in the group",
+                      column.name, lengthOf(column), columns_.displacement.name, samples()));
+    }
+  }
+
+  // The next row of all cursors by their stamps; false behind the last.
+  bool readRow(std::size_t part, Log& block) {
+    SampleRow row;
+    std::optional<std::int64_t> first;
+    for (Cursor& cursor : cursors_) {
+      cursor.load(part);
+      if (cursor.atEnd()) {
+        continue;
+      }
+      const auto stamp = cursor.stamp(row.unmeasured[0]);
+      if (!stamp) {  // a row of its own
+        cursor.take(row);
+        rules_.take(row, block);
+        return true;
+      }
+      first = std::min(first.value_or(*stamp), *stamp);
+    }
+    if (!first) {
+      return false;
+    }
+    row.stamp = first;
+    std::string reason;
+    for (Cursor& cursor : cursors_) {
+      if (!cursor.atEnd() && cursor.stamp(reason) == first) {
+        const std::size_t place = row.place;
+        cursor.take(row);
+        row.place = place == 0 ? row.place : place;
+      }
+    }
+    rules_.take(row, block);
+    return true;
+  }
+
+  bool handOut(Log& block, const std::function<bool(Log& block)>& take) const {
+    block.units = units_;
+    const bool more = block.size() == 0 || take(block);
+    block = Log();
+    return more;
+  }
+
+  const ColumnSegment& segment_;
   const ColumnFile& file_;
-  const std::vector<ColumnName>& names_;
+  LogFormat format_;
   Columns columns_;
   UnitsAre units_;
   SampleRules rules_;
+  std::vector<Cursor> cursors_;  // the displacement's first
   std::vector<std::string> notes_;
-  std::size_t samples_ = 0;
-};
-
-// Columns that make one log.
-struct ColumnSegment {
-  std::string name;
-  std::vector<ColumnName> names;
-  std::vector<std::size_t> places;
 };
 
 ColumnSegment segmentWhere(const ColumnTable& table, const std::string& group) {
-  ColumnSegment segment{group, {}, {}};
+  ColumnSegment segment{group, {}, {}, {}};
   for (std::size_t i = 0; i < table.names.size(); ++i) {
     if (table.groups[i] == group) {
       segment.names.push_back(table.names[i]);
+      segment.groups.push_back(group);
       segment.places.push_back(i);
     }
   }
@@ -176,7 +294,7 @@ std::vector<ColumnSegment> segmentsOf(const ColumnTable& table, const LogFormat&
   if (segments.size() < 2) {
     std::vector<std::size_t> all(table.names.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    segments = {{"", table.names, all}};
+    segments = {{"", table.names, table.groups, all}};
   }
   return segments;
 }
@@ -197,28 +315,26 @@ std::vector<ColumnSegment> wantedSegments(const ColumnTable& table, const LogFor
 std::vector<std::string> blocksFromColumns(const ColumnTable& table, const LogFormat& format, const std::string& name,
                                            std::size_t block, const LogSource::Take& take) {
   const ColumnSegment segment = wantedSegments(table, format, name).front();
-  ColumnReader reader(segment.names, segment.places, table.file, format);
-  bool more = true;
+  ColumnReader reader(segment, table.file, format);
   std::size_t handed_out = 0;
-  for (std::size_t first = 0; more && first < reader.samples(); first += block) {
-    Log samples;
+  reader.read(block, [&](Log& samples) {
     samples.name = segment.name;
-    reader.read(first, std::min(block, reader.samples() - first), samples);
-    more = samples.size() == 0 || take(samples, handed_out);
-    handed_out += samples.size();
-  }
+    return handOutBlocks(samples, block, take, handed_out);
+  });
   return reader.notes();
 }
 
 std::vector<Log> logsFromColumns(const ColumnTable& table, const LogFormat& format, const std::string& name) {
   std::vector<Log> logs;
   for (const ColumnSegment& segment : wantedSegments(table, format, name)) {
-    ColumnReader reader(segment.names, segment.places, table.file, format);
-    Log log;
-    log.name = segment.name;
-    reader.read(0, reader.samples(), log);
-    log.notes = reader.notes();
-    logs.push_back(std::move(log));
+    ColumnReader reader(segment, table.file, format);
+    logs.emplace_back();
+    reader.read(kMaximumLogRows, [&](Log& log) {
+      logs.back() = std::move(log);
+      return true;
+    });
+    logs.back().name = segment.name;
+    logs.back().notes = reader.notes();
   }
   return logs;
 }

@@ -21,7 +21,10 @@ struct ColumnFile {
   /// The numbers [first, first + count) of a column, as the file has them.
   std::function<std::vector<double>(std::size_t place, const std::string& name, std::size_t first, std::size_t count)>
       read;
-  std::string path = {};  ///< of a file whose columns are named GROUP/NAME
+  /// The same of a column of time, which may be nanoseconds since 1970; empty: as `read`.
+  std::function<std::vector<long double>(std::size_t place, const std::string& name, std::size_t first,
+                                         std::size_t count)>
+      read_time = {};
 };
 
 constexpr std::size_t kAllSamples = std::numeric_limits<std::size_t>::max();

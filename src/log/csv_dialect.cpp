@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <regex>
 #include <stdexcept>
 
 #include "element/refuse.h"
@@ -109,6 +111,22 @@ bool anyNumber(const std::vector<Field>& fields) {
   return std::any_of(fields.begin(), fields.end(), [](const Field& field) { return isNumberField(field.text); });
 }
 
+// The types of columns that stand below their names, as INCA writes them: "f8;f4".
+bool isRowOfTypes(std::string_view line) {
+  static const std::regex kType(
+      "[fiub](1|2|4|8|16|32|64)|float|double|single|real|int(8|16|32|64)?|uint(8|16|32|64)?|"
+      "boolean|string");
+  const std::vector<Field> fields = fieldsOf(line, separatorOf(line));
+  return fields.size() > 1 && std::all_of(fields.begin(), fields.end(), [](const Field& field) {
+           return field.text.size() < 8 && std::regex_match(lowerCase(std::string(field.text)), kType);
+         });
+}
+
+// Of a header whose first cell is a number that names the test piece, above a row of units that has none for it.
+bool isBeneathCorner(const std::vector<Field>& fields, const std::vector<std::string>& units) {
+  return !units.empty() && units[0].empty() && !anyNumber({fields.begin() + 1, fields.end()});
+}
+
 // The fields below the names of `count` columns, where they hold a unit; empty where they are no row of units.
 std::vector<std::string> cellsBelow(std::string_view line, Separator separator, std::size_t count) {
   std::vector<std::string> cells;
@@ -201,7 +219,7 @@ bool isNumberField(std::string_view text) {
 }
 
 std::optional<CsvHeader> HeaderFinder::add(const TextLine& line) {
-  if (trimmedView(line.text).empty()) {
+  if (trimmedView(line.text).empty() || isRowOfTypes(line.text)) {
     return std::nullopt;
   }
   lines_.push_back({line.number, toUtf8(line.text)});
@@ -241,7 +259,9 @@ std::optional<CsvHeader> HeaderFinder::namedColumns(std::size_t i, bool units_fo
   const bool row_is_there = following < lines_.size();
   header.next_line = row_is_there ? lines_[following].number : lines_.back().number + 1;
   const std::size_t count = row_is_there ? fieldsOf(lines_[following].text, header.separator).size() : 0;
-  const std::vector<Field> fields = namesIn(line, header.separator, count);
+  std::vector<Field> fields = namesIn(line, header.separator, count);
+  header.comments_follow = fields.size() > 2 && lowerCase(std::string(fields.back().text)) == "comment";
+  fields.resize(fields.size() - (header.comments_follow ? 1 : 0));
   std::vector<std::string> units;
   if (units_follow) {
     units = i + 1 < lines_.size() ? cellsBelow(withoutCommentMark(lines_[i + 1].text), header.separator, fields.size())
@@ -254,7 +274,7 @@ std::optional<CsvHeader> HeaderFinder::namedColumns(std::size_t i, bool units_fo
     units.resize(units.empty() ? 0 : fields.size());
   }
   header.names = columnNames(fields, units);
-  const bool fits = !anyNumber(fields) && looksLikeHeader(header.names, format_) &&
+  const bool fits = (!anyNumber(fields) || isBeneathCorner(fields, units)) && looksLikeHeader(header.names, format_) &&
                     confirmed(header, isComment(lines_[i].text), following);
   return fits ? std::optional<CsvHeader>(header) : std::nullopt;
 }
@@ -275,11 +295,16 @@ std::optional<CsvHeader> HeaderFinder::numberedColumns(std::size_t i) const {
     return std::nullopt;
   }
   const std::vector<std::size_t> told = numbersToldIn(format_);
-  for (const Separator separator : {Separator::tab, Separator::semicolon, Separator::comma, Separator::blanks}) {
+  constexpr std::array kSeparators = {Separator::tab, Separator::semicolon, Separator::comma, Separator::blanks};
+  const bool separated = std::any_of(kSeparators.begin(), kSeparators.end(), [&](Separator separator) {
+    return fieldsOf(lines_[i].text, separator).size() > 1;
+  });
+  for (const Separator separator : kSeparators) {
     const std::vector<Field> fields = fieldsOf(lines_[i].text, separator);
-    const bool is_row = std::all_of(told.begin(), told.end(), [&](std::size_t place) {
-      return place < fields.size() && isNumberField(fields[place].text);
-    });
+    const bool is_row =
+        (fields.size() > 1 || !separated) && std::all_of(told.begin(), told.end(), [&](std::size_t place) {
+          return place < fields.size() && isNumberField(fields[place].text);
+        });
     if (is_row) {
       CsvHeader header;
       header.separator = separator;

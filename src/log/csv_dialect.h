@@ -39,9 +39,10 @@ void splitFields(std::string_view line, Separator separator, std::vector<Field>&
 struct CsvHeader {
   Separator separator = Separator::comma;
   std::vector<ColumnName> names;
-  std::size_t line = 0;        ///< that the names stand in; 0: the file has none, columns go by number
-  bool has_units_row = false;  ///< in the line behind
-  std::size_t next_line = 0;   ///< number of the first line that is a row, or later than the head
+  std::size_t line = 0;          ///< that the names stand in; 0: the file has none, columns go by number
+  bool has_units_row = false;    ///< in the line behind
+  bool comments_follow = false;  ///< a row may end in a comment, as LabVIEW writes them, which is none of the names
+  std::size_t next_line = 0;     ///< number of the first line that is a row, or later than the head
 };
 
 /// Bounds on what may stand before the first row.

@@ -19,6 +19,7 @@
 #include "log/new_file.h"
 #include "log/number_marks.h"
 #include "log/sample_rules.h"
+#include "log/samples.h"
 #include "log/text.h"
 #include "log/text_source.h"
 #include "log/time_text.h"
@@ -28,8 +29,6 @@
 
 namespace rubber_suspension::log {
 namespace {
-
-constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 // Fields that instruments and spreadsheets write where nothing was measured: nothing, words without a digit such as
 // Overrun, #N/A and --, and the C library's 1.#QNAN.
@@ -81,7 +80,7 @@ class CsvLogReader {
  public:
   CsvLogReader(const std::string& path, const LogFormat& format, char found_mark)
       : path_(path), file_(logName(path)), format_(format), marks_(format.decimal, found_mark, ownMarks(format)) {
-    TextSource source = openText(path);
+    TextSource source = openText(path, format.large);
     coding_ = source.coding;
     reader_ = std::make_unique<LineReader>(std::move(source.bytes), kMaximumLogLine);
   }
@@ -138,7 +137,11 @@ class CsvLogReader {
     try {
       chosenSegment(format_, segments_);
     } catch (const std::runtime_error& error) {
-      throw LogError(fmt::format("{}: {}", path_, error.what()));
+      const bool one_run = restarts_ + 1 == segments_.size() && restart_rate_ > 0.0;
+      throw LogError(fmt::format(
+          "{}: {}{}", path_, error.what(),
+          one_run ? fmt::format(", for the time restarts; or --sampling-rate {:.6g}, where they are one", restart_rate_)
+                  : ""));
     }
   }
 
@@ -200,6 +203,8 @@ class CsvLogReader {
 
   void endSegment(bool another_follows) {
     const bool wanted = isWanted();
+    element::refuseIf<std::runtime_error>(segments_.size() == kMaximumSegments,
+                                          "more than {} segments; accepted: that many at most", kMaximumSegments);
     segments_.push_back(fmt::format("lines {} to {}{}", first_row_, last_row_, border_));
     // Without a word on segments, several are refused at the end.
     if (!wanted || (format_.segment == 0 && another_follows)) {
@@ -207,7 +212,7 @@ class CsvLogReader {
     }
     marks_.requireClear(
         {columns_.time.name, columns_.displacement.name, columns_.force.name, columns_.temperature.name}, true);
-    rules_->finish();
+    rules_->finish(log_);
     addNotes();
     if (take_ != nullptr && log_.size() > 0) {
       handOut();
@@ -236,6 +241,15 @@ class CsvLogReader {
   void endSegmentAtBlank() {
     endSegment(true);
     border_ = fmt::format(", where rows behind blank line {} begin another specimen", blank_line_);
+    beginRows();
+  }
+
+  // Rows whose time restarts.
+  void endSegmentAtRestart() {
+    restart_rate_ = restarts_ == 0 ? rules_->rate() : restart_rate_;
+    ++restarts_;
+    endSegment(true);
+    border_ = "";
     beginRows();
   }
 
@@ -297,13 +311,20 @@ class CsvLogReader {
       endSegmentAt(line, error);
       return;
     }
-    const bool lacks_value = !row_.unmeasured.empty();
+    const bool lacks_value = !row_.unmeasured[0].empty() || !row_.unmeasured[1].empty();
     if (isNoRow() || (lacks_value && blank_line_ != 0 && first_row_ != 0)) {
-      endSegmentAt(line, std::runtime_error(row_.unmeasured + "; accepted: a finite number"));
+      const std::string& reason = row_.unmeasured[row_.unmeasured[0].empty() ? 1 : 0];
+      endSegmentAt(line, std::runtime_error(reason + "; accepted: a finite number"));
       return;
     }
     if (blank_line_ != 0 && first_row_ != 0) {
       endSegmentAtBlank();
+      if (isPastChosen()) {
+        return;
+      }
+    }
+    if (rules_->restarts(row_)) {
+      endSegmentAtRestart();
       if (isPastChosen()) {
         return;
       }
@@ -314,35 +335,34 @@ class CsvLogReader {
   // Nothing of it was measured: a line of text.
   bool isNoRow() const {
     const bool time = format_.rate || !row_.stamp;
-    const bool force = !columns_.force.found() || std::isnan(row_.force);
-    return first_row_ != 0 && time && force && std::isnan(row_.displacement);
+    return first_row_ != 0 && time && std::isnan(row_.value[kMotion]) && std::isnan(row_.value[kForce]) &&
+           std::isnan(row_.value[kTemperature]);
   }
 
   void takeRow() {
     blank_line_ = 0;
     first_row_ = first_row_ == 0 ? line_ : first_row_;
     last_row_ = line_;
-    if (!isWanted() && log_.size() == kLogBlock) {
+    if (!isWanted() && log_.size() >= kLogBlock) {
       log_ = Log();  // of a segment that nobody asked for
     }
-    if (log_.size() == kMaximumLogRows) {  // never where they are handed out
+    if (log_.size() >= kMaximumLogRows) {  // never where they are handed out
       throw std::runtime_error(fmt::format("more than {} rows; accepted: that many at most", kMaximumLogRows));
     }
     row_.place = line_;
     rules_->take(row_, log_);
-    if (take_ != nullptr && isWanted() && log_.size() == kLogBlock) {
+    if (take_ != nullptr && isWanted() && log_.size() >= kLogBlock) {
       handOut();
     }
   }
 
   void handOut() {
-    const std::size_t first = handed_out_;
-    handed_out_ += log_.size();
     log_.name = format_.segment == 0 ? file_ : segmentName(file_, format_.segment);
-    ended_ = !(*take_)(log_, first);
+    ended_ = !handOutBlocks(log_, kLogBlock, *take_, handed_out_);
     log_.stamp.clear();
-    for (auto* values : {&log_.displacement, &log_.force, &log_.temperature}) {
-      values->clear();
+    log_.counts.clear();
+    for (const auto channel : kChannels) {
+      (log_.*channel).clear();
     }
   }
 
@@ -355,9 +375,9 @@ class CsvLogReader {
       const char* const field = starts_[column.index];
       const char* const field_end = starts_[column.index + 1] - 1;
       const double value =
-          quantity == Quantity::time ? readStamp(field, field_end) : readNumber(field, field_end, column);
+          quantity == Quantity::time ? readStamp(field, field_end) : readNumber(field, field_end, quantity);
       marks_.seePlain(field, field_end, value, channelOf(quantity), line_);
-      return column.toSi(value);
+      return value;
     };
     readValues(parse);
     return true;
@@ -368,15 +388,22 @@ class CsvLogReader {
     if (columns_.time.found()) {
       parse(columns_.time, Quantity::time);
     }
-    row_.displacement = parse(columns_.displacement, Quantity::displacement);
-    row_.force = columns_.force.found() ? parse(columns_.force, Quantity::force) : 0.0;
-    row_.temperature = columns_.temperature.found() ? parse(columns_.temperature, Quantity::temperature) : 0.0;
+    row_.value[kMotion] = parse(columns_.displacement, Quantity::displacement);
+    if (columns_.force.found()) {
+      row_.value[kForce] = parse(columns_.force, Quantity::force);
+    }
+    if (columns_.temperature.found()) {
+      row_.value[kTemperature] = parse(columns_.temperature, Quantity::temperature);
+    }
   }
 
   void parseRowByFields(const char* line) {
     splitFields(line, header_.separator, fields_);
     while (fields_.size() > columns_.count && fields_.back().text.empty() && !fields_.back().quoted) {
       fields_.pop_back();  // a separator at the end of the line
+    }
+    if (header_.comments_follow && fields_.size() == columns_.count + 1) {
+      fields_.pop_back();
     }
     if (fields_.size() != columns_.count) {
       throw std::runtime_error(fmt::format("{} field{}; accepted: {}, as in the header: {}", fields_.size(),
@@ -385,21 +412,22 @@ class CsvLogReader {
     readValues([&](const Column& column, Quantity quantity) {
       const char* const text = marks_.normalised(fields_[column.index].text, channelOf(quantity), column.name, line_);
       const double value =
-          quantity == Quantity::time ? readStamp(text, marks_.end()) : readNumber(text, marks_.end(), column);
+          quantity == Quantity::time ? readStamp(text, marks_.end()) : readNumber(text, marks_.end(), quantity);
       marks_.see(value, channelOf(quantity));
-      return column.toSi(value);
+      return value;
     });
   }
 
   // Not a number for a field that holds none, with the reason in the row. Throws for text that should have been one.
-  double readNumber(const char* field, const char* field_end, const Column& column) {
+  double readNumber(const char* field, const char* field_end, Quantity quantity) {
     char* parsed_end = nullptr;
     const double value = strtod_l(field, &parsed_end, cLocale());
     if (parsed_end == field_end && parsed_end != field && std::isfinite(value) && !isHexadecimal(field)) {
       return value;
     }
-    return isNumberBefore(field, parsed_end, field_end) && std::isfinite(value) ? value
-                                                                                : unmeasured(field, field_end, column);
+    return isNumberBefore(field, parsed_end, field_end) && std::isfinite(value)
+               ? value
+               : unmeasured(field, field_end, quantity);
   }
 
   // Blanks may follow. strtod takes hexadecimal numbers as well.
@@ -413,13 +441,17 @@ class CsvLogReader {
            std::none_of(field, field_end, [](char x) { return x == 'x' || x == 'X'; });
   }
 
-  double unmeasured(const char* field, const char* field_end, const Column& column) {
+  double unmeasured(const char* field, const char* field_end, Quantity quantity) {
     const std::string text = trimmed(std::string(field, static_cast<std::size_t>(field_end - field)));
-    const std::string reason = reasonOf(text, column);
-    if (!isUnmeasured(text)) {
+    const std::string reason = reasonOf(text, columns_.of(quantity));
+    if (!isUnmeasured(text) && quantity != Quantity::temperature) {  // which is never needed
       throw std::runtime_error(reason + "; accepted: a finite number");
     }
-    row_.unmeasured = row_.unmeasured.empty() ? reason : row_.unmeasured;
+    const std::size_t place = channelOf(quantity);
+    row_.unmeasured[place] = reason;
+    if (quantity != Quantity::time) {
+      row_.faulty[place - 1] = !text.empty() && lowerCase(text) != "nan";
+    }
     return kNotMeasured;
   }
 
@@ -437,7 +469,7 @@ class CsvLogReader {
       }
       row_.stamp = clock_.read(trimmed(std::string(field, static_cast<std::size_t>(field_end - field))));
       if (!row_.stamp) {
-        unmeasured(field, field_end, columns_.time);
+        unmeasured(field, field_end, Quantity::time);
       }
     } catch (const std::runtime_error&) {
       if (!format_.rate) {
@@ -497,7 +529,9 @@ class CsvLogReader {
   std::optional<SampleRules> rules_;
   Log log_;  // what is not handed out yet
   std::size_t handed_out_ = 0;
-  bool ended_ = false;  // nobody takes any more
+  bool ended_ = false;        // nobody takes any more
+  std::size_t restarts_ = 0;  // of the time
+  double restart_rate_ = 0.0;
   std::size_t line_ = 1;
   std::size_t first_row_ = 0;  // line, of the segment
   std::size_t last_row_ = 0;

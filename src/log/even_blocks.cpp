@@ -26,7 +26,8 @@ EvenBlocks::Piece pieceOf(double gap, const Log& log) {
           begin(log.displacement),
           begin(log.force),
           begin(log.temperature),
-          begin(log.across)};
+          begin(log.across),
+          begin(log.counts)};
 }
 
 }  // namespace
@@ -158,6 +159,7 @@ void EvenBlocks::interpolate(const Log& left, std::size_t l, const Log& block, s
         (even_.*channel).push_back((1.0 - share) * (left.*channel)[l] + share * (block.*channel)[right]);
       }
     }
+    count(share < 0.5 ? isCounted(left, l) : isCounted(block, right));
   }
 }
 
@@ -171,6 +173,14 @@ void EvenBlocks::endStretch(const Log& last, std::size_t sample) {
         (even_.*channel).push_back((last.*channel)[sample]);
       }
     }
+    count(isCounted(last, sample));
+  }
+}
+
+void EvenBlocks::count(bool measured) {
+  if (!measured || !even_.counts.empty()) {
+    even_.counts.resize(even_.displacement.size(), 1.0);
+    even_.counts.back() = measured ? 1.0 : 0.0;
   }
 }
 

@@ -75,6 +75,7 @@ class EvenBlocks {
     const double* force;
     const double* temperature;
     const double* across;
+    const double* counts;  ///< as those of the log; null: the force was measured throughout
   };
   using Take = std::function<void(const Piece&)>;
 
@@ -88,6 +89,7 @@ class EvenBlocks {
 
  private:
   void interpolate(const Log& left, std::size_t l, const Log& block, std::size_t right);
+  void count(bool measured);
   void beginBehindGap(std::int64_t stamp);
   void endStretch(const Log& last, std::size_t sample);
   void handOut(const Take& take);

@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::log {
 
-enum class FileFormat { text, gzip, bag, matlab, hdf5, foreign };
+enum class FileFormat { text, gzip, bag, matlab, hdf5, rpc, foreign };
 
 /// The number of first bytes that tell the format.
 constexpr std::size_t kFormatHead = 256;
@@ -23,5 +23,9 @@ FileFormat formatOfFile(const std::string& path);
 /// Throws std::runtime_error for a head that is neither text nor unknown: the format's name and the command that makes
 /// a file that can be read.
 void refuseForeignFormat(const std::string& head);
+
+/// Refuses what claims far more memory or time than it has bytes itself, unless the user says that it is large. Throws
+/// std::runtime_error.
+void refuseUnpacked(std::size_t unpacked, std::size_t packed, bool large);
 
 }  // namespace rubber_suspension::log

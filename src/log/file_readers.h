@@ -24,10 +24,15 @@ std::vector<Log> readMatLogs(const std::string& path, const LogFormat& format);
 /// segments. Throws LogError.
 std::vector<Log> readHdf5Logs(const std::string& path, const LogFormat& format);
 
+/// Those of a file of RPC III: its channels, named by DESC with the unit of UNITS, at steps of DELTA_T. Integers are
+/// multiplied by SCALE. Throws LogError.
+std::vector<Log> readRpcLogs(const std::string& path, const LogFormat& format);
+
 /// The same of one log, of any number of samples, handing out blocks of kLogBlock; the notes. Throws LogError, and what
 /// `take` throws. Of HDF5, no other thread reads a file meanwhile, and `take` must not.
 std::vector<std::string> readCsvBlocks(const std::string& path, const LogFormat& format, const LogSource::Take& take);
 std::vector<std::string> readHdf5Blocks(const std::string& path, const LogFormat& format, const LogSource::Take& take);
+std::vector<std::string> readRpcBlocks(const std::string& path, const LogFormat& format, const LogSource::Take& take);
 
 /// The log that is alone. Throws LogError where there are several.
 Log onlyLog(const std::string& path, std::vector<Log>&& logs);

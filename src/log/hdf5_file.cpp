@@ -2,6 +2,7 @@
 #include "log/hdf5_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -100,6 +101,23 @@ void visitObjects(hid_t file, const std::function<bool(const std::string& path, 
     }
     throw std::runtime_error("damaged; accepted: a complete HDF5 file");
   }
+}
+
+std::string describeDatasets(hid_t file) {
+  constexpr std::size_t kMost = 12;
+  std::vector<std::string> found;
+  visitObjects(file, [&](const std::string& object, const Hdf5Handle* dataset) {
+    if (dataset != nullptr && *dataset) {
+      const Hdf5Handle space(H5Dget_space(dataset->get()), H5Sclose);
+      std::array<hsize_t, H5S_MAX_RANK> size{};
+      const int rank = H5Sget_simple_extent_dims(space.get(), size.data(), nullptr);
+      found.push_back(fmt::format(
+          "{} of {}", quoted(object),
+          rank <= 0 ? "one value" : fmt::format("{}", fmt::join(size.begin(), size.begin() + rank, " x "))));
+    }
+    return found.size() < kMost;
+  });
+  return found.empty() ? "no datasets" : join(found);
 }
 
 }  // namespace rubber_suspension::log

@@ -50,4 +50,7 @@ void requireOwnData(const std::string& path);
 /// Throws what `visit` throws, and std::runtime_error for groups that are nested too deep and a file that is damaged.
 void visitObjects(hid_t file, const std::function<bool(const std::string& path, const Hdf5Handle* dataset)>& visit);
 
+/// The datasets that are there, with their sizes, for errors: "'a' of 3 x 4 x 5, ...", or "no datasets".
+std::string describeDatasets(hid_t file);
+
 }  // namespace rubber_suspension::log

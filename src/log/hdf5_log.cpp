@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -29,6 +30,7 @@ struct Hdf5Column {
   hsize_t part = 0;
   bool wide = false;  // parts are rows
   int rank = 1;
+  bool is_long = false;  // whole numbers of 8 bytes
 };
 
 std::string textAttribute(hid_t object, const char* name) {
@@ -72,6 +74,8 @@ std::string unitOf(hid_t dataset) {
 
 bool isNumber(H5T_class_t kind) { return kind == H5T_INTEGER || kind == H5T_FLOAT; }
 
+bool isLong(hid_t type) { return H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) == sizeof(std::int64_t); }
+
 // Those of a dataset of structures that are numbers.
 std::vector<std::string> memberNames(hid_t type) {
   std::vector<std::string> names;
@@ -111,10 +115,13 @@ void addDataset(std::vector<Hdf5Column>& columns, hid_t dataset, const std::stri
   if (kind == H5T_COMPOUND) {
     for (std::string& member : memberNames(type.get())) {
       column.member = std::move(member);
+      const int place = H5Tget_member_index(type.get(), column.member.c_str());
+      column.is_long = isLong(Hdf5Handle(H5Tget_member_type(type.get(), static_cast<unsigned>(place)), H5Tclose).get());
       columns.push_back(column);
     }
     return;
   }
+  column.is_long = isLong(type.get());
   column.parts = extent.size() == 2 ? std::min(extent[0], extent[1]) : 1;
   column.wide = extent.size() == 2 && extent[0] < extent[1];
   for (column.part = 0; column.part < std::min(column.parts, kMostColumns); ++column.part) {
@@ -148,28 +155,29 @@ void nameColumns(std::vector<Hdf5Column>& columns) {
   }
 }
 
-// A double, or a structure of which it is the member.
-hid_t memoryType(const Hdf5Column& column) {
+// A number, or a structure of which it is the member.
+hid_t memoryType(const Hdf5Column& column, hid_t number) {
   if (column.member.empty()) {
-    return H5Tcopy(H5T_NATIVE_DOUBLE);
+    return H5Tcopy(number);
   }
-  const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(double));
-  H5Tinsert(type, column.member.c_str(), 0, H5T_NATIVE_DOUBLE);
+  const hid_t type = H5Tcreate(H5T_COMPOUND, H5Tget_size(number));
+  H5Tinsert(type, column.member.c_str(), 0, number);
   return type;
 }
 
-// The numbers [first, first + count) of a column.
-std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t first, hsize_t count) {
+// The numbers [first, first + count) of a column. `number`: the type in memory.
+template <class Number>
+std::vector<Number> readAs(hid_t number, hid_t file, const Hdf5Column& column, hsize_t first, hsize_t count) {
   const Hdf5Handle dataset(H5Dopen2(file, column.path.c_str(), H5P_DEFAULT), H5Dclose);
   requireOwnData(dataset.get(), column.path);
-  const Hdf5Handle type(memoryType(column), H5Tclose);
+  const Hdf5Handle type(memoryType(column, number), H5Tclose);
   const Hdf5Handle space(dataset ? H5Dget_space(dataset.get()) : -1, H5Sclose);
   // Of a vector the first number of each pair counts.
   const bool samples_first = column.rank == 1 || !column.wide;
   const std::array<hsize_t, 2> from = {samples_first ? first : column.part, samples_first ? column.part : first};
   const std::array<hsize_t, 2> size = {samples_first ? count : 1, samples_first ? 1 : count};
   const Hdf5Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  std::vector<double> values(count);
+  std::vector<Number> values(count);
   const bool selected =
       space && H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, from.data(), nullptr, size.data(), nullptr) >= 0;
   element::refuseIf<std::runtime_error>(
@@ -179,10 +187,26 @@ std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t fi
   return values;
 }
 
+// A double does not hold each whole number of 8 bytes.
+std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t first, hsize_t count) {
+  if (!column.is_long) {
+    return readAs<double>(H5T_NATIVE_DOUBLE, file, column, first, count);
+  }
+  const auto exact = readAs<long double>(H5T_NATIVE_LDOUBLE, file, column, first, count);
+  std::vector<double> values(exact.begin(), exact.end());
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    element::refuseIf<std::runtime_error>(
+        static_cast<long double>(values[i]) != exact[i],
+        "{}: element {}: {:.0f} is a whole number beyond 2^53, which a double rounds; accepted: floating point",
+        column.name, first + i + 1, exact[i]);
+  }
+  return values;
+}
+
 // A file whose columns are known.
 class Hdf5File {
  public:
-  explicit Hdf5File(const std::string& path) : path_(path), file_(openHdf5(path), H5Fclose) {
+  explicit Hdf5File(const std::string& path) : file_(openHdf5(path), H5Fclose) {
     std::string pandas;  // group that pandas has written
     visitObjects(file_.get(), [&](const std::string& object, const Hdf5Handle* dataset) {
       if (dataset == nullptr) {
@@ -193,10 +217,14 @@ class Hdf5File {
       }
       return columns_.size() < kMostColumns;
     });
-    element::refuseIf<std::runtime_error>(!pandas.empty(),
-                                          "a table of pandas, which is not read; accepted: CSV, by python3 -c \"import "
-                                          "pandas; pandas.read_hdf('{}', '{}').to_csv('LOG.csv')\"",
-                                          path, pandas);
+    element::refuseIf<std::runtime_error>(
+        !pandas.empty(),
+        "a table of pandas, which is not read; accepted: CSV, by python3 -c \"import "
+        "pandas; pandas.read_hdf('{}', '{}').reset_index().to_csv('LOG.csv', index=False)\"",
+        path, pandas);
+    element::refuseIf<std::runtime_error>(columns_.empty(),
+                                          "no columns: {}; accepted: vectors or matrices of numbers, up to {} columns",
+                                          describeDatasets(file_.get()), kMostColumns);
     nameColumns(columns_);
   }
 
@@ -223,10 +251,11 @@ class Hdf5File {
             [this](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
               return readNumbers(file_.get(), columns_[place], first, count);
             },
-            path_};
+            [this](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
+              return readAs<long double>(H5T_NATIVE_LDOUBLE, file_.get(), columns_[place], first, count);
+            }};
   }
 
-  std::string path_;
   Hdf5Handle file_;
   std::vector<Hdf5Column> columns_;
 };

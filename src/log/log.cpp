@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "element/refuse.h"
@@ -188,7 +189,8 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
 }
 
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate,
-                        const std::string& decimal, const std::string& segment, double bridge) {
+                        const std::string& decimal, const std::string& segment, double bridge,
+                        const std::string& sentinel, const std::string& clock) {
   LogFormat format = makeLogFormat(columns, units, rate);
   if (!decimal.empty()) {
     setDecimal(format, decimal);
@@ -199,6 +201,14 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
   if (bridge >= 0.0) {
     format.bridge = bridge;
   }
+  if (!sentinel.empty()) {
+    format.sentinel = sentinel == "none" ? std::numeric_limits<double>::quiet_NaN() : parseNumber(sentinel);
+    element::refuseIf(!format.sentinel, "--sentinel: {}; accepted: none, or the number that stands for no measurement",
+                      quoted(sentinel));
+  }
+  element::refuseIf(!clock.empty() && clock != "receipt" && clock != "header",
+                    "--clock: {}; accepted: receipt or header", quoted(clock));
+  format.by_receipt = clock == "receipt";
   return format;
 }
 
@@ -238,6 +248,7 @@ void checkLengths(const Log& log) {
   checkLength(log, "displacement", log.displacement, false);
   checkLength(log, "force", log.force, true);
   checkLength(log, "temperature", log.temperature, true);
+  checkLength(log, "counts", log.counts, true);
 }
 
 void checkSamples(const Log& log, std::size_t first, std::size_t count) {
@@ -279,7 +290,9 @@ void LogCsvWriter::fail() const {
 void LogCsvWriter::append(std::int64_t stamp, double displacement, double force) {
   fmt::memory_buffer row;
   fmt::format_to(std::back_inserter(row), "{},{:.17g}", formatStamp(stamp), displacement);
-  if (with_force_) {
+  if (with_force_ && std::isnan(force)) {  // not measured
+    row.push_back(',');
+  } else if (with_force_) {
     fmt::format_to(std::back_inserter(row), ",{:.17g}", force);
   }
   row.push_back('\n');
@@ -303,7 +316,11 @@ void LogCsvWriter::close() {
 void writeLogCsv(const std::string& path, const Log& log) {
   LogCsvWriter writer(path, !log.force.empty());
   for (std::size_t i = 0; i < log.size(); ++i) {
-    writer.append(log.stamp[i], log.displacement[i], log.force.empty() ? 0.0 : log.force[i]);
+    const bool measured = log.counts.empty() || log.counts[i] > 0.0;
+    writer.append(log.stamp[i], log.displacement[i],
+                  log.force.empty() ? 0.0
+                  : measured        ? log.force[i]
+                                    : std::numeric_limits<double>::quiet_NaN());
   }
   writer.close();
 }

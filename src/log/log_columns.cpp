@@ -244,8 +244,14 @@ Column findColumn(const ColumnFinder& finder, const std::vector<ColumnName>& hea
 }
 
 void requireColumn(const Column& column, const std::vector<ColumnName>& header, Quantity quantity) {
-  element::refuseIf<std::runtime_error>(!column.found(), "no column of {}, the header has {}; accepted: {}",
-                                        toString(quantity), listed(header), accepted(quantity));
+  const auto unnamed =
+      std::find_if(header.begin(), header.end(), [](const ColumnName& name) { return name.text.empty(); });
+  element::refuseIf<std::runtime_error>(
+      !column.found(), "no column of {}, the header has {}; accepted: {}{}", toString(quantity), listed(header),
+      accepted(quantity),
+      quantity == Quantity::time && unnamed != header.end()
+          ? fmt::format("; the column without a name, by --columns time={} --unit time=s", unnamed - header.begin() + 1)
+          : "");
 }
 
 void refuseTwoOfOne(const Columns& columns, const std::vector<ColumnName>& header) {
@@ -305,7 +311,18 @@ Columns findColumns(const std::vector<ColumnName>& header, const LogFormat& form
   columns.force = findColumn(finder, header, format, Quantity::force);
   columns.temperature = findColumn(finder, header, format, Quantity::temperature);
   refuseTwoOfOne(columns, header);
+  for (const Quantity quantity : kQuantities) {
+    const std::string& unit = channelOf(format, quantity).unit;
+    element::refuseIf<std::runtime_error>(
+        !unit.empty() && !columns.of(quantity).found() && isWanted(quantity, format),
+        "--unit {0}={1}, but there is no column of {0}, the header has {2}; accepted: --columns {0}=NAME beside it",
+        toString(quantity), unit, listed(header));
+  }
   return columns;
+}
+
+Column timeAt(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format) {
+  return columnAt(header, place, format, Quantity::time, header[place].unit, definedUnit(header[place].bare));
 }
 
 void requireTimeUnit(Columns& columns, const LogFormat& format) {
@@ -341,7 +358,11 @@ std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, c
   for (std::size_t i = 0; i < header.size(); ++i) {
     const bool read = std::any_of(all.begin(), all.end(), [i](const Column* column) { return column->isAt(i); });
     if (!read && !header[i].text.empty() && ++ignored <= kMostNamed) {
-      notes.push_back(fmt::format("column {} is ignored", quoted(header[i].withUnit())));
+      const bool as_force = !columns.force.found() && looksLikeForce(header[i].text);
+      notes.push_back(fmt::format("column {} is ignored", quoted(header[i].withUnit())) +
+                      (as_force ? ": where it is the measured force, --columns force=" + std::to_string(i + 1) +
+                                      " --unit force=UNIT"
+                                : ""));
     }
   }
   if (ignored > kMostNamed) {

@@ -48,6 +48,9 @@ struct Columns {
 /// unit of that quantity. What is ambiguous is refused. Throws std::runtime_error with name and what is accepted.
 Columns findColumns(const std::vector<ColumnName>& header, const LogFormat& format);
 
+/// The column of time at a place, in the unit of the option or its own.
+Column timeAt(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format);
+
 /// Throws std::runtime_error for a column of time whose unit nothing tells; beside a rate it is left out.
 void requireTimeUnit(Columns& columns, const LogFormat& format);
 

@@ -23,12 +23,9 @@ class MemorySource : public LogSource {
   std::vector<std::string> read(const Take& take) const override {
     const Log& log = *log_;
     checkLengths(log);
-    bool more = true;
-    for (std::size_t first = 0; more && first < log.size(); first += kLogBlock) {
-      const std::size_t count = std::min(kLogBlock, log.size() - first);
-      checkSamples(log, first, count);
-      more = count == log.size() ? take(log, 0) : take(samplesOf(log, first, count), first);
-    }
+    checkSamples(log, 0, log.size());
+    std::size_t first = 0;
+    handOutBlocks(log, kLogBlock, take, first);
     return log.notes;
   }
 
@@ -71,7 +68,10 @@ std::shared_ptr<const LogSource> openLog(const std::string& path, const LogForma
   if (kind == FileFormat::matlab || kind == FileFormat::bag || !isRegularFile(path)) {
     return sourceOf(readLog(path, format));
   }
-  auto file = std::make_shared<LogFileSource>(path, format, kind == FileFormat::hdf5 ? readHdf5Blocks : readCsvBlocks);
+  const ReadBlocks read_blocks = kind == FileFormat::hdf5  ? readHdf5Blocks
+                                 : kind == FileFormat::rpc ? readRpcBlocks
+                                                           : readCsvBlocks;
+  auto file = std::make_shared<LogFileSource>(path, format, read_blocks);
   Log kept;
   bool all = true;
   std::vector<std::string> notes = file->read([&](const Log& block, std::size_t first) {
@@ -95,6 +95,8 @@ std::vector<Log> readLogs(const std::string& path, const LogFormat& format) {
       return readMatLogs(path, format);
     case FileFormat::hdf5:
       return readHdf5Logs(path, format);
+    case FileFormat::rpc:
+      return readRpcLogs(path, format);
     default:
       return readCsvLogs(path, format);
   }

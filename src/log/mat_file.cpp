@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "element/refuse.h"
+#include "log/file_format.h"
 #include "log/new_file.h"
 
 namespace rubber_suspension::log {
@@ -98,7 +99,7 @@ class ElementReader {
 
 class MatChecker {
  public:
-  explicit MatChecker(std::string_view file) : file_(file) {}
+  MatChecker(std::string_view file, bool large) : file_(file), large_(large) {}
 
   std::vector<std::string> check() {
     if (file_.size() < kHeader || file_.substr(0, 6) != "MATLAB") {
@@ -127,24 +128,51 @@ class MatChecker {
   }
 
  private:
-  static std::string inflated(const ElementReader& reader, std::string_view data) {
+  // All that a compressed element says it holds; more of it is damage.
+  std::string inflated(const ElementReader& reader, std::string_view data) const {
     std::string content;
     z_stream stream{};
     reader.require(inflateInit(&stream) == Z_OK, "no memory to decompress");
+    const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, inflateEnd);
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(data.data()));
     stream.avail_in = static_cast<uInt>(data.size());
     int result = Z_OK;
-    while (result == Z_OK && content.size() < kLargestElement) {
+    constexpr std::size_t kFirst = 65536;
+    std::size_t most = kFirst;
+    while (result == Z_OK && content.size() < most) {
       const std::size_t done = content.size();
-      content.resize(std::max<std::size_t>(2 * done, 65536));
+      content.resize(std::min(std::max(2 * done, kFirst), most));
       stream.next_out = reinterpret_cast<Bytef*>(&content[done]);
       stream.avail_out = static_cast<uInt>(content.size() - done);
       result = inflate(&stream, Z_NO_FLUSH);
       content.resize(content.size() - stream.avail_out);
+      if (done == 0 && result == Z_OK) {
+        most = claimed(reader, content) + 1;  // which shows that there is more
+        refuseUnpacked(most, data.size(), large_);
+      }
     }
-    inflateEnd(&stream);
     reader.require(result == Z_STREAM_END && stream.avail_in == 0, "compressed data that are cut off or changed");
     return content;
+  }
+
+  // Bytes of a matrix by its tag, which its dimensions have to need.
+  std::size_t claimed(const ElementReader& reader, std::string_view begin) const {
+    constexpr std::size_t kTag = 8;
+    constexpr std::size_t kBeside = 1UL << 16U;  // flags, dimensions, name
+    reader.require(begin.size() >= kTag, "compressed data that are cut off or changed");
+    ElementReader matrix(begin.substr(kTag), reader.place(), swapped_);
+    const std::size_t size = kTag + reader.numberIn(begin, 1);
+    reader.require(size <= kLargestElement, "dimensions larger than any file");
+    if (begin.size() > kTag) {
+      const Element flags = matrix.next(kUint32, "a matrix without flags");
+      const std::uint32_t kind = flags.data.size() == kTag ? reader.numberIn(flags.data, 0) & 0xFFU : 0;
+      if (kind >= kDouble && kind <= kUint64) {
+        const std::size_t count = countOf(reader, matrix.next(kInt32, "a matrix without dimensions").data);
+        constexpr std::size_t kLargestNumber = 16;  // bytes, complex
+        reader.require(size / kLargestNumber <= count + kBeside, "more data than the matrix has");
+      }
+    }
+    return size;
   }
 
   static std::size_t countOf(const ElementReader& reader, std::string_view dimensions) {
@@ -242,6 +270,7 @@ class MatChecker {
   }
 
   std::string_view file_;
+  bool large_;
   bool swapped_ = false;
   std::vector<std::string> objects_;
 };
@@ -257,12 +286,12 @@ void writeMatrix(mat_t* file, const NamedMatrix& matrix, const std::string& path
 
 }  // namespace
 
-std::vector<std::string> checkMatStructure(const std::string& path) {
+std::vector<std::string> checkMatStructure(const std::string& path, bool large) {
   namespace ipc = boost::interprocess;
   try {
     const ipc::file_mapping file(path.c_str(), ipc::read_only);
     const ipc::mapped_region region(file, ipc::read_only);
-    return MatChecker({static_cast<const char*>(region.get_address()), region.get_size()}).check();
+    return MatChecker({static_cast<const char*>(region.get_address()), region.get_size()}, large).check();
   } catch (const ipc::interprocess_exception& error) {
     throw std::runtime_error(fmt::format("cannot be read: {}", error.what()));
   }

@@ -20,7 +20,7 @@ void writeMatFile(const std::string& path, const std::vector<NamedMatrix>& matri
 /// Goes through all elements of a file that is no HDF5: their sizes have to add up to those around them and to the
 /// file's, their numbers to their dimensions; what is compressed has to have its checksum. Returns the variables that
 /// are objects of MATLAB (tables, timetables, timeseries), "name (class)". Throws std::runtime_error that names the
-/// byte.
-std::vector<std::string> checkMatStructure(const std::string& path);
+/// byte. `large` as in refuseUnpacked().
+std::vector<std::string> checkMatStructure(const std::string& path, bool large);
 
 }  // namespace rubber_suspension::log

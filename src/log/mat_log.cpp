@@ -153,7 +153,14 @@ template <class Number>
 void copyNumbers(const matvar_t& variable, std::size_t first, std::size_t stride, std::vector<double>& values) {
   const Number* const data = static_cast<const Number*>(variable.data);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = static_cast<double>(data[first + i * stride]);
+    const Number number = data[first + i * stride];
+    values[i] = static_cast<double>(number);
+    if constexpr (std::is_same_v<Number, std::int64_t>) {
+      constexpr std::int64_t kMost = std::int64_t{1} << 53U;
+      element::refuseIf<std::runtime_error>(
+          number > kMost || number < -kMost,
+          "element {}: {} is a whole number beyond 2^53, which a double rounds; accepted: double", i + 1, number);
+    }
   }
 }
 
@@ -198,14 +205,29 @@ class MatLogReader {
         addParts(columns_, *variable);
       } else if (variable->class_type == MAT_C_STRUCT) {
         structs.emplace_back(variable->name);
+      } else {
+        others_.push_back(fmt::format("{} with {} dimensions", quoted(variable->name), variable->rank));
       }
     }
+    element::refuseIf<std::runtime_error>(columns_.empty() && structs.empty(),
+                                          "no columns: {}; accepted: vectors, matrices or structs of real numbers",
+                                          others_.empty() ? "no variable of MATLAB" + datasets() : join(others_));
     for (const std::string& name : structs) {
       FieldFinder(columns_, name).add(read(name, name), variables == 1 ? "" : name, {});
     }
     for (MatColumn& column : columns_) {
       column.name = variables == 1 && column.part > 0 ? std::to_string(column.part) : column.name;
     }
+  }
+
+  // Of a file of level 7.3 that MATLAB did not write.
+  std::string datasets() const {
+    const std::string path = Mat_GetFilename(file_.get());
+    if (H5Fis_hdf5(path.c_str()) <= 0) {
+      return "";
+    }
+    const Hdf5Handle file(openHdf5(path), H5Fclose);
+    return " (datasets of HDF5: " + describeDatasets(file.get()) + "; with the extension .h5 they are read as such)";
   }
 
   // A column whose length was asked for is kept until it is taken.
@@ -279,6 +301,7 @@ class MatLogReader {
   LogFormat format_;
   VariablePointer kept_variable_{nullptr, Mat_VarFree};
   std::vector<MatColumn> columns_;
+  std::vector<std::string> others_;  // variables that are no columns
   std::map<std::size_t, std::vector<double>> kept_;
 };
 
@@ -289,7 +312,7 @@ std::vector<Log> readMatLogs(const std::string& path, const LogFormat& format) {
   std::string objects;
   try {
     requireOwnData(path);
-    objects = join(checkMatStructure(path));
+    objects = join(checkMatStructure(path, format.large));
     return MatLogReader(path, format).read(logName(path));
   } catch (const std::runtime_error& error) {
     throw LogError(fmt::format("{}: {}{}", path, error.what(),

@@ -66,6 +66,7 @@ PoseLog readPoseLog(const std::string& path, const LogFormat& format) {
     if (direction == 0) {
       poses.name = log.name;
       poses.stamp = std::move(log.stamp);
+      poses.counts = std::move(log.counts);
       poses.temperature = std::move(log.temperature);
       std::copy_if(log.notes.begin(), log.notes.end(), std::back_inserter(poses.notes), [](const std::string& note) {
         return !contains(note, " is ignored") && !contains(note, " ignored");

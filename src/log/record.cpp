@@ -56,6 +56,10 @@ void setTimeBase(const Log& log, Record& record) {
     const auto count = static_cast<Eigen::Index>(piece.samples);
     record.raw_displacement.segment(done, count) = Eigen::Map<const Eigen::VectorXd>(piece.displacement, count);
     record.force.segment(done, count) = Eigen::Map<const Eigen::VectorXd>(piece.force, count);
+    if (piece.counts != nullptr) {
+      record.counts = record.counts.size() == 0 ? Eigen::VectorXd::Ones(samples) : record.counts;
+      record.counts.segment(done, count) = Eigen::Map<const Eigen::VectorXd>(piece.counts, count);
+    }
     for (const auto& [from, to] :
          {std::pair(piece.temperature, &record.temperature), std::pair(piece.across, &record.across)}) {
       if (from != nullptr) {
@@ -259,7 +263,11 @@ double whiteNoiseAbove(const Eigen::VectorXd& signal, double dt, double frequenc
 
 void requireForce(const Log& log) {
   if (log.force.empty()) {
-    throw LogError(log.name + ": has no measured force; needed is a column force_<unit>");
+    const auto hint = std::find_if(log.notes.begin(), log.notes.end(), [](const std::string& note) {
+      return note.find("force=") != std::string::npos || note.find("holds no number") != std::string::npos;
+    });
+    throw LogError(log.name + ": has no measured force; needed is a column force_<unit>" +
+                   (hint == log.notes.end() ? "" : "; " + *hint));
   }
 }
 
@@ -281,6 +289,9 @@ Record rawRecord(const Log& log) {
   setTimeBase(log, record);
   record.force_deviation = deviation(record.force);
   record.displacement = record.raw_displacement;
+  element::refuseIf<LogError>(record.counts.size() > 0 && record.counted() < static_cast<double>(kFewestSamples),
+                              "{}: {:.0f} samples with a measured force are too few to diagnose; needed are {}",
+                              log.name, record.counted(), kFewestSamples);
   return record;
 }
 

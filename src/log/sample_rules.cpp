@@ -13,15 +13,15 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr double kBridged = 0.5;            // [s], as the node bridges by default
-constexpr std::size_t kFewestPerGap = 100;  // rows for each that lacks a value, unless --bridge is given
 constexpr double kRateAgrees = 0.01;
 constexpr std::size_t kMostCollected = 100000;  // stamps
+constexpr std::size_t kFewestOfLog = 10;        // rows before a time may restart: of fewer it may be swapped
+constexpr double kAtBeginning = 3.0;            // steps
 
-// The rate of a recording whose stamps are equal, swapped or rounded: from the usual step between different stamps, and
-// how many rows share one. The first and the last of them need not be there from their first row to their last. 0 where
-// they do not tell it.
-double rateOfStamps(std::vector<std::int64_t> stamps) {
+// The rate of stamps that do not fall back, but may be equal or rounded: from the usual step between different stamps,
+// and how many rows share one. The first and the last of them need not be there from their first row to their last. 0
+// where they do not tell it.
+double rateOfBlock(std::vector<std::int64_t> stamps) {
   std::sort(stamps.begin(), stamps.end());
   const auto first_rows = std::upper_bound(stamps.begin(), stamps.end(), stamps.front()) - stamps.begin();
   const auto last_rows = stamps.end() - std::lower_bound(stamps.begin(), stamps.end(), stamps.back());
@@ -42,82 +42,95 @@ double rateOfStamps(std::vector<std::int64_t> stamps) {
   return share * 1e9 / static_cast<double>(numerics::medianOf(stamps));
 }
 
+// The rate of a recording whose stamps are equal, swapped or rounded, or fall back by far: the usual one of the blocks
+// between.
+double rateOfStamps(const std::vector<std::int64_t>& stamps) {
+  std::vector<std::int64_t> forward;
+  for (std::size_t i = 1; i < stamps.size(); ++i) {
+    if (stamps[i] > stamps[i - 1]) {
+      forward.push_back(stamps[i] - stamps[i - 1]);
+    }
+  }
+  const double far = kAtBeginning * static_cast<double>(numerics::medianOf(forward));
+  std::vector<double> rates;
+  std::vector<std::int64_t> block;
+  for (std::size_t i = 0; i <= stamps.size(); ++i) {
+    if (i == stamps.size() || (i > 0 && static_cast<double>(stamps[i - 1] - stamps[i]) > far)) {
+      rates.push_back(rateOfBlock(std::exchange(block, {})));
+    }
+    if (i < stamps.size()) {
+      block.push_back(stamps[i]);
+    }
+  }
+  return numerics::medianOf(rates);
+}
+
 const char* pluralOf(std::size_t count) { return count == 1 ? "" : "s"; }
 
 }  // namespace
 
 SampleRules::SampleRules(const LogFormat& format, const Columns& columns, const char* word)
-    : format_(format), columns_(columns), word_(word) {}
+    : format_(format), columns_(columns), signals_(format, columns, word), word_(word) {}
+
+bool SampleRules::restarts(const SampleRow& row) const {
+  if (format_.rate || !row.stamp || refused_place_ != 0 || stamped_ < kFewestOfLog) {
+    return false;
+  }
+  const double step = static_cast<double>(last_stamp_ - first_stamp_) / static_cast<double>(stamped_ - 1);
+  return std::abs(static_cast<double>(*row.stamp - first_stamp_)) <= kAtBeginning * step;
+}
 
 void SampleRules::take(SampleRow& row, Log& to) {
-  if (!collected_.empty()) {
-    collected_.push_back(row.stamp.value_or(collected_.back()));
-    if (collected_.size() >= kMostCollected) {
+  if (refused_place_ != 0) {
+    recent_.push_back(row.stamp.value_or(recent_.back()));
+    if (recent_.size() >= 2 * kMostCollected) {
       refuseStamps();
     }
     return;
   }
   if (format_.rate) {
     compareWithRate(row);
+    row.stamp = stampAtRate(rows_, *format_.rate);
   }
   ++rows_;
-  if (lacksValue(row)) {
-    first_missing_ = missing_ == 0 ? row : first_missing_;
-    ++missing_;
-    gap_ = gap_.value_or(row);
+  if (!row.stamp) {
+    signals_.addTimeless(row.place, row.unmeasured[0], to);
     return;
   }
-  if (format_.rate) {
-    row.stamp = stampAtRate(rows_ - 1, *format_.rate);
+  if (stamped_ > 0 && *row.stamp <= last_stamp_) {
+    if (repeatsLast(row)) {
+      first_merged_ = merged_ == 0 ? row.place : first_merged_;
+      ++merged_;
+      return;
+    }
+    if (!completesLast(row)) {
+      refused_place_ = row.place;
+      refused_stamp_ = *row.stamp;
+      recent_.push_back(*row.stamp);
+      return;
+    }
   }
-  if (kept_ == 0 || *row.stamp > *last_.stamp) {
-    keep(row, to);
-  } else if (repeatsLast(row)) {
-    first_merged_ = merged_ == 0 ? row.place : first_merged_;
-    ++merged_;
-  } else {
-    refused_ = row;
-    collected_ = to.stamp;  // those of the block
-    collected_.push_back(*row.stamp);
+  if (recent_.size() == kMostCollected) {
+    recent_.erase(recent_.begin(), recent_.begin() + kMostCollected / 2);
   }
+  recent_.push_back(*row.stamp);
+  first_stamp_ = stamped_ == 0 ? *row.stamp : first_stamp_;
+  last_stamp_ = *row.stamp;
+  ++stamped_;
+  last_ = row.value;
+  signals_.add({*row.stamp, row.place, row.value, row.faulty, false},
+               {row.unmeasured[1], row.unmeasured[2], row.unmeasured[3]}, to);
 }
 
 bool SampleRules::repeatsLast(const SampleRow& row) const {
-  return row.stamp == last_.stamp && row.displacement == last_.displacement && row.force == last_.force &&
-         row.temperature == last_.temperature;
+  const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  return row.stamp == last_stamp_ && std::equal(last_.begin(), last_.end(), row.value.begin(), same);
 }
 
-void SampleRules::keep(const SampleRow& row, Log& to) {
-  if (gap_ && kept_ > 0) {
-    checkGap(row);
-    longest_gap_ = std::max(longest_gap_, 1e-9 * static_cast<double>(*row.stamp - *last_.stamp));
-  }
-  gap_.reset();
-  first_stamp_ = kept_ == 0 ? *row.stamp : first_stamp_;
-  last_ = row;
-  ++kept_;
-  to.stamp.push_back(*row.stamp);
-  to.displacement.push_back(row.displacement);
-  if (columns_.force.found()) {
-    to.force.push_back(row.force);
-  }
-  if (columns_.temperature.found()) {
-    to.temperature.push_back(row.temperature);
-  }
-}
-
-bool SampleRules::lacksValue(const SampleRow& row) const {
-  return std::isnan(row.displacement) || std::isnan(row.force) || std::isnan(row.temperature) ||
-         (!format_.rate && !row.stamp);
-}
-
-void SampleRules::checkGap(const SampleRow& row) const {
-  const double gap = 1e-9 * static_cast<double>(*row.stamp - *last_.stamp);
-  if (gap > format_.bridge.value_or(kBridged)) {
-    throw RowError(gap_->place,
-                   fmt::format("{}; accepted: a finite number, or --bridge {:.3g}, for {:.3g} s are without one",
-                               gap_->unmeasured, std::ceil(100.0 * gap) / 100.0, gap));
-  }
+// A row of the same stamp that holds what the last one lacks, and nothing else.
+bool SampleRules::completesLast(const SampleRow& row) const {
+  const auto complement = [](double a, double b) { return std::isnan(a) || std::isnan(b); };
+  return row.stamp == last_stamp_ && std::equal(last_.begin(), last_.end(), row.value.begin(), complement);
 }
 
 void SampleRules::compareWithRate(const SampleRow& row) {
@@ -137,25 +150,22 @@ double SampleRules::ownRate() const {
   return static_cast<double>(own_stamps_ - 1) * 1e9 / static_cast<double>(last_own_ - first_own_);
 }
 
+double SampleRules::rate() const { return rateOfStamps(recent_); }
+
 void SampleRules::refuseStamps() const {
-  const double rate = rateOfStamps(collected_);
-  throw RowError(refused_.place,
+  const double told = rate();
+  throw RowError(refused_place_,
                  fmt::format("{}: {} after {}; accepted: time that increases from row to row, by 1 ns at least, or "
                              "--sampling-rate{} in place of this column",
-                             columns_.time.name, formatStamp(*refused_.stamp), formatStamp(*last_.stamp),
-                             rate > 0.0 && rate <= 1e9 ? fmt::format(" {:.6g}", rate) : " and its value"));
+                             columns_.time.name, formatStamp(refused_stamp_), formatStamp(last_stamp_),
+                             told > 0.0 && told <= 1e9 ? fmt::format(" {:.6g}", told) : " and its value"));
 }
 
-void SampleRules::finish() const {
-  if (!collected_.empty()) {
+void SampleRules::finish(Log& to) {
+  if (refused_place_ != 0) {
     refuseStamps();
   }
-  if (missing_ > 0 && !format_.bridge && missing_ * kFewestPerGap > rows_) {
-    throw RowError(first_missing_.place,
-                   fmt::format("{}; accepted: a finite number, or --bridge {:g}, which leaves out {} of {} rows",
-                               first_missing_.unmeasured, kBridged, missing_, rows_));
-  }
-  element::refuseIf<std::runtime_error>(kept_ < 2, "{} sample{}; accepted: at least 2", kept_, pluralOf(kept_));
+  signals_.finish(to);
   const bool good = format_.rate && own_stamps_ == rows_ && bad_stamps_ == 0;
   if (good && std::abs(ownRate() / *format_.rate - 1.0) > kRateAgrees) {
     throw std::runtime_error(
@@ -166,13 +176,7 @@ void SampleRules::finish() const {
 }
 
 std::vector<std::string> SampleRules::notes() const {
-  std::vector<std::string> notes;
-  if (missing_ > 0) {
-    notes.push_back(fmt::format(
-        "{} row{} without a number, the first in {} {} ({}): left out, time gaps of at most "
-        "{:.3g} s are bridged",
-        missing_, pluralOf(missing_), word_, first_missing_.place, first_missing_.unmeasured, longest_gap_));
-  }
+  std::vector<std::string> notes = signals_.notes();
   if (merged_ > 0) {
     notes.push_back(fmt::format("{} row{} that repeat{} the one before, stamp and values, the first in {} {}: left out",
                                 merged_, pluralOf(merged_), merged_ == 1 ? "s" : "", word_, first_merged_));

@@ -78,7 +78,8 @@ constexpr std::size_t kPortion = 64 * 1024;  // bytes that are decoded at a time
 // One gzip member or several behind each other.
 class GzipSource final : public ByteSource {
  public:
-  explicit GzipSource(std::unique_ptr<ByteSource> source) : source_(std::move(source)), input_(kPortion) {
+  GzipSource(std::unique_ptr<ByteSource> source, bool large)
+      : source_(std::move(source)), large_(large), input_(kPortion) {
     constexpr int kGzip = 16;  // zlib's way to ask for the gzip format
     element::refuseIf<std::runtime_error>(inflateInit2(&stream_, MAX_WBITS + kGzip) != Z_OK, "gzip: no memory");
   }
@@ -95,13 +96,17 @@ class GzipSource final : public ByteSource {
       }
       decode();
     }
-    return size - stream_.avail_out;
+    const std::size_t count = size - stream_.avail_out;
+    unpacked_ += count;
+    refuseUnpacked(unpacked_, packed_, large_);
+    return count;
   }
 
  private:
   bool refill() {
     stream_.next_in = reinterpret_cast<Bytef*>(input_.data());
     stream_.avail_in = static_cast<uInt>(source_->read(input_.data(), input_.size()));
+    packed_ += stream_.avail_in;
     element::refuseIf<std::runtime_error>(stream_.avail_in == 0 && !between_members_,
                                           "gzip: the file ends early; accepted: a complete one");
     return stream_.avail_in > 0;
@@ -121,6 +126,9 @@ class GzipSource final : public ByteSource {
   }
 
   std::unique_ptr<ByteSource> source_;
+  bool large_;
+  std::size_t packed_ = 0;  // bytes read so far
+  std::size_t unpacked_ = 0;
   std::vector<char> input_;
   z_stream stream_{};
   bool between_members_ = false;
@@ -193,11 +201,11 @@ void note(std::string& coding, const std::string& what) { coding += (coding.empt
 
 }  // namespace
 
-TextSource openText(const std::string& path) {
+TextSource openText(const std::string& path, bool large) {
   TextSource result;
   auto source = std::make_unique<PeekedSource>(std::make_unique<FileBytes>(path));
   if (formatOf(source->head()) == FileFormat::gzip) {
-    source = std::make_unique<PeekedSource>(std::make_unique<GzipSource>(std::move(source)));
+    source = std::make_unique<PeekedSource>(std::make_unique<GzipSource>(std::move(source), large));
     note(result.coding, "gzip");
   }
   refuseForeignFormat(source->head());
@@ -214,6 +222,19 @@ TextSource openText(const std::string& path) {
     note(result.coding, "UTF-16");
   }
   return result;
+}
+
+std::string readText(const std::string& path, std::size_t maximum_size) {
+  const TextSource source = openText(path, false);
+  std::string text(maximum_size + 1, '\0');
+  std::size_t filled = 0;
+  for (std::size_t count = 1; count > 0 && filled < text.size(); filled += count) {
+    count = source.bytes->read(&text[filled], text.size() - filled);
+  }
+  text.resize(filled);
+  element::refuseIf<std::runtime_error>(filled > maximum_size, "more than {} bytes; accepted: that many at most",
+                                        maximum_size);
+  return text;
 }
 
 LineReader::LineReader(std::unique_ptr<ByteSource> source, std::size_t maximum_line)

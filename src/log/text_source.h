@@ -29,7 +29,11 @@ struct TextSource {
 /// Open a log as text; the file is read once, from its start, so that it may be a pipe.
 /// Throws std::runtime_error with the system's reason, and where the content is known to be another format than text:
 /// its name and what makes a readable file of it.
-TextSource openText(const std::string& path);
+/// `large`: what is within gzip may be more than refuseUnpacked() accepts.
+TextSource openText(const std::string& path, bool large = false);
+
+/// The whole of such a text, of at most that many bytes. Throws as openText() does.
+std::string readText(const std::string& path, std::size_t maximum_size);
 
 /// Reads text line by line through a bounded buffer, for files of any size.
 class LineReader {

@@ -2,10 +2,15 @@
 #include "log/time_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "element/refuse.h"
+#include "log/text.h"
+#include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::log {
 namespace {
@@ -67,6 +72,11 @@ std::int64_t daysSince1970(std::int64_t year, int month, int day) {
   return era * 146097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719468;
 }
 
+int daysIn(int year, int month) {
+  return static_cast<int>(daysSince1970(month == 12 ? year + 1 : year, month == 12 ? 1 : month + 1, 1) -
+                          daysSince1970(year, month, 1));
+}
+
 struct CalendarDay {
   std::int64_t days = 0;  // since 1970
   bool doubtful = false;  // which number is the month
@@ -89,7 +99,8 @@ std::optional<CalendarDay> takeDate(TimeText& text) {
   }
   const int year = parts[0] + (parts[0] < 100 ? 2000 : 0);
   const bool doubtful = separator == '/' && parts[0] != 0 && parts[1] <= 12 && parts[2] <= 12;
-  if (parts[1] < 1 || parts[1] > 12 || parts[2] < 1 || parts[2] > 31 || year < 1900 || year > 2200) {
+  if (parts[1] < 1 || parts[1] > 12 || year < 1900 || year > 2200 || parts[2] < 1 ||
+      parts[2] > daysIn(year, parts[1])) {
     return std::nullopt;
   }
   return CalendarDay{daysSince1970(year, parts[1], parts[2]), doubtful};
@@ -148,6 +159,46 @@ std::optional<std::int64_t> takeZone(TimeText& text) {
   return (west ? -1 : 1) * (hours * 60 + minutes) * 60 * kNanoseconds;
 }
 
+// "0 days 00:00:00.001", as pandas writes a duration; a negative one is days before a time of day.
+std::optional<std::int64_t> takeDays(std::string_view text) {
+  TimeText whole(text);
+  const bool before = whole.take("-");
+  const int days = whole.number(5);
+  whole.skipBlanks();
+  if (days < 0 || !whole.take("d") || !whole.take("a") || !whole.take("y")) {
+    return std::nullopt;
+  }
+  whole.take("s");
+  whole.skipBlanks();
+  whole.take("+");
+  const auto of_day = takeClock(whole);
+  return of_day && whole.atEnd() ? std::optional((before ? -days : days) * kDay + *of_day) : std::nullopt;
+}
+
+// "0.001 sec": a number and its unit.
+std::optional<std::int64_t> takeQuantity(std::string_view text) {
+  const std::size_t blank = text.find_first_of(kBlanks);
+  if (blank == std::string_view::npos || blank == 0 || !(isDigitOfTime(text[blank - 1]) || text[blank - 1] == '.')) {
+    return std::nullopt;
+  }
+  const std::string unit = trimmed(text.substr(blank));
+  std::string number(text.substr(0, blank));
+  std::replace(number.begin(), number.end(), ',', '.');
+  const auto spelled = unitOfSuffix(unit);
+  const auto value = parseNumber(number);
+  if (!spelled || !value) {
+    return std::nullopt;
+  }
+  try {
+    const double seconds = UnitConversion(*spelled, "s")(1.0);
+    const long double nanoseconds = std::strtold(number.c_str(), nullptr) * static_cast<long double>(seconds) * 1e9L;
+    constexpr long double kMost = 9e18L;
+    return std::abs(nanoseconds) < kMost ? std::optional<std::int64_t>(std::llroundl(nanoseconds)) : std::nullopt;
+  } catch (const std::invalid_argument&) {  // of another quantity
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 bool isTimeText(std::string_view text) { return TimeTextReader().read(text).has_value(); }
@@ -156,7 +207,10 @@ std::optional<std::int64_t> TimeTextReader::read(std::string_view text) {
   TimeText whole(text);
   std::optional<CalendarDay> day;
   if (text.find(':') == std::string_view::npos) {
-    return std::nullopt;
+    return takeQuantity(text);
+  }
+  if (const auto days = takeDays(text)) {
+    return days;
   }
   if (text.find_first_of("-./") < text.find(':')) {
     day = takeDate(whole);

@@ -7,8 +7,8 @@
 
 namespace rubber_suspension::log {
 
-/// True for text that begins as a clock time or a date with a clock time does: "14:31:07,123", "12.03.2025 14:31:07",
-/// "2025-03-12T14:31:07.5Z".
+/// True for a clock time, a date with a clock time, or a duration: "14:31:07,123", "12.03.2025 14:31:07",
+/// "2025-03-12T14:31:07.5Z", "0 days 00:00:00.001", "0.001 sec".
 bool isTimeText(std::string_view text);
 
 /// Reads times one after the other: a clock without a date that falls back by more than half a day has passed midnight.

@@ -54,18 +54,35 @@ struct Spelling {
 };
 
 constexpr Spelling kSpellings[] = {
-    {"c", "degC"},        {"deg c", "degC"},  {"deg. c", "degC"}, {"degc", "degC"},  {"\u00b0c", "degC"},
-    {"\u00b0 c", "degC"}, {"grad c", "degC"}, {"f", "degF"},      {"deg f", "degF"}, {"degf", "degF"},
-    {"\u00b0f", "degF"},  {"kn", "kN"},       {"dan", "daN"},     {"newtons", "N"},  {"lb", "lbf"},
-    {"lbs", "lbf"},       {"pounds", "lbf"},  {"lbsf", "lbf"},    {"klbf", "kip"},   {"klb", "kip"},
-    {"klbs", "kip"},      {"kips", "kip"},    {"kp", "kgf"},      {"kgf", "kgf"},    {"nm", "N m"},
-    {"knm", "kN m"},      {"mm", "mm"},       {"cm", "cm"},       {"m", "m"},        {"um", "um"},
-    {"micron", "um"},     {"microns", "um"},  {"mils", "mil"},    {"thou", "mil"},   {"inch", "in"},
-    {"inches", "in"},     {"\"", "in"},       {"s", "s"},         {"sec", "s"},      {"secs", "s"},
-    {"sec.", "s"},        {"seconds", "s"},   {"sek", "s"},       {"sek.", "s"},     {"sekunden", "s"},
-    {"ms", "ms"},         {"msec", "ms"},     {"msek", "ms"},     {"usec", "us"},    {"us", "us"},
-    {"mins", "min"},      {"minuten", "min"}, {"hrs", "h"},       {"std", "h"},
+    {"c", "degC"},        {"deg c", "degC"},  {"deg. c", "degC"},  {"degc", "degC"},  {"\u00b0c", "degC"},
+    {"\u00b0 c", "degC"}, {"grad c", "degC"}, {"f", "degF"},       {"deg f", "degF"}, {"degf", "degF"},
+    {"\u00b0f", "degF"},  {"kn", "kN"},       {"dan", "daN"},      {"newtons", "N"},  {"lb", "lbf"},
+    {"lbs", "lbf"},       {"pounds", "lbf"},  {"lbsf", "lbf"},     {"klbf", "kip"},   {"klb", "kip"},
+    {"klbs", "kip"},      {"kips", "kip"},    {"kp", "kgf"},       {"kgf", "kgf"},    {"nm", "N m"},
+    {"knm", "kN m"},      {"mm", "mm"},       {"cm", "cm"},        {"m", "m"},        {"um", "um"},
+    {"micron", "um"},     {"microns", "um"},  {"mils", "mil"},     {"thou", "mil"},   {"inch", "in"},
+    {"inches", "in"},     {"\"", "in"},       {"s", "s"},          {"sec", "s"},      {"secs", "s"},
+    {"sec.", "s"},        {"seconds", "s"},   {"sek", "s"},        {"sek.", "s"},     {"sekunden", "s"},
+    {"ms", "ms"},         {"msec", "ms"},     {"msek", "ms"},      {"usec", "us"},    {"us", "us"},
+    {"mins", "min"},      {"minuten", "min"}, {"hrs", "h"},        {"std", "h"},      {"min", "min"},
+    {"minutes", "min"},   {"h", "h"},         {"hr", "h"},         {"hours", "h"},    {"second", "s"},
+    {"n", "N"},           {"newton", "N"},    {"cn", "cN"},        {"gf", "gf"},      {"lbf", "lbf"},
+    {"ozf", "ozf"},       {"tf", "tonf"},     {"tonf", "tonf"},    {"kip", "kip"},    {"pond", "pond"},
+    {"nmm", "N mm"},      {"g", "g"},         {"kg", "kg"},        {"t", "t"},        {"mg", "mg"},
+    {"gram", "g"},        {"grams", "g"},     {"kilograms", "kg"}, {"tonnes", "t"},   {"\u00b5m", "um"},
+    {"\u03bcm", "um"},    {"mil", "mil"},     {"ft", "ft"},        {"ns", "ns"},      {"\u00b5s", "us"},
 };
+
+// Symbols whose small letters would be another unit.
+constexpr const char* kSymbols[] = {"mN", "MN", "GN", "uN",   "\u00b5N", "dN",  "hN",
+                                    "nm", "km", "dm", "degC", "degF",    "rad", "deg"};
+
+const Spelling* spellingOf(const std::string& text) {
+  const std::string written = lowerCase(text);
+  const auto* const row = std::find_if(std::begin(kSpellings), std::end(kSpellings),
+                                       [&](const Spelling& spelling) { return spelling.written == written; });
+  return row == std::end(kSpellings) ? nullptr : row;
+}
 
 bool isUnitByte(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' || c == '_' ||
@@ -250,10 +267,16 @@ std::string spelledUnit(const std::string& text, const std::string& wanted) {
     const UnitPointer parsed = parseUnit(unit);
     return parsed && areConvertible(parsed.get(), target.get());
   };
-  const std::string written = lowerCase(text);
-  const auto* const row = std::find_if(std::begin(kSpellings), std::end(kSpellings),
-                                       [&](const Spelling& spelling) { return spelling.written == written; });
-  return converts(text) || row == std::end(kSpellings) || !converts(row->unit) ? text : row->unit;
+  const Spelling* const row = spellingOf(text);
+  return converts(text) || row == nullptr || !converts(row->unit) ? text : row->unit;
+}
+
+std::optional<std::string> unitOfSuffix(const std::string& text) {
+  if (std::find(std::begin(kSymbols), std::end(kSymbols), text) != std::end(kSymbols)) {
+    return text;
+  }
+  const Spelling* const row = spellingOf(text);
+  return row == nullptr ? std::nullopt : std::optional<std::string>(row->unit);
 }
 
 UnitConversion::UnitConversion(const std::string& from, const std::string& to) {

@@ -147,8 +147,8 @@ struct Evidence {
   bool takesEnergy() const { return work.forward > work.least() || work.recorded > 3.0 * work.deviation; }
   // Whatever the channels' delay.
   bool surelyGivesEnergy() const { return work.backward < -work.least(); }
-  // The simulated force with the other sign.
-  bool isMirrored() const { return force_correlation < -0.9 && sheet.plausible(-ratio); }
+  // The simulated force with the other sign, of whatever size: the stiffness may be a guess, or its unit a wrong one.
+  bool isMirrored() const { return force_correlation < -0.9; }
 
   // By which the measured force is too large, if nothing else is wrong: of a damper by hundreds alone.
   std::optional<double> scale() const {
@@ -203,8 +203,13 @@ RigFinding signFinding(const log::Record& record, const Evidence& e) {
       record.name, finding::kSign, -1.0,
       fmt::format("the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m), "
                   "and its loops take no energy ({:.2g} of the most that there could be), which a mass in fast "
-                  "motion would: the sign of one channel is reversed; multiply it by -1, --columns force=-NAME",
-                  e.measured.stiffness, e.configured.stiffness, e.work.recorded));
+                  "motion would: the sign of one channel is reversed; multiply it by -1, --columns force=-NAME{}",
+                  e.measured.stiffness, e.configured.stiffness, e.work.recorded,
+                  e.ratio >= 0.0 || plausible(-e.ratio)
+                      ? ""
+                      : fmt::format("; besides, the measured stiffness is {:.3g} times the configured one: check the "
+                                    "units and the component file",
+                                    -e.ratio)));
 }
 
 RigFinding swapFinding(const log::Record& record, const Evidence& e) {

@@ -62,13 +62,17 @@ PreparedLog prepare(const log::Log& log, Start start) {
   PreparedLog prepared{log::makeRecord(repaired(log, faults)), faults.findings};
   log::Record& record = prepared.record;
   Eigen::VectorXd counts = resampled(faults.usable(), log, record).cast<double>();
+  const double measured = record.counted();
+  if (record.counts.size() > 0) {
+    counts.array() *= record.counts.array();
+  }
   const Eigen::VectorXd usable = counts;
   counts.head(start == Start::counts ? 0 : samplesOfStart(record)).setZero();
   const auto all = static_cast<double>(record.size());
   if (counts.sum() < all) {
-    if (counts.sum() < kFewestUsable * all) {
-      throw log::LogError(fmt::format("{}: {:.0f} of {} samples are usable; needed is one half: {}", record.name,
-                                      counts.sum(), record.size(),
+    if (counts.sum() < kFewestUsable * measured) {
+      throw log::LogError(fmt::format("{}: {:.0f} of {:.0f} samples are usable; needed is one half: {}", record.name,
+                                      counts.sum(), measured,
                                       faults.findings.empty() ? "too short" : faults.findings.front().text));
     }
     record.counts = counts;

@@ -5,11 +5,16 @@
 #include <boost/iterator/counting_iterator.hpp>
 #include <cmath>
 
+#include "element/largest_number.h"
+
 namespace rubber_suspension::node {
 
-GapMonitor::GapMonitor(std::size_t capacity) : capacity_(std::max(capacity, kCapacity)) {
-  if (capacity_ > kCapacity) {
-    samples_.resize(capacity_);
+GapMonitor::GapMonitor(std::size_t capacity) : capacity_(std::max(capacity, kCapacity)) {}
+
+void GapMonitor::makeRoom(std::uint64_t number) {
+  auto& block = blocks_[number % capacity_ / kBlock];
+  if (!block) {
+    block = std::make_unique<Block>();
   }
 }
 
@@ -44,14 +49,17 @@ void GapMonitor::takeWaiting(std::uint64_t number) {
 }
 
 void GapMonitor::addSimulated(std::int64_t stamp, double displacement, double force, double beside) {
-  if (!wanted_.load(std::memory_order_relaxed)) {
+  const bool counts = std::abs(displacement) <= element::kLargestNumber && std::abs(force) <= element::kLargestNumber;
+  if (!counts || !wanted_.load(std::memory_order_relaxed)) {
     return;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   if (count_ > first_ && stamp <= at(count_ - 1).stamp) {
     first_ = count_;  // what waits may belong to the new replay
   }
-  const std::uint64_t number = count_++;
+  const std::uint64_t number = count_;
+  makeRoom(number);
+  ++count_;
   at(number) = {stamp, displacement, force, std::numeric_limits<double>::quiet_NaN(), beside};
   if (!waiting_.empty()) {
     takeWaiting(number);
@@ -68,11 +76,14 @@ std::uint64_t GapMonitor::firstFrom(std::int64_t stamp) const {
 bool GapMonitor::addMeasured(std::int64_t stamp, double force) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!wanted_) {
-    samples_.resize(capacity_);
+    blocks_.resize((capacity_ + kBlock - 1) / kBlock);
+    for (std::uint64_t number = 0; number < kCapacity; number += kBlock) {
+      makeRoom(number);
+    }
     waiting_.reserve(kWaiting);
     wanted_ = true;
   }
-  if (!std::isfinite(force)) {
+  if (!(std::abs(force) <= element::kLargestNumber)) {
     ++counters_.not_finite;
     return false;
   }

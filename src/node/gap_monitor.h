@@ -1,9 +1,11 @@
 // Matches measured to simulated forces by stamp and keeps the last seconds of them, for the live gap. Knows no ROS.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -23,7 +25,7 @@ struct MatchedSample {
 struct MatchCounters {
   std::uint64_t matched = 0;
   std::uint64_t unmatched = 0;   ///< measured forces whose stamp no sample had, or had no more
-  std::uint64_t not_finite = 0;  ///< measured forces dropped
+  std::uint64_t not_finite = 0;  ///< measured forces dropped, those beyond element::kLargestNumber among them
 };
 
 /// Takes samples and measured forces from different threads, in any order to each other, late or early. Costs nothing
@@ -33,15 +35,16 @@ class GapMonitor {
   static constexpr std::size_t kCapacity = 32768;  ///< samples kept by default: 32 s at 1 kHz, 3 s at 10 kHz
   static constexpr std::size_t kWaiting = 4096;    ///< measured forces ahead of their samples, kept at most
 
-  /// Keeps `capacity` samples, at least kCapacity; where that is more, it takes their memory at once.
+  /// Keeps `capacity` samples, at least kCapacity; where that is more, memory for the rest is taken as they come.
   explicit GapMonitor(std::size_t capacity = kCapacity);
 
   /// A sample that the component accepted. A stamp that steps back is a new replay: all earlier samples are forgotten.
-  /// `beside` is the force [N] of a model that is computed beside the published one, if any.
+  /// One beyond element::kLargestNumber is passed over. `beside` is the force [N] of a model that is computed beside
+  /// the published one, if any.
   void addSimulated(std::int64_t stamp, double displacement, double force,
                     double beside = std::numeric_limits<double>::quiet_NaN());
 
-  /// Returns false where the force is not finite.
+  /// Returns false where the force is not finite, or beyond element::kLargestNumber.
   bool addMeasured(std::int64_t stamp, double force);
 
   /// Forget all samples; counters stay.
@@ -66,8 +69,14 @@ class GapMonitor {
     double force;
   };
 
-  MatchedSample& at(std::uint64_t number) { return samples_[number % capacity_]; }
-  const MatchedSample& at(std::uint64_t number) const { return samples_[number % capacity_]; }
+  static constexpr std::size_t kBlock = 4096;  // samples
+  using Block = std::array<MatchedSample, kBlock>;
+
+  MatchedSample& at(std::uint64_t number) const {
+    const std::uint64_t place = number % capacity_;
+    return (*blocks_[place / kBlock])[place % kBlock];
+  }
+  void makeRoom(std::uint64_t number);
   std::uint64_t oldest() const { return count_ > capacity_ + first_ ? count_ - capacity_ : first_; }
   std::uint64_t firstFrom(std::int64_t stamp) const;
   void match(std::uint64_t number, double force);
@@ -76,10 +85,10 @@ class GapMonitor {
   const std::size_t capacity_;
   mutable std::mutex mutex_;
   std::atomic<bool> wanted_{false};
-  std::vector<MatchedSample> samples_;  // a ring; sample number n lies at n modulo its size
-  std::uint64_t first_ = 0;             // number of the first sample since the last restart
-  std::uint64_t count_ = 0;             // number of the next sample
-  std::uint64_t matched_end_ = 0;       // number behind the newest that is matched
+  std::vector<std::unique_ptr<Block>> blocks_;  // of a ring; sample number n lies at n modulo the capacity
+  std::uint64_t first_ = 0;                     // number of the first sample since the last restart
+  std::uint64_t count_ = 0;                     // number of the next sample
+  std::uint64_t matched_end_ = 0;               // number behind the newest that is matched
   std::vector<Waiting> waiting_;
   MatchCounters counters_;
   PairedErrors paired_;

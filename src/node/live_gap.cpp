@@ -15,8 +15,9 @@
 namespace rubber_suspension::node {
 namespace {
 
-constexpr std::size_t kFewest = 100;   // samples; as few as the diagnosis takes
-constexpr std::size_t kHistory = 600;  // reports that the trend is taken over, at most
+constexpr std::size_t kFewest = 100;         // samples; as few as the diagnosis takes
+constexpr Eigen::Index kWarpedWhole = 2000;  // samples; a rating takes 10 ms a second of 10 kHz then
+constexpr std::size_t kHistory = 600;        // reports that the trend is taken over, at most
 
 log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) {
   log::Log log;
@@ -57,6 +58,7 @@ void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, io
   for (const measurement::RigFinding& finding : rig.findings(0, rig.fit(0, columns))) {
     gap.rig_findings.push_back(finding);
   }
+  gap.iso18571 = gap::rateIso18571(record.force, simulated, kWarpedWhole);
   const double scale = std::sqrt(record.counted()) * record.force_deviation;
   gap.gap = residual.norm() / scale;
   gap.gap_as_recorded = error.norm() / scale;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "node/gap_monitor.h"
+#include "rubber_suspension/gap/iso18571.h"
 #include "rubber_suspension/gap/where.h"
 #include "rubber_suspension/io/rig_tolerances.h"
 #include "rubber_suspension/measurement/rig_finding.h"
@@ -35,6 +36,7 @@ struct LiveGap {
   double noise_floor = 0.0;         ///< what the white noise of the measured force alone would give [-]
   double beyond_noise = 0.0;        ///< sqrt(gap^2 - noise_floor^2), at least 0 [-]
   double trend = 0.0;               ///< change of `gap` with the time of the stamps [1/s]; 0 until a window long
+  gap::Iso18571 iso18571;           ///< rating of the forces with what the rig did
   std::array<double, 5> share{};    ///< of the squared gap, by Quantity; they add up to 1
   std::vector<gap::GapCell> cells;  ///< by frequency, amplitude and quantity, largest first
   std::vector<measurement::RigFinding> rig_findings;  ///< what the rig did in this window

@@ -30,4 +30,12 @@ std::vector<std::complex<double>> paddedSpectrum(std::vector<double> samples, st
   return Fourier().halfSpectrum(samples);
 }
 
+std::vector<double> samplesOf(const std::vector<std::complex<double>>& half_spectrum, std::size_t count) {
+  Eigen::FFT<double> transform;
+  transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  std::vector<double> samples;
+  transform.inv(samples, half_spectrum, static_cast<Eigen::Index>(count));
+  return samples;
+}
+
 }  // namespace rubber_suspension::numerics

@@ -28,4 +28,7 @@ class Fourier {
 /// fast at any length.
 std::vector<std::complex<double>> paddedSpectrum(std::vector<double> samples, std::size_t shortest = 2);
 
+/// The real samples, so many, whose lines 0 to N/2 these are.
+std::vector<double> samplesOf(const std::vector<std::complex<double>>& half_spectrum, std::size_t count);
+
 }  // namespace rubber_suspension::numerics

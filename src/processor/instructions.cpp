@@ -8,7 +8,8 @@ namespace rubber_suspension::processor {
 namespace {
 
 Instructions widest() {
-#ifdef __x86_64__
+// On Windows the stack is aligned to 16 bytes, and compilers of GCC may spill 32 of them to it (GCC bug 54412).
+#if defined(__x86_64__) && !defined(_WIN32)
   if (__builtin_cpu_supports("avx512f") != 0) {
     return Instructions::avx512;
   }

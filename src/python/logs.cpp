@@ -17,9 +17,10 @@ constexpr double kLongestTime = 9.0e9;  // [s]
 
 log::Log readLog(const std::string& path, const std::vector<std::string>& columns, const std::string& unit,
                  double sampling_rate, const std::string& decimal, const std::string& segment, double bridge,
-                 bool accept_units) {
-  log::LogFormat format = log::makeLogFormat(columns, unit, sampling_rate, decimal, segment, bridge);
+                 bool accept_units, bool large, const std::string& sentinel) {
+  log::LogFormat format = log::makeLogFormat(columns, unit, sampling_rate, decimal, segment, bridge, sentinel);
   format.accept_units = accept_units;
+  format.large = large;
   const py::gil_scoped_release others_run;
   return log::readLog(path, format);
 }
@@ -66,14 +67,18 @@ void addLogs(py::module_& module) {
       .def_property_readonly(
           "force", [](const log::Log& log) { return toArray(log.force); }, "Measured [N]; empty without.")
       .def_property_readonly(
+          "counts", [](const log::Log& log) { return toArray(log.counts); },
+          "1 where the force was measured, 0 where it is interpolated; empty: measured throughout.")
+      .def_property_readonly(
           "temperature", [](const log::Log& log) { return toArray(log.temperature); }, "[degC]; empty without.")
       .def("__len__", &log::Log::size)
       .def("__repr__", [](const log::Log& log) { return fmt::format("<Log {}, {} samples>", log.name, log.size()); });
   module.def("read_log", &readLog, py::arg("path"), py::arg("columns") = std::vector<std::string>(),
              py::arg("unit") = "", py::arg("sampling_rate") = 0.0, py::arg("decimal") = "", py::arg("segment") = "",
-             py::arg("bridge") = -1.0, py::arg("accept_units") = false,
-             "Read a log of text (CSV), .mat or HDF5; columns, unit, sampling_rate, decimal, segment, bridge and "
-             "accept_units as the options of the commands. Raises LogError.");
+             py::arg("bridge") = -1.0, py::arg("accept_units") = false, py::arg("large") = false,
+             py::arg("sentinel") = "",
+             "Read a log of text (CSV), .mat or HDF5; columns, unit, sampling_rate, decimal, segment, bridge, "
+             "accept_units, large and sentinel as the options of the commands. Raises LogError.");
   module.def(
       "gap",
       [](const py::object& measured, const py::object& simulated) {

@@ -10,7 +10,6 @@
 
 #include "element/refuse.h"
 #include "log/new_file.h"
-#include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension::ros_interface {
@@ -35,32 +34,17 @@ Tree caseTree(const std::string& suite, const TestCase& test) {
   return tree;
 }
 
-std::ptrdiff_t firstCompared(const log::Log& log, double skip) {
+std::size_t firstCompared(const log::Log& log, double skip) {
   std::size_t first = 0;
   while (first < log.size() && log.duration(0, first) < skip) {
     ++first;
   }
   element::refuseIf(first + 2 > log.size(), "{}: nothing is left to compare after {:g} s; the log lasts {:g} s",
                     log.name, skip, log.duration(0, log.size() - 1));
-  return static_cast<std::ptrdiff_t>(first);
+  return first;
 }
 
 }  // namespace
-
-ForceDifference compareForces(const log::Log& log, const std::vector<double>& reference,
-                              const std::vector<double>& force, double skip) {
-  const std::ptrdiff_t first = firstCompared(log, skip);
-  ForceDifference result{
-      gap::relativeGap({reference.begin() + first, reference.end()}, {force.begin() + first, force.end()}), 0.0, 0.0};
-  for (auto i = static_cast<std::size_t>(first); i < log.size(); ++i) {
-    const double difference = std::abs(force[i] - reference[i]);
-    if (!(difference <= result.largest)) {
-      result.largest = difference;
-      result.largest_time = log.duration(0, i);
-    }
-  }
-  return result;
-}
 
 ForceReference measuredReference(const log::Log& log) {
   element::refuseIf(
@@ -84,19 +68,31 @@ TestCase checkAnswers(const std::string& component, const log::Log& log, const P
   return test;
 }
 
-TestCase checkForces(const log::Log& log, const ForceReference& reference, const PlayResult& result, double tolerance,
-                     double skip) {
-  TestCase test{"forces", false, "", 0.0};
+std::optional<gap::Agreement> compareForces(const log::Log& log, const ForceReference& reference,
+                                            const PlayResult& result, double skip) {
   if (result.answered() < log.size()) {
+    return std::nullopt;
+  }
+  log::Log with_reference = log;
+  if (reference.force != log.force) {  // of a component, which is known at each sample
+    with_reference.force = reference.force;
+    with_reference.counts.clear();
+  }
+  return gap::agreementOf(with_reference, result.totals(), firstCompared(log, skip));
+}
+
+TestCase checkForces(const log::Log& log, const ForceReference& reference, const PlayResult& result,
+                     const std::optional<gap::Agreement>& agreement, double tolerance) {
+  TestCase test{"forces", false, "", 0.0};
+  if (!agreement) {
     test.message =
         fmt::format("not compared with {}: {} samples have no force", reference.name, log.size() - result.answered());
     return test;
   }
-  const ForceDifference difference = compareForces(log, reference.force, result.totals(), skip);
-  test.passed = difference.gap <= tolerance;
-  test.message = fmt::format("gap {:.6g} to {}, {} {:g}; largest difference {:.6g} N, {:.6g} s after the start",
-                             difference.gap, reference.name, test.passed ? "within" : "beyond", tolerance,
-                             difference.largest, difference.largest_time);
+  test.passed = agreement->gap <= tolerance;
+  test.message =
+      fmt::format("gap {:.6g} to {}, {} {:g}; largest difference {:.6g} N, {:.6g} s after the start", agreement->gap,
+                  reference.name, test.passed ? "within" : "beyond", tolerance, agreement->peak, agreement->peak_time);
   return test;
 }
 

@@ -2,9 +2,11 @@
 // of it in the XML format of GoogleTest, which rostest and rosunit read.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "gap/agreement.h"
 #include "ros_interface/log_player.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/io/figure.h"
@@ -30,18 +32,6 @@ std::string testReportPath(const std::string& gtest_output);
 /// Write the report. Throws std::runtime_error.
 void writeTestReport(const std::string& path, const std::string& suite, const std::vector<TestCase>& cases);
 
-/// How far forces are from a reference.
-struct ForceDifference {
-  double gap;           ///< RMS of the difference over the standard deviation of the reference [-]
-  double largest;       ///< largest difference [N]
-  double largest_time;  ///< where that is, from the start of the log [s]
-};
-
-/// Compare forces with a reference, both one per sample of the log and in [N], leaving out the first `skip` seconds of
-/// the log. Throws std::invalid_argument where nothing is left or the reference is constant there.
-ForceDifference compareForces(const log::Log& log, const std::vector<double>& reference,
-                              const std::vector<double>& force, double skip);
-
 /// The reference, for messages: "the force measured in track.csv".
 struct ForceReference {
   std::string name;
@@ -58,9 +48,14 @@ ForceReference simulatedReference(const component::Component& component, const l
 /// Whether every sample of the log had exactly one force.
 TestCase checkAnswers(const std::string& component, const log::Log& log, const PlayResult& result);
 
+/// How far the bench's forces are from the reference, leaving out the first `skip` seconds of the log; nothing where a
+/// force is missing. Throws std::invalid_argument where nothing is left or the reference is constant there.
+std::optional<gap::Agreement> compareForces(const log::Log& log, const ForceReference& reference,
+                                            const PlayResult& result, double skip);
+
 /// Whether the gap to the reference is no larger than `tolerance`. A force that is missing or not finite fails.
-TestCase checkForces(const log::Log& log, const ForceReference& reference, const PlayResult& result, double tolerance,
-                     double skip);
+TestCase checkForces(const log::Log& log, const ForceReference& reference, const PlayResult& result,
+                     const std::optional<gap::Agreement>& agreement, double tolerance);
 
 /// Forces of bench and reference over time and displacement, and their difference. Every sample has to have its force.
 io::Figure forceFigure(const std::string& component, const log::Log& log, const ForceReference& reference,

@@ -13,6 +13,7 @@
 #include "bag/header_stamp.h"
 #include "element/suggestion.h"
 #include "io/progress.h"
+#include "log/samples.h"
 #include "log/text.h"
 #include "ros_interface/connection.h"
 #include "ros_interface/pose_messages.h"
@@ -212,7 +213,7 @@ void LogPlayer::send() {
   displacement.header.stamp = bag::toRosTime(log_->stamp[sample] + shift_);
   displacement.displacement = log_->displacement[sample];
   displacement_publisher_.publish(displacement);
-  if (!log_->force.empty()) {
+  if (!log_->force.empty() && log::isCounted(*log_, sample)) {
     MeasuredForce force;
     force.header.stamp = displacement.header.stamp;
     force.force = log_->force[sample];
@@ -228,7 +229,7 @@ void LogPlayer::sendPose(std::size_t sample) {
   pose.header.stamp = bag::toRosTime(log_->stamp[sample] + shift_);
   pose.pose = messageOf(vector(poses_->coordinate, 0), gap::rotationAt(*poses_, *options_.rotation, sample));
   displacement_publisher_.publish(pose);
-  if (!poses_->wrench[0].empty()) {
+  if (!poses_->wrench[0].empty() && (poses_->counts.empty() || poses_->counts[sample] > 0.0)) {
     geometry_msgs::WrenchStamped measured;
     measured.header = pose.header;
     measured.wrench = messageOf(component::Wrench{vector(poses_->wrench, 0), vector(poses_->wrench, 3)});

@@ -49,13 +49,27 @@ constexpr Fault kFaults[] = {
      &ChannelReport::refused_temperatures},
 };
 
+// Stamps that repeat 0 were never filled; the cure is told once.
+std::string wordsOf(const Fault& fault, const ChannelReport& before, const ChannelReport& now) {
+  if (fault.count != &ChannelReport::repeated || !now.started || now.last_time != 0.0) {
+    return fault.words;
+  }
+  std::string text = "with an empty header, whose stamp is 0 (dropped)";
+  if (before.repeated == 0) {
+    text +=
+        ": the sender has to fill it; rostopic pub does with 'header: auto', and a driver that sends Float64 needs a "
+        "message with a header, such as Float64Stamped, whose stamp is copied into Displacement";
+  }
+  return text;
+}
+
 // The warning between two reports of one component; empty if there is none.
 std::string describeFaults(const ChannelReport& before, const ChannelReport& now) {
   std::string text;
   for (const Fault& fault : kFaults) {
     const std::uint64_t news = now.*fault.count - before.*fault.count;
     if (news > 0) {
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", news, fault.words);
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", news, wordsOf(fault, before, now));
     }
   }
   if (now.beyond_valid > before.beyond_valid && now.valid) {
@@ -120,6 +134,9 @@ void addGap(const std::string& direction, const node::LiveGap& gap, const node::
   status.add(of + "gap, noise floor", gap.noise_floor);
   status.add(of + "gap, beyond noise", gap.beyond_noise);
   status.add(of + "gap, trend [1/s]", gap.trend);
+  status.add(of + "ISO/TS 18571",
+             fmt::format("{:.3f} ({}){}", gap.iso18571.total, gap::iso18571Grade(gap.iso18571.total),
+                         gap.iso18571.repeats ? "; the measured force repeats itself" : ""));
   for (std::size_t i = 0; i < gap.share.size(); ++i) {
     status.add(of + "gap, share of " + gap::toString(static_cast<gap::Quantity>(i)), gap.share[i]);
   }
@@ -144,6 +161,12 @@ rubber_suspension::Gap gapMessage(const node::LiveGap& gap, const node::GapSetti
   message.noise_floor = gap.noise_floor;
   message.beyond_noise = gap.beyond_noise;
   message.trend = gap.trend;
+  message.iso18571_total = gap.iso18571.total;
+  message.iso18571_corridor = gap.iso18571.corridor;
+  message.iso18571_phase = gap.iso18571.phase;
+  message.iso18571_magnitude = gap.iso18571.magnitude;
+  message.iso18571_slope = gap.iso18571.slope;
+  message.iso18571_repeats = gap.iso18571.repeats;
   for (const measurement::RigFinding& finding : gap.rig_findings) {
     message.rig_findings.push_back(finding.text);
   }

@@ -21,6 +21,7 @@
 #include "node/state_file.h"
 #include "ros_interface/termination.h"
 #include "roscpp_fixes/master_call.h"
+#include "roscpp_fixes/wire_bounds.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -105,6 +106,7 @@ void NodeServices::advertisePromotions() {
     if (!promotable || !promotable_.insert(channel->name()).second) {
       continue;
     }
+    io::checkCancelled();
     advertise<Trigger>(handle_, channel->name() + "/promote",
                        [this, channel](const Trigger::Request&) { return promote(*channel); });
     advertise<Trigger>(handle_, channel->name() + "/rollback", [this, channel](const Trigger::Request&) {
@@ -131,8 +133,10 @@ void NodeServices::advertise(ros::NodeHandle& handle, const std::string& name, A
       };
   const ros::ServiceServer server =
       handle.advertiseService<typename Service::Request, typename Service::Response>(name, answer);
+  constexpr std::uint32_t kLongestRequest = 4096;  // [bytes]; the name of a component at most
   const std::lock_guard<std::mutex> lock(mutex_);
   servers_.push_back(server);
+  limits_.push_back(roscpp_fixes::limitMessages(server.getService(), kLongestRequest));
 }
 
 std::vector<std::string> NodeServices::names() const {

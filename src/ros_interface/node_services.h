@@ -3,6 +3,7 @@
 
 #include <ros/node_handle.h>
 
+#include <memory>
 #include <mutex>
 #include <set>
 #include <string>
@@ -24,7 +25,8 @@ void loadStates(const std::string& path, node::ChannelGroup& group);
 /// parameters name: whoever calls a service names no path.
 class NodeServices {
  public:
-  /// The group must outlive the object, and so must the live diagnosis, if there is one.
+  /// The group must outlive the object, and so must the live diagnosis, if there is one. Throws io::Cancelled where the
+  /// process is to end meanwhile.
   NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
                node::ChannelGroup& group, const LiveDiagnoser* live);
 
@@ -49,7 +51,8 @@ class NodeServices {
   const LiveDiagnoser* live_;
   mutable std::mutex mutex_;  // of the servers
   std::vector<ros::ServiceServer> servers_;
-  std::set<std::string> promotable_;  // components whose promotion has its services
+  std::vector<std::shared_ptr<const void>> limits_;  // of the requests
+  std::set<std::string> promotable_;                 // components whose promotion has its services
 };
 
 }  // namespace rubber_suspension::ros_interface

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "bag/bag_writer.h"
+#include "log/samples.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -65,7 +66,7 @@ void PlayRecorder::addToBag(const log::Log& log, const PlayResult& result) {
   const std::int64_t shift = result.shift;
   for (std::size_t i = 0; i < result.sent; ++i) {
     bag_->writeDisplacement(log.stamp[i] + shift, log.displacement[i]);
-    if (!log.force.empty()) {
+    if (!log.force.empty() && log::isCounted(log, i)) {
       bag_->writeMeasuredForce(log.stamp[i] + shift, log.force[i]);
     }
     if (result.answers[i] > 0) {

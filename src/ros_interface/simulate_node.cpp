@@ -8,18 +8,24 @@
 #include <ros/console.h>
 #include <ros/init.h>
 #include <ros/param.h>
+#include <sys/resource.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
 #include <algorithm>
+#include <boost/thread/exceptions.hpp>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <mutex>
+#include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "io/cancellation.h"
 #include "ros_interface/termination.h"
 #include "roscpp_fixes/master_call.h"
 #include "roscpp_fixes/process_fixes.h"
+#include "roscpp_fixes/wire_bounds.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -65,11 +71,9 @@ void tell(const std::string& refusal, const std::string& success) {
   }
 }
 
-// Services, timers and diagnostics, until the end. ros::spin() would leave that to ROS, which ends from within.
-void spinUntilEnd(SimulateNode& node, RosCommandLine& line) {
-  while (!isEnding()) {
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
-  }
+// Nothing of this process is left at a master that answers. Where it has heard it all, or nothing, roscpp's own words,
+// one after the other, are not needed.
+void leave(RosCommandLine& line) {
   constexpr double kMasterLimit = 0.5;  // [s]
   constexpr double kLeaveLimit = 3.0;   // [s]
   if (ros::isShuttingDown()) {
@@ -79,9 +83,29 @@ void spinUntilEnd(SimulateNode& node, RosCommandLine& line) {
   if (answers) {
     line.takeOffParameters();
   }
-  // Where the master has heard it all, or nothing, roscpp's own words are not needed.
-  if (!answers || node.registration().leaveMaster(kLeaveLimit)) {
+  if (!answers || roscpp_fixes::leaveMaster(kLeaveLimit)) {
     roscpp_fixes::giveUpMaster();
+  }
+}
+
+// What one more node needs, at least: for each component a connection of its displacements and one of its forces, the
+// same for bundles, and some for the master, services and files. Throws std::runtime_error where the process has fewer.
+void requireOpenFiles(std::size_t components) {
+  constexpr std::size_t kBeside = 24;
+  std::error_code unknown;
+  const std::filesystem::directory_iterator open("/proc/self/fd", unknown);
+  const std::size_t needed =
+      static_cast<std::size_t>(std::distance(begin(open), end(open))) + 2 * (components + 1) + kBeside;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= needed) {
+    return;
+  }
+  limit.rlim_cur = std::min<rlim_t>(needed, limit.rlim_max);
+  if (limit.rlim_max < needed || setrlimit(RLIMIT_NOFILE, &limit) != 0) {
+    const std::string each = components == 0 ? "each component" : fmt::format("each of {} components", components);
+    throw std::runtime_error(fmt::format(
+        "{} open files are needed, two for {} and {} beside; accepted: ulimit -n {}, or LimitNOFILE; now {}", needed,
+        each, needed - 2 * components, needed, limit.rlim_max));
   }
 }
 
@@ -94,29 +118,56 @@ void runSimulateNode(RosCommandLine& line) {
   mallopt(M_MMAP_THRESHOLD, kLarge);
   mallopt(M_TRIM_THRESHOLD, 2 * kLarge);
   const Termination termination;
+  requireOpenFiles(0);  // roscpp waits for ever without those of its own
   if (!line.initialise("simulate", ros::init_options::NoSigintHandler)) {
     return;
   }
+  // Before anything goes: what goes by itself tells the master so, one call after the other.
+  bool left = false;
+  const auto ends_and_leaves = [&] {
+    if (isEnding() && !std::exchange(left, true)) {
+      leave(line);
+    }
+    return isEnding();
+  };
   try {
-    SimulateNode node(ros::NodeHandle(), ros::NodeHandle("~"));
-    spinUntilEnd(node, line);
+    SimulateNode node(ros::NodeHandle(), ros::NodeHandle("~"), ends_and_leaves);
+    while (!isEnding()) {  // services, timers and diagnostics; ros::spin() would leave the end to ROS
+      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+    }
+    node.stopRegistering();
+    leave(line);
   } catch (const io::Cancelled&) {
     ROS_INFO("ended before it served");
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error("out of memory; accepted: a larger limit (ulimit -v, MemoryMax) or fewer components");
+  } catch (const boost::thread_resource_error& error) {
+    throw std::runtime_error(fmt::format(
+        "a thread cannot be started: {}; accepted: larger limits of memory and threads (ulimit -v, ulimit -u)",
+        error.what()));
   }
   ros::shutdown();  // waits for the thread that has begun to
 }
 
-SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
+SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+                           const std::function<bool()>& is_ending)
     : handle_(handle), private_handle_(private_handle) {
-  const io::Cancellable cancellable(isEnding);
+  const io::Cancellable cancellable(is_ending);
   try {
+    const std::string unbounded = roscpp_fixes::boundTheWire();  // in a nodelet's manager nothing was bounded before
     loggers_ = roscpp_fixes::takeOverLoggerService();  // first, as whoever calls roscpp's own ends the process
+    constexpr std::uint32_t kLongestRequest = 4096;    // [bytes]
+    for (const std::string& name : roscpp_fixes::loggerServices()) {
+      limits_.push_back(roscpp_fixes::limitMessages(name, kLongestRequest));
+    }
     // The first line of log asks the master for this parameter, without a time limit and with all parameters locked:
     // ask now, while the master is known to answer.
     bool unused = false;
     ros::param::getCached("/rosout_disable_topics_generation", unused);
+    tell(unbounded, "");
     settings_ = readNodeSettings(private_handle_);
     makeChannels();
+    requireOpenFiles(channels_.size());
     if (settings_.diagnose) {
       live_ = loadLiveDiagnoser(handle_, *group_, settings_.live);
     }
@@ -151,6 +202,7 @@ void SimulateNode::makeChannels() {
   const std::size_t kept =
       settings_.diagnose ? static_cast<std::size_t>(settings_.live.memory) : node::GapMonitor::kCapacity;
   for (const io::ComponentDescription& description : readComponents(private_handle_)) {
+    io::checkCancelled();
     claims_.push_back(claim(handle_.resolveName(description.name), private_handle_.getNamespace()));
     channels_.push_back(
         std::make_unique<node::ComponentChannel>(description, settings_.max_gap, settings_.promotion, kept));
@@ -195,6 +247,7 @@ void SimulateNode::startServing() {
 void SimulateNode::advertiseServices() {
   diagnostics_ = std::make_unique<NodeDiagnostics>(handle_, private_handle_, settings_.gap);
   for (std::size_t i = 0; i < channels_.size(); ++i) {
+    io::checkCancelled();
     diagnostics_->watch(*channels_[i], *servers_[i]);
     if (live_ && !channels_[i]->hasSixDirections()) {
       diagnostics_->watch(*live_, channels_[i]->name());

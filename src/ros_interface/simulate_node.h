@@ -3,6 +3,7 @@
 
 #include <ros/node_handle.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,11 +29,13 @@ void runSimulateNode(RosCommandLine& line);
 class SimulateNode {
  public:
   /// Throws std::exception with one line that says what is wrong; then nothing was advertised. Throws io::Cancelled
-  /// where the process is to end before the node serves.
-  SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
+  /// where `is_ending`, which is asked all the while, returns true before the node serves.
+  SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+               const std::function<bool()>& is_ending);
   ~SimulateNode();
 
-  roscpp_fixes::RegistrationKeeper& registration() { return *registration_; }
+  /// Register nothing any more.
+  void stopRegistering() { registration_->stop(); }
 
  private:
   void makeChannels();
@@ -52,6 +55,7 @@ class SimulateNode {
   std::unique_ptr<NodeDiagnostics> diagnostics_;
   std::unique_ptr<NodeServices> services_;
   std::shared_ptr<ros::ServiceServer> loggers_;
+  std::vector<std::shared_ptr<const void>> limits_;  // of requests about loggers
   std::unique_ptr<roscpp_fixes::RegistrationKeeper> registration_;
 };
 

@@ -5,6 +5,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "ros_interface/simulate_node.h"
+#include "ros_interface/termination.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -12,7 +13,7 @@ class SimulateNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
     try {
-      node_ = std::make_unique<SimulateNode>(getNodeHandle(), getPrivateNodeHandle());
+      node_ = std::make_unique<SimulateNode>(getNodeHandle(), getPrivateNodeHandle(), isEnding);
     } catch (const std::exception& error) {
       NODELET_FATAL("%s", error.what());
       throw;  // the manager then reports that the nodelet was not loaded

@@ -26,34 +26,35 @@ constexpr double kLimit = 3.0;  // for one call [s]; a master with thousands of 
 
 std::string ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
 
-// The calls of the master that register all services and topics of this process, and those that take them off.
+std::string serviceUri() {
+  return fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort());
+}
+
+void add(XmlRpcValue& calls, const std::string& method, const std::vector<std::string>& arguments) {
+  const int i = calls.valid() ? calls.size() : 0;
+  calls[i]["methodName"] = method;
+  calls[i]["params"] = callArguments(arguments);
+}
+
+// The calls of the master that register all services and topics of this process.
 struct Registrations {
   // The topics are those that this process lists for others (slave API).
-  Registrations(const std::vector<std::string>& services, const std::string& service_uri) {
+  explicit Registrations(const std::vector<std::string>& services) {
     for (const std::string& name : services) {
-      add("Service", name, service_uri, service_uri);
+      add(come, "registerService", {name, serviceUri(), ownUri()});
     }
     for (const std::string kind : {"Publisher", "Subscriber"}) {
       const auto topics =
           call(kLimit, ownUri(), kind == "Publisher" ? "getPublications" : "getSubscriptions", callArguments());
       complete = complete && topics;
       for (int i = 0; topics && i < (*topics)[2].size(); ++i) {
-        add(kind, (*topics)[2][i][0], (*topics)[2][i][1], ownUri());
+        add(come, "register" + kind, {(*topics)[2][i][0], (*topics)[2][i][1], ownUri()});
       }
     }
   }
 
-  void add(const std::string& kind, const std::string& name, const std::string& detail, const std::string& leave_uri) {
-    const int i = come.valid() ? come.size() : 0;
-    come[i]["methodName"] = "register" + kind;
-    come[i]["params"] = callArguments({name, detail, ownUri()});
-    leave[i]["methodName"] = "unregister" + kind;
-    leave[i]["params"] = callArguments({name, leave_uri});
-  }
-
   bool complete = true;  // all are known
   XmlRpcValue come;
-  XmlRpcValue leave;
 };
 
 // All calls at once, where roscpp makes one after the other and takes seconds for hundreds. A subscription is also told
@@ -79,11 +80,7 @@ bool callMaster(double limit, const XmlRpcValue& calls) {
 
 RegistrationKeeper::RegistrationKeeper(std::function<std::vector<std::string>()> services,
                                        std::function<bool()> is_ending)
-    : services_(std::move(services)),
-      is_ending_(std::move(is_ending)),
-      service_uri_(
-          fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort())),
-      thread_([this] { run(); }) {}
+    : services_(std::move(services)), is_ending_(std::move(is_ending)), thread_([this] { run(); }) {}
 
 void RegistrationKeeper::stop() {
   if (thread_.joinable()) {
@@ -119,20 +116,33 @@ void RegistrationKeeper::check() {
   if (!incomplete_) {
     return;
   }
-  const Registrations all(services_(), service_uri_);
+  const Registrations all(services_());
   incomplete_ = !callMaster(kLimit, all.come) || !all.complete;
   if (is_ending_()) {
-    callMaster(kLimit, all.leave);  // what comes to the master while this node leaves it is taken back
+    leaveMaster(kLimit);  // what comes to the master while this node leaves it is taken back
   } else if (!incomplete_) {
     ROS_WARN("the master did not know this node any more; registered again");
   }
 }
 
-bool RegistrationKeeper::leaveMaster(double limit) {
-  stop();
+bool leaveMaster(double limit) {
   try {
-    const Registrations all(services_(), service_uri_);
-    return callMaster(limit, all.leave) && all.complete;
+    const auto state = call(limit, ros::master::getURI(), "getSystemState", callArguments());
+    const std::string& own = ros::this_node::getName();
+    XmlRpcValue calls;
+    int part = 0;
+    for (const std::string kind : {"Publisher", "Subscriber", "Service"}) {
+      for (int i = 0; state && i < (*state)[2][part].size(); ++i) {
+        const XmlRpcValue& row = (*state)[2][part][i];  // a name and its nodes
+        for (int j = 0; j < row[1].size(); ++j) {
+          if (row[1][j] == XmlRpcValue(own)) {
+            add(calls, "unregister" + kind, {row[0], kind == "Service" ? serviceUri() : ownUri()});
+          }
+        }
+      }
+      ++part;
+    }
+    return state && (!calls.valid() || callMaster(limit, calls));
   } catch (const XmlRpc::XmlRpcException&) {
     return false;
   }

@@ -21,22 +21,23 @@ class RegistrationKeeper {
   RegistrationKeeper(std::function<std::vector<std::string>()> services, std::function<bool()> is_ending);
   ~RegistrationKeeper() { stop(); }
 
-  /// End the thread, and take all topics and services of this process off the master. False where the master did not do
-  /// it within `limit` [s].
-  bool leaveMaster(double limit);
+  /// End the thread: nothing is registered any more.
+  void stop();
 
  private:
-  void stop();
   void run();
   void check();
 
   const std::function<std::vector<std::string>()> services_;
   const std::function<bool()> is_ending_;
-  const std::string service_uri_;
   bool incomplete_ = false;  // registering again was not finished
   std::atomic<bool> stop_{false};
   std::promise<void> stopping_;
   std::thread thread_;
 };
+
+/// Take all that the master knows of this process off it, as far as starting up has come. False where the master did
+/// not do it within `limit` [s]. Nothing registers meanwhile.
+bool leaveMaster(double limit);
 
 }  // namespace rubber_suspension::roscpp_fixes

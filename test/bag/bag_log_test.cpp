@@ -30,7 +30,7 @@ class BagLog : public testing::Test {
     result.name = "log";
     result.stamp = {0, 1000000, 2500000, 1000000007};
     result.displacement = {0.1, 1.0 / 3.0, -2e-300, 5e-324};
-    result.force = {1.0, -1.0 / 7.0, 1e300, 0.0};
+    result.force = {1.0, -1.0 / 7.0, 1e29, 0.0};
     return result;
   }
 
@@ -121,7 +121,7 @@ TEST_F(BagLog, StampsThatNoHeaderHoldsAreShifted) {
   }
 }
 
-TEST_F(BagLog, KeepsTheLongestStretchWithForce) {
+TEST_F(BagLog, AMissingForceLeavesItsDisplacement) {
   const log::Log all = log();
   bag::BagWriter writer(path("a.bag"), "bush");
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -132,10 +132,36 @@ TEST_F(BagLog, KeepsTheLongestStretchWithForce) {
   }
   writer.close();
   const log::Log read = bag::readBagLog(path("a.bag"));
-  EXPECT_EQ(read.stamp, (std::vector<std::int64_t>{all.stamp[1], all.stamp[2]}));
-  EXPECT_EQ(read.force, (std::vector<double>{all.force[1], all.force[2]}));
-  ASSERT_EQ(read.notes.size(), 1U);
-  EXPECT_THAT(read.notes[0], HasSubstr("samples 2 to 3 of 4"));
+  EXPECT_EQ(read.stamp, all.stamp);
+  EXPECT_EQ(read.displacement, all.displacement);
+  EXPECT_EQ(read.counts, (std::vector<double>{0.0, 1.0, 1.0, 0.0}));
+  EXPECT_EQ(read.force[1], all.force[1]);
+  EXPECT_EQ(read.force[2], all.force[2]);
+  EXPECT_THAT(read.notes,
+              testing::ElementsAre(HasSubstr("2 of 4 samples have a force; the others are simulated and not "
+                                             "compared")));
+  bag::writeBagLog(path("b.bag"), "bush", read);
+  EXPECT_EQ(bag::readBagLog(path("b.bag")).counts, read.counts);
+  log::writeLogCsv(path("b.csv"), read);
+  EXPECT_EQ(log::readLog(path("b.csv")).counts, read.counts);
+}
+
+TEST_F(BagLog, ASlowForceIsComparedWhereItIs) {
+  constexpr int kSamples = 400;
+  bag::BagWriter writer(path("a.bag"), "bush");
+  for (int i = 0; i < kSamples; ++i) {
+    writer.writeDisplacement(1000000000 + i * 1000000, 1e-3 * i);
+    if (i % 4 == 0) {
+      writer.writeMeasuredForce(1000000000 + i * 1000000, 2.0 * i);
+    }
+  }
+  writer.close();
+  const log::Log read = bag::readBagLog(path("a.bag"));
+  ASSERT_EQ(read.size(), static_cast<std::size_t>(kSamples));
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    EXPECT_EQ(read.counts[i], i % 4 == 0 ? 1.0 : 0.0);
+    EXPECT_EQ(read.force[i], 2.0 * static_cast<double>(std::min<std::size_t>(i, 396)));
+  }
 }
 
 // Forces at stamps of their own, 100 ppm fast and at another rate; a straight line is interpolated exactly.
@@ -153,14 +179,15 @@ TEST_F(BagLog, InterpolatesForcesOfADriftingClock) {
   }
   writer.close();
   const log::Log read = bag::readBagLog(path("a.bag"));
-  ASSERT_EQ(read.notes.size(), 2U);
-  EXPECT_THAT(read.notes[0], HasSubstr("interpolated linearly"));
-  EXPECT_THAT(read.notes[1], HasSubstr("a force around their stamp"));
-  ASSERT_EQ(read.force.size(), read.size());
-  EXPECT_EQ(read.stamp.front(), kInterval);
-  EXPECT_EQ(read.stamp.back(), 79 * kInterval);  // the last before 700003 + 99 * 800080 ns
+  EXPECT_THAT(read.notes, testing::Contains(HasSubstr("came at 1250 Hz in 196 of")));
+  ASSERT_EQ(read.size(), static_cast<std::size_t>(kSamples));
   for (std::size_t i = 0; i < read.size(); ++i) {
-    EXPECT_NEAR(read.force[i], line(read.stamp[i]), 1e-12 * line(read.stamp[i]));  // some rounding steps
+    const bool between = read.stamp[i] > 700003 + 99 * 800080 && read.stamp[i] < 700003 + 104 * 800080;
+    const bool beyond = read.stamp[i] > 700003 + 199 * 800080;
+    ASSERT_EQ(read.counts[i], between || beyond ? 0.0 : 1.0) << i;
+    if (read.counts[i] > 0.0) {
+      EXPECT_NEAR(read.force[i], line(read.stamp[i]), 1e-12 * line(read.stamp[i]));  // some rounding steps
+    }
   }
 }
 
@@ -210,6 +237,54 @@ TEST_F(BagLog, RefusesStampsThatDoNotIncrease) {
   twice.writeDisplacement(1000, 1.0);
   twice.close();
   EXPECT_THAT(refusal(path("b.bag")), HasSubstr("message 2 on /bush/displacement"));
+}
+
+// Of messages that are received in this order, 1 ms apart.
+class BagStamps : public BagLog {
+ protected:
+  std::string write(const std::vector<double>& stamps) const {
+    rosbag::Bag bag(path("stamps.bag"), rosbag::bagmode::Write);
+    for (std::size_t i = 0; i < stamps.size(); ++i) {
+      Displacement message;
+      message.header.stamp = ros::Time(stamps[i]);
+      message.displacement = static_cast<double>(i);
+      bag.write("/bush/displacement", ros::Time(100.0 + 1e-3 * static_cast<double>(i)), message);
+    }
+    bag.close();
+    return path("stamps.bag");
+  }
+};
+
+TEST_F(BagStamps, NobodyFilledAreRefusedWithTheOptionsThatReadThem) {
+  const std::string file = write(std::vector<double>(200, 0.0));
+  EXPECT_THAT(refusal(file),
+              AllOf(HasSubstr("header.stamp is 0 in each of 200 messages: nobody filled it"),
+                    HasSubstr("--clock receipt (1000 Hz, steps of 1 to 1 ms)"), HasSubstr("--sampling-rate 1000")));
+  const auto by = [](double rate, const std::string& clock) {
+    return log::makeLogFormat({}, "", rate, "", "", -1.0, "", clock);
+  };
+  for (const log::LogFormat& format : {by(0.0, "receipt"), by(1000.0, "")}) {
+    const log::Log read = bag::readBagLog(file, "", format);
+    ASSERT_EQ(read.size(), 200U);
+    EXPECT_NEAR(read.time(199) - read.time(0), 0.199, 1e-9);
+  }
+}
+
+TEST_F(BagStamps, TellThePlaceOfAMessageThatWasOvertaken) {
+  const log::Log read = bag::readBagLog(write({1.0, 1.001, 1.003, 1.002, 1.004}));
+  EXPECT_THAT(read.displacement, testing::ElementsAre(0.0, 1.0, 3.0, 2.0, 4.0));
+  EXPECT_THAT(read.notes, testing::ElementsAre(HasSubstr("1 of 5 messages stand behind later ones")));
+}
+
+TEST_F(BagStamps, OfOneMessageWithoutLeaveItOut) {
+  const log::Log read = bag::readBagLog(write({1.0, 1.001, 0.0, 1.003}));
+  EXPECT_THAT(read.displacement, testing::ElementsAre(0.0, 1.0, 3.0));
+  EXPECT_THAT(read.notes, testing::ElementsAre(HasSubstr("1 of 4 messages have the stamp 0: left out")));
+}
+
+// Two runs in one bag are not mixed.
+TEST_F(BagStamps, ThatBeginAnewAreRefused) {
+  EXPECT_THAT(refusal(write({10.0, 11.0, 12.0, 10.5, 11.5})), HasSubstr("message 4 on /bush/displacement"));
 }
 
 TEST_F(BagLog, RefusesATopicOfAnotherType) {
@@ -299,17 +374,16 @@ class BagPoses : public BagLog {
 
 TEST_F(BagPoses, HaveTheWrenchesOfTheirStamps) {
   const log::PoseLog log = bag::readBagPoses(write(), "bush", component::RotationMeasure::vector);
-  ASSERT_EQ(log.size(), 4U);  // the first has no wrench
+  EXPECT_THAT(log.counts, testing::ElementsAre(0.0, 1.0, 1.0, 1.0, 1.0));  // the first has no wrench
   EXPECT_EQ(log.name, "poses");
-  EXPECT_EQ(log.stamp[0], 1004000000);
-  EXPECT_EQ(log.coordinate[0][2], 3e-3);
-  EXPECT_EQ(log.coordinate[2][1], -2e-3 / 3.0);
+  EXPECT_EQ(log.stamp[1], 1004000000);
+  EXPECT_EQ(log.coordinate[0][3], 3e-3);
+  EXPECT_EQ(log.coordinate[2][2], -2e-3 / 3.0);
   const Eigen::Vector3d turn = 0.05 * 4 * Eigen::Vector3d(1.0, 2.0, -0.5).normalized();
-  EXPECT_NEAR(log.coordinate[4][3], turn.y(), 1e-15);
-  EXPECT_EQ(log.wrench[1][3], 40.0);
-  EXPECT_EQ(log.wrench[5][0], -0.1);
-  ASSERT_EQ(log.notes.size(), 1U);
-  EXPECT_THAT(log.notes[0], HasSubstr("samples 2 to 5 of 5 have a force of the same stamp"));
+  EXPECT_NEAR(log.coordinate[4][4], turn.y(), 1e-15);
+  EXPECT_EQ(log.wrench[1][4], 40.0);
+  EXPECT_EQ(log.wrench[5][1], -0.1);
+  EXPECT_THAT(log.notes, testing::ElementsAre(HasSubstr("4 of 5 samples have a force")));
 }
 
 // The node takes the quaternions as they are: so does what simulates the bag.
@@ -324,9 +398,9 @@ TEST_F(BagPoses, AreSimulatedAsTheNodeDoesToTheLastBit) {
     const log::PoseLog log = bag::readBagPoses(write(), "", measure);
     const gap::PoseReplay replay = gap::replayPoses(bush, log);
     component::PoseStream node(bush);
-    for (int i = 1; i < 5; ++i) {
+    for (int i = 0; i < 5; ++i) {
       const auto answer = node.push(1000000000 + i * 4000000, {1e-3 * i, 0.0, -2e-3 / (1 + i)}, rotationOf(i));
-      const auto sample = static_cast<std::size_t>(i - 1);
+      const auto sample = static_cast<std::size_t>(i);
       EXPECT_EQ(replay.wrench[2][sample], answer.force.wrench.force.z());
       EXPECT_EQ(replay.wrench[4][sample], answer.force.wrench.moment.y());
     }

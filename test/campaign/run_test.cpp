@@ -2,6 +2,8 @@
 #include "campaign/run.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -146,6 +148,81 @@ TEST_F(RunCampaign, ARecordOfAnotherFormIsBroken) {
   EXPECT_EQ(campaign::statusOf(manifest, folder_.path("out")).all.broken, 1U);
 }
 
+TEST_F(RunCampaign, ADigitThatChangesIsToldAndDoneAgain) {
+  const campaign::Manifest manifest = make();
+  run();
+  const std::string path = campaign::recordPath(folder_.path("out"), manifest.jobs[0].id);
+  const std::string good = folder_.read("out/" + path.substr(folder_.path("out").size() + 1));
+  int digits = 0;
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    if (std::isdigit(static_cast<unsigned char>(good[i])) != 0) {
+      ++digits;
+      std::string other = good;
+      other[i] = other[i] == '5' ? '6' : '5';
+      std::ofstream(path, std::ios::binary) << other;
+      EXPECT_FALSE(campaign::findRecord(folder_.path("out"), manifest.jobs[0].id, kVersion).record) << i;
+    }
+  }
+  EXPECT_GT(digits, 100);
+  EXPECT_THAT(collect().broken, ElementsAre(HasSubstr(path)));
+  EXPECT_EQ(run().done, 1U);
+  EXPECT_THAT(said_, ElementsAre(HasSubstr("the job is done again")));
+}
+
+TEST_F(RunCampaign, APipeOrFolderInPlaceOfARecordIsToldAndDoneAgain) {
+  const campaign::Manifest manifest = make();
+  run();
+  std::vector<std::string> paths;
+  for (std::size_t job : {0, 1}) {
+    paths.push_back(campaign::recordPath(folder_.path("out"), manifest.jobs[job].id));
+    std::filesystem::remove(paths.back());
+  }
+  ASSERT_EQ(mkfifo(paths[0].c_str(), 0600), 0);
+  std::filesystem::create_directories(paths[1] + "/kept");
+  EXPECT_THAT(campaign::statusOf(manifest, folder_.path("out")).broken,
+              ElementsAre(paths[0] + ": is a pipe, not a record", paths[1] + ": is a folder, not a record"));
+  EXPECT_THAT(collect().broken, SizeIs(2));
+  EXPECT_EQ(run().done, 2U);
+  EXPECT_THAT(said_, SizeIs(2));
+  EXPECT_TRUE(std::filesystem::exists(paths[1] + ".no_record/kept"));
+  EXPECT_EQ(collect().done, 12U);
+}
+
+// What the machine lacks ends the run, or leaves the job, and is no result.
+TEST_F(RunCampaign, ADiskWithoutRoomLeavesNoResult) {
+  writeJobs(1);
+  make();
+  const auto with_limit = [](rlim_t most) {
+    return [most](const std::string& path, const std::string& component, const log::LogFormat& format) {
+      const rlimit limit{most, RLIM_INFINITY};  // in the worker process
+      setrlimit(RLIMIT_FSIZE, &limit);
+      return readTestLog(path, component, format);
+    };
+  };
+  for (const rlim_t most : {10, 400}) {  // the file of forces, or the record
+    EXPECT_THAT([&] { run({}, "out", with_limit(most)); },
+                ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("File too large")));
+  }
+  EXPECT_EQ(collect().missing, 2U);
+  const campaign::RunSummary summary = run();
+  EXPECT_EQ(summary.done, 2U);
+  EXPECT_EQ(summary.passed_over, 0U);
+}
+
+TEST_F(RunCampaign, AJobWithoutMemoryIsTriedAgain) {
+  writeJobs(1);
+  make();
+  const campaign::RunSummary summary =
+      run({}, "out", [](const std::string& path, const std::string& component, const log::LogFormat& format) {
+        return path.find("log_2") != std::string::npos ? throw std::bad_alloc() : readTestLog(path, component, format);
+      });
+  EXPECT_EQ(summary.done, 1U);
+  EXPECT_EQ(summary.failed, 0U);
+  EXPECT_EQ(summary.not_done, 1U);
+  EXPECT_THAT(said_, ElementsAre(HasSubstr("not done: there was no memory")));
+  EXPECT_EQ(run().done, 1U);
+}
+
 // A spreadsheet would work out what begins like a formula.
 TEST_F(RunCampaign, ATableHasNoFormulas) {
   folder_.write("jobs.yaml", "jobs:\n  \"=cmd()\":\n    command: replay\n    config: c.yaml\n    log: log_1.csv\n");
@@ -167,7 +244,9 @@ TEST_F(RunCampaign, AFailedJobIsARecordAndTheOthersGoOn) {
   EXPECT_EQ(collect().failed, 6U);
   EXPECT_THAT(folder_.read("out/table.csv"), HasSubstr("has changed since"));
   folder_.writeLog("log_2.csv", 2);
-  EXPECT_EQ(run().passed_over, 12U);
+  const campaign::RunSummary again = run();
+  EXPECT_EQ(again.passed_over, 12U);
+  EXPECT_EQ(again.failed_before, 6U);
   campaign::RunOptions retry;
   retry.retry_failed = true;
   EXPECT_EQ(run(retry).done, 6U);
@@ -291,6 +370,10 @@ class Workers : public ::testing::Test {
       died_.push_back(job);
       reasons_.push_back(reason);
     };
+    callbacks.left = [&](std::size_t job, const std::string& reason) {
+      left_.push_back(job);
+      reasons_.push_back(reason);
+    };
     callbacks.tick = [](const std::vector<std::size_t>&) {};
     std::vector<std::size_t> jobs(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -302,6 +385,7 @@ class Workers : public ::testing::Test {
   std::vector<std::size_t> done_;
   std::vector<std::size_t> failed_;
   std::vector<std::size_t> died_;
+  std::vector<std::size_t> left_;
   std::vector<std::string> reasons_;
 };
 
@@ -326,16 +410,20 @@ TEST_F(Workers, KilledFromOutsideOnceTryAgain) {
   EXPECT_THAT(died_, IsEmpty());
 }
 
-TEST_F(Workers, KilledTwiceCountAsDiedOfTheJob) {
-  workOff(4, 2, [&](std::size_t job) {
+TEST_F(Workers, LeaveWhatTheyAreKilledOfTwiceOrHaveNoMemoryFor) {
+  workOff(4, 1, [&](std::size_t job) {
     if (job == 1) {
       std::raise(SIGKILL);
     }
+    if (job == 2) {
+      throw std::bad_alloc();
+    }
     return true;
   });
-  EXPECT_THAT(done_, ::testing::UnorderedElementsAre(0, 2, 3));
-  EXPECT_THAT(died_, ElementsAre(1));
-  EXPECT_THAT(reasons_, ElementsAre(HasSubstr("signal 9")));
+  EXPECT_THAT(done_, ::testing::UnorderedElementsAre(0, 3));
+  EXPECT_THAT(died_, IsEmpty());
+  EXPECT_THAT(left_, ElementsAre(1, 2));
+  EXPECT_THAT(reasons_, ElementsAre(HasSubstr("signal 9"), HasSubstr("no memory")));
 }
 
 TEST_F(Workers, ThatEndByThemselvesCountAsDied) {

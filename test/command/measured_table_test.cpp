@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "command/characteristic_table.h"
+#include "io/temporary_file.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::command {
@@ -46,7 +48,14 @@ TEST(MeasuredTable, ReadsTheQuantitiesThatLaboratoriesWrite) {
       "Frequency [Hz];Peak to peak [mm];K' [N/mm];K'' [N/mm]\n" + row(2.0, 1.0, storage, loss),
       "Frequency [Hz];Amplitude [mm];Stiffness [N/mm];Damping [N s/mm]\n" +
           row(2.0, 0.5, storage, loss / (4.0 * element::kPi)),
-      "Frequency [Hz];Amplitude [mm];K' [N/mm];loss angle [mrad]\n" + row(2.0, 0.5, storage, 100.0)};
+      "Frequency [Hz];Amplitude [mm];K' [N/mm];loss angle [mrad]\n" + row(2.0, 0.5, storage, 100.0),
+      "Freq (Hz);Dyn Amp (mm p-p);Mean Load (N);K* (N/mm);Tan Delta;Damping C (N-s/mm)\n" +
+          row(2.0, 1.0, 0.0, 3000.0, std::tan(0.1), loss / (4.0 * element::kPi)),
+      "Frequency [Hz];Amplitude RMS [mm];Stiffness [N/mm];Loss angle [rad]\n" +
+          row(2.0, 0.5 / std::sqrt(2.0), 3000.0, 0.1),
+      "Frequency [Hz];Amplitude (\u00b1mm);Stiffness [N/mm];Loss angle [rad]\n" + row(2.0, 0.5, 3000.0, 0.1),
+      "Frequency [Hz];Amplitude [mm];Stiffness level [dB re 1 N/m];Loss factor [-]\n" +
+          row(2.0, 0.5, 20.0 * std::log10(3e6), std::tan(0.1))};
   for (const std::string& text : tables) {
     SCOPED_TRACE(text);
     const fit::MeasuredTable table = parseTable(text, "lab.csv");
@@ -65,6 +74,39 @@ TEST(MeasuredTable, NamesWhatAMaterialLacks) {
   EXPECT_THAT([] { parseTable("Frequency [Hz],Strain [%],E* [MPa],delta [deg]\n1,0.1,3.5,4\n", "lab.csv"); },
               testing::ThrowsMessage<std::runtime_error>(
                   testing::AllOf(HasSubstr("'Strain [%]', 'E* [MPa]': of a material"), HasSubstr("shape"))));
+}
+
+TEST(MeasuredTable, NamesColumnsThatItDoesNotUnderstand) {
+  const auto refusal = [](const std::string& text) {
+    try {
+      parseTable(text, "lab.csv");
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(refusal("Frequency [Hz],Way [mm],Stiffness [N/mm],Phase [deg]\n1,0.1,200,1\n"),
+              testing::AllOf(HasSubstr("amplitude: missing"), HasSubstr("not understood: 'Way [mm]'")));
+  EXPECT_THAT(refusal("Frequency [Hz],Amplitude [mm],Stiffness [foo],Phase [deg]\n1,0.1,200,1\n"),
+              HasSubstr("column 'Stiffness [foo]': unit 'foo' is unknown"));
+  EXPECT_THAT(refusal("Dynamic stiffness [N/mm];0,1 mm;0,5 mm\n1 Hz;200;200\n"),
+              HasSubstr("a matrix, which lacks the loss angle"));
+}
+
+TEST(MeasuredTable, IsReadWhateverHoldsItsText) {
+  const std::string text = "Frequency [Hz];Amplitude [mm];Stiffness [N/mm];Phase [deg]\n1;0,1;200,5;1,5\n";
+  const TemporaryFile plain("lab.csv", text);
+  const TemporaryFile zipped("lab.csv.gz", "");
+  gzFile file = gzopen(zipped.path().c_str(), "wb");
+  gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(file);
+  for (const std::string& path : {plain.path(), zipped.path()}) {
+    EXPECT_DOUBLE_EQ(readTable(path).points.at(0).stiffness, 200500.0);
+    EXPECT_EQ(readTable(path).name, "lab");
+  }
+  const TemporaryFile array("lab.npy", "\x93NUMPY");
+  EXPECT_THAT([&] { readTable(array.path()); },
+              testing::ThrowsMessage<std::runtime_error>(HasSubstr("a NumPy array, which is not read")));
 }
 
 TEST(MeasuredTable, ReadsWhatExportTableWrites) {

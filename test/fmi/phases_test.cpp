@@ -195,9 +195,14 @@ TEST_P(Phases, ParametersThatCannotBeAreRefused) {
   const LoadedFmu fmu(example(), GetParam());
   const auto importer = Importer::make(fmu, fmu.guid());
   const Reference stiffness = fmu.reference("specification.static_stiffness");
-  for (const double value : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double value : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), 1e31, 1e308}) {
     EXPECT_EQ(importer->set(stiffness, value), kDiscard) << value;
   }
+  EXPECT_THAT(importer->messages.back().text, HasSubstr("at most 1e+30"));
+  for (const double value : {1e31, -1e308}) {
+    EXPECT_EQ(importer->set(reference::kDisplacement, value), kDiscard) << value;
+  }
+  EXPECT_EQ(importer->set(stiffness, 0.0), kDiscard);
   EXPECT_THAT(importer->messages.back().text, HasSubstr("specification.static_stiffness"));
   EXPECT_EQ(importer->set(fmu.reference("specification.maxwell_elements"), 4.0), kDiscard);
   // In range, but without solution together with the others: the dynamic stiffness is 4.2e6.

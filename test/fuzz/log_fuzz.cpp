@@ -1,7 +1,7 @@
 // Fuzz target: whatever bytes are given as a log are refused by LogError or taken; what is taken is a valid log. The
-// bytes are text of any dialect, gzip, UTF-16, HDF5, or one of the formats that are refused by name; text as it stands,
-// with the columns told by number, and with the rate told. MATLAB files are left to libmatio, which takes whatever
-// memory a damaged file asks for.
+// bytes are text of any dialect, gzip, UTF-16, HDF5, RPC III, or one of the formats that are refused by name; text as
+// it stands, with the columns told by number, and with the rate told. MATLAB files are left to libmatio, which takes
+// whatever memory a damaged file asks for.
 #include <algorithm>
 
 #include "fuzz/memory_file.h"
@@ -13,7 +13,8 @@ using namespace rubber_suspension;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const fuzz::MemoryFile file(data, size);
   const std::string head(reinterpret_cast<const char*>(data), std::min(size, log::kFormatHead));
-  if (log::formatOf(head) == log::FileFormat::hdf5) {
+  const log::FileFormat format = log::formatOf(head);
+  if (format == log::FileFormat::hdf5 || format == log::FileFormat::rpc) {
     fuzz::requireValidLogOrError([&] { return log::readLog(file.path()); });
     return 0;
   }

@@ -114,6 +114,9 @@ TEST_F(CheckOutputs, TellsTheKindsByTheirContent) {
       {FileKind::test_report, "<?xml version=\"1.0\"?>\n<testsuites/>"},
       {FileKind::figure, "<?xml version=\"1.0\"?>\n<svg/>"},
       {FileKind::bag, "#ROSBAG V2.0\n"},
+      {FileKind::spring_and_dashpot, "# bush\nk_N_per_m: 1e6\n"},
+      {FileKind::rpc, std::string("FORMAT\0\0\0", 9)},
+      {FileKind::agreement_json, "{\n \"schema\": \"rubber_suspension/agreement/1\"}"},
   };
   for (const auto& [kind, text] : examples) {
     for (const auto& [other, unused] : examples) {

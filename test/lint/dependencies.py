@@ -60,6 +60,7 @@ KEYS = {
     "simbody": ({"Simbody"}, {"libsimbody-dev"}),
     "std_msgs": ({"std_msgs"}, {"libstd-msgs-dev", "ros-std-msgs", "python3-std-msgs"}),
     "std_srvs": ({"std_srvs"}, {"libstd-srvs-dev", "ros-std-srvs", "python3-std-srvs"}),
+    "tf2_msgs": ({"tf2_msgs"}, {"python3-tf2-msgs"}),
     "tinyxml2": ({"TINYXML2_LIBRARY", "tinyxml2.h"}, {"libtinyxml2-dev"}),
     "topic_tools": ({"topic_tools", "pkg:topic_tools"}, {"libtopic-tools-dev"}),
     "yaml-cpp": ({"yaml-cpp"}, {"libyaml-cpp-dev"}),
@@ -74,7 +75,7 @@ OPTIONAL = {"rapidcheck", "rapidcheck.h"}
 OPTIONAL |= {"numba"}
 # For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.
 TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev",
-         "python3-numba", "dpkg-dev", "file", "munge", "slurm-client", "slurmctld", "slurmd"}
+         "python3-numba", "dpkg-dev", "file", "munge", "slurm-client", "slurmctld", "slurmd", "g++-mingw-w64-x86-64", "wine64", "rviz"}
 TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz")
 INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "python3-rostopic", "python3-roslaunch"}
 STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {

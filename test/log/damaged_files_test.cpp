@@ -80,7 +80,7 @@ class MatBytes {
   static std::string compressed(const std::string& matrix) {
     std::vector<Bytef> bytes(compressBound(matrix.size()));
     uLongf size = bytes.size();
-    compress(bytes.data(), &size, reinterpret_cast<const Bytef*>(matrix.data()), matrix.size());
+    compress2(bytes.data(), &size, reinterpret_cast<const Bytef*>(matrix.data()), matrix.size(), Z_BEST_SPEED);
     return words({15, static_cast<std::uint32_t>(size)}) +
            std::string(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
   }
@@ -161,6 +161,57 @@ TEST(MatFile, OfStructsWithALogEachHoldsSegments) {
   expectChannels(log::readLog(file.path(), log::makeLogFormat({}, "", 0.0, "", "2", -1.0)));
 }
 
+std::string zipped(const std::string& text) {
+  const TemporaryFile file("log.csv.gz", "");
+  const gzFile zip = gzopen(file.path().c_str(), "wb1");
+  gzwrite(zip, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(zip);
+  std::ifstream stream(file.path(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+// Files of some kilobytes that would take gigabytes, or minutes.
+constexpr std::size_t kBeyond = 65UL * 1024 * 1024;  // bytes; more than is unpacked unasked
+
+TEST(PackedFile, OfFarMoreThanItsSizeIsRefusedUnlessTheUserWantsIt) {
+  std::string segments = "time_s,displacement_m,force_N\n";
+  while (segments.size() < kBeyond) {
+    segments += "\n1,1,1\n";
+  }
+  const std::string header = "time_s,displacement_m,force_N\n0,0,0\n1,1,1\n";
+  for (const std::string& text : {segments, header + std::string(kBeyond, '\n')}) {
+    const TemporaryFile file("log.csv.gz", zipped(text));
+    for (const bool large : {false, true}) {
+      log::LogFormat format;
+      format.large = large;
+      try {
+        EXPECT_EQ(log::readLog(file.path(), format).size(), 2U);
+        EXPECT_TRUE(large);
+      } catch (const log::LogError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(large || text == segments ? "more than 10000 segments" : "or --large"));
+      }
+    }
+  }
+  EXPECT_THAT(refusalOfBytes("log.csv", zipped(zipped("time_s"))), HasSubstr("to convert it: gunzip"));
+}
+
+TEST(PackedFile, OfMatlabIsRefusedByWhatItClaims) {
+  constexpr std::size_t kNumbers = kBeyond / sizeof(double);
+  const std::string large = MatBytes::compressed(MatBytes::numbers("a", std::vector<double>(kNumbers)));
+  const std::string rest = MatBytes::compressed(MatBytes::numbers("time_s", times())) +
+                           MatBytes::compressed(MatBytes::numbers("displacement_mm", channel(1.0))) +
+                           MatBytes::compressed(MatBytes::numbers("force_N", channel(500.0)));
+  const TemporaryFile file("log.mat", MatBytes::header() + large + rest);
+  EXPECT_THAT(refusalOfBytes("log.mat", MatBytes::header() + large + rest), HasSubstr("or --large"));
+  log::LogFormat format;
+  format.large = true;
+  expectChannels(log::readLog(file.path(), format));
+  // Dimensions that need less than the data are.
+  const std::string few = MatBytes::matrix(6, 1, 1, "a", MatBytes::element(9, std::string(kBeyond, '\0')));
+  EXPECT_THAT(refusalOfBytes("log.mat", MatBytes::header() + MatBytes::compressed(few)),
+              HasSubstr("more data than the matrix has"));
+}
+
 TEST(MatFile, IsRefusedWhereverItIsCut) {
   std::mt19937 random(3);
   for (const std::string& bytes : {plainMat(), compressedMat(), scopeMat()}) {
@@ -218,6 +269,16 @@ class Hdf5Writer {
     H5Sclose(space);
   }
 
+  void integers(const std::string& name, const std::vector<std::int64_t>& values) const {
+    const hsize_t size = values.size();
+    const hid_t space = H5Screate_simple(1, &size, nullptr);
+    const hid_t dataset =
+        H5Dcreate2(file_, name.c_str(), H5T_NATIVE_INT64, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(dataset, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Dclose(dataset);
+    H5Sclose(space);
+  }
+
   void log(const std::string& prefix) const {
     dataset(prefix + "time_s", times());
     dataset(prefix + "displacement_mm", channel(1.0));
@@ -252,30 +313,42 @@ TEST(Hdf5File, OfGroupsWithALogEachHoldsSegments) {
 }
 
 // As converters of MDF files write them: groups of a rate of their own.
-TEST(Hdf5File, OfGroupsOfOneRateIsALogOfTwoRatesIsRefusedWithTheLineThatConvertsIt) {
-  for (const std::size_t forces : {std::size_t{100}, std::size_t{50}}) {
-    const TemporaryFile file("log.h5", "");
-    {
-      const Hdf5Writer writer(file.path());
-      std::vector<double> values(100);
-      std::iota(values.begin(), values.end(), 0.0);
-      writer.group("a");
-      writer.dataset("a/time_s", values);
-      writer.dataset("a/displacement_mm", values);
-      values.resize(forces);
-      writer.group("b");
-      writer.dataset("b/time_s", values);
-      writer.dataset("b/force_N", values);
+// Each group goes by its own time.
+TEST(Hdf5File, OfGroupsOfTwoRatesIsOneLog) {
+  const TemporaryFile file("log.h5", "");
+  {
+    const Hdf5Writer writer(file.path());
+    std::vector<double> values(100);
+    std::iota(values.begin(), values.end(), 0.0);
+    writer.group("a");
+    writer.dataset("a/time_s", values);
+    writer.dataset("a/displacement_mm", values);
+    for (double& value : values) {
+      value *= 2.0;
     }
-    if (forces == 100) {
-      EXPECT_EQ(log::readLog(file.path()).force.back(), 99.0);
-    } else {
-      EXPECT_THAT(refusalOfHdf5(file.path()),
-                  AllOf(HasSubstr("b/force_N has 50 values, a/displacement_mm has 100; accepted: as many in each"),
-                        HasSubstr("n.interp(t, f['a/time_s'], f['a/displacement_mm']), f['b/force_N']"),
-                        HasSubstr("header='time_s,displacement_mm,force_N'")));
-    }
+    values.resize(50);
+    writer.group("b");
+    writer.dataset("b/time_s", values);
+    writer.dataset("b/force_N", values);
   }
+  const log::Log log = log::readLog(file.path());
+  ASSERT_EQ(log.size(), 100U);
+  EXPECT_EQ(log.force[98], 98.0);
+  EXPECT_EQ(log.counts[98], 1.0);
+  EXPECT_EQ(log.counts[97], 0.0);
+}
+
+// A group without a time goes by that of the displacement.
+TEST(Hdf5File, OfColumnsOfTwoLengthsIsRefused) {
+  const TemporaryFile file("log.h5", "");
+  {
+    const Hdf5Writer writer(file.path());
+    writer.dataset("time_s", std::vector<double>(100, 1.0));
+    writer.dataset("displacement_mm", std::vector<double>(100, 1.0));
+    writer.dataset("force_N", std::vector<double>(50, 1.0));
+  }
+  EXPECT_THAT(refusalOfHdf5(file.path()),
+              HasSubstr("force_N has 50 values, displacement_mm has 100; accepted: as many in each column, or a time"));
 }
 
 TEST(Hdf5File, OfACompoundDatasetHasItsMembersAsColumns) {
@@ -375,6 +448,47 @@ TEST(Hdf5File, IsRefusedWhereGroupsNestDeep) {
   EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("nested deeper than 32"));
 }
 
+TEST(Hdf5File, RoundsNoWholeNumberWithoutAWord) {
+  constexpr std::int64_t kBig = (std::int64_t{1} << 53) + 1;
+  constexpr std::int64_t kNow = 1764259200000000001;  // [ns] since 1970
+  for (const std::int64_t force : {kBig - 1, kBig, -kBig}) {
+    const TemporaryFile file("log.h5", "");
+    {
+      const Hdf5Writer writer(file.path());
+      writer.integers("time_ns", {kNow, kNow + 1000003, kNow + 2000007});
+      writer.dataset("displacement_m", {0.0, 1.0, 2.0});
+      writer.integers("force_N", {1, force, 3});
+    }
+    const std::string refusal = refusalOfHdf5(file.path());
+    if (force == kBig - 1) {
+      ASSERT_EQ(refusal, "");
+      const log::Log log = log::readLog(file.path());
+      EXPECT_EQ(log.stamp, (std::vector<std::int64_t>{kNow, kNow + 1000003, kNow + 2000007}));
+      EXPECT_EQ(log.force[1], static_cast<double>(kBig - 1));
+    } else {
+      EXPECT_THAT(refusal, AllOf(HasSubstr("force_N: element 2: "), HasSubstr(std::to_string(force)),
+                                 HasSubstr("beyond 2^53"), HasSubstr("accepted")));
+    }
+  }
+}
+
+TEST(Hdf5File, NamesWhatIsThereInPlaceOfColumns) {
+  const TemporaryFile file("log.h5", "");
+  {
+    const Hdf5Writer writer(file.path());
+    EXPECT_EQ(H5Fflush(writer.file(), H5F_SCOPE_LOCAL), 0);
+  }
+  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("no columns: no datasets; accepted: "));
+  {
+    const Hdf5Writer writer(file.path());
+    const hsize_t size[] = {3, 4, 5};
+    const hid_t space = H5Screate_simple(3, size, nullptr);
+    H5Dclose(H5Dcreate2(writer.file(), "cube", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    H5Sclose(space);
+  }
+  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("no columns: 'cube' of 3 x 4 x 5; accepted: "));
+}
+
 TEST(Hdf5File, NamesATableOfPandas) {
   const TemporaryFile file("log.h5", "");
   {
@@ -387,7 +501,7 @@ TEST(Hdf5File, NamesATableOfPandas) {
     H5Gclose(group);
     H5Sclose(space);
   }
-  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("pandas.read_hdf('" + file.path() + "', 'run').to_csv('LOG.csv')"));
+  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("pandas.read_hdf('" + file.path() + "', 'run').reset_index()"));
 }
 
 }  // namespace

@@ -214,6 +214,15 @@ TEST(BenchCheck, NamesTheReversedSignOfASpringWithoutLoss) {
   EXPECT_TRUE(checkBench(kSpring, {sine(1.0, 1e6), sine(4.0, -0.5e6), sine(5.0, -1e6)}).empty());
 }
 
+// The stiffness of the file may be a guess, and the unit a wrong one besides.
+TEST(BenchCheck, NamesTheReversedSignAtAnySizeOfTheSlope) {
+  for (const double factor : {0.1, 0.5, 2.0, 10.0, 1000.0}) {
+    const auto findings = checkBench(kSpring, {sine(1.0, -factor * 1e6)});
+    ASSERT_THAT(namesOf(findings), ElementsAre(finding::kSign)) << factor;
+    EXPECT_EQ(findings[0].text.find("besides") != std::string::npos, factor < 0.3 || factor > 3.5) << findings[0].text;
+  }
+}
+
 // A guess of the component file's stiffness is off by any factor: where the units are named, none of them is blamed but
 // by its own factor, in all logs.
 TEST(BenchCheck, DoubtsNamedUnitsByTheirOwnFactorInAllLogsAlone) {

@@ -102,6 +102,31 @@ TEST(GapMonitor, ForgetsTheOldestAndAllocatesNothing) {
   EXPECT_EQ(samples.front().measured, kSamples - static_cast<int>(node::GapMonitor::kCapacity));
 }
 
+TEST(GapMonitor, TakesMemoryAsSamplesCome) {
+  constexpr std::size_t kLarge = 10 * node::GapMonitor::kCapacity + 1;
+  const test::AllocationCounter before;
+  node::GapMonitor monitor(kLarge);
+  EXPECT_EQ(before.count(), 0U);
+  wake(monitor);
+  const test::AllocationCounter allocations;
+  std::int64_t next = 0;
+  const auto add = [&](std::size_t samples) {
+    for (std::size_t i = 0; i < samples; ++i, ++next) {
+      monitor.addMeasured(next * kMillisecond, static_cast<double>(next));
+      monitor.addSimulated(next * kMillisecond, 0.0, 0.0);
+    }
+  };
+  add(node::GapMonitor::kCapacity);
+  EXPECT_EQ(allocations.count(), 0U);
+  add(2 * kLarge);
+  EXPECT_LE(allocations.count(), kLarge / 4096 + 1);
+  const auto samples = monitor.window(kLong);
+  ASSERT_EQ(samples.size(), kLarge);
+  for (std::size_t i = 0; i < kLarge; ++i) {
+    ASSERT_EQ(samples[i].measured, static_cast<double>(next) - static_cast<double>(kLarge - i));
+  }
+}
+
 TEST(GapMonitor, ForcesThatRunFarAheadAreBounded) {
   node::GapMonitor monitor;
   for (int i = 0; i < 10000; ++i) {

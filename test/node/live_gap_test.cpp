@@ -68,6 +68,9 @@ TEST(LiveGap, ALossThatIsOffIsInQuadrature) {
       samples([](double t) { return 0.1 * kStiffness * kAmplitude * std::cos(kOmega * t); }), node::GapSettings());
   ASSERT_TRUE(gap.known);
   EXPECT_GT(share(gap, gap::Quantity::loss), 0.98);
+  EXPECT_GT(gap.iso18571.total, 0.8);
+  EXPECT_LT(gap.iso18571.total, 1.0);
+  EXPECT_TRUE(gap.iso18571.repeats) << "a sine";
 }
 
 TEST(LiveGap, HarmonicsMeanAndDriftAreToldApart) {

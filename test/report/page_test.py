@@ -11,6 +11,7 @@ import json
 import os
 import pathlib
 import re
+import struct
 import subprocess
 import sys
 import unittest
@@ -166,6 +167,26 @@ class WithoutBrowser(Reports):
             low, high = size["interval_95"]
             self.assertTrue(low <= size["value"] <= high, size)
 
+    # Read by the layout of RPC III: records of 128 bytes, numbers of four.
+    def check_drive_file(self, folder):
+        with open(os.path.join(folder, "next_experiment.drv"), "rb") as file:
+            data = file.read()
+        records = [data[i:i + 128] for i in range(0, 512, 128)]
+        blocks = int(records[1][32:].rstrip(b"\0"))
+        header = {data[i:i + 32].rstrip(b"\0").decode(): data[i + 32:i + 128].rstrip(b"\0").decode()
+                  for i in range(0, 512 * blocks, 128)}
+        self.assertEqual((header["FORMAT"], header["FILE_TYPE"], header["DATA_TYPE"], header["CHANNELS"]),
+                         ("BINARY_IEEE_LITTLE_END", "TIME_HISTORY", "FLOATING_POINT", "1"))
+        self.assertEqual(header["UNITS.CHAN_1"], "mm")
+        count = int(header["FRAMES"]) * int(header["PTS_PER_FRAME"])
+        drive = struct.unpack(f"<{count}f", data[512 * blocks:])
+        with open(os.path.join(folder, "next_experiment.csv"), encoding="utf-8") as file:
+            rows = [[float(cell) for cell in row] for row in list(csv.reader(file))[1:]]
+        self.assertAlmostEqual(float(header["DELTA_T"]), rows[1][0] - rows[0][0], 8)
+        largest = max(abs(row[1]) for row in rows)
+        self.assertLess(max(abs(1e-3 * z - row[1]) for z, row in zip(drive, rows)), 1e-6 * largest)
+        self.assertEqual(set(drive[len(rows):]), {drive[len(rows) - 1]})
+
     def test_next_experiment_can_be_replayed(self):
         folder = diagnose("open", [open_question()], [], "--limits", "stroke=10 mm", "speed=0.5 m/s", "frequency=30 Hz",
                           "force=30 kN", "duration=60 s")
@@ -174,6 +195,7 @@ class WithoutBrowser(Reports):
         subprocess.run([os.path.join(PROGRAMS, "replay"), "--config", os.path.join(folder, "augmented.yaml"), "--log",
                         os.path.join(folder, name), "--output", os.path.join(OUTPUT, "played.csv")], check=True,
                        stdout=subprocess.DEVNULL)
+        self.check_drive_file(folder)
 
     def test_the_same_run_gives_the_same_files(self):
         def files(folder):

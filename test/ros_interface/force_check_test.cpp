@@ -35,27 +35,22 @@ ros_interface::PlayResult answered(const log::Log& log, double offset) {
   return result;
 }
 
-// A constant offset over a sine of ten whole periods: RMS of the difference is the offset, the deviation of the
-// reference the amplitude over the square root of two.
-TEST(ForceCheck, GapOfAnOffset) {
-  const log::Log log = sineLog();
-  std::vector<double> force = log.force;
-  for (double& value : force) {
-    value += kOffset;
-  }
-  const ros_interface::ForceDifference difference = ros_interface::compareForces(log, log.force, force, 0.0);
-  EXPECT_NEAR(difference.gap, kOffset / (2000.0 / std::sqrt(2.0)), 1e-12);
-  EXPECT_NEAR(difference.largest, kOffset, 1e-9);
+// What check_force makes of forces against those that the log has measured.
+ros_interface::TestCase checked(const log::Log& log, const ros_interface::PlayResult& result, double tolerance,
+                                double skip = 0.0) {
+  const ros_interface::ForceReference reference = ros_interface::measuredReference(log);
+  return ros_interface::checkForces(log, reference, result, ros_interface::compareForces(log, reference, result, skip),
+                                    tolerance);
 }
 
 TEST(ForceCheck, LeavesOutTheStart) {
   const log::Log log = sineLog();
-  std::vector<double> force = log.force;
-  force[99] += 1e6;
-  EXPECT_GT(ros_interface::compareForces(log, log.force, force, 0.0).gap, 1.0);
-  EXPECT_EQ(ros_interface::compareForces(log, log.force, force, 0.1).gap, 0.0);
-  EXPECT_EQ(ros_interface::compareForces(log, log.force, force, 0.0).largest_time, 0.099);
-  EXPECT_THROW(ros_interface::compareForces(log, log.force, force, 0.999), std::invalid_argument);
+  ros_interface::PlayResult result = answered(log, 0.0);
+  result.force[99].total += 1e6;
+  EXPECT_FALSE(checked(log, result, 1.0).passed);
+  EXPECT_THAT(checked(log, result, 1.0).message, testing::HasSubstr("0.099 s after the start"));
+  EXPECT_TRUE(checked(log, result, 0.0, 0.1).passed);
+  EXPECT_THROW(checked(log, result, 0.0, 0.999), std::invalid_argument);
 }
 
 // The last axes show the difference, in kN.
@@ -70,32 +65,27 @@ TEST(ForceCheck, DrawsReferenceAndBench) {
   EXPECT_NEAR(figure.axes[3].curves[0].y[500], -1e-3 * kOffset, 1e-9);
 }
 
+// A constant offset over a sine of ten whole periods: RMS of the difference is the offset, the deviation of the
+// reference the amplitude over the square root of two.
 TEST(ForceCheck, PassesWithinTheToleranceAndFailsBeyond) {
   const log::Log log = sineLog();
   const double gap = kOffset / (2000.0 / std::sqrt(2.0));
-  const ros_interface::ForceReference reference = ros_interface::measuredReference(log);
-  EXPECT_TRUE(ros_interface::checkForces(log, reference, answered(log, kOffset), 1.001 * gap, 0.0).passed);
-  const ros_interface::TestCase failed =
-      ros_interface::checkForces(log, reference, answered(log, kOffset), 0.999 * gap, 0.0);
+  EXPECT_TRUE(checked(log, answered(log, kOffset), 1.001 * gap).passed);
+  const ros_interface::TestCase failed = checked(log, answered(log, kOffset), 0.999 * gap);
   EXPECT_FALSE(failed.passed);
   EXPECT_THAT(failed.message, testing::HasSubstr("0.0212132 to the force measured in sine"));
-}
-
-TEST(ForceCheck, EqualForcesPassWithToleranceZero) {
-  const log::Log log = sineLog();
-  EXPECT_TRUE(
-      ros_interface::checkForces(log, ros_interface::measuredReference(log), answered(log, 0.0), 0.0, 0.0).passed);
+  EXPECT_TRUE(checked(log, answered(log, 0.0), 0.0).passed);
 }
 
 TEST(ForceCheck, FailsWhereAForceIsMissingOrNoNumber) {
   const log::Log log = sineLog();
   ros_interface::PlayResult result = answered(log, 0.0);
   result.answers[500] = 0;
-  EXPECT_FALSE(ros_interface::checkForces(log, ros_interface::measuredReference(log), result, 1.0, 0.0).passed);
+  EXPECT_FALSE(checked(log, result, 1.0).passed);
   EXPECT_FALSE(ros_interface::checkAnswers("mount", log, result).passed);
   result = answered(log, 0.0);
   result.force[500].total = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(ros_interface::checkForces(log, ros_interface::measuredReference(log), result, 1.0, 0.0).passed);
+  EXPECT_FALSE(checked(log, result, 1.0).passed);
 }
 
 TEST(ForceCheck, FailsWhereASampleIsAnsweredTwice) {

@@ -73,7 +73,7 @@ class Usage(unittest.TestCase):
 
 
 # Commands whose examples need neither a node nor minutes, in an order in which each finds what those before have written.
-EXEMPLIFIED = ("csv_to_bag", "bag_to_csv", "replay", "export_table", "export_bushing", "export_fmu", "estimate", "diagnose",
+EXEMPLIFIED = ("csv_to_bag", "bag_to_csv", "replay", "export", "estimate", "diagnose",
                "campaign", "reference", "half_bogie")
 ELSEWHERE = ("man -l", "--forces topics")  # a program that may not be installed, and a node
 SHEET = ("data_sheet:\n  component: bush\n  load: compression\n  shore_a: 60\n  loaded_area: 100 cm^2\n"

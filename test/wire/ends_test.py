@@ -1,14 +1,15 @@
 #!/usr/bin/python3
-"""Ends a node many times while it is busy: main has to return with status 0 within 5 s, and with nothing left at the
-master. Each end has a master and a node of its own with 100 components, samples that stream in and two processes that
-take the machine's time; in turn SIGINT and SIGTERM, with the master and after it was killed. The process ends with
-another status where main does not return by itself.
+"""Ends a node many times: main has to return with status 0 within 5 s, and with nothing left at the master. Each end has
+a master and a node of its own with 100, 150 or 256 components and a live diagnosis, and two processes that take the
+machine's time. In turn it comes at some moment of the start, which the signal alone may end where it comes before main,
+and while samples stream in; by SIGINT and SIGTERM; of those that stream, half come after the master was killed.
 
-    ends_test.py PROGRAMS [ENDS [COMPONENTS]]
+    ends_test.py PROGRAMS [ENDS]
 """
 
 import itertools
 import os
+import random
 import shutil
 import signal
 import subprocess
@@ -25,9 +26,10 @@ STREAMS = 4  # components that get samples
 
 
 class Ends:
-    def __init__(self, programs, components):
+    def __init__(self, programs):
         self.simulate = os.path.join(programs, "simulate")
-        self.names = [f"c{i}" for i in range(components)]
+        self.names = []
+        self.moments = random.Random(1)
         self.failures = []
         self.longest = 0.0
 
@@ -51,35 +53,48 @@ class Ends:
         except (OSError, tcpros.WireError):
             pass
 
-    def registrations(self, network):
+    @staticmethod
+    def left(network):
+        """Topics, services and parameters of the node that the master still knows."""
         state = network.master.getSystemState(tcpros.CALLER)[2]
-        return [name for part in state for name, nodes in part if NODE in nodes]
+        parameters = network.master.getParamNames(tcpros.CALLER)[2]
+        return ([name for part in state for name, nodes in part if NODE in nodes] +
+                [name for name in parameters if name.startswith(NODE + "/")])
 
-    def end(self, number, with_master):
+    def serve(self, network, over, threads):
+        """Samples that stream, once the node has started."""
+        # The service is the last thing that a node registers.
+        last = f"/{self.names[-1]}/rollback"
+        tcpros.until(lambda: network.master.lookupService(tcpros.CALLER, last)[0] == 1, "the node")
+        for name in self.names[:STREAMS]:
+            links = (network.publish(f"/{name}/displacement", "rubber_suspension/Displacement"),
+                     network.subscribe(NODE, f"/{name}/force"))
+            threads.append(threading.Thread(target=self.stream, args=(*links, over), daemon=True))
+            threads[-1].start()
+        time.sleep(0.3)
+
+    def end(self, number, moment):
         """One end; returns what was wrong with it, or nothing."""
         folder = tempfile.mkdtemp(prefix="ends.")
         network = tcpros.Network(folder)
         over = threading.Event()
         threads = []
         try:
-            node = network.start([self.simulate, f"_config_file:={self.config(folder)}"], "simulate")
-            # The service is the last thing that a node registers.
-            tcpros.until(lambda: network.master.lookupService(tcpros.CALLER, NODE + "/reload")[0] == 1, "the node")
-            for name in self.names[:STREAMS]:
-                links = (network.publish(f"/{name}/displacement", "rubber_suspension/Displacement"),
-                         network.subscribe(NODE, f"/{name}/force"))
-                threads.append(threading.Thread(target=self.stream, args=(*links, over), daemon=True))
-                threads[-1].start()
-            time.sleep(0.3)
-            if not with_master:
+            node = network.start([self.simulate, f"_config_file:={self.config(folder)}", "_diagnose:=true"], "simulate")
+            if moment == "start":
+                time.sleep(0.05 * 60.0 ** self.moments.random())  # 50 ms to 3 s
+            else:
+                self.serve(network, over, threads)
+            if moment == "without a master":
                 network.master_process.kill()
             begin = time.monotonic()
             status = node.end(number)
             took = time.monotonic() - begin
             self.longest = max(self.longest, took)
-            left = self.registrations(network) if with_master else []
-            if status != 0 or took > LIMIT or left:
-                return f"status {status} after {took:.1f} s, {len(left)} registrations left: {node.output().strip()}"
+            left = [] if moment == "without a master" else self.left(network)
+            if status not in ((0, -number) if moment == "start" else (0,)) or took > LIMIT or left:
+                return (f"{len(self.names)} components: status {status} after {took:.1f} s, left {left}: "
+                        f"{node.output().strip()}")
             return ""
         finally:
             over.set()
@@ -89,22 +104,24 @@ class Ends:
             shutil.rmtree(folder)
 
     def run(self, count):
-        cases = itertools.cycle(itertools.product((signal.SIGINT, signal.SIGTERM), (True, False)))
-        for i, (number, with_master) in zip(range(count), cases):
-            wrong = self.end(number, with_master)
+        cases = itertools.cycle(itertools.product(("start", "with samples", "start", "without a master"),
+                                                  (signal.SIGINT, signal.SIGTERM)))
+        sizes = itertools.cycle((100, 150, 256))
+        for i, (moment, number), size in zip(range(count), cases, sizes):
+            self.names = [f"c{j}" for j in range(size)]
+            wrong = self.end(number, moment)
             if wrong:
                 self.failures.append(wrong)
-                print(f"end {i + 1}, {signal.Signals(number).name}, {'with' if with_master else 'without'} a master: "
-                      f"{wrong}", flush=True)
+                print(f"end {i + 1}, {signal.Signals(number).name}, {moment}: {wrong}", flush=True)
         print(f"{count - len(self.failures)} of {count} ends with status 0 and nothing left at the master, the longest "
               f"{self.longest:.1f} s")
         return 1 if self.failures else 0
 
 
-def main(programs, count=8, components=100):
+def main(programs, count=8):
     busy = [subprocess.Popen(["nice", "-n", "5", sys.executable, "-c", "while True: pass"]) for _ in range(2)]
     try:
-        return Ends(os.path.abspath(programs), int(components)).run(int(count))
+        return Ends(os.path.abspath(programs)).run(int(count))
     finally:
         for process in busy:
             process.kill()

@@ -9,8 +9,10 @@
 namespace rubber_suspension::gap {
 
 /// RMS of measured minus simulated force over the standard deviation of the measured force [-].
-/// Throws std::invalid_argument where the sizes differ, or the measured force is empty or constant.
-double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated);
+/// Of samples that count: 1, or 0 where a force was not measured; empty: all. Throws std::invalid_argument where the
+/// sizes differ, or the measured force is empty or constant.
+double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated,
+                   const std::vector<double>& counts = {});
 
 /// About the mean, of all values.
 double standardDeviation(const Eigen::VectorXd& values);

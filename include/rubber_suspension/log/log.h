@@ -29,8 +29,10 @@ struct Log {
   std::vector<double> displacement;  ///< [m]
   std::vector<double> force;         ///< measured [N]; empty if the log has none
   std::vector<double> temperature;   ///< [degC]; empty if the log has none
-  std::vector<double> across;        ///< displacement that shares a radius with this one [m]; empty: none is known
-  std::vector<std::string> notes;    ///< what was ignored and why
+  /// 1 where the force was measured, 0 where it is interpolated and compared with nothing; empty: measured throughout.
+  std::vector<double> counts;
+  std::vector<double> across;      ///< displacement that shares a radius with this one [m]; empty: none is known
+  std::vector<std::string> notes;  ///< what was ignored and why
   UnitsAre units = UnitsAre::named;
 
   std::size_t size() const { return stamp.size(); }
@@ -67,7 +69,12 @@ struct LogFormat {
   bool turns = false;            ///< the displacement is an angle [rad] and the force a moment [N m]
   std::optional<double> bridge;  ///< longest time without a number that is passed over [s]; nothing: 0.5 s, and only
                                  ///< where 99 of 100 rows have their numbers
-  bool accept_units = false;     ///< no check shall doubt the units
+  bool large = false;            ///< a packed file may unpack to more than a hundred times its size
+  /// A number of the file that stands for none; not a number: each is a measurement. Nothing: what repeats and lies far
+  /// beyond the others stands for none.
+  std::optional<double> sentinel;
+  bool by_receipt = false;    ///< messages of a bag have the times of their receipt
+  bool accept_units = false;  ///< no check shall doubt the units
 };
 
 /// The format that options of a command describe: `--columns displacement=D force=-0.001*F`, or the quantities in the
@@ -76,13 +83,15 @@ struct LogFormat {
 /// accepted.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate);
 
-/// The same with `--decimal ,` or `--decimal force=,`, `--segment 2` or `--segment all`, and `--bridge SECONDS`; empty,
-/// or less than 0: not given.
+/// The same with `--decimal ,` or `--decimal force=,`, `--segment 2` or `--segment all`, `--bridge SECONDS`,
+/// `--sentinel none` or `--sentinel -9999`, and `--clock receipt`; empty, or less than 0: not given.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate,
-                        const std::string& decimal, const std::string& segment, double bridge);
+                        const std::string& decimal, const std::string& segment, double bridge,
+                        const std::string& sentinel = "", const std::string& clock = "");
 
 /// Bounds on a CSV log; a file beyond them is refused.
-constexpr std::size_t kMaximumLogRows = 20000000;   // 5.5 hours at 1 kHz
+constexpr std::size_t kMaximumLogRows = 20000000;  // 5.5 hours at 1 kHz
+constexpr std::size_t kMaximumSegments = 10000;
 constexpr std::size_t kMaximumLogLine = 64 * 1024;  // bytes
 
 /// Read a log from text. Canonical, and read fastest, is what this package writes: a header with columns time_s,

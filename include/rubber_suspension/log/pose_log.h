@@ -20,6 +20,7 @@ struct PoseLog {
   std::vector<Quaternion> quaternion;  ///< rotations as a bag has them, to the last bit; empty: as the coordinates say
   std::array<std::vector<double>, 6> wrench;  ///< empty if the log has none
   std::vector<double> temperature;            ///< [degC]; empty if the log has none
+  std::vector<double> counts;                 ///< 0 where the wrench was not measured; empty: measured throughout
   std::vector<std::string> notes;
   UnitsAre units = UnitsAre::named;  ///< those of the least sure direction
 

@@ -17,6 +17,10 @@ bool isUnit(const std::string& text);
 /// text itself where it converts to the unit `wanted`, or where none of the spellings known here does.
 std::string spelledUnit(const std::string& text, const std::string& wanted);
 
+/// The unit that stands behind a name with an underscore or a blank, as "kgf" in load_kgf; nothing where it is another
+/// word, such as "in" and "max".
+std::optional<std::string> unitOfSuffix(const std::string& text);
+
 /// Linear conversion between two units.
 class UnitConversion {
  public:

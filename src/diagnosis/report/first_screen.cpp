@@ -146,7 +146,7 @@ std::string howToPlay(const Diagnosis& d) {
   }
   return fmt::format(
       "play <a href=\"next_experiment.csv\">next_experiment.csv</a> ({:.3g} s at {:.4g} Hz; from rest at 0 to rest at "
-      "0)",
+      "0; as a drive file of RPC III <a href=\"next_experiment.drv\">next_experiment.drv</a>)",
       static_cast<double>(d.proposed.displacement.size() - 1) * d.proposed.dt, 1.0 / d.proposed.dt);
 }
 

@@ -19,6 +19,7 @@
 #include "diagnosis/results/rounding.h"
 #include "io/output_files.h"
 #include "log/new_file.h"
+#include "log/rpc_log.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/log.h"
 
@@ -26,6 +27,7 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr const char* kExperiment = "next_experiment.csv";
+constexpr const char* kDrive = "next_experiment.drv";
 constexpr const char* kComponent = "augmented.yaml";
 constexpr const char* kFullComponent = "augmented_full.yaml";
 constexpr const char* kSurrogate = "surrogate.yaml";
@@ -68,6 +70,15 @@ std::string experimentCsv(const ProposedExperiment& experiment) {
     text += fmt::format("{:.9f},{:.9g}\n", static_cast<double>(i) * experiment.dt, experiment.displacement[i]);
   }
   return text;
+}
+
+// For rigs of MTS and Instron, in the unit that they are used in.
+std::string driveFile(const ProposedExperiment& experiment, bool turns) {
+  log::RpcChannel channel{"displacement", turns ? "rad" : "mm", experiment.displacement};
+  for (double& z : channel.values) {
+    z *= turns ? 1.0 : 1e3;
+  }
+  return log::rpcFile(experiment.dt, {channel});
 }
 
 // "displacement_mm" of "displacement [mm]", "gap" of "gap [-]".
@@ -118,8 +129,8 @@ std::string evidenceJson(const Diagnosis& diagnosis) {
 }
 
 std::vector<std::string> reportFiles() {
-  std::vector<std::string> names = {"report.json", kComponent,    kFullComponent, kExperiment,
-                                    kSurrogate,    kMissingForce, kEvidence};
+  std::vector<std::string> names = {"report.json", kComponent, kFullComponent, kExperiment,
+                                    kDrive,        kSurrogate, kMissingForce,  kEvidence};
   const std::vector<std::string> figures = report::figureDataFiles();
   names.insert(names.end(), figures.begin(), figures.end());
   names.emplace_back(kPage);
@@ -145,6 +156,7 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   }
   if (!diagnosis.proposed.displacement.empty()) {
     report.write(kExperiment, experimentCsv(diagnosis.proposed));
+    report.write(kDrive, driveFile(diagnosis.proposed, diagnosis.turns));
   }
   for (const report::ReportFigure& figure : report::reportFigures(diagnosis)) {
     if (!figure.figure.axes.empty()) {

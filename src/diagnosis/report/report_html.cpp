@@ -6,6 +6,7 @@
 
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/compare.h"
+#include "diagnosis/report/log_rating.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/results/rounding.h"
@@ -249,6 +250,31 @@ std::string excerptsTaken(const Diagnosis& d) {
       d.samples, d.recorded_samples, percent(d.gap_as_recorded.as_configured), percent(d.gap_as_recorded.augmented));
 }
 
+std::string ratingTable(const Diagnosis& d) {
+  const std::vector<report::LogRating> ratings = report::logRatings(d);
+  std::vector<Row> rows;
+  bool any_repeats = false;
+  for (std::size_t r = 0; r < ratings.size(); ++r) {
+    const gap::Iso18571& after = ratings[r].augmented;
+    any_repeats = any_repeats || after.repeats;
+    rows.push_back({escape(d.admission[r].log) + (after.repeats ? " *" : ""),
+                    fmt::format("{:.3f}", ratings[r].as_configured.total), fmt::format("{:.3f}", after.total),
+                    gap::iso18571Grade(after.total), fmt::format("{:.3f}", after.corridor),
+                    fmt::format("{:.3f}", after.phase), fmt::format("{:.3f}", after.magnitude),
+                    fmt::format("{:.3f}", after.slope)});
+  }
+  if (rows.empty()) {
+    return "";
+  }
+  return heading("Rating by ISO/TS 18571") +
+         words::table({"log", "#as configured", "#augmented", "grade", "#corridor", "#phase", "#magnitude", "#slope"},
+                      rows) +
+         (any_repeats
+              ? "<p class=note>* The measured force repeats itself. The rating is meant for signals that are not "
+                "periodic: its shift may lead to another cycle.</p>\n"
+              : "");
+}
+
 std::string admission(const Diagnosis& d) {
   return heading("The logs") + excerptsTaken(d) +
          words::table({"log", "#length [s]", "#rate [Hz]", "#largest |z| [mm]", "#excited up to [Hz]", "#noise floor",
@@ -324,7 +350,7 @@ std::string body(const Diagnosis& d) {
   return report::firstScreen(d, firstLoop(drawn)) + report::comparisonSection(d.comparison) + howFar(d) +
          heading("Which") + report::candidateSection(d) + where(d, drawn) + furtherFigures(drawn) + componentFile(d) +
          nextExperiment(d) + couldShow(d) +
-         (d.table ? report::tableSection(d) : findings(d) + takenOut(d) + admission(d));
+         (d.table ? report::tableSection(d) : findings(d) + takenOut(d) + ratingTable(d) + admission(d));
 }
 
 }  // namespace

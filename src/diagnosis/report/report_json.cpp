@@ -3,6 +3,7 @@
 #include <complex>
 
 #include "diagnosis/hypotheses/workings.h"
+#include "diagnosis/report/log_rating.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/run_record.h"
 #include "element/each.h"
@@ -44,6 +45,14 @@ ordered_json cellJson(const gap::GapCell& cell) {
           {"noise_ratio", cell.noise_ratio}};
 }
 
+ordered_json ratingJson(const gap::Iso18571& rating) {
+  return {{"corridor", rating.corridor},
+          {"phase", rating.phase},
+          {"magnitude", rating.magnitude},
+          {"slope", rating.slope},
+          {"total", rating.total}};
+}
+
 ordered_json admissionJson(const Admission& log) {
   return {{"log", log.log},
           {"hold_out", log.hold_out},
@@ -56,6 +65,18 @@ ordered_json admissionJson(const Admission& log) {
           {"gap_as_recorded", log.recorded},
           {"gap", log.left},
           {"notes", log.notes}};
+}
+
+// With the ratings, where the logs were judged.
+ordered_json admissionsJson(const Diagnosis& diagnosis) {
+  ordered_json logs = each(diagnosis.admission, admissionJson);
+  const std::vector<report::LogRating> ratings = report::logRatings(diagnosis);
+  for (std::size_t r = 0; r < ratings.size(); ++r) {
+    logs[r]["iso18571"] = {{"as_configured", ratingJson(ratings[r].as_configured)},
+                           {"augmented", ratingJson(ratings[r].augmented)},
+                           {"repeats", ratings[r].augmented.repeats}};
+  }
+  return logs;
 }
 
 ordered_json takenOutJson(const TakenOut& part) {
@@ -234,7 +255,7 @@ std::string toJson(const Diagnosis& diagnosis) {
                            {"sheet_deviations", each(diagnosis.sheet_deviations, deviationJson)},
                            {"at_bounds", diagnosis.at_bounds}}},
                          {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
-                         {"admission", each(diagnosis.admission, admissionJson)}};
+                         {"admission", admissionsJson(diagnosis)}};
   if (!diagnosis.defect.empty()) {
     report["defect"] = diagnosis.defect;
   }

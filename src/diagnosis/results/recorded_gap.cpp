@@ -14,11 +14,16 @@ namespace {
 
 using Piece = log::EvenBlocks::Piece;
 
+bool isCounted(const Piece& piece, std::size_t i) { return piece.counts == nullptr || piece.counts[i] > 0.0; }
+
 // The squared deviation of a force from its mean, piece by piece: about the first force, so that no digits are lost.
 class Deviation {
  public:
   void add(const Piece& piece) {
     for (std::size_t i = 0; i < piece.samples; ++i) {
+      if (!isCounted(piece, i)) {
+        continue;
+      }
       offset_ = count_ == 0.0 ? piece.force[i] : offset_;
       const double force = piece.force[i] - offset_;
       sum_ += force;
@@ -71,6 +76,9 @@ class Driven {
       element::addAcross(radial_, piece.displacement, piece.across, piece.samples, force_.data());
     }
     for (std::size_t i = 0; i < piece.samples; ++i) {
+      if (!isCounted(piece, i)) {
+        continue;
+      }
       squares_ += (piece.force[i] - force_[i]) * (piece.force[i] - force_[i]);
     }
   }

@@ -32,8 +32,13 @@ struct fmi2CallbackFunctions {
 typedef void (*fmi3LogMessageCallback)(void* environment, fmi3Status, fmiString category, fmiString message);
 typedef void (*fmi3Callback)();  // of whatever arguments: this package calls none
 
-#define FMI_PLAIN(Result, name, parameters, ...) Result name parameters;
-#define FMI_CALL(V, name, parameters, ...) fmi##V##Status fmi##V##name parameters;
+#ifdef _WIN32
+#define FMI_EXPORT __declspec(dllexport)
+#else
+#define FMI_EXPORT
+#endif
+#define FMI_PLAIN(Result, name, parameters, ...) FMI_EXPORT Result name parameters;
+#define FMI_CALL(V, name, parameters, ...) FMI_EXPORT fmi##V##Status fmi##V##name parameters;
 #include "fmi/runtime/calls.h"
 #undef FMI_CALL
 #undef FMI_PLAIN

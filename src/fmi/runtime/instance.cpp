@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "element/largest_number.h"
 #include "element/refuse.h"
 
 namespace rubber_suspension::fmi {
@@ -85,9 +86,9 @@ void Instance::checkSet(Reference reference, double value) const {
   // Until the component is built, the range of the temperature is that of the parameters at the start.
   const bool shifted = reference == table_.temperature() && body_;
   const element::Range range = shifted ? body_->temperatures() : variable.range;
-  if (!std::isfinite(value) || !range.contains(value)) {
+  if (!range.contains(value)) {
     throw Discarded(fmt::format("set: {}: {:g}{} is out of range; accepted: {}", variable.name, value,
-                                variable.unit == "1" ? "" : " " + variable.unit, element::describe(range)));
+                                variable.unit == "1" ? "" : " " + variable.unit, element::acceptedFor(value, range)));
   }
 }
 
@@ -149,7 +150,9 @@ void Instance::setDerivatives(const Reference* references, std::size_t count, co
     refuseIf(data_.six || references[i] != reference::kDisplacement || order < 1 || order > kMostDerivatives,
              "derivative {} of variable {}; accepted: the displacement, orders 1 to {}", orders[i], references[i],
              kMostDerivatives);
-    refuseIf(!std::isfinite(values[i]), "derivative {} of the displacement: {} is not finite", order, values[i]);
+    refuseIf(!element::Range::any().contains(values[i]),
+             "derivative {} of the displacement: {} is not finite, or beyond {:g}", order, values[i],
+             element::kLargestNumber);
     now_.derivative[order - 1] = values[i];
     has_derivatives_ = true;
   }

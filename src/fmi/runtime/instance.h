@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "element/largest_number.h"
 #include "fmi/runtime/body.h"
 #include "fmi/runtime/saved_state.h"
 #include "fmi/runtime/variables.h"
@@ -58,7 +59,7 @@ class Instance {
 
   void set(const Reference* references, std::size_t count, const double* values) {
     if (count == 1 && now_.phase == Phase::stepping && references != nullptr && values != nullptr &&
-        references[0] == reference::kDisplacement && std::isfinite(values[0])) {
+        references[0] == reference::kDisplacement && std::abs(values[0]) <= element::kLargestNumber) {
       now_.inputs[0] = values[0];
     } else {
       setAll(references, count, values);

@@ -56,6 +56,7 @@ DiagnosisThread::DiagnosisThread(ros::NodeHandle& handle, const std::vector<node
                                  const LiveDiagnoserSettings& settings)
     : settings_(settings) {
   for (node::ComponentChannel* channel : channels) {
+    io::checkCancelled();
     const auto configured = channel->configured();
     Watched& watched = watched_[channel->name()];
     watched = {channel, configured, liveDiagnosis(*configured, settings_), 0,

@@ -1,0 +1,28 @@
+// The options --limits and --json of the commands that compare a simulated force with a measured one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "command_line/option_table.h"
+#include "gap/agreement.h"
+
+namespace rubber_suspension::command_line {
+
+class AgreementOptions {
+ public:
+  OptionTable table();
+
+  /// Throws UsageError that names option, text and what is accepted.
+  gap::AgreementLimits limits() const;
+
+  /// Writes the JSON, if its file is given and there was something to compare. Throws std::runtime_error.
+  void write(const std::string& component, const std::string& log,
+             const std::vector<gap::ComparedForce>& compared) const;
+
+ private:
+  std::vector<std::string> limits_;
+  std::string json_;
+};
+
+}  // namespace rubber_suspension::command_line

@@ -1,0 +1,60 @@
+// How well a simulated force agrees with a measured one over a log, by the figures that test laboratories use.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/gap/iso18571.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension::gap {
+
+/// Of a moment, N m and rad stand for N and m.
+struct Agreement {
+  double gap = 0.0;        ///< RMS of the difference over the standard deviation of the measured force [-]
+  double rms = 0.0;        ///< of the difference [N]
+  double peak = 0.0;       ///< largest difference [N]
+  double peak_time = 0.0;  ///< of the largest difference, from the start of the log [s]
+  std::optional<double> measured_energy;   ///< dissipated per cycle of the motion [J]; none without a cycle
+  std::optional<double> simulated_energy;  ///< likewise
+  Iso18571 iso18571;                       ///< at even time steps; stretches between time gaps are joined
+
+  /// Error of the energy per cycle over the measured one [-]; none where nothing was dissipated.
+  std::optional<double> energyError() const;
+};
+
+/// Compare the force that a log has measured with a simulated one, from the sample `first` on, where it was measured;
+/// for energy and ISO 18571 it is interpolated elsewhere. Throws std::invalid_argument where the numbers of values
+/// differ, less than two samples are left or the measured force does not change there.
+Agreement agreementOf(const log::Log& log, const std::vector<double>& simulated, std::size_t first = 0);
+
+/// Limits of an agreement; what is not set is not asked for.
+struct AgreementLimits {
+  std::optional<double> gap;       ///< at most [-]
+  std::optional<double> rms;       ///< at most [N]
+  std::optional<double> peak;      ///< at most [N]
+  std::optional<double> energy;    ///< of the error of the energy per cycle, at most [-]
+  std::optional<double> iso18571;  ///< of the total, at least [-]
+};
+
+/// An agreement with its limits and its place.
+struct ComparedForce {
+  std::string direction;  ///< x to rz; empty: the component has one
+  Agreement agreement;
+  AgreementLimits limits;
+
+  bool isMoment() const { return direction.size() == 2; }
+};
+
+/// A table, a line for each figure, with its limit where there is one.
+std::string agreementTable(const ComparedForce& compared);
+
+/// The figures beyond their limits in a phrase; empty where all keep to them.
+std::string beyondLimits(const ComparedForce& compared);
+
+/// The figures of a log as JSON, of six directions below the names of these.
+std::string agreementJson(const std::string& component, const std::string& log,
+                          const std::vector<ComparedForce>& compared);
+
+}  // namespace rubber_suspension::gap

@@ -1,0 +1,301 @@
+// ISO/TS 18571: corridor, phase, magnitude and slope of two signals.
+#include "rubber_suspension/gap/iso18571.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <vector>
+
+#include "element/refuse.h"
+#include "numerics/fourier.h"
+#include "numerics/median.h"
+
+namespace rubber_suspension::gap {
+namespace {
+
+using Eigen::Index;
+using Signal = Eigen::Ref<const Eigen::VectorXd>;
+
+constexpr double kLargestShift = 0.2;  // of the length
+constexpr double kWindow = 0.1;        // of the length, to both sides of the diagonal
+constexpr Index kBlock = 2000;         // samples
+constexpr double kUndefined = -std::numeric_limits<double>::infinity();
+
+double corridorRating(const Signal& measured, const Signal& simulated) {
+  const double largest = measured.cwiseAbs().maxCoeff();
+  const double inner = 0.05 * largest;
+  const double outer = 0.5 * largest;
+  const auto rating = [&](double difference) {
+    const double size = std::abs(difference);
+    return size < inner ? 1.0 : size > outer ? 0.0 : std::pow((outer - size) / (outer - inner), 2);
+  };
+  return (simulated - measured).unaryExpr(rating).mean();
+}
+
+// Sums of a signal and of its squares over the samples [first, first + count), from sums up to each sample.
+class RunningSums {
+ public:
+  explicit RunningSums(const Eigen::VectorXd& signal) : sum_(signal.size() + 1), squares_(signal.size() + 1) {
+    sum_[0] = squares_[0] = 0.0;
+    for (Index i = 0; i < signal.size(); ++i) {
+      sum_[i + 1] = sum_[i] + signal[i];
+      squares_[i + 1] = squares_[i] + signal[i] * signal[i];
+    }
+  }
+
+  double mean(Index first, Index count) const {
+    return (sum_[first + count] - sum_[first]) / static_cast<double>(count);
+  }
+  // About the mean.
+  double squares(Index first, Index count) const {
+    return squares_[first + count] - squares_[first] - static_cast<double>(count) * std::pow(mean(first, count), 2);
+  }
+  double all() const { return squares_[squares_.size() - 1]; }
+
+ private:
+  Eigen::VectorXd sum_;
+  Eigen::VectorXd squares_;
+};
+
+// Coefficients of correlation of what overlaps, by the shift: `left` where the second signal is moved to the left.
+struct Correlations {
+  Eigen::VectorXd left;
+  Eigen::VectorXd right;
+};
+
+std::vector<double> centred(const Signal& signal) {
+  const Eigen::VectorXd values = signal.array() - signal.mean();
+  return {values.data(), values.data() + values.size()};
+}
+
+// A power of two, for transforms in which nothing wraps.
+std::size_t paddedLength(Index size) {
+  std::size_t padded = 2;
+  while (padded < static_cast<std::size_t>(size)) {
+    padded *= 2;
+  }
+  return padded;
+}
+
+Correlations correlate(const Signal& first, const Signal& second, Index most) {
+  const Index size = first.size();
+  const std::vector<double> a = centred(first);
+  const std::vector<double> b = centred(second);
+  const std::size_t padded = paddedLength(size + most);
+  std::vector<std::complex<double>> product = numerics::paddedSpectrum(b, padded);
+  const std::vector<std::complex<double>> other = numerics::paddedSpectrum(a, padded);
+  std::transform(product.begin(), product.end(), other.begin(), product.begin(),
+                 [](const auto& x, const auto& y) { return x * std::conj(y); });
+  const std::vector<double> sums = numerics::samplesOf(product, padded);
+  const RunningSums of_a(Eigen::Map<const Eigen::VectorXd>(a.data(), size));
+  const RunningSums of_b(Eigen::Map<const Eigen::VectorXd>(b.data(), size));
+  const auto coefficient = [&](double sum, Index from_a, Index from_b, Index count) {
+    constexpr double kConstant = 1e-12;  // of all squares: rounding of the sums
+    const double squares_a = of_a.squares(from_a, count);
+    const double squares_b = of_b.squares(from_b, count);
+    const double means = static_cast<double>(count) * of_a.mean(from_a, count) * of_b.mean(from_b, count);
+    return squares_a > kConstant * of_a.all() && squares_b > kConstant * of_b.all()
+               ? (sum - means) / std::sqrt(squares_a * squares_b)
+               : kUndefined;
+  };
+  Correlations result{Eigen::VectorXd(most + 1), Eigen::VectorXd(most + 1)};
+  for (Index shift = 0; shift <= most; ++shift) {
+    const auto place = static_cast<std::size_t>(shift);
+    result.left[shift] = coefficient(sums[place], 0, shift, size - shift);
+    result.right[shift] = coefficient(sums[(padded - place) % padded], shift, 0, size - shift);
+  }
+  return result;
+}
+
+// The shift of the simulated signal, to the left above 0, with the largest correlation. The smallest of equal ones,
+// where what differs by no more than transforms round is equal; the left one of two.
+Index bestShift(const Signal& measured, const Signal& simulated) {
+  constexpr double kRounding = 1e-9;
+  const auto most = static_cast<Index>(std::floor(kLargestShift * static_cast<double>(measured.size())));
+  const Correlations found = correlate(measured, simulated, most);
+  const double enough = std::max(found.left.maxCoeff(), found.right.maxCoeff()) - kRounding;
+  for (Index shift = 0; std::isfinite(enough) && shift <= most; ++shift) {
+    if (found.left[shift] >= enough || found.right[shift] >= enough) {
+      return found.left[shift] >= enough ? shift : -shift;
+    }
+  }
+  return 0;
+}
+
+struct Sums {
+  double difference = 0.0;
+  double measured = 0.0;
+
+  double error() const {
+    return difference == 0.0 ? 0.0 : measured > 0.0 ? difference / measured : std::numeric_limits<double>::infinity();
+  }
+};
+
+// The cheapest path through the squared differences, by steps of one in either signal or in both, and what it comes to.
+class Warping {
+ public:
+  Warping(const Signal& measured, const Signal& simulated)
+      : measured_(measured),
+        simulated_(simulated),
+        reach_(std::max<Index>(1, static_cast<Index>(std::ceil(kWindow * static_cast<double>(measured.size())))) - 1),
+        steps_(static_cast<std::size_t>(measured.size() * width())) {}
+
+  Sums sums() {
+    fill();
+    Sums result;
+    Index i = measured_.size() - 1;
+    Index j = i;
+    while (true) {
+      result.difference += std::abs(simulated_[i] - measured_[j]);
+      result.measured += std::abs(measured_[j]);
+      if (i == 0 && j == 0) {
+        return result;
+      }
+      const Step step = steps_[place(i, j - i + reach_)];
+      i -= step == Step::measured ? 0 : 1;
+      j -= step == Step::simulated ? 0 : 1;
+    }
+  }
+
+ private:
+  enum class Step : unsigned char { simulated, measured, both };
+
+  Index width() const { return 2 * reach_ + 1; }
+  std::size_t place(Index i, Index k) const { return static_cast<std::size_t>(i * width() + k); }
+
+  // Row i is that of a simulated sample; its column k is the measured sample i - reach + k.
+  void fill() {
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd before = Eigen::VectorXd::Constant(width() + 1, kNever);
+    Eigen::VectorXd row = before;
+    before[reach_] = 0.0;  // from which the first cell is reached by a step in both
+    for (Index i = 0; i < measured_.size(); ++i) {
+      const Index first = std::max<Index>(0, reach_ - i);
+      const Index last = std::min(width() - 1, measured_.size() - 1 - i + reach_);
+      row.setConstant(kNever);
+      double left = kNever;
+      for (Index k = first; k <= last; ++k) {
+        const double up = before[k + 1];
+        const double both = before[k];
+        const double cost = std::pow(simulated_[i] - measured_[i - reach_ + k], 2);
+        const Step step = up <= left && up <= both ? Step::simulated : left <= both ? Step::measured : Step::both;
+        left = cost + std::min(std::min(up, left), both);
+        row[k] = left;
+        steps_[place(i, k)] = step;
+      }
+      before.swap(row);
+    }
+  }
+
+  const Signal& measured_;
+  const Signal& simulated_;
+  Index reach_;
+  std::vector<Step> steps_;
+};
+
+Sums warp(const Signal& measured, const Signal& simulated, std::size_t blocks) {
+  Sums sums;
+  const auto count = static_cast<Index>(blocks);
+  for (Index b = 0; b < count; ++b) {
+    const Index first = measured.size() * b / count;
+    const Index size = measured.size() * (b + 1) / count - first;
+    const Signal of_measured = measured.segment(first, size);
+    const Signal of_simulated = simulated.segment(first, size);
+    const Sums block = Warping(of_measured, of_simulated).sums();
+    sums.difference += block.difference;
+    sums.measured += block.measured;
+  }
+  return sums;
+}
+
+// Central differences, one-sided at the ends; means of 9 of them, of 7, 5, 3 and 1 at the ends.
+Eigen::VectorXd slopes(const Signal& signal) {
+  const Index size = signal.size();
+  Eigen::VectorXd difference(size);
+  for (Index i = 0; i < size; ++i) {
+    const Index before = std::max<Index>(i - 1, 0);
+    const Index after = std::min(i + 1, size - 1);
+    difference[i] = (signal[after] - signal[before]) / static_cast<double>(after - before);
+  }
+  Eigen::VectorXd mean(size);
+  for (Index i = 0; i < size; ++i) {
+    const Index half = std::min({Index{4}, i, size - 1 - i});
+    mean[i] = difference.segment(i - half, 2 * half + 1).mean();
+  }
+  return mean;
+}
+
+double rating(double error, double worst) { return std::max(0.0, (worst - error) / worst); }
+
+// How much a signal resembles itself a quarter to a half of its length later, over all its squares: 1 for a sine.
+double resemblance(const Signal& signal) {
+  const Index size = signal.size();
+  const std::vector<double> values = centred(signal);
+  const std::size_t padded = paddedLength(size + size / 2);
+  std::vector<std::complex<double>> spectrum = numerics::paddedSpectrum(values, padded);
+  for (std::complex<double>& line : spectrum) {
+    line = std::norm(line);
+  }
+  const std::vector<double> sums = numerics::samplesOf(spectrum, padded);
+  double most = 0.0;
+  for (Index shift = size / 4; shift <= size / 2; ++shift) {
+    const double overlap = static_cast<double>(size - shift) / static_cast<double>(size);
+    most = std::max(most, sums[static_cast<std::size_t>(shift)] / overlap);
+  }
+  return sums[0] > 0.0 ? most / sums[0] : 0.0;
+}
+
+// As a whole, or in most of its pieces: a programme of sines repeats itself in each of them.
+bool repeatsItself(const Signal& signal) {
+  constexpr double kSame = 0.9;  // a sine with noise of a third of its RMS
+  constexpr Index kPieces = 8;
+  constexpr Index kFewest = 16;  // samples of a piece
+  constexpr Index kLongest = 1 << 14;
+  const auto part = [&](Index first, Index size) {
+    return resemblance(signal.segment(first, std::min(size, kLongest)));
+  };
+  if (part(0, signal.size()) > kSame) {
+    return true;
+  }
+  std::vector<double> pieces;
+  for (Index p = 0; p < kPieces && signal.size() >= kPieces * kFewest; ++p) {
+    const Index first = signal.size() * p / kPieces;
+    pieces.push_back(part(first, signal.size() * (p + 1) / kPieces - first));
+  }
+  return !pieces.empty() && numerics::medianOf(pieces) > kSame;
+}
+
+}  // namespace
+
+Iso18571 rateIso18571(const Eigen::VectorXd& measured, const Eigen::VectorXd& simulated, Eigen::Index warped_whole) {
+  element::refuseIf(measured.size() != simulated.size() || measured.size() < 2,
+                    "ISO/TS 18571: {} measured and {} simulated values; accepted: as many of both, two or more",
+                    measured.size(), simulated.size());
+  element::refuseIf(!measured.allFinite() || measured.minCoeff() == measured.maxCoeff(),
+                    "ISO/TS 18571: the measured signal does not change or is not finite");
+  Iso18571 result;
+  result.repeats = repeatsItself(measured);
+  if (!simulated.allFinite()) {
+    return result;
+  }
+  result.corridor = corridorRating(measured, simulated);
+  const Index shift = bestShift(measured, simulated);
+  const Index size = measured.size() - std::abs(shift);
+  const Signal test = measured.segment(std::max<Index>(-shift, 0), size);
+  const Signal model = simulated.segment(std::max<Index>(shift, 0), size);
+  result.phase = rating(static_cast<double>(std::abs(shift)), kLargestShift * static_cast<double>(measured.size()));
+  result.blocks = size <= warped_whole ? 1 : static_cast<std::size_t>((size + kBlock - 1) / kBlock);
+  result.magnitude = rating(warp(test, model, result.blocks).error(), 0.5);
+  const Eigen::VectorXd slope = slopes(test);
+  result.slope = rating(Sums{(slopes(model) - slope).lpNorm<1>(), slope.lpNorm<1>()}.error(), 2.0);
+  result.total = 0.4 * result.corridor + 0.2 * (result.phase + result.magnitude + result.slope);
+  return result;
+}
+
+std::string iso18571Grade(double total) {
+  return total > 0.94 ? "excellent" : total > 0.80 ? "good" : total > 0.58 ? "fair" : "poor";
+}
+
+}  // namespace rubber_suspension::gap

@@ -1,0 +1,112 @@
+// Figures of agreement between a measured and a simulated force, their limits, table and JSON.
+#include "gap/agreement.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kAmplitude = 1e-3;  // [m]
+constexpr double kForce = 2000.0;    // [N]
+
+// Ten cycles of 10 Hz at 1 kHz, the force ahead of the displacement by an angle.
+log::Log sine(double angle) {
+  log::Log log;
+  log.name = "sine";
+  for (int i = 0; i <= 1000; ++i) {
+    const double phase = 2.0 * element::kPi * 0.01 * i;
+    log.stamp.push_back(i * 1000000LL);
+    log.displacement.push_back(kAmplitude * std::sin(phase));
+    log.force.push_back(kForce * std::sin(phase + angle));
+  }
+  return log;
+}
+
+// Energy per cycle: pi times both amplitudes times the sine of the angle; chords of a hundredth of a cycle are short of
+// it by sin(x)/x of a step, 0.07 %.
+TEST(Agreement, OfASineWithTooSmallAnAngle) {
+  const log::Log log = sine(0.2);
+  const gap::Agreement a = gap::agreementOf(log, sine(0.1).force);
+  EXPECT_NEAR(a.peak, kForce * 2.0 * std::sin(0.05), 0.002 * a.peak);
+  EXPECT_NEAR(a.rms, kForce * 2.0 * std::sin(0.05) / std::sqrt(2.0), 1e-3 * a.rms);
+  EXPECT_NEAR(a.gap, 2.0 * std::sin(0.05), 1e-3);
+  ASSERT_TRUE(a.measured_energy && a.energyError());
+  EXPECT_NEAR(*a.measured_energy, element::kPi * kAmplitude * kForce * std::sin(0.2), 1e-3 * *a.measured_energy);
+  EXPECT_NEAR(*a.energyError(), std::sin(0.1) / std::sin(0.2) - 1.0, 1e-6);
+  EXPECT_TRUE(a.iso18571.repeats);
+  EXPECT_LT(a.iso18571.phase, 1.0);
+}
+
+TEST(Agreement, LeavesOutTheStart) {
+  const log::Log log = sine(0.2);
+  std::vector<double> force = log.force;
+  force[99] += 1e6;
+  EXPECT_EQ(gap::agreementOf(log, force).peak_time, 0.099);
+  EXPECT_EQ(gap::agreementOf(log, force, 100).peak, 0.0);
+  EXPECT_THROW(gap::agreementOf(log, force, 1000), std::invalid_argument);
+  EXPECT_THROW(gap::agreementOf(log, {1.0, 2.0}), std::invalid_argument);
+}
+
+// The rating is at even steps: where every second sample is missing, straight lines stand for them.
+TEST(Agreement, RatesAtEvenSteps) {
+  log::Log log;
+  log.name = "pulse";
+  log::Log thinned = log;
+  std::vector<double> simulated;
+  std::vector<double> simulated_thinned;
+  for (int i = 0; i < 600; ++i) {
+    const double force = std::exp(-std::pow((i - 300) / 60.0, 2));
+    const double other = 0.9 * std::exp(-std::pow((i - 312) / 60.0, 2));
+    const auto add = [&](log::Log& to, std::vector<double>& model) {
+      to.stamp.push_back(i * 1000000LL);
+      to.displacement.push_back(1e-3 * i);
+      to.force.push_back(force);
+      model.push_back(other);
+    };
+    add(log, simulated);
+    if (i < 300 || i % 2 == 0) {
+      add(thinned, simulated_thinned);
+    }
+  }
+  const gap::Agreement whole = gap::agreementOf(log, simulated);
+  EXPECT_NEAR(gap::agreementOf(thinned, simulated_thinned).iso18571.total, whole.iso18571.total, 2e-3);
+  EXPECT_FALSE(whole.measured_energy) << "a ramp has no cycle";
+}
+
+TEST(Agreement, IsHeldAgainstLimits) {
+  gap::ComparedForce compared{"", gap::agreementOf(sine(0.2), sine(0.1).force), {}};
+  EXPECT_EQ(gap::beyondLimits(compared), "");
+  compared.limits.rms = 150.0;
+  compared.limits.iso18571 = 0.5;
+  EXPECT_EQ(gap::beyondLimits(compared), "");
+  EXPECT_THAT(gap::agreementTable(compared), HasSubstr("at most 150 N: kept"));
+  compared.limits.energy = 0.05;
+  compared.limits.iso18571 = 0.999;
+  EXPECT_THAT(gap::beyondLimits(compared), HasSubstr("energy per cycle"));
+  EXPECT_THAT(gap::beyondLimits(compared), HasSubstr("accepted: at most 5 %"));
+  EXPECT_THAT(gap::agreementTable(compared), HasSubstr("at least 0.999: BEYOND"));
+  EXPECT_THAT(gap::agreementTable(compared), HasSubstr("repeats itself"));
+}
+
+TEST(Agreement, AsJson) {
+  gap::ComparedForce compared{"", gap::agreementOf(sine(0.2), sine(0.1).force), {}};
+  compared.limits.peak = 1.0;
+  const auto json = nlohmann::json::parse(gap::agreementJson("bush", "sine", {compared}));
+  EXPECT_EQ(json.at("iso18571").at("total").get<double>(), compared.agreement.iso18571.total);
+  EXPECT_EQ(json.at("rms_N").get<double>(), compared.agreement.rms);
+  EXPECT_EQ(json.at("beyond_limits"), nlohmann::json({"peak error"}));
+  compared.direction = "rz";
+  const auto six = nlohmann::json::parse(gap::agreementJson("bush", "sine", {compared}));
+  EXPECT_EQ(six.at("directions").at("rz").at("peak_error_Nm").get<double>(), compared.agreement.peak);
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,105 @@
+// The rating of ISO/TS 18571 against values computed by hand, and by a plain program of numpy that tries every shift
+// and fills every cell of the warping.
+#include "rubber_suspension/gap/iso18571.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace rubber_suspension {
+namespace {
+
+using gap::Iso18571;
+
+Eigen::VectorXd signal(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+template <class Law>
+Eigen::VectorXd signal(Eigen::Index size, Law law) {
+  return Eigen::VectorXd::NullaryExpr(size, [&](Eigen::Index i) { return law(static_cast<double>(i)); });
+}
+
+void expectRating(const Iso18571& rating, double corridor, double phase, double magnitude, double slope,
+                  double tolerance) {
+  EXPECT_NEAR(rating.corridor, corridor, tolerance);
+  EXPECT_NEAR(rating.phase, phase, tolerance);
+  EXPECT_NEAR(rating.magnitude, magnitude, tolerance);
+  EXPECT_NEAR(rating.slope, slope, tolerance);
+  EXPECT_NEAR(rating.total, 0.4 * corridor + 0.2 * (phase + magnitude + slope), tolerance);
+}
+
+// One of five samples is 1 off 4: ((2 - 1)/1.8)^2 of the corridor, 1 of 8 in magnitude. The differences are
+// 2, 2, 0, -2, -2 and 2, 1.5, 0, -1.5, -2, their means over 1, 3, 5, 3, 1: 2, 4/3, 0, -4/3, -2 and 2, 7/6, 0, -7/6, -2.
+TEST(Iso18571, OfFiveSamplesByHand) {
+  const Iso18571 rating = gap::rateIso18571(signal({0, 2, 4, 2, 0}), signal({0, 2, 3, 2, 0}));
+  expectRating(rating, (4.0 + std::pow(1.0 / 1.8, 2)) / 5.0, 1.0, 1.0 - 0.125 / 0.5,
+               1.0 - (1.0 / 3.0) / (20.0 / 3.0) / 2.0, 1e-12);
+}
+
+// One sample late of two that are allowed; what is left after the shift is equal.
+TEST(Iso18571, OfADelayByHand) {
+  const Iso18571 rating =
+      gap::rateIso18571(signal({0, 1, 4, 3, 1, 0, -1, 0, 0, 0}), signal({0, 0, 1, 4, 3, 1, 0, -1, 0, 0}));
+  const double one_off = std::pow(1.0 / 1.8, 2);  // five samples are 1 off; one is 2 off, at the edge, and one 3
+  expectRating(rating, (3.0 + 5.0 * one_off) / 10.0, 0.5, 1.0, 1.0, 1e-12);
+}
+
+TEST(Iso18571, OfPulsesAsNumpyHasIt) {
+  const auto pulse = [](double k, double place, double width) { return std::exp(-std::pow((k - place) / width, 2)); };
+  const Iso18571 rating = gap::rateIso18571(
+      signal(200, [&](double k) { return pulse(k, 80, 20) + 0.3 * pulse(k, 130, 10); }),
+      signal(200, [&](double k) { return 1.1 * pulse(k, 86, 22) + 0.25 * pulse(k, 133, 12) + 0.02; }));
+  expectRating(rating, 0.843932345393404, 0.85, 0.8229883094474515, 0.9116849797575, 1e-12);
+  EXPECT_FALSE(rating.repeats);
+  EXPECT_EQ(gap::iso18571Grade(rating.total), "good");
+}
+
+TEST(Iso18571, OfADecayingSineAsNumpyHasIt) {
+  const Iso18571 rating =
+      gap::rateIso18571(signal(500, [](double k) { return std::sin(0.1 * k) * std::exp(-k / 150.0); }),
+                        signal(500, [](double k) { return std::sin(0.1 * k + 0.3) * std::exp(-k / 140.0); }));
+  expectRating(rating, 0.8890426004661562, 0.97, 0.947461305488542, 0.9769478426956874, 1e-12);
+}
+
+TEST(Iso18571, OfEqualAndOfHopelessSignals) {
+  const Eigen::VectorXd test = signal(300, [](double k) { return std::exp(-std::pow((k - 100) / 30, 2)); });
+  expectRating(gap::rateIso18571(test, test), 1.0, 1.0, 1.0, 1.0, 0.0);
+  EXPECT_EQ(gap::rateIso18571(test, -3.0 * test).magnitude + gap::rateIso18571(test, -3.0 * test).slope, 0.0);
+  Eigen::VectorXd broken = test;
+  broken[7] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(gap::rateIso18571(test, broken).total, 0.0);
+  EXPECT_THROW(gap::rateIso18571(broken, test), std::invalid_argument);
+  EXPECT_THROW(gap::rateIso18571(Eigen::VectorXd::Ones(9), signal(9, [](double k) { return k; })),
+               std::invalid_argument);
+  EXPECT_THROW(gap::rateIso18571(test, test.head(299)), std::invalid_argument);
+  EXPECT_EQ(gap::iso18571Grade(0.95) + gap::iso18571Grade(0.6) + gap::iso18571Grade(0.5), "excellentfairpoor");
+}
+
+// A sine, and a programme of sines of several frequencies, repeat themselves; a sweep and a pulse do not.
+TEST(Iso18571, SeesWhatRepeatsItself) {
+  const auto repeats = [](const Eigen::VectorXd& test) { return gap::rateIso18571(test, test).repeats; };
+  EXPECT_TRUE(repeats(signal(1000, [](double k) { return std::sin(0.05 * k); })));
+  EXPECT_TRUE(repeats(signal(6000, [](double k) { return std::sin((k < 2000 ? 0.05 : k < 4000 ? 0.1 : 0.2) * k); })));
+  EXPECT_FALSE(repeats(signal(1000, [](double k) { return std::sin(1e-3 * k * k); })));
+  EXPECT_FALSE(repeats(signal(1000, [](double k) { return std::exp(-std::pow((k - 400) / 50, 2)); })));
+}
+
+// An hour at 1 kHz. In blocks, the magnitude stays near that of the whole: the error of the model is everywhere alike.
+TEST(Iso18571, OfAnHour) {
+  const auto law = [](double k) { return std::sin(1e-2 * k) + 0.7 * std::sin(3.1e-3 * k) + std::sin(7.7e-4 * k); };
+  const auto model = [&](double k) { return 0.9 * law(k) + 0.05 * std::sin(0.11 * k); };
+  const double whole = gap::rateIso18571(signal(9000, law), signal(9000, model)).magnitude;
+  const Iso18571 in_blocks = gap::rateIso18571(signal(9000, law), signal(9000, model), 2000);
+  EXPECT_EQ(in_blocks.blocks, 5U);
+  EXPECT_NEAR(in_blocks.magnitude, whole, 0.02);
+  const Iso18571 hour = gap::rateIso18571(signal(3600000, law), signal(3600000, model));
+  EXPECT_EQ(hour.blocks, 1800U);
+  EXPECT_NEAR(hour.magnitude, whole, 0.05);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
