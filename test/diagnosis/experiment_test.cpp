@@ -124,7 +124,7 @@ class Rivals : public testing::Test {
  protected:
   Rivals()
       : model_(rigComponent(), fit::Level::specification),
-        fitter_({log::makeRecord(slowLog())}, model_),
+        fitter_({log::makeRecord(slowLog())}, model_, kOneDeviation),
         excitation_(fit::summarise(fitter_.records())) {
     search_.excitation = excitation_;
     search_.candidates = diagnosis::hypotheses::candidate::candidates(excitation_);
