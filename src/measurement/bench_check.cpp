@@ -205,7 +205,7 @@ RigFinding signFinding(const log::Record& record, const Evidence& e) {
                   "and its loops take no energy ({:.2g} of the most that there could be), which a mass in fast "
                   "motion would: the sign of one channel is reversed; multiply it by -1, --columns force=-NAME{}",
                   e.measured.stiffness, e.configured.stiffness, e.work.recorded,
-                  e.ratio >= 0.0 || plausible(-e.ratio)
+                  e.ratio >= 0.0 || e.sheet.plausible(-e.ratio)
                       ? ""
                       : fmt::format("; besides, the measured stiffness is {:.3g} times the configured one: check the "
                                     "units and the component file",
