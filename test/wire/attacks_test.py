@@ -838,7 +838,7 @@ class Limits(Attack):
     """What the process may take."""
 
     def limited(self, soft, hard, names):
-        return self.start(names, before=["bash", "-c", f"ulimit -Hn {hard}; ulimit -Sn {soft}; exec \"$@\"", "bash"])
+        return self.start(names, before=["bash", "-c", f"ulimit -Sn {soft} && ulimit -Hn {hard} && exec \"$@\"", "bash"])
 
     def test_too_few_open_files_are_said_at_the_start(self):
         names = [f"c{i}" for i in range(100)]
