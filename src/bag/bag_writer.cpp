@@ -8,12 +8,23 @@
 #include <sensor_msgs/Temperature.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 #include "bag/bag_log.h"
 #include "bag/header_stamp.h"
 #include "log/samples.h"
 
 namespace rubber_suspension::bag {
+namespace {
+
+// A bag knows the place where it could not go on, and not why.
+[[noreturn]] void failToWrite(const std::string& path, const rosbag::BagException& error) {
+  const std::string why = errno == ENOSPC || errno == EDQUOT || errno == EFBIG ? std::strerror(errno) : error.what();
+  throw log::LogError(fmt::format("{}: cannot be written: {}", path, why));
+}
+
+}  // namespace
 
 BagWriter::BagWriter(const std::string& path, const std::string& component)
     : path_(path), component_(component), bag_(std::make_unique<rosbag::Bag>()) {
@@ -22,7 +33,7 @@ BagWriter::BagWriter(const std::string& path, const std::string& component)
     bag_->open(new_file_->writingPath(), rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
     abandon();
-    throw log::LogError(fmt::format("{}: cannot be written: {}", path, error.what()));
+    failToWrite(path, error);
   } catch (const std::runtime_error& error) {
     throw log::LogError(error.what());
   }
@@ -44,7 +55,7 @@ void BagWriter::write(const std::string& topic, const Message& message) {
   try {
     bag_->write("/" + component_ + topic, std::max(message.header.stamp, ros::TIME_MIN), message);
   } catch (const rosbag::BagException& error) {
-    throw log::LogError(fmt::format("{}: cannot be written: {}", path_, error.what()));
+    failToWrite(path_, error);
   }
 }
 
@@ -90,7 +101,7 @@ void BagWriter::close() {
       new_file_.reset();
     }
   } catch (const rosbag::BagException& error) {
-    throw log::LogError(fmt::format("{}: cannot be written: {}", path_, error.what()));
+    failToWrite(path_, error);
   } catch (const std::runtime_error& error) {
     throw log::LogError(error.what());
   }

@@ -18,7 +18,7 @@ bool Range::contains(double value) const {
 }
 
 std::string acceptedFor(double value, const Range& range) {
-  return std::abs(value) > kLargestNumber ? fmt::format("{}, at most {:g} in size", describe(range), kLargestNumber)
+  return std::abs(value) > kLargestNumber ? fmt::format("{}, at most {:g}", describe(range), kLargestNumber)
                                           : describe(range);
 }
 

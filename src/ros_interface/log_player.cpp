@@ -9,10 +9,12 @@
 #include <sensor_msgs/Temperature.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bag/header_stamp.h"
 #include "element/suggestion.h"
 #include "io/progress.h"
+#include "log/log_columns.h"
 #include "log/samples.h"
 #include "log/text.h"
 #include "ros_interface/connection.h"
@@ -42,6 +44,16 @@ void keep(const geometry_msgs::WrenchStamped& answer, std::size_t sample, PlayRe
     result.wrench[static_cast<std::size_t>(i)][sample] = of.force[i];
     result.wrench[static_cast<std::size_t>(i + 3)][sample] = of.moment[i];
   }
+}
+
+bool isFinite(const Force& force) {
+  return std::isfinite(force.force) && std::isfinite(force.elastic) && std::isfinite(force.viscous) &&
+         std::isfinite(force.friction);
+}
+
+bool isFinite(const geometry_msgs::WrenchStamped& answer) {
+  const component::Wrench of = wrenchOf(answer.wrench);
+  return of.force.allFinite() && of.moment.allFinite();
 }
 
 }  // namespace
@@ -96,10 +108,17 @@ void LogPlayer::open(const char* sample, const char* measured, const char* answe
 bool LogPlayer::isConnected(double patience) {
   return waitForPublishers(subscriber_.getTopic(), patience) &&
          (!options_.record_gap || waitForPublishers(gap_subscriber_.getTopic(), patience)) &&
-         waitFor(queue_, patience, [this] {
-           return displacement_publisher_.getNumSubscribers() > 0 &&
-                  measured_force_publisher_.getNumSubscribers() > options_.listeners;
-         });
+         waitFor(queue_, patience, [this] { return displacement_publisher_.getNumSubscribers() > 0; }) &&
+         hearsMeasured(patience);
+}
+
+// What answers displacements with forces need not want measured ones, but where it does the first are not to be lost.
+bool LogPlayer::hearsMeasured(double patience) {
+  constexpr double kUnasked = 2.0;  // [s]; the node subscribes to it right behind the displacement
+  const bool needed = options_.record_gap || options_.listeners > 0;
+  const bool heard = waitFor(queue_, needed ? patience : std::min(patience, kUnasked),
+                             [this] { return measured_force_publisher_.getNumSubscribers() > options_.listeners; });
+  return heard || (!needed && ros::ok());
 }
 
 // A node that is up and serves other components will not come to serve this one.
@@ -148,6 +167,9 @@ void LogPlayer::take(const Answer& answer) {
     return;
   }
   const auto sample = static_cast<std::size_t>(found - log_->stamp.begin());
+  if (!isFinite(answer) && !not_finite_) {
+    not_finite_ = sample;
+  }
   if (++result_.answers[sample] == 1) {
     keep(answer, sample, result_);
     ++answered_;
@@ -288,6 +310,7 @@ PlayResult LogPlayer::play(const log::Log& log, Steady::time_point start, bool m
   shift_ = goes_on_ ? shift_ : bag::headerShift(log);
   goes_on_ = more_follow;
   result_ = PlayResult();
+  not_finite_.reset();
   result_.shift = shift_;
   result_.force.resize(log.size());
   for (auto& list : result_.wrench) {
@@ -304,6 +327,10 @@ PlayResult LogPlayer::play(const log::Log& log, Steady::time_point start, bool m
   while (ros::ok() && answers_come && answered_ < log.size()) {
     sendWhatIsDue(progress);
     answers_come = waitForAnswers();
+    if (not_finite_) {
+      throw PlayError(fmt::format("{}: the answer at {} s is not finite; accepted: a number for each displacement",
+                                  subscriber_.getTopic(), log::formatStamp(log.stamp[*not_finite_])));
+    }
   }
   result_.duration = seconds(last_answer_ - begin);
   if (!more_follow && answers_come) {

@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -87,6 +88,7 @@ class LogPlayer {
   void open(const char* sample, const char* measured, const char* answer);
   void sendPose(std::size_t sample);
   bool isConnected(double patience);
+  bool hearsMeasured(double patience);
   void requireServed() const;
   bool maySend() const;
   void send();
@@ -112,6 +114,7 @@ class LogPlayer {
   const log::PoseLog* poses_ = nullptr;
   std::int64_t shift_ = 0;
   PlayResult result_;
+  std::optional<std::size_t> not_finite_;  // the first sample whose answer is not
   std::size_t answered_ = 0;
   std::size_t stepped_ = 0;                       // samples sent by step, in all plays
   std::vector<std::size_t> temperature_changes_;  // samples of the log from which on another one holds

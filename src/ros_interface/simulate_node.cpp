@@ -97,16 +97,18 @@ void requireOpenFiles(std::size_t components) {
   const std::size_t needed =
       static_cast<std::size_t>(std::distance(begin(open), end(open))) + 2 * (components + 1) + kBeside;
   rlimit limit{};
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= needed) {
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) {
     return;
   }
-  limit.rlim_cur = std::min<rlim_t>(needed, limit.rlim_max);
-  if (limit.rlim_max < needed || setrlimit(RLIMIT_NOFILE, &limit) != 0) {
+  if (limit.rlim_max < needed) {
     const std::string each = components == 0 ? "each component" : fmt::format("each of {} components", components);
     throw std::runtime_error(fmt::format(
         "{} open files are needed, two for {} and {} beside; accepted: ulimit -n {}, or LimitNOFILE; now {}", needed,
         each, needed - 2 * components, needed, limit.rlim_max));
   }
+  constexpr rlim_t kTimes = 4;  // peers keep the connections open by which they asked
+  limit.rlim_cur = std::max(limit.rlim_cur, std::min(kTimes * needed, limit.rlim_max));
+  setrlimit(RLIMIT_NOFILE, &limit);
 }
 
 }  // namespace

@@ -6,12 +6,17 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace rubber_suspension::roscpp_fixes {
 namespace {
+
+template <class Thing>
+Thing* pointerTo(std::uintptr_t address) {
+  return reinterpret_cast<Thing*>(address);  // NOLINT(performance-no-int-to-ptr): the linker tells numbers
+}
 
 // The relocations of a library: the places where the dynamic linker has put addresses of functions.
 class Library {
@@ -19,7 +24,7 @@ class Library {
   explicit Library(const dl_phdr_info& info) : base_(info.dlpi_addr) {
     for (const ElfW(Phdr)* header = info.dlpi_phdr; header != info.dlpi_phdr + info.dlpi_phnum; ++header) {
       if (header->p_type == PT_DYNAMIC) {
-        readDynamic(reinterpret_cast<const ElfW(Dyn)*>(base_ + header->p_vaddr));
+        readDynamic(pointerTo<const ElfW(Dyn)>(base_ + header->p_vaddr));
       } else if (header->p_type == PT_GNU_RELRO) {
         sealed_begin_ = base_ + header->p_vaddr;
         sealed_end_ = sealed_begin_ + header->p_memsz;
@@ -30,12 +35,11 @@ class Library {
   // True where a place was found.
   bool replace(const ReplacedFunction& function) const {
     bool found = false;
-    for (const Table& table : {data_, calls_}) {
+    // A call that was not made yet may still lead to the linker: its name alone tells.
+    for (const auto& [table, by_name] : {std::pair(data_, false), std::pair(calls_, true)}) {
       for (const ElfW(Rela)* entry = table.begin; entry != nullptr && entry < table.end; ++entry) {
-        auto** const place = reinterpret_cast<void**>(base_ + entry->r_offset);
-        // A call that was not made yet may still lead to the linker.
-        const bool is_it = isNamed(*entry, function.symbol) &&
-                           (&table == &calls_ || table.begin == calls_.begin || *place == *function.original);
+        auto** const place = pointerTo<void*>(base_ + entry->r_offset);
+        const bool is_it = isNamed(*entry, function.symbol) && (by_name || *place == *function.original);
         found = (is_it && write(place, function.replacement)) || found;
       }
     }
@@ -86,7 +90,7 @@ class Library {
   // glibc has made absolute most of what stands there.
   template <class Entry>
   const Entry* at(ElfW(Addr) address) const {
-    return reinterpret_cast<const Entry*>(address < base_ ? base_ + address : address);
+    return pointerTo<const Entry>(address < base_ ? base_ + address : address);
   }
 
   bool isNamed(const ElfW(Rela) & entry, const char* name) const {
@@ -99,7 +103,7 @@ class Library {
   bool write(void** place, void* value) const {
     const auto address = reinterpret_cast<std::uintptr_t>(place);
     const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-    auto* const start = reinterpret_cast<void*>(address / page * page);
+    auto* const start = pointerTo<void>(address / page * page);
     if (mprotect(start, page, PROT_READ | PROT_WRITE) != 0) {
       return false;
     }

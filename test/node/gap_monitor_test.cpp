@@ -127,6 +127,19 @@ TEST(GapMonitor, TakesMemoryAsSamplesCome) {
   }
 }
 
+// Their squares would be none.
+TEST(GapMonitor, NumbersBeyondAnyComponentAreNoForces) {
+  node::GapMonitor monitor;
+  wake(monitor);
+  for (const double force : {1e31, -1e308}) {
+    EXPECT_FALSE(monitor.addMeasured(0, force));
+  }
+  EXPECT_EQ(monitor.counters().not_finite, 3U);
+  monitor.addSimulated(kMillisecond, 1e300, 3e306);
+  EXPECT_TRUE(monitor.addMeasured(kMillisecond, 1.0));
+  EXPECT_TRUE(monitor.window(kLong).empty());
+}
+
 TEST(GapMonitor, ForcesThatRunFarAheadAreBounded) {
   node::GapMonitor monitor;
   for (int i = 0; i < 10000; ++i) {

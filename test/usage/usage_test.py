@@ -51,6 +51,7 @@ REFUSED = (
     ("reference man repaly", "no command 'repaly' (did you mean 'replay'?)"),
     (f"estimate --config {BUSH} --amplitude 2,5mm", "--amplitude: '2,5mm': a decimal comma (did you mean '2.5mm'?)"),
     (f"estimate --config {BUSH} --amplitude=-2mm", "'-2mm' is out of range; accepted: greater than 0 mm"),
+    (f"estimate --config {BUSH} --frequency 1e308", "is out of range; accepted: greater than 0, at most 1e+30 Hz"),
     (f"replay --config {BUSH} --log {LOG} --output o --columns froce=2", "(did you mean 'force'?)"),
 )
 

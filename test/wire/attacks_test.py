@@ -785,11 +785,60 @@ class Files(Attack):
             self.assertIn("a device", node.output())
 
 
+class Players(Attack):
+    """Commands that play a log through another node than ours, which answers displacements with forces."""
+
+    SAMPLES = 50
+
+    def play(self, program, force_of, with_force, *options):
+        """Exit status and words of a command whose displacements this node answers."""
+        log = os.path.join(self.folder, "log.csv")
+        with open(log, "w") as file:
+            file.write("time_s,displacement_m" + (",force_N" if with_force else "") + "\n")
+            for i in range(self.SAMPLES):
+                z = 1e-3 * math.sin(0.3 * i)
+                file.write(f"{0.01 * i:.2f},{z}" + (f",{3e6 * z}" if with_force else "") + "\n")
+        name = "/" + program
+        self.network.slave.register_function(
+            lambda *_: [1, "", [[1, name, "o", "TCPROS", "/left/force", 1]]], "getBusInfo")
+        player = self.network.start([os.path.join(PROGRAMS, program), "--component", "left", "--log", log,
+                                     "--connect-timeout", "30", *options], program)
+        forces = self.network.publish("/left/force", "rubber_suspension/Force")
+        displacements = self.network.subscribe(name, "/left/displacement")
+        try:
+            for i in range(self.SAMPLES):
+                data = tcpros.next_message(displacements)
+                z = struct.unpack("<d", data[-8:])[0]
+                forces.sendall(tcpros.text(data + struct.pack("<4d", force_of(i, z), 0.0, 0.0, 0.0)))
+        except (OSError, tcpros.WireError):
+            pass  # it has heard enough
+        return player.process.wait(tcpros.PATIENCE), player.output()
+
+    def test_another_node_need_not_listen_to_measured_forces(self):
+        for program, options in (("play_log", ()), ("check_force", ("--tolerance", "0.001"))):
+            for with_force in ((True, False) if program == "play_log" else (True,)):
+                with self.subTest(program=program, with_force=with_force):
+                    status, words = self.play(program, lambda i, z: 3e6 * z, with_force, *options)
+                    self.assertEqual(status, 0, words)
+                self.doCleanups()
+                self.setUp()
+
+    def test_a_force_that_is_no_number_fails(self):
+        for value in (math.nan, math.inf):
+            output = os.path.join(self.folder, "forces.csv")
+            status, words = self.play("play_log", lambda i, z, value=value: value if i == 20 else z, True, "--output", output)
+            self.assertEqual(status, 1, words)
+            self.assertIn("/left/force: the answer at 0.200000000 s is not finite", words)
+            self.assertFalse(os.path.exists(output))
+            self.doCleanups()
+            self.setUp()
+
+
 class Limits(Attack):
     """What the process may take."""
 
     def limited(self, soft, hard, names):
-        return self.start(names, before=["bash", "-c", f"ulimit -Hn {hard}; ulimit -Sn {soft}; exec \"$@\"", "bash"])
+        return self.start(names, before=["bash", "-c", f"ulimit -Sn {soft} && ulimit -Hn {hard} && exec \"$@\"", "bash"])
 
     def test_too_few_open_files_are_said_at_the_start(self):
         names = [f"c{i}" for i in range(100)]
