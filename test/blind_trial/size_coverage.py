@@ -43,7 +43,7 @@ def motions(rng):
     return {"sines": sines(2.4e-3), "sweep": sweep, "hold": hold, "unseen": sines(2.2e-3)}
 
 
-# ---- laws: (rng) -> {size: truth}, force(z, base), motion(z, force); forces in N, one log each ------------------------
+# ---- laws: (rng) -> {size: truth}, and a force that is added, or what becomes of the motion or of the force ----------
 
 def dahl(rng):
     """Friction whose slope falls by a power other than any that is fitted."""
@@ -89,9 +89,10 @@ def spectrum(low, high, total):
 
 
 def relaxation(rng):
+    """Slower than the element of the base, so that this one's values do not take it over."""
     total = rng.uniform(0.15, 0.35) * STIFFNESS
-    low = rng.uniform(0.3, 1.0)
-    return {"stiffness": total}, spectrum(low, 8.0 * low, total), None
+    low = rng.uniform(0.1, 0.2)
+    return {"stiffness": total}, spectrum(low, 6.0 * low, total), None
 
 
 def creep(rng):
@@ -113,9 +114,10 @@ def mass(rng):
 
 
 def play(rng):
-    """Play between rounded faces, which a force of some newtons brings together."""
-    gap, soft = rng.uniform(0.05e-3, 0.15e-3), rng.uniform(3.0, 15.0)
-    return {"gap": gap}, None, lambda y, f: y + gap * np.tanh(f / soft)
+    """Play between rounded faces."""
+    gap, rounding = rng.uniform(0.05e-3, 0.15e-3), rng.uniform(0.1, 0.4)
+    width = rounding * gap
+    return {"gap": gap}, "play", lambda z: z + 0.5 * (np.hypot(z - gap, width) - np.hypot(z + gap, width))
 
 
 def delay(rng):
@@ -145,15 +147,12 @@ def write_bench(folder, kind, rng, replay):
         with open(f"{folder}/{name}.yaml", "w", encoding="utf-8") as file:
             file.write(SHEET.format(*(values * off)))
     truth, law, other = KINDS[kind](rng)
-    for name, y in motions(rng).items():
-        force = base_force(replay, folder, y)
-        z = y
+    for name, z in motions(rng).items():
+        force = base_force(replay, folder, other(z) if law == "play" else z)
         if law == "filter":
             force = other(force)
-        elif law is not None:
-            force = force + law(y)
-        else:
-            z = other(y, force)
+        elif law != "play":
+            force = force + law(z)
         force = force + 0.005 * force.std() * rng.standard_normal(force.size) + rng.normal(0.0, 10.0)
         z = z + 0.5e-6 * rng.standard_normal(z.size)
         np.savetxt(f"{folder}/{name}.csv", np.column_stack([TIME, z, force]), delimiter=",",
