@@ -116,7 +116,7 @@ std::string leftHtml(const Diagnosis& d) {
   return html;
 }
 
-std::string takenOutHtml(const Diagnosis& d) { return lines(results::describeTakenOut(d.taken_out), escape); }
+std::string takenOutHtml(const Diagnosis& d) { return lines(results::describeTakenOut(d.taken_out), words::escape); }
 
 std::string whereHtml(const Diagnosis& d) {
   if (d.where.empty()) {
