@@ -49,11 +49,11 @@ Eigen::MatrixXd FreeInLog::columns(const log::Record& record, std::size_t place,
 }
 
 Eigen::VectorXd FreeInLog::costs(const log::Record& record) const {
-  // Standard deviation of walks and of gains, of the force. What laws and gains have in common is the laws'.
-  constexpr double kUnknown = 0.1;
+  constexpr double kWalk = 0.1;  // standard deviation, of the force
+  constexpr double kGain = 0.5;  // likewise: what laws and gains have in common is the laws'
   Eigen::VectorXd costs = Eigen::VectorXd::Zero(count());
   if (trend) {
-    costs[0] = record.one_deviation / kUnknown;
+    costs[0] = record.one_deviation / kWalk;
     costs.segment(1, kTrendsPerLog - 1) =
         costs[0] * Eigen::VectorXd::LinSpaced(kTrendsPerLog - 1, 1.0, static_cast<double>(kTrendsPerLog - 1));
   }
@@ -61,7 +61,7 @@ Eigen::VectorXd FreeInLog::costs(const log::Record& record) const {
     costs[trend ? kTrendsPerLog : 0] = 1.0;
   }
   if (gain) {
-    costs[placeOfGain()] = record.one_deviation / kUnknown;
+    costs[placeOfGain()] = record.one_deviation / kGain;
   }
   return costs;
 }
