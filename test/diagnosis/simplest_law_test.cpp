@@ -79,8 +79,8 @@ class SimplestLaw : public testing::Test {
   diagnosis::results::SimplestLaw simple_;
 };
 
-// Iwan's law with the numbers of Berg's has up to 2.37 over 1.99 times the force on a settled loop (element/iwan.h), and
-// so a limit between 672 and 800 N where Berg's is 800 N.
+// Iwan's law with the numbers of Berg's has up to 2.37 over 1.99 times the force on a settled loop (element/iwan.h),
+// and so a limit between 672 and 800 N where Berg's is 800 N.
 TEST_F(SimplestLaw, OfFrictionHasTwoNumbers) {
   fit("friction", {{"friction", {{"maximum_force", {800.0}}, {"displacement", {1e-4}}}}});
   expectPaid();
