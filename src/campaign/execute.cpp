@@ -260,7 +260,7 @@ class Executor {
       }
       description.specify(specification);
     }
-    return description;
+    return job.options.without_rig ? description.withoutRig() : description;
   }
 
   std::vector<log::Log> logs(const Job& job, const std::vector<std::size_t>& files) {

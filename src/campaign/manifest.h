@@ -47,6 +47,7 @@ struct JobOptions {
   std::string clock;                       ///< as --clock
   bool accept_units = false;               ///< as --accept-units
   bool large = false;                      ///< as --large
+  bool without_rig = false;                ///< as --without-rig
   std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
   std::vector<std::string> exclude;        ///< as --exclude, of diagnose
   std::vector<std::string> hold;           ///< as --hold, of estimate
@@ -67,6 +68,7 @@ void forEachOption(Visit visit) {
   visit("clock", &JobOptions::clock);
   visit("accept_units", &JobOptions::accept_units);
   visit("large", &JobOptions::large);
+  visit("without_rig", &JobOptions::without_rig);
   visit("rig", &JobOptions::rig);
   visit("exclude", &JobOptions::exclude);
   visit("hold", &JobOptions::hold);

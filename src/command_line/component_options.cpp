@@ -7,8 +7,13 @@
 namespace rubber_suspension::command_line {
 
 OptionTable ComponentOptions::table() {
-  return {Option("--config", config, "FILE", "component file").required().reads(),
-          Option("--component", component, "NAME", "name of the component, where there are several")};
+  return {
+      Option("--config", config, "FILE", "component file").required().reads(),
+      Option("--component", component, "NAME", "name of the component, where there are several"),
+      Option("--without-rig", without_rig,
+             "leave out what belongs to the rig that measured the component: entries with of_rig, delay, gain, zero "
+             "and drift of the measuring chain")
+          .rare()};
 }
 
 io::ComponentDescription ComponentOptions::read(const std::string& command) const {
@@ -23,7 +28,7 @@ io::ComponentDescription ComponentOptions::read(const std::string& command) cons
 io::ComponentDescription ComponentOptions::readAny(const std::string& command) const {
   io::ComponentDescription description = io::selectComponent(io::loadComponentFile(config), component, config);
   warnOf(command, description);
-  return description;
+  return without_rig ? description.withoutRig() : description;
 }
 
 }  // namespace rubber_suspension::command_line

@@ -11,11 +11,12 @@ namespace rubber_suspension::command_line {
 struct ComponentOptions {
   std::string config;
   std::string component;
+  bool without_rig = false;
 
   OptionTable table();
 
-  /// The component that they name, with a warning where its specification is odd. Throws io::ComponentFileError.
-  /// Refuses a component of six directions likewise.
+  /// The component that they name, without the rig where they say so; with a warning where its specification is odd.
+  /// Throws io::ComponentFileError. Refuses a component of six directions likewise.
   io::ComponentDescription read(const std::string& command) const;
 
   /// The same of any number of directions.

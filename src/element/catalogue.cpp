@@ -161,6 +161,10 @@ ElementDescription complete(const ElementDescription& description) {
   return result;
 }
 
+bool isOfRig(const ElementDescription& description) {
+  return description.of_rig || lawOf(makeElement(description)).ofMeasuringChain();
+}
+
 ElementPointer makeElement(const ElementDescription& description) {
   const ElementDescription full = complete(description);
   return requireType(full.type).make(full);

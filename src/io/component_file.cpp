@@ -991,7 +991,7 @@ class Loader {
     const element::ElementType& type = loadType(entry);
     std::vector<std::string> keys = namesOf(type.parameters);
     keys.insert(keys.begin(), "type");
-    keys.emplace_back("scale_with");
+    keys.insert(keys.end(), {"scale_with", "of_rig"});
     checkKeys(entry, keys);
     element::ElementDescription description;
     description.type = type.name;
@@ -1002,7 +1002,13 @@ class Loader {
       }
     }
     try {
-      element::makeElement(description);
+      const bool of_chain = element::lawOf(element::makeElement(description)).ofMeasuringChain();
+      if (const Entry mark = entry["of_rig"]) {
+        description.of_rig = loadFlag(mark) && !of_chain;
+        if (of_chain && !loadFlag(mark)) {
+          refuse(mark, "false; accepted: true, as what a measuring chain does is never of the rubber");
+        }
+      }
       return scaled(description, entry["scale_with"], specification);
     } catch (const std::invalid_argument& error) {
       refuse(entry, error.what());
@@ -1018,7 +1024,10 @@ class Loader {
     if (curve == nullptr) {
       refuse(scale, "the component has no static_curve; accepted: none, or a static_curve in its specification");
     }
-    return estimation::scaledAlong(*curve, estimation::nominalDisplacement(*specification), description);
+    element::ElementDescription scaled =
+        estimation::scaledAlong(*curve, estimation::nominalDisplacement(*specification), description);
+    scaled.of_rig = description.of_rig;
+    return scaled;
   }
 
   std::string source_;
@@ -1059,7 +1068,7 @@ std::string entryYaml(const std::string& place, const element::ElementDescriptio
     }
     text += fmt::format(", {}: {}", name, values.size() == 1 ? numbers[0] : fmt::format("[{}]", log::join(numbers)));
   }
-  return fmt::format("{}      - {}}}\n", notes, text);
+  return fmt::format("{}      - {}{}}}\n", notes, text, element::isOfRig(entry) ? ", of_rig: true" : "");
 }
 
 std::string entriesYaml(const std::string& key, const std::vector<element::ElementDescription>& entries,
@@ -1272,6 +1281,11 @@ void scaleForces(std::vector<element::ElementDescription>& elements, double fact
   }
 }
 
+std::vector<element::ElementDescription> ofRubber(std::vector<element::ElementDescription> elements) {
+  elements.erase(std::remove_if(elements.begin(), elements.end(), element::isOfRig), elements.end());
+  return elements;
+}
+
 }  // namespace
 
 ComponentFileError::ComponentFileError(const std::string& message) : std::runtime_error(log::oneLine(message)) {}
@@ -1287,10 +1301,24 @@ void ComponentDescription::specify(estimation::Specification specification) {
   if (model_ == estimation::Model::elements) {
     throw std::logic_error("the model elements has no specification");
   }
-  estimation::Resolved resolved = estimation::resolve(model_, specification, add);
+  estimation::Resolved resolved = estimation::resolve(model_, specification, ofRubber(add));
   elements_ = estimation::estimate(model_, resolved.specification);
   resolved_ = std::move(resolved);
   written_ = std::move(specification);
+}
+
+ComponentDescription ComponentDescription::withoutRig() const {
+  ComponentDescription result = *this;
+  result.elements_ = ofRubber(elements_);
+  result.add = ofRubber(add);
+  if (six) {
+    auto directions = std::make_shared<SixDirectionsDescription>(*six);
+    for (std::optional<ComponentDescription>& direction : directions->directions) {
+      direction = direction ? std::optional(direction->withoutRig()) : std::nullopt;
+    }
+    result.six = std::move(directions);
+  }
+  return result;
 }
 
 std::vector<element::ElementDescription> ComponentDescription::allElements() const {

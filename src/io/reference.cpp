@@ -154,7 +154,12 @@ std::string parameterReference() {
       "not do it.\n\n" +
       toleranceTable();
   text += temperatureSection();
-  text += "\n## Elements, for `elements` and `add`\n\nA key without default is needed.\n";
+  text +=
+      "\n## Elements, for `elements` and `add`\n\nA key without default is needed. Each may have `of_rig: true`: it "
+      "belongs to the rig that measured the component.\nCommands, node, exports and campaigns take it along; "
+      "`--without-rig` (`~without_rig`, `without_rig: true`,\n`Component.without_rig()`) leaves it out. `time_delay`, "
+      "`sensor_gain`, `force_offset` and `force_drift` always do.\nStiffness and loss angle of the whole component are "
+      "those without the rig.\n";
   for (const element::ElementType& type : element::elementTypes()) {
     text += elementSection(type);
   }

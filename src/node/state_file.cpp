@@ -36,6 +36,9 @@ json toJson(const SavedState& state) {
   entry["elements"] = json::array();
   for (const element::ElementDescription& element : state.elements) {
     entry["elements"].push_back({{"type", element.type}, {"values", element.values}});
+    if (element.of_rig) {
+      entry["elements"].back()["of_rig"] = true;
+    }
   }
   if (state.promotion) {
     entry["promotion"] = streamJson(*state.promotion);
@@ -83,6 +86,7 @@ element::ElementDescription elementOf(const json& entry) {
   for (const auto& [name, values] : entry.at("values").get_ref<const json::object_t&>()) {
     element.values[name] = valueOf<std::vector<double>>(name, values, "a list of numbers");
   }
+  element.of_rig = entry.contains("of_rig") && valueOf<bool>("of_rig", entry.at("of_rig"), "true or false");
   return element;
 }
 

@@ -197,6 +197,9 @@ void addComponents(py::module_& module) {
       .def_property_readonly(
           "elements", [](const ComponentDescription& d) { return fromElements(d.allElements()); },
           "All elements: those of the model, and those added.")
+      .def("without_rig", &ComponentDescription::withoutRig,
+           "The component without what belongs to the rig that measured it: entries with of_rig, and what a measuring "
+           "chain does.")
       .def(
           "start",
           [](const ComponentDescription& d, double displacement) {

@@ -110,7 +110,12 @@ std::vector<element::ElementDescription> toElements(const py::sequence& entries)
     element::ElementDescription element{type.name, {}};
     for (const auto& [key, value] : fields) {
       const auto name = py::cast<std::string>(py::str(key));
-      if (name != "type") {
+      if (name == "of_rig") {
+        if (!py::isinstance<py::bool_>(value)) {
+          throw std::invalid_argument(type.name + ".of_rig: no truth value; accepted: True or False");
+        }
+        element.of_rig = py::cast<bool>(value);
+      } else if (name != "type") {
         element.values[name] = toNumbers(value, findParameter(type, name));
       }
     }
@@ -130,6 +135,9 @@ py::list fromElements(const std::vector<element::ElementDescription>& elements) 
       } else {
         entry[name.c_str()] = values;
       }
+    }
+    if (element::isOfRig(element)) {
+      entry["of_rig"] = true;
     }
     result.append(entry);
   }

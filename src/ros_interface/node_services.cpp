@@ -165,7 +165,7 @@ std::string NodeServices::reload() const {
   element::refuseIf<std::runtime_error>(!roscpp_fixes::masterAnswers(kLimit),
                                         "the master, which holds the parameters, did not answer in {} s", kLimit);
   const io::Cancellable cancellable(isEnding);
-  const std::vector<io::ComponentDescription> described = readComponents(private_handle_);
+  const std::vector<io::ComponentDescription> described = readComponents(private_handle_, settings_);
   std::vector<std::shared_ptr<node::ComponentChannel::Model>> models;
   for (const io::ComponentDescription* description : matchByName(described, &io::ComponentDescription::name, group_)) {
     if (channelNamed(description->name, group_).hasSixDirections() != (description->six != nullptr)) {
@@ -189,6 +189,7 @@ std::string NodeServices::promote(node::ComponentChannel& channel) const {
   } else {
     node::requireRegularFile(source);
     model = io::selectComponent(io::loadComponentFile(source), channel.name(), source);
+    model = settings_.without_rig ? model.withoutRig() : model;
   }
   channel.promote(model);
   return fmt::format("{}: in the shadow for {:g} s of stamps, then a cross-fade of {:g} s", source,

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "element/each.h"
 #include "element/suggestion.h"
 #include "io/cancellation.h"
 #include "node/regular_file.h"
@@ -43,6 +44,9 @@ std::vector<Setting> settingsTable(NodeSettings& settings) {
       {"realtime_priority", &settings.realtime_priority, 0, 98,
        "SCHED_FIFO priority of the serving threads where permitted, 0 for none (default 0)"},
       {"lock_memory", &settings.lock_memory, 0, 0, "keep the process in memory where permitted (default false)"},
+      {"without_rig", &settings.without_rig, 0, 0,
+       "leave out what belongs to the rig that measured the components: entries with of_rig, delay, gain, zero and "
+       "drift of the measuring chain (default false)"},
       {"state_file", &settings.state_file, 0, 0, "where ~save_state and ~load_state keep the state (default none)"},
       {"load_state", &settings.load_state, 0, 0, "continue from state_file at the start, if it exists (default false)"},
       {"gap_window", &settings.gap.window, 0, 1e5, "length of the sliding window of the live gap [s] (default 10)"},
@@ -174,27 +178,7 @@ std::string shown(const XmlRpcValue& value) {
   }
 }
 
-}  // namespace
-
-NodeSettings readNodeSettings(const ros::NodeHandle& private_handle) {
-  NodeSettings settings;
-  const std::vector<Setting> table = settingsTable(settings);
-  refuseUnknown(private_handle, table);
-  for (const Setting& setting : table) {
-    XmlRpcValue value;
-    if (private_handle.getParam(setting.name, value) && !read(value, setting)) {
-      throw std::invalid_argument(fmt::format(
-          "parameter {}: {}; accepted: {}", private_handle.resolveName(setting.name), shown(value), accepted(setting)));
-    }
-  }
-  if (settings.load_state && settings.state_file.empty()) {
-    throw std::invalid_argument(fmt::format("parameter {} needs {}", private_handle.resolveName("load_state"),
-                                            private_handle.resolveName("state_file")));
-  }
-  return settings;
-}
-
-std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& private_handle) {
+std::vector<io::ComponentDescription> readWhole(const ros::NodeHandle& private_handle) {
   XmlRpcValue file;
   XmlRpcValue components;
   const bool has_file = private_handle.getParam("config_file", file);
@@ -226,6 +210,35 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
     throw std::invalid_argument(
         fmt::format("{} (the path is that of {})", error.what(), originOfParameter("config_file")));
   }
+}
+
+}  // namespace
+
+NodeSettings readNodeSettings(const ros::NodeHandle& private_handle) {
+  NodeSettings settings;
+  const std::vector<Setting> table = settingsTable(settings);
+  refuseUnknown(private_handle, table);
+  for (const Setting& setting : table) {
+    XmlRpcValue value;
+    if (private_handle.getParam(setting.name, value) && !read(value, setting)) {
+      throw std::invalid_argument(fmt::format(
+          "parameter {}: {}; accepted: {}", private_handle.resolveName(setting.name), shown(value), accepted(setting)));
+    }
+  }
+  if (settings.load_state && settings.state_file.empty()) {
+    throw std::invalid_argument(fmt::format("parameter {} needs {}", private_handle.resolveName("load_state"),
+                                            private_handle.resolveName("state_file")));
+  }
+  return settings;
+}
+
+std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& private_handle,
+                                                     const NodeSettings& settings) {
+  std::vector<io::ComponentDescription> components = readWhole(private_handle);
+  if (settings.without_rig) {
+    components = element::each(components, [](const io::ComponentDescription& one) { return one.withoutRig(); });
+  }
+  return components;
 }
 
 std::string describeNodeSettings() {

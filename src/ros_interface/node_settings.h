@@ -19,6 +19,7 @@ struct NodeSettings {
   int queue_size = 10000;     ///< samples that may wait per topic before the oldest is lost
   int threads = 1;            ///< serving threads; components are dealt out to them in turn
   int realtime_priority = 0;  ///< SCHED_FIFO priority of the serving threads, 0 for none
+  bool without_rig = false;   ///< leave out what belongs to the rig that measured the components
   bool lock_memory = false;   ///< keep all memory of the process resident (mlockall)
   std::string state_file;     ///< where ~save_state and ~load_state keep the state; empty: services refuse
   bool load_state = false;    ///< go on from state_file at the start, if the file is there
@@ -33,11 +34,12 @@ struct NodeSettings {
 /// and what would be accepted; an unknown parameter is refused too.
 NodeSettings readNodeSettings(const ros::NodeHandle& private_handle);
 
-/// The components from the file that ~config_file names or from the parameters under ~components, of which exactly one
-/// must be given; the file must be a regular one. Throws std::invalid_argument or ComponentFileError, also for a
-/// component that is named as the node, or as one of its topics or services; of a file it says where its path came
-/// from. Throws io::Cancelled where the process is to end.
-std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& private_handle);
+/// The components, without their rig where the settings say so, from the file that ~config_file names or from the
+/// parameters under ~components, of which exactly one must be given; the file must be a regular one. Throws
+/// std::invalid_argument or ComponentFileError, also for a component that is named as the node, or as one of its topics
+/// or services; of a file it says where its path came from. Throws io::Cancelled where the process is to end.
+std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& private_handle,
+                                                     const NodeSettings& settings);
 
 /// The table above as text for --help.
 std::string describeNodeSettings();

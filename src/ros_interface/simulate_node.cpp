@@ -203,7 +203,7 @@ SimulateNode::~SimulateNode() {
 void SimulateNode::makeChannels() {
   const std::size_t kept =
       settings_.diagnose ? static_cast<std::size_t>(settings_.live.memory) : node::GapMonitor::kCapacity;
-  for (const io::ComponentDescription& description : readComponents(private_handle_)) {
+  for (const io::ComponentDescription& description : readComponents(private_handle_, settings_)) {
     io::checkCancelled();
     claims_.push_back(claim(handle_.resolveName(description.name), private_handle_.getNamespace()));
     channels_.push_back(

@@ -14,7 +14,7 @@ std::vector<component::Component> loadStruts(const std::string& path,
   const auto file = io::loadComponentFile(path);
   std::vector<component::Component> components;
   for (const std::string& name : strutNames()) {
-    std::vector<element::ElementDescription> elements = io::selectComponent(file, name, path).allElements();
+    std::vector<element::ElementDescription> elements = io::selectComponent(file, name, path).withoutRig().allElements();
     elements.insert(elements.end(), further.begin(), further.end());
     components.emplace_back(elements);
   }
@@ -25,7 +25,7 @@ PerBush<component::SixDirections> loadBushes(BushedKind kind, const std::string&
   const auto file = io::loadComponentFile(path);
   PerBush<component::SixDirections> components;
   for (const std::string& name : bushNames(kind)) {
-    const io::ComponentDescription& description = io::selectComponent(file, name, path);
+    const io::ComponentDescription description = io::selectComponent(file, name, path).withoutRig();
     element::refuseIf<io::ComponentFileError>(
         !description.six, "{}: component {} has one direction; accepted: six, with the key `directions`", path, name);
     components.push_back(description.six->makeComponent());

@@ -8,6 +8,8 @@
 #include "diagnosis/results/rounding.h"
 #include "diagnosis/rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension {
 namespace {
@@ -76,6 +78,17 @@ TEST_F(ExecuteJob, LeavesItsEvidenceWhereItIsAskedFor) {
   settings.evidence = true;
   EXPECT_EQ(folder_.read(report_ + "evidence.json"),
             diagnosis::evidenceJson(diagnosis::diagnose(component(), logs(), {}, settings)));
+}
+
+TEST_F(ExecuteJob, LeavesTheRigOutWhereItIsToldTo) {
+  io::ComponentDescription on_a_rig = component();
+  on_a_rig.add = {{"inertia", {{"mass", {50.0}}}, true}};
+  folder_.write("c.yaml", io::toYaml({on_a_rig}));
+  const auto gapOf = [&](const io::ComponentDescription& description) {
+    return gap::relativeGap(logs()[0].force, gap::simulateLog(description.makeComponent(), logs()[0]));
+  };
+  EXPECT_EQ(execute("replay").values.at("gap"), gapOf(on_a_rig));
+  EXPECT_EQ(execute("replay\n    without_rig: true").values.at("gap"), gapOf(on_a_rig.withoutRig()));
 }
 
 TEST_F(ExecuteJob, EstimatesAsTheCommandDoes) {

@@ -57,6 +57,44 @@ const char* const kWhole = R"(    model: multi_maxwell
       - {type: friction, maximum_force: 6 kN, displacement: 2.2 mm}
 )";
 
+const char* const kOnARig = R"(    model: elements
+    elements:
+      - {type: spring, stiffness: 3 kN/mm}
+    add:
+      - {type: inertia, mass: 10, of_rig: true}
+      - {type: inertia, mass: 2}
+      - {type: time_delay, delay: 1 ms}
+)";
+
+TEST(OfRig, IsKeptAndLeftOut) {
+  const io::ComponentDescription component = load(kOnARig);
+  EXPECT_TRUE(element::isOfRig(component.add[0]));
+  EXPECT_FALSE(element::isOfRig(component.add[1]));
+  EXPECT_TRUE(element::isOfRig(component.add[2])) << "a measuring chain is never of the rubber";
+  EXPECT_EQ(io::parseComponentFile(io::toYaml({component}), "written").front().add, component.add);
+  EXPECT_THAT(io::toYaml({component}), HasSubstr("{type: time_delay, delay: 0.001, of_rig: true}"));
+  const io::ComponentDescription rubber = component.withoutRig();
+  ASSERT_EQ(rubber.add.size(), 1U);
+  EXPECT_EQ(rubber.add[0].value("mass"), 2.0);
+  EXPECT_EQ(rubber.elements(), component.elements());
+}
+
+TEST(OfRig, IsRefusedInOneLine) {
+  EXPECT_THAT(refusalOf(std::string(kOnARig) + "      - {type: sensor_gain, gain: 1.02, of_rig: false}\n"),
+              HasSubstr("of_rig: false; accepted: true"));
+  EXPECT_THAT(
+      refusalOf(std::string(kOnARig) + "      - {type: friction, of_rig: 3, maximum_force: 1, displacement: 1}\n"),
+      HasSubstr("of_rig: 3; accepted: false or true"));
+}
+
+// The sheet is that of the rubber, whatever the rig adds.
+TEST(OfRig, IsNoPartOfTheWholeThatASheetDescribes) {
+  const io::ComponentDescription alone = load(kWhole);
+  const io::ComponentDescription on_a_rig = load(
+      std::string(kWhole) + "      - {type: coulomb_friction, maximum_force: 1 kN, stiffness: 1e7, of_rig: true}\n");
+  EXPECT_EQ(on_a_rig.elements(), alone.elements());
+}
+
 // Base values of the same elements are what is written: forces are equal to 1e-9.
 TEST(WholeComponentFile, IsWrittenAsABase) {
   const io::ComponentDescription whole = load(kWhole);

@@ -86,6 +86,13 @@ class Components(unittest.TestCase):
         self.assertEqual(component.simulate([0.0, 1e-3, -1e-3], dt=0.1).tolist(), [0.0, 2e3, -2e3])
         self.assertEqual(component.elements, [{"type": "spring", "stiffness": 2e6}])
 
+    def test_leaves_its_rig_out(self):
+        component = rs.Component([{"type": "spring", "stiffness": 2e6},
+                                  {"type": "inertia", "mass": 10.0, "of_rig": True},
+                                  {"type": "time_delay", "delay": 1e-3}])
+        self.assertEqual([e.get("of_rig", False) for e in component.elements], [False, True, True])
+        self.assertEqual([e["type"] for e in component.without_rig().elements], ["spring"])
+
     def test_follows_a_temperature(self):
         shift = {"type": "vertical_shift", "coefficient": 0.01, "reference": "20 degC"}
         component = rs.Component([{"type": "spring", "stiffness": 2e6}, shift])

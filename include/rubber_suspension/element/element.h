@@ -58,6 +58,9 @@ class Element {
   /// the test piece's force pass it by.
   virtual bool onRig() const { return false; }
 
+  /// True for what the measuring chain does to a signal (delay, gain, zero, drift): never a part of the rubber.
+  virtual bool ofMeasuringChain() const { return false; }
+
   /// True where the force is linear in the displacement's history, but for a constant or a trend.
   virtual bool linear() const = 0;
 

@@ -15,6 +15,7 @@ class ForceDrift final : public ParallelElement {
   double step(const Motion& motion, double* memory) const override { return rate_ * (memory[0] += motion.dt); }
   Part part() const override { return Part::elastic; }
   bool onRig() const override { return true; }
+  bool ofMeasuringChain() const override { return true; }
   bool passive() const override { return false; }
   std::optional<std::complex<double>> complexStiffness(double /*omega*/) const override { return 0.0; }
 

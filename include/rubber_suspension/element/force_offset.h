@@ -14,6 +14,7 @@ class ForceOffset final : public ParallelElement {
   double step(const Motion& /*motion*/, double* /*memory*/) const override { return offset_; }
   Part part() const override { return Part::elastic; }
   bool onRig() const override { return true; }
+  bool ofMeasuringChain() const override { return true; }
   bool passive() const override { return false; }
   std::optional<std::complex<double>> complexStiffness(double /*omega*/) const override { return 0.0; }
 

@@ -70,6 +70,7 @@ using ParameterValues = std::map<std::string, std::vector<double>>;
 struct ElementDescription {
   std::string type;
   ParameterValues values;
+  bool of_rig = false;  ///< the component file marks it as of the rig that measured, not of the rubber
 
   /// The scalar parameter of that name. Throws std::out_of_range where it is missing.
   double value(const std::string& name) const { return list(name).at(0); }
@@ -80,7 +81,9 @@ struct ElementDescription {
     return found != values.end() ? found->second : throw std::out_of_range(name);
   }
 
-  bool operator==(const ElementDescription& other) const { return type == other.type && values == other.values; }
+  bool operator==(const ElementDescription& other) const {
+    return type == other.type && values == other.values && of_rig == other.of_rig;
+  }
   bool operator!=(const ElementDescription& other) const { return !(*this == other); }
 };
 

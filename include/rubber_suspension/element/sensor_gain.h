@@ -20,6 +20,7 @@ class SensorGain final : public ForceEffect {
     return factor_;
   }
   std::optional<double> constantFactor() const override { return factor_; }
+  bool ofMeasuringChain() const override { return true; }
 
  private:
   double factor_;

@@ -32,6 +32,7 @@ class TimeDelay final : public DisplacementEffect {
 
   /// The record of a displacement or force is late.
   bool ofSensor() const override { return true; }
+  bool ofMeasuringChain() const override { return true; }
 
   /// exp(-i w T) for T > 0, 1 + i w |T| for T < 0, which is what the extrapolation does.
   std::optional<std::complex<double>> transfer(double omega) const override;

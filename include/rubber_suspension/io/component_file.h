@@ -72,6 +72,9 @@ class ComponentDescription {
   /// component of six directions.
   std::vector<element::ElementDescription> allElements() const;
 
+  /// The component without what belongs to the rig that measured it (element::isOfRig()), of any number of directions.
+  ComponentDescription withoutRig() const;
+
   /// Displacements [m] beyond which its forces are no more than an extrapolation: `valid_displacement`, else three
   /// times the specification's nominal amplitude to both sides, else what its tables of springs have in common, else
   /// nothing.
