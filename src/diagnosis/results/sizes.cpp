@@ -137,11 +137,23 @@ class Resampling {
     std::uniform_int_distribution<std::size_t> pick(0, blocks_.gram.size() - 1);
     for (int i = 0; i < count; ++i) {
       Eigen::MatrixXd sum = blocks_.prior;
+      moveKnown(sum);
       for (std::size_t b = 0; b < blocks_.gram.size(); ++b) {
         sum += blocks_.gram[pick(generator_)];
       }
       collect(step(sum) - rest + mistake());
     }
+  }
+
+  // What is known of the model beforehand is off by its own deviations: what no log tells is as uncertain as it was.
+  void moveKnown(Eigen::MatrixXd& sum) {
+    const Eigen::MatrixXd slopes = fitter_.model().departureSlopes(fitted_.fit.parameters.model);
+    std::normal_distribution<double> normal;
+    const Eigen::VectorXd off = Eigen::VectorXd::NullaryExpr(
+        slopes.rows(), [&](Eigen::Index) { return std::pow(fitter_.oneDeviation(), 2) * normal(generator_); });
+    const Eigen::VectorXd moment = slopes.transpose() * off;
+    sum.rightCols<1>().head(moment.size()) += moment;
+    sum.bottomRows<1>().head(moment.size()) += moment.transpose();
   }
 
   // The part of a form error of this size that a fit takes for numbers of the law: all directions that they span alike.
