@@ -34,7 +34,8 @@ std::optional<response::Characteristics> measuredAt(const io::ComponentDescripti
   response::LoopOptions options;
   options.maximum_cycles = 20;
   try {
-    const auto point = response::characteristicsAt(component.withoutRig().makeComponent(), frequency, amplitude, options);
+    const auto point =
+        response::characteristicsAt(component.withoutRig().makeComponent(), frequency, amplitude, options);
     return std::isfinite(point.characteristics.stiffness) ? std::optional(point.characteristics) : std::nullopt;
   } catch (const std::invalid_argument&) {
     return std::nullopt;
