@@ -139,7 +139,9 @@ const Look kLooks[] = {
                (startsWith(lineOf(head, 1), "seq:") || startsWith(lineOf(head, 1), "stamp:"))) ||
               (lineOf(head, 1) == "---" && startsWith(lineOf(head, 0), "data:"));
      },
-     "output of rostopic echo", "rosbag record TOPIC, whose bag is read, or rostopic echo -p TOPIC > LOG.csv"},
+     "output of rostopic echo",
+     "rosbag record TOPIC, whose bag is read, or rostopic echo -p TOPIC > LOG.csv, which is by --columns time=%time "
+     "displacement=field.displacement --unit time=ns displacement=m"},
     {isJson, "JSON",
      "pip install pandas; python3 -c \"import pandas; pandas.read_json('LOG.json').to_csv('LOG.csv', index=False)\", "
      "with lines=True where each line is an object"},

@@ -469,18 +469,18 @@ void Signals::noteSignal(std::size_t signal, std::vector<std::string>& notes) co
     return;
   }
   const std::string rate = state.step > 0 ? fmt::format(" at {:.4g} Hz", 1e9 / static_cast<double>(state.step)) : "";
+  const std::string first = state.first_reason.empty() ? ""
+                                                       : fmt::format(" (the first without in {} {}: {})", word_,
+                                                                     state.first_place, state.first_reason);
   const std::string came =
       fmt::format("column {} came{} in {} of {} rows", quoted(column.label), rate, state.rows, rows_);
   if (signal == kTemperature) {
     notes.push_back(came + ": interpolated");
   } else if (signal == kForce) {
-    const std::string first = state.first_reason.empty() ? ""
-                                                         : fmt::format(" (the first without in {} {}: {})", word_,
-                                                                       state.first_place, state.first_reason);
     notes.push_back(fmt::format("{}{}: {} of {} samples have a force; the others are simulated and not compared", came,
                                 first, compared_, handed_out_));
   } else if (lost_rows_ == 0) {
-    notes.push_back(came);
+    notes.push_back(came + first);
   }
 }
 

@@ -54,8 +54,15 @@ TEST(MatLog, ARateStandsForTime) {
               ElementsAre(0, 1000000, 2000000, 3000000, 4000000));
 }
 
+TEST(MatLog, LeavesOutWhatWasNotMeasured) {
+  const log::Log log = read("not_finite");
+  EXPECT_EQ(log.size(), 4U);
+  EXPECT_THAT(log.notes,
+              ElementsAre(HasSubstr("in 4 of 5 rows (the first without in element 2: displacement_mm: nan is "
+                                    "not finite)")));
+}
+
 TEST(MatLog, RefusesWhatCannotBeUsed) {
-  EXPECT_THAT(errorOf("not_finite"), HasSubstr("element 2: displacement_mm: nan is not finite"));
   EXPECT_THAT(errorOf("complex"), HasSubstr("displacement_mm: complex numbers; accepted: real ones"));
   EXPECT_THAT(errorOf("time_repeats"), HasSubstr("element 3: time_s: 1.000000000 after 1.000000000"));
   EXPECT_THAT(errorOf("lengths_differ"), HasSubstr("time_s has 5 values, displacement_mm has 4; accepted: as many"));

@@ -306,6 +306,15 @@ TEST(UnitSpellings, AreThoseOfBrackets) {
               Contains(HasSubstr("column 'force_in' is ignored: where it is the measured force, --columns force=3")));
 }
 
+// What is advised for the output of rostopic echo.
+TEST(Formats, ThatRostopicWritesAreReadByTheColumnsThatAreAdvised) {
+  const log::Log log =
+      readText("%time,field.header.seq,field.displacement\n1764244000000000000,0,0.001\n1764244000001000000,1,0.002\n",
+               log::makeLogFormat({"time=%time", "displacement=field.displacement"}, "time=ns displacement=m", 0.0));
+  EXPECT_EQ(log.stamp[1] - log.stamp[0], 1000000);
+  EXPECT_EQ(log.displacement[1], 0.002);
+}
+
 TEST(Formats, AreNamedByTheirFirstBytes) {
   using namespace std::string_literals;
   const std::string zip = "PK\x03\x04"s + std::string(22, '\0');
