@@ -312,9 +312,11 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
     for (std::size_t r = 0; r < records.size(); ++r) {
       EXPECT_LE((actual[r] - expected[r]).cwiseAbs().maxCoeff(), 1e-9 * records[r].force_deviation) << "case " << i;
     }
-    const Eigen::MatrixXd expected_sum = fitter.linearise(simulated, parameters).sum;
+    const fit::BlockGrams expected_grams = fitter.linearise(simulated, parameters);
+    const Eigen::MatrixXd& expected_sum = expected_grams.sum;
     const Eigen::MatrixXd actual_sum = fitter.linearise(superposed, parameters, {}, 2).sum;
-    const Eigen::VectorXd size = expected_sum.diagonal().cwiseSqrt().cwiseMax(1e-300);
+    // With what is free in a log, which takes all of a zero but its rounding.
+    const Eigen::VectorXd size = expected_grams.squares.cwiseSqrt().cwiseMax(1e-300);
     const Eigen::MatrixXd difference =
         size.cwiseInverse().asDiagonal() * (actual_sum - expected_sum) * size.cwiseInverse().asDiagonal();
     // Rounding of difference quotients, 1e-16 of the force over the least of the effects, 1e-4 of it. About a model
