@@ -110,7 +110,7 @@ TEST(JobsFile, TheSamplingRateHasOneName) {
   EXPECT_THAT(problemsOf("settings: {rate: 1000}\njobs:\n  a:\n    command: replay\n    config: c\n    log: l\n"),
               ElementsAre("jobs.yaml:1: settings.rate: unknown key (did you mean 'sampling_rate'?); accepted: reports, "
                           "evidence, columns, unit, sampling_rate, decimal, segment, bridge, sentinel, clock, "
-                          "accept_units, large, rig, exclude, hold, starts"));
+                          "accept_units, large, without_rig, rig, exclude, hold, starts"));
 }
 
 TEST(JobsFile, RefusesWhatIsNone) {
