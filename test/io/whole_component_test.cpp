@@ -84,7 +84,7 @@ TEST(OfRig, IsRefusedInOneLine) {
               HasSubstr("of_rig: false; accepted: true"));
   EXPECT_THAT(
       refusalOf(std::string(kOnARig) + "      - {type: friction, of_rig: 3, maximum_force: 1, displacement: 1}\n"),
-      HasSubstr("of_rig: 3; accepted: false or true"));
+      HasSubstr("of_rig: '3'; accepted: false or true"));
 }
 
 // The sheet is that of the rubber, whatever the rig adds.
