@@ -14,7 +14,8 @@ std::vector<component::Component> loadStruts(const std::string& path,
   const auto file = io::loadComponentFile(path);
   std::vector<component::Component> components;
   for (const std::string& name : strutNames()) {
-    std::vector<element::ElementDescription> elements = io::selectComponent(file, name, path).withoutRig().allElements();
+    std::vector<element::ElementDescription> elements =
+        io::selectComponent(file, name, path).withoutRig().allElements();
     elements.insert(elements.end(), further.begin(), further.end());
     components.emplace_back(elements);
   }

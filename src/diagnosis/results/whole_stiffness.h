@@ -8,9 +8,10 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Of the rubber, without what belongs to the rig. At the nominal frequency and amplitude of `before`. Without such a frequency it is the median of the mean
-/// frequencies of the logs; without such an amplitude the median amplitude of the logs within an octave of the
-/// frequency, or of all where there is none. The loop is that of cycle 20, or an earlier one on which it has settled.
+/// Of the rubber, without what belongs to the rig. At the nominal frequency and amplitude of `before`. Without such a
+/// frequency it is the median of the mean frequencies of the logs; without such an amplitude the median amplitude of
+/// the logs within an octave of the frequency, or of all where there is none. The loop is that of cycle 20, or an
+/// earlier one on which it has settled.
 std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& before,
                                              const io::ComponentDescription& after,
                                              const std::vector<log::Record>& logs);
