@@ -18,6 +18,7 @@ RATE = 250.0
 SECONDS = 20.0
 TIME = np.arange(0.0, SECONDS, 1.0 / RATE)
 STIFFNESS = 1.2e6  # of the base [N/m], of the order that sizes have
+SHEET_ERROR = 0.1  # standard deviation of the numbers of a data sheet, as its tolerance is
 SHEET = """components:
   bush:
     model: maxwell
@@ -143,9 +144,12 @@ def base_force(replay, folder, z):
 def write_bench(folder, kind, rng, replay):
     os.makedirs(folder, exist_ok=True)
     values = np.array([1e6, 1.3e6, 3.0])
-    for name, off in (("true", 1.0), ("component", rng.normal(1.0, 0.03, 3))):
+    sheet = values * rng.normal(1.0, SHEET_ERROR, 3)
+    while sheet[1] < 1.05 * sheet[0]:  # no such model
+        sheet = values * rng.normal(1.0, SHEET_ERROR, 3)
+    for name, numbers in (("true", values), ("component", sheet)):
         with open(f"{folder}/{name}.yaml", "w", encoding="utf-8") as file:
-            file.write(SHEET.format(*(values * off)))
+            file.write(SHEET.format(*numbers))
     truth, law, other = KINDS[kind](rng)
     for name, z in motions(rng).items():
         force = base_force(replay, folder, other(z) if law == "play" else z)
