@@ -5,6 +5,7 @@
 #include <limits>
 #include <thread>
 
+#include "element/largest_number.h"
 #include "element/typical_elements.h"
 #include "fmi/importer.h"
 #include "fmi/malloc_counter.h"
@@ -292,13 +293,17 @@ TEST_P(Steps, AListIsSetAsAWholeOrNotAtAll) {
 }
 
 TEST_P(Steps, AForceThatIsNotFiniteTakesASavedStateToGoOn) {
-  const io::ComponentDescription description = stiffening();
+  std::vector<element::ElementDescription> elements = stiffening().allElements();
+  // Its force overflows at the largest displacement that is accepted.
+  elements.push_back(
+      {"bump_stop", {{"gap", {1.0}}, {"stiffness", {1e6}}, {"exponent", {3.0}}, {"reference_depth", {1e-140}}}});
+  const io::ComponentDescription description("stiffening", elements);
   const LoadedFmu fmu(description, GetParam());
   const auto importer = Importer::make(fmu, fmu.guid());
   importer->start(1e-3);
   void* state = nullptr;
   ASSERT_EQ(importer->save(&state), kOk);
-  ASSERT_EQ(importer->set(reference::kDisplacement, 1e150), kOk);
+  ASSERT_EQ(importer->set(reference::kDisplacement, element::kLargestNumber), kOk);
   EXPECT_EQ(importer->step(0.0, 1e-3), kError);
   EXPECT_EQ(importer->step(1e-3, 1e-3), kError);
   EXPECT_EQ(importer->set(reference::kDisplacement, 1e-3), kError);
