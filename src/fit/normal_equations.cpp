@@ -58,13 +58,10 @@ void fill(const std::vector<ForceColumn>& columns, const Places& which, std::siz
   }
 }
 
-// Leaves out samples that do not count, and adds what the rig may have added as the last columns.
-void finish(const log::Record& record, Eigen::Index first, Eigen::MatrixXd& columns) {
+// Leaves out samples that do not count.
+void leaveOut(const log::Record& record, Eigen::Index first, Eigen::MatrixXd& columns) {
   if (record.counts.size() > 0) {
     columns.array().colwise() *= record.counts.segment(first, columns.rows()).array();
-  }
-  if (record.nuisances.cols() > 0) {
-    columns.rightCols(record.nuisances.cols()) = record.nuisances.middleRows(first, columns.rows());
   }
 }
 
@@ -131,16 +128,22 @@ struct LogBlocks::OfLog {
 
 LogBlocks::LogBlocks(const std::vector<log::Record>& records, std::vector<double> weights,
                      std::vector<ForceColumn> known, int threads)
-    : records_(records), weights_(std::move(weights)), known_(std::move(known)), blocks_(records.size()) {
+    : records_(records),
+      weights_(std::move(weights)),
+      known_(std::move(known)),
+      blocks_(records.size()),
+      penalties_(records.size()) {
   const auto count = static_cast<Eigen::Index>(known_.size());
   parallelFor(records.size(), threads, [&](std::size_t r) {
     blocks_[r] = cut(records[r], records.size());
     for (Block& block : blocks_[r]) {
       Eigen::MatrixXd columns(block.size, count + records[r].nuisances.cols());
       fill(known_, with({}, 0, count), r, block.first, weights_[r], columns);
-      finish(records[r], block.first, columns);
+      leaveOut(records[r], block.first, columns);
+      columns.rightCols(records[r].nuisances.cols()) = records[r].nuisances.middleRows(block.first, block.size);
       block.known = numerics::gramOf(columns);
     }
+    penalties_[r] = numerics::penaltyOfWhitening(records[r].nuisances);
   });
 }
 
@@ -154,8 +157,9 @@ std::vector<LogBlocks::Block> LogBlocks::cut(const log::Record& record, std::siz
   for (Eigen::Index b = 0; b < count; ++b) {
     const Eigen::Index first = record.size() * b / count;
     const Eigen::Index size = record.size() * (b + 1) / count - first;
-    if (record.counted(first, size) > 0.0) {
-      blocks.push_back({first, size, {}});
+    const double counted = record.counted(first, size);
+    if (counted > 0.0) {
+      blocks.push_back({first, size, counted, {}});
     }
   }
   return blocks;
@@ -176,22 +180,29 @@ std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request&
   const Eigen::MatrixXd of_log = ownOf(request, r);
   const Eigen::Index width = request.width - 1 + of_log.cols();
   const Places own = with(request.fresh, request.width - 1, of_log.cols());
-  const Places own_and_rig = with(own, width, rig);
+  const Places of_rig = with({}, width, rig);
+  const Places rig_of_known = with({}, static_cast<Eigen::Index>(known_.size()), rig);
   const Places known_and_rig = with(request.known, width, rig);
   const Places index = with(request.index, static_cast<Eigen::Index>(known_.size()), rig);
   std::vector<Eigen::MatrixXd> grams;
   for (const Block& block : blocks_[r]) {
-    Eigen::MatrixXd columns(block.size, static_cast<Eigen::Index>(own_and_rig.size()));
+    Eigen::MatrixXd columns(block.size, static_cast<Eigen::Index>(own.size()));
     fill(request.columns, request.fresh, r, block.first, weights_[r], columns);
-    columns.middleCols(static_cast<Eigen::Index>(request.fresh.size()), of_log.cols()) =
-        of_log.middleRows(block.first, block.size);
-    finish(records_[r], block.first, columns);
+    columns.rightCols(of_log.cols()) = of_log.middleRows(block.first, block.size);
+    leaveOut(records_[r], block.first, columns);
     Eigen::MatrixXd& gram = grams.emplace_back(Eigen::MatrixXd::Zero(width + rig, width + rig));
-    gram(own_and_rig, own_and_rig) = numerics::gramOf(columns);
+    gram(own, own) = numerics::gramOf(columns);
+    if (rig > 0) {
+      const Eigen::MatrixXd mixed =
+          numerics::productOf(columns, records_[r].nuisances.middleRows(block.first, block.size));
+      gram(own, of_rig) = mixed;
+      gram(of_rig, own) = mixed.transpose();
+      gram(of_rig, of_rig) = block.known(rig_of_known, rig_of_known);
+    }
     if (!request.known.empty()) {
       Eigen::MatrixXd known(block.size, static_cast<Eigen::Index>(request.known.size()));
       fill(known_, request.index, r, block.first, weights_[r], known);
-      const Eigen::MatrixXd mixed = numerics::productOf(columns.leftCols(static_cast<Eigen::Index>(own.size())), known);
+      const Eigen::MatrixXd mixed = numerics::productOf(columns, known);
       gram(own, request.known) = mixed;
       gram(request.known, own) = mixed.transpose();
       gram(known_and_rig, known_and_rig) = block.known(index, index);
@@ -201,15 +212,15 @@ std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request&
 }
 
 LogBlocks::OfLog LogBlocks::ofLog(std::size_t r, const Request& request) const {
-  const log::Record& record = records_[r];
+  const double counted = records_[r].counted();
   const std::vector<Eigen::MatrixXd> products = productsIn(r, request);
   OfLog result{{}, {{}, {}, kFolds, request.kept == Kept::blocks}, Eigen::VectorXd::Zero(request.width)};
   for (std::size_t b = 0; b < products.size(); ++b) {
     result.places.fold.push_back(static_cast<int>(b + r) % kFolds);
-    result.places.share.push_back(record.counted(blocks_[r][b].first, blocks_[r][b].size) / record.counted());
+    result.places.share.push_back(blocks_[r][b].counted / counted);
     result.squares += products[b].diagonal().head(request.width);
   }
-  result.products = numerics::withoutErrors(products, numerics::penaltyOfWhitening(record.nuisances), result.places);
+  result.products = numerics::withoutErrors(products, penalties_[r], result.places);
   if (request.kept == Kept::folds) {
     result.products = numerics::byFold(result.products, result.places);
   }
@@ -221,6 +232,7 @@ LogBlocks::OfLog LogBlocks::ofLog(std::size_t r, const Request& request) const {
 void LogBlocks::add(std::size_t r, const OfLog& of_log, const Request& request, const FreeInLog& free,
                     BlockGrams& result) const {
   const log::Record& record = records_[r];
+  const double counted = record.counted();
   const auto logs = static_cast<double>(records_.size());
   Places columns = with({}, 0, request.width);
   for (const Eigen::Index place : free.placesIn(request.free)) {
@@ -228,7 +240,7 @@ void LogBlocks::add(std::size_t r, const OfLog& of_log, const Request& request, 
   }
   numerics::BlockProducts own = numerics::ofColumns(of_log.products, columns);
   if (free.any()) {
-    const double force = std::pow(weights_[r] * record.force_deviation, 2) * record.counted();
+    const double force = std::pow(weights_[r] * record.force_deviation, 2) * counted;
     Eigen::MatrixXd shares;
     own = numerics::withoutUnknowns(own, force * free.costs(record).cwiseAbs2(), of_log.places, shares);
     if (free.offset) {
@@ -255,8 +267,7 @@ void LogBlocks::add(std::size_t r, const OfLog& of_log, const Request& request, 
     }
   }
   for (std::size_t b = 0; b < blocks_[r].size(); ++b) {
-    const double weight =
-        record.weight * record.counted(blocks_[r][b].first, blocks_[r][b].size) / (record.counted() * logs);
+    const double weight = record.weight * blocks_[r][b].counted / (counted * logs);
     if (request.kept == Kept::folds) {
       result.weight[(b + r) % kFolds] += weight;
     } else {

@@ -68,6 +68,7 @@ class LogBlocks {
   struct Block {
     Eigen::Index first;
     Eigen::Index size;
+    double counted;         // samples
     Eigen::MatrixXd known;  // products of the columns that no fit changes, and of what the rig may have added
   };
   struct Request;
@@ -82,6 +83,7 @@ class LogBlocks {
   std::vector<double> weights_;
   std::vector<ForceColumn> known_;
   std::vector<std::vector<Block>> blocks_;  // of each log
+  std::vector<Eigen::VectorXd> penalties_;  // of what the rig may have added to each
 };
 
 /// The products of some unknowns with each other and with the residual.
