@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -32,8 +33,12 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
     }
   };
   std::vector<std::thread> workers;
-  for (std::size_t t = 1; t < std::min(count, static_cast<std::size_t>(threads)); ++t) {
-    workers.emplace_back(work);
+  try {
+    for (std::size_t t = 1; t < std::min(count, static_cast<std::size_t>(threads)); ++t) {
+      workers.emplace_back(work);
+    }
+  } catch (const std::system_error&) {
+    // No room for another thread: those that run do its part.
   }
   work();
   for (std::thread& worker : workers) {
