@@ -56,7 +56,8 @@ struct Options {
         Option("--amplitude", Quantity{&along.amplitude, "m"}, "METRES",
                "its amplitude, such as '1 mm' (nominal_amplitude by itself, or 1 mm)"),
         Option("--largest-displacement", Quantity{&along.largest, "m"}, "METRES",
-               "the curves of forces go as far to both sides, such as '10 mm' (5 amplitudes by themselves)"),
+               "the curves of forces go as far to both sides, such as '10 mm' (5 amplitudes by themselves)")
+            .rare(),
         Option("--rotation-amplitude", Quantity{&about.amplitude, "rad"}, "RADIANS",
                "amplitude of this sine about an axis, such as '2 deg' (1 degree by itself)")
             .rare(),
@@ -70,10 +71,11 @@ struct Options {
         Option("--points", bushing.points, "COUNT", "points of the curves, an odd number").rare().within(3, 100001),
         Option("--frequencies", Quantity{&grid.frequencies, "Hz"}, "HZ",
                "frequencies of the table, such as 1 4 '10 Hz' (nominal_frequency and a decade to both sides by "
-               "themselves)"),
-        Option(
-            "--amplitudes", Quantity{&grid.amplitudes, "m"}, "METRES",
-            "amplitudes of the table, such as '0.2 mm' '1 mm' (a tenth to three of nominal_amplitude by themselves)"),
+               "themselves)")
+            .rare(),
+        Option("--amplitudes", Quantity{&grid.amplitudes, "m"}, "METRES",
+               "amplitudes of the table, such as '0.2 mm' '1 mm' (a tenth to three of nominal_amplitude by themselves)")
+            .rare(),
         Option("--preloads", Quantity{&grid.preloads, "N", element::Range::any()}, "NEWTONS",
                "static forces that the sines of the table swing about, such as 0 '10 kN'")};
     const std::vector<std::string> property_files = {"--format adams_bus", "--format altair_gbs"};

@@ -177,7 +177,9 @@ def report_of(verdict, effects=(), **changes):
                             [{"effect": "creep", "probability": 0.0, "gap": 0.12}],
               "posterior": dict(posterior, **{says: 1.0}), "where": [{"share": 0.4}, {"share": 0.6}],
               "next_experiment": "A sine.", "surrogate": {"gap": 0.04, "gap_unseen": {"before": 0.11, "after": 0.05}}}
-    return dict(report, **changes)
+    removed = {"values": 1.0 - before / gap["as_configured"]}
+    removed.update({e: (before - gap["augmented"]) / gap["as_configured"] / len(effects) for e in effects})
+    return dict(report, share_of_configured_gap=removed, **changes)
 
 
 def case_of(kind, report, effects=(), unknown=None, benched="clean", further=None):

