@@ -132,8 +132,9 @@ class SixDirections(unittest.TestCase):
         self.assertAlmostEqual(after["z"], before["z"], delta=1e-3)
         text = (self.report / "augmented.yaml").read_text()
         self.assertRegex(text, r"# x: named\. Gap ")
-        force = float(re.search(r"type: friction, .*maximum_force: ([\d.]+) N", text).group(1))
-        self.assertAlmostEqual(force, FRICTION, delta=0.05 * FRICTION)  # before the factor, as the file has it
+        force = float(re.search(r"type: iwan, .*maximum_force: ([\d.]+) N", text).group(1))  # before the factor
+        # On a settled loop Iwan's law has up to 2.37 over 1.99 times the force of Berg's with the same numbers.
+        self.assertTrue(0.95 * 1.99 / 2.37 * FRICTION < force < 1.05 * FRICTION, force)
         self.assertIn("stiffness_by_preload", text)
 
     def test_a_direction_has_to_be_named(self):

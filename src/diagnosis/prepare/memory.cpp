@@ -18,6 +18,7 @@ namespace {
 constexpr std::uint64_t kBytesPerSample = 2700;
 constexpr std::uint64_t kBytesPerSampleAndThread = 250;
 constexpr std::uint64_t kBytesOfProgram = 64 * 1024 * 1024;
+constexpr std::uint64_t kBytesOfThread = 16 * 1024 * 1024;  // its stack, and what its allocator keeps for it
 
 std::string readable(std::uint64_t bytes) {
   const double mebibytes = static_cast<double>(bytes) / (1024.0 * 1024.0);
@@ -38,7 +39,8 @@ std::uint64_t bytesPerSample(int threads) {
 }  // namespace
 
 std::uint64_t memoryNeeded(const Searched& searched, int threads) {
-  return kBytesOfProgram + kBytesPerBlock * blocksOf(searched.stretches) + bytesPerSample(threads) * searched.samples;
+  return kBytesOfProgram + kBytesOfThread * static_cast<std::uint64_t>(threads) +
+         kBytesPerBlock * blocksOf(searched.stretches) + bytesPerSample(threads) * searched.samples;
 }
 
 void requireMemory(const Searched& searched, std::size_t recorded, int threads, std::uint64_t available) {
