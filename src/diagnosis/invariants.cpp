@@ -88,8 +88,16 @@ bool floorIsLeast(const Diagnosis& d) {
          all(d.candidates, [&](const CandidateResult& c) { return d.gap.noise_floor <= c.gap + kRounding; });
 }
 
+// What is named explains more than other values do, or as much with values nearer to the data sheet.
 bool whatIsNamedCloses(const Diagnosis& d) {
-  return d.effects.empty() || (d.gap.augmented < d.gap.re_estimated && d.closed_interval[0] > 0.0);
+  if (d.effects.empty()) {
+    return true;
+  }
+  const judge::Evidence& evidence = d.workings->evidence;
+  const bool nearer = d.gap.augmented < d.gap.as_configured &&
+                      evidence.at(d.workings->answer.model).chi_squared <
+                          evidence.at(judge::Evidence::kReEstimated).chi_squared;
+  return (d.gap.augmented < d.gap.re_estimated && d.closed_interval[0] > 0.0) || nearer;
 }
 
 bool closedIsOfTheGaps(const Diagnosis& d) {
@@ -188,7 +196,7 @@ constexpr Invariant kInvariants[] = {
     {"no set holds an improbable effect", setsAreProbable},
     {"alternatives follow by probability", alternativesFollow},
     {"the floor is no more than any gap", floorIsLeast},
-    {"named: the gap falls, and the interval excludes 0", whatIsNamedCloses},
+    {"named: the gap falls and the interval excludes 0, or the data sheet holds", whatIsNamedCloses},
     {"closed is of the gaps", closedIsOfTheGaps},
     {"the interval holds what is closed", intervalHoldsWhatIsClosed},
     {"the headline has the largest change", headlineIsTheLargest},

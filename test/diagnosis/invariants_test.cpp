@@ -38,8 +38,8 @@ TEST(Invariants, AreEachFoundBroken) {
          d.alternatives.assign(3, {{}, {}, 0.5});
        }},
       {"the floor is no more than any gap", [](Diagnosis& d) { d.gap.noise_floor = 1.01 * d.gap.augmented; }},
-      {"named: the gap falls, and the interval excludes 0",
-       [](Diagnosis& d) { d.gap.re_estimated = 0.99 * d.gap.augmented; }},
+      {"named: the gap falls and the interval excludes 0, or the data sheet holds",
+       [](Diagnosis& d) { d.gap.re_estimated = d.gap.as_configured = 0.99 * d.gap.augmented; }},
       {"closed is of the gaps", [](Diagnosis& d) { d.closed -= 0.01; }},
       {"the interval holds what is closed",
        [](Diagnosis& d) {
@@ -60,7 +60,7 @@ TEST(Invariants, AreEachFoundBroken) {
 
 TEST(Defect, TellsNoVerdict) {
   Diagnosis changed = ofAStop();
-  changed.gap.re_estimated = changed.gap.augmented;
+  changed.gap.re_estimated = changed.gap.as_configured = changed.gap.augmented;
   const Diagnosis told = heldToInvariants(std::move(changed));
   EXPECT_EQ(told.verdict, diagnosis::Verdict::defect);
   EXPECT_TRUE(told.effects.empty());

@@ -5,6 +5,7 @@ Usage: slurm_test.py FOLDER_OF_THE_COMMANDS; exit status 77, with the reason, wh
 start. Everything lies in a temporary folder; every daemon is ended by its process id.
 """
 
+import json
 import os
 import pathlib
 import shutil
@@ -225,8 +226,7 @@ class OnSlurm(unittest.TestCase):
         self.assertIn("nothing to submit", again.stdout)
 
     def seconds_per_job(self, name):
-        times = [float(path.read_text(encoding="utf-8").rsplit('"seconds":', 1)[1].rstrip("}\n"))
-                 for path in self.records(name)]
+        times = [json.loads(path.read_text(encoding="utf-8"))["seconds"] for path in self.records(name)]
         return sum(times) / len(times)
 
 

@@ -17,6 +17,8 @@ std::vector<gap::PartError> heldOutErrors(const fit::Hypothesis& hypothesis, con
                                   held_out.zeros);
 }
 
+// Replayed, and what each block leaves more where it took no part in the fit: over a log never less than is replayed,
+// though blocks of a short log may by chance leave less than the fit to all of them.
 std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const FittedLaw& fitted,
                                            const Entries& elements) {
   const std::vector<log::Record>& records = fitter.records();
@@ -28,9 +30,10 @@ std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const Fitt
   const std::vector<double> of_fit =
       errorsOf(*LawForces(fitter.sharedRecords(), fitter.model(), fitted.law).at(fitted.fit.parameters));
   std::vector<gap::PartError> blocks = fitted.fit.blocks;
+  const std::vector<double> unseen = errorsByLog(blocks, records.size());
   for (gap::PartError& block : blocks) {
     const auto log = static_cast<std::size_t>(block.log);
-    const double error = block.error + replay[log] - of_fit[log];
+    const double error = block.error + replay[log] - std::min(of_fit[log], unseen[log]);
     block.error = std::isnan(error) ? std::numeric_limits<double>::infinity() : std::max(0.0, error);
   }
   return blocks;
