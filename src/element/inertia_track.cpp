@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kRadiansBetweenTurns = 3.0;  // less than half a period
 constexpr double kMostParts = 4096.0;
+constexpr double kSplit =
+    0.25;  // of a radian of the resonance, or of the time in which the quadratic loss halves a rate
 constexpr double kPastTurn = 1.0 + 1e-9;  // a deflection is known twice as well as the time at which it turns
 constexpr double kEdgeTolerance = 1e-15;  // of the time of an edge, over the part
 constexpr int kMostSteps = 50;            // to an edge, as many as halves would take
@@ -97,13 +99,14 @@ const OverStep& overStep(double decay, double square, double dt) {
 
 }  // namespace
 
-InertiaTrack::InertiaTrack(double mass, double damping, double stiffness, double free_travel)
+InertiaTrack::InertiaTrack(double mass, double damping, double stiffness, double free_travel, double quadratic_damping)
     : mass_(mass),
       damping_(damping),
       stiffness_(stiffness),
       free_travel_(free_travel),
       decay_(0.5 * damping / mass),
-      square_(stiffness / mass) {}
+      square_(stiffness / mass),
+      brake_(quadratic_damping / mass) {}
 
 // de/dt = v - p, dp/dt = square e - 2 a p for a constant velocity v: the matrix exponential, and its integral for v.
 InertiaTrack::Flow InertiaTrack::coupled(Flow flow, double dt, double velocity) const {
@@ -195,16 +198,36 @@ void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const
   }
 }
 
+// In how many parts a step is made: one where that is exact.
+double InertiaTrack::partsOf(double rate, double dt, double velocity) const {
+  const double turned = dt * std::sqrt(square_);
+  const double braked = dt * brake_ * std::max(std::abs(rate), std::abs(velocity));
+  const double parts = brake_ > 0.0         ? (turned + braked) / kSplit
+                       : free_travel_ > 0.0 ? turned / kRadiansBetweenTurns
+                                            : 1.0;
+  return std::clamp(std::ceil(parts), 1.0, kMostParts);
+}
+
+// dp/dt = -(c_2/m) |p| p alone.
+void InertiaTrack::brake(Flow& flow, double dt) const {
+  if (brake_ > 0.0) {
+    flow.rate /= 1.0 + brake_ * std::abs(flow.rate) * dt;
+  }
+}
+
 double InertiaTrack::step(const Motion& motion, double* memory) const {
   Flow flow{memory[kDeflection], memory[kRate]};
   const double velocity = motion.increment / motion.dt;
-  if (free_travel_ == 0.0) {
-    flow = coupled(flow, motion.dt, velocity);
-  } else {
-    const double parts = std::clamp(std::ceil(motion.dt * std::sqrt(square_) / kRadiansBetweenTurns), 1.0, kMostParts);
-    for (double part = 0.0; part < parts; part += 1.0) {
-      followDecoupled(flow, motion.dt / parts, velocity);
+  const double parts = partsOf(flow.rate, motion.dt, velocity);
+  const double dt = motion.dt / parts;
+  for (double part = 0.0; part < parts; part += 1.0) {
+    brake(flow, 0.5 * dt);
+    if (free_travel_ == 0.0) {
+      flow = coupled(flow, dt, velocity);
+    } else {
+      followDecoupled(flow, dt, velocity);
     }
+    brake(flow, 0.5 * dt);
   }
   memory[kDeflection] = flow.deflection;
   memory[kRate] = flow.rate;
@@ -212,7 +235,7 @@ double InertiaTrack::step(const Motion& motion, double* memory) const {
 }
 
 std::optional<std::complex<double>> InertiaTrack::complexStiffness(double omega) const {
-  if (free_travel_ > 0.0) {
+  if (free_travel_ > 0.0 || brake_ > 0.0) {
     return std::nullopt;
   }
   const std::complex<double> column(-mass_ * omega * omega, damping_ * omega);
@@ -234,18 +257,23 @@ ElementPointer makeInertiaTrack(const ElementDescription& description) {
   const auto value = [&](const char* name) { return description.value(name); };
   const std::size_t mechanical = given(description, kMechanical);
   const std::size_t fluid = given(description, kFluid);
+  const bool any_mechanical = mechanical > 0 || value("quadratic_damping") > 0.0;
+  const bool any_fluid = fluid > 0 || value("quadratic_resistance") > 0.0;
   const double area = value("pumping_area");
-  if (mechanical == kMechanical.size() && fluid == 0) {
+  if (mechanical == kMechanical.size() && !any_fluid) {
     return std::make_shared<const InertiaTrack>(value("mass"), value("damping"), value("stiffness"),
-                                                value("free_travel"));
+                                                value("free_travel"), value("quadratic_damping"));
   }
-  if (fluid == kFluid.size() && mechanical == 0) {
+  if (fluid == kFluid.size() && !any_mechanical) {
     return std::make_shared<const InertiaTrack>(value("inertance") * area * area, value("resistance") * area * area,
-                                                area * area / value("compliance"), value("free_travel"));
+                                                area * area / value("compliance"), value("free_travel"),
+                                                value("quadratic_resistance") * area * area * area);
   }
   throw std::invalid_argument(
-      fmt::format("{}: {}; accepted: all of {}, or all of {}, each greater than 0", description.type,
-                  mechanical > 0 && fluid > 0 ? "mechanical and fluid parameters are mixed" : "parameters are missing",
+      fmt::format("{}: {}; accepted: all of {}, and quadratic_damping, or all of {}, and quadratic_resistance, each "
+                  "greater than 0",
+                  description.type,
+                  any_mechanical && any_fluid ? "mechanical and fluid parameters are mixed" : "parameters are missing",
                   fmt::join(kMechanical, ", "), fmt::join(kFluid, ", ")));
 }
 
@@ -254,8 +282,8 @@ ElementPointer makeInertiaTrack(const ElementDescription& description) {
 ElementType inertiaTrackType() {
   const Range range = Range::nonNegative();
   return {"inertia_track",
-          "Fluid in a hydraulic mount, m d2q/dt2 + c dq/dt = F, F = k_h (z - q), by mass, damping and stiffness or by "
-          "the numbers of the fluid; 0: not given.",
+          "Fluid in a hydraulic mount, m d2q/dt2 + c dq/dt + c_2 |dq/dt| dq/dt = F, F = k_h (z - q), by mass, damping "
+          "and stiffness or by the numbers of the fluid; 0: not given.",
           {{"mass", "kg", Role::shape, range, "mass m of the column, referred to the pumping area", 0.0},
            {"damping", "N s/m", Role::shape, range, "damping c of the track, referred to the pumping area", 0.0},
            {"stiffness", "N/m", Role::shape, range, "stiffness k_h of the upper chamber by its bulge", 0.0},
@@ -263,7 +291,10 @@ ElementType inertiaTrackType() {
            {"resistance", "Pa s/m^3", Role::shape, range, "resistance R of the track, c = R A_p^2", 0.0},
            {"compliance", "m^3/Pa", Role::shape, range, "compliance C of the upper chamber, k_h = A_p^2/C", 0.0},
            {"pumping_area", "m^2", Role::reference, range, "area A_p of the piston that the rubber makes", 0.0},
-           {"free_travel", "m", Role::shape, range, "free travel d of a decoupler to either side; 0: none", 0.0}},
+           {"free_travel", "m", Role::shape, range, "free travel d of a decoupler to either side; 0: none", 0.0},
+           {"quadratic_damping", "N s^2/m^2", Role::shape, range, "damping c_2 by the square of the rate", 0.0},
+           {"quadratic_resistance", "Pa s^2/m^6", Role::shape, range,
+            "resistance R_2 by the square of the flow, c_2 = R_2 A_p^3", 0.0}},
           makeInertiaTrack};
 }
 

@@ -120,8 +120,8 @@ std::string rotationalUnit(const std::string& unit) {
 }
 
 const std::vector<std::string> kSixDirectionKeys = {
-    "directions",           "coupling",        "frame", "preload", "rotation", "valid_rotation", "temperature",
-    "stiffness_by_preload", "excluded_effects"};
+    "directions",           "coupling",         "frame",      "preload", "rotation", "valid_rotation", "temperature",
+    "stiffness_by_preload", "excluded_effects", "holds_fluid"};
 const std::vector<std::string> kCouplings = {"rectangular", "cylindrical", "spherical"};
 const std::vector<std::string> kMeasures = {"vector", "cardan"};
 const std::vector<std::string> kAxes = {"x", "y", "z"};
@@ -345,6 +345,7 @@ class Loader {
     description.temperature = ifGiven(entry["temperature"], &Loader::loadTemperature);
     description.valid_displacement = ifGiven(entry["valid_displacement"], &Loader::loadValidDisplacement);
     description.excluded_effects = loadExcludedEffects(entry["excluded_effects"]);
+    description.holds_fluid = loadHoldsFluid(entry);
     description.units = units_;
     try {
       description.makeComponent();
@@ -375,11 +376,12 @@ class Loader {
         six->directions[direction]->temperature = loadTemperature(temperature);
       }
     }
-    for (const std::string& effect : loadExcludedEffects(entry["excluded_effects"])) {
-      for (std::optional<ComponentDescription>& direction : six->directions) {
-        if (direction) {
-          direction->excluded_effects.push_back(effect);
-        }
+    const std::vector<std::string> excluded = loadExcludedEffects(entry["excluded_effects"]);
+    const bool holds_fluid = loadHoldsFluid(entry);
+    for (std::optional<ComponentDescription>& direction : six->directions) {
+      if (direction) {
+        direction->excluded_effects.insert(direction->excluded_effects.end(), excluded.begin(), excluded.end());
+        direction->holds_fluid = direction->holds_fluid || holds_fluid;
       }
     }
     for (const auto& load : preload.node) {
@@ -583,11 +585,12 @@ class Loader {
 
   ComponentDescription loadContent(const Entry& entry, estimation::Model model) {
     if (model != estimation::Model::elements) {
-      checkKeys(entry,
-                {"model", "specification", "add", "rig", "temperature", "valid_displacement", "excluded_effects"});
+      checkKeys(entry, {"model", "specification", "add", "rig", "temperature", "valid_displacement", "excluded_effects",
+                        "holds_fluid"});
       return loadSpecification(require(entry, "specification", "a map"), model, entry["add"]);
     }
-    checkKeys(entry, {"model", "elements", "add", "rig", "temperature", "valid_displacement", "excluded_effects"});
+    checkKeys(entry, {"model", "elements", "add", "rig", "temperature", "valid_displacement", "excluded_effects",
+                      "holds_fluid"});
     const Entry list = require(entry, "elements", "a list of elements");
     std::vector<element::ElementDescription> elements = loadElements(list);
     if (elements.empty()) {
@@ -836,6 +839,11 @@ class Loader {
                                 fmt::join(words, " or ")));
     }
     return static_cast<std::size_t>(found - words.begin());
+  }
+
+  bool loadHoldsFluid(const Entry& entry) const {
+    const Entry mark = entry["holds_fluid"];
+    return mark && loadFlag(mark);
   }
 
   bool loadFlag(const Entry& entry) const { return loadWord(entry, {"false", "true"}) == 1; }
@@ -1166,6 +1174,7 @@ std::string oneDirectionYaml(const ComponentDescription& component, bool turns, 
   if (!component.excluded_effects.empty()) {
     text += fmt::format("    excluded_effects: [{}]\n", fmt::join(component.excluded_effects, ", "));
   }
+  text += component.holds_fluid ? "    holds_fluid: true\n" : "";
   return text;
 }
 

@@ -132,7 +132,11 @@ std::string parameterReference() {
       "springs\n"
       "cover. Beyond, the node serves the force unchanged, counts and warns; `replay` warns once. "
       "`excluded_effects: [backlash,\n"
-      "free_play]` lists [effects](effects.md) that the construction rules out: a diagnosis does not name them.\n\n"
+      "free_play]` lists [effects](effects.md) that the construction rules out: a diagnosis does not name them. "
+      "`holds_fluid:\n"
+      "true` says that the component holds a fluid: without it a diagnosis tells `fluid_inertia` with both readings, a "
+      "fluid\n"
+      "track, or a mass on a spring such as the fixture.\n\n"
       "## Models\n\n| model | elements | needs in `specification` | may have |\n|---|---|---|---|\n";
   for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
        ++i) {

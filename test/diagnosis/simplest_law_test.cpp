@@ -116,6 +116,19 @@ TEST_F(SimplestLaw, OfAHydraulicMountIsOneTrack) {
   EXPECT_NEAR(found()[0].value("stiffness"), 4e5, 8e3);
 }
 
+// Loss by the square of the rate, which two linear tracks would follow in six numbers.
+TEST_F(SimplestLaw, OfATurbulentMountIsOneTrack) {
+  fit("fluid_inertia",
+      {{"inertia_track",
+        {{"mass", {600.0}}, {"damping", {1500.0}}, {"stiffness", {4e5}}, {"quadratic_damping", {1.5e5}}}}});
+  expectPaid();
+  ASSERT_EQ(found().size(), 1U);
+  EXPECT_EQ(numbersIn(found()), 4U);
+  EXPECT_NEAR(found()[0].value("mass"), 600.0, 12.0);
+  EXPECT_NEAR(found()[0].value("stiffness"), 4e5, 8e3);
+  EXPECT_NEAR(found()[0].value("quadratic_damping"), 1.5e5, 1.5e4);
+}
+
 diagnosis::SizedValue written(const std::string& place, const std::string& unit, double configured, double value,
                               std::array<double, 2> interval) {
   return {"", place, unit, configured, value, interval};

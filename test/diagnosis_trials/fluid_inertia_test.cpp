@@ -174,6 +174,33 @@ TEST(FluidInertia, IsNamedFirstWhereTheLawOfTheMountIsAnother) {
   EXPECT_GE(named, 18);
 }
 
+// The loss of an orifice: one track, its numbers within 5 % (their intervals, and the semi-implicit steps of the
+// bench), the small linear part of the loss within a third. What the file does not say is told with both readings.
+TEST(FluidInertia, OfQuadraticLossIsOneTrack) {
+  const Column orifice{5e5, 2.0 * element::kPi * 4.0, 0.05, 0.15, 0.0};
+  const double mass = orifice.stiffness / std::pow(orifice.resonance, 2);
+  std::vector<log::Log> logs;
+  for (unsigned i = 1; i <= 2; ++i) {
+    logs.push_back(runRig("log " + std::to_string(i), i, fluidOf(orifice)));
+  }
+  io::ComponentDescription component = rigComponent();
+  const diagnosis::Diagnosis result = diagnosis::diagnose(component, logs, {});
+  ASSERT_EQ(result.effects, std::vector<std::string>{"fluid_inertia"}) << result.sentence;
+  EXPECT_EQ(result.verdict, diagnosis::Verdict::named) << result.sentence;
+  EXPECT_NE(result.sentence.find("fluid_inertia (a fluid track, or a mass on a spring such as the fixture: "),
+            std::string::npos)
+      << result.sentence;
+  ASSERT_EQ(result.augmented.add.size(), 1U);
+  const element::ElementDescription& track = result.augmented.add.front();
+  ASSERT_EQ(track.type, "inertia_track");
+  EXPECT_NEAR(track.value("mass") / mass, 1.0, 0.05);
+  EXPECT_NEAR(track.value("stiffness") / orifice.stiffness, 1.0, 0.05);
+  EXPECT_NEAR(track.value("quadratic_damping") / (2.0 * mass * orifice.turbulent / 1e-3), 1.0, 0.05);
+  EXPECT_NEAR(track.value("damping") / (2.0 * mass * orifice.laminar * orifice.resonance), 1.0, 0.33);
+  component.holds_fluid = true;
+  EXPECT_EQ(diagnosis::diagnose(component, logs, {}).sentence.find("fixture"), std::string::npos);
+}
+
 TEST(FluidInertia, IsNamedOnNoBenchWithoutIt) {
   constexpr int kBenches = 30;
   for (int i = 0; i < kBenches; ++i) {

@@ -111,6 +111,13 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"inertia_track",
        {{"inertance", {1e7}}, {"resistance", {2.5e8}}, {"compliance", {2.5e-11}}, {"pumping_area", {5e-3}}}},
       {"inertia_track", {{"mass", {250.0}}, {"damping", {6e3}}, {"stiffness", {1e6}}, {"free_travel", {2e-4}}}},
+      {"inertia_track", {{"mass", {250.0}}, {"damping", {3e3}}, {"stiffness", {1e6}}, {"quadratic_damping", {1e5}}}},
+      {"inertia_track",
+       {{"mass", {250.0}},
+        {"damping", {3e3}},
+        {"stiffness", {1e6}},
+        {"free_travel", {2e-4}},
+        {"quadratic_damping", {1e5}}}},
       {"coulomb_friction", {{"maximum_force", {2e3}}, {"stiffness", {1e7}}}},
       {"iwan", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}},
       {"iwan", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}, {"sliders", {3.0}}}},
@@ -206,7 +213,8 @@ inline bool isExact(const element::ElementDescription& description) {
                               (description.values.count("path") != 0 || description.values.count("recovery_time") != 0);
   const bool smooth = description.type == "dashpot" && description.values.count("order") != 0;
   const bool substepped = description.type == "bouc_wen" && description.values.count("exponent") != 0;
-  return !approximate && !softens_slowly && !smooth && !substepped;
+  const bool turbulent = description.values.count("quadratic_damping") != 0;
+  return !approximate && !softens_slowly && !smooth && !substepped && !turbulent;
 }
 
 }  // namespace rubber_suspension::test

@@ -324,6 +324,13 @@ TEST(ComponentFile, ExcludedEffectsAreReadAsTheyAreWritten) {
   EXPECT_EQ(io::parseComponentFile(io::toYaml({component}), "").front().excluded_effects, component.excluded_effects);
 }
 
+TEST(ComponentFile, HoldsAFluidAsItIsWritten) {
+  io::ComponentDescription component("mount", {{"spring", {{"stiffness", {1e6}}}}});
+  EXPECT_FALSE(io::parseComponentFile(io::toYaml({component}), "").front().holds_fluid);
+  component.holds_fluid = true;
+  EXPECT_TRUE(io::parseComponentFile(io::toYaml({component}), "").front().holds_fluid);
+}
+
 TEST(ComponentDescription, IsValidWhereItSaysNothingByAmplitudeOrTable) {
   const io::ComponentDescription spring("a", {{"spring", {{"stiffness", {1e6}}}}});
   EXPECT_FALSE(spring.validDisplacement());

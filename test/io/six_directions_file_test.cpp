@@ -32,6 +32,7 @@ const std::string kBush = R"(    directions:
     rotation: cardan
     valid_rotation: 40 deg
     excluded_effects: [free_play]
+    holds_fluid: true
     frame:
       a: {position: [10 cm, 0, -5 mm], rotation: [0, 90 deg, 0]}
       b: {position: [0, 0, 0.2]}
@@ -63,6 +64,7 @@ TEST(SixDirectionsFile, LoadsAll) {
   const io::SixDirectionsDescription& six = *description.six;
   EXPECT_EQ(six.directions[component::kX]->name, "bush_x");
   EXPECT_EQ(six.directions[component::kRz]->excluded_effects, std::vector<std::string>{"free_play"});
+  EXPECT_TRUE(six.directions[component::kRz]->holds_fluid);
   EXPECT_NEAR(six.directions[component::kRx]->elements()[0].value("stiffness"), 900.0, 1e-9);
   EXPECT_EQ(six.arrangement.translation, component::Coupling::cylindrical);
   EXPECT_EQ(six.arrangement.rotation, component::Coupling::rectangular);

@@ -44,6 +44,7 @@ class ComponentDescription {
   std::optional<element::ElementDescription> temperature;
   std::optional<element::Range> valid_displacement;  ///< where the component is valid [m], where given
   std::vector<std::string> excluded_effects;  ///< that its construction rules out, which a diagnosis knows by name
+  bool holds_fluid = false;  ///< so a resonance in its force is one of a column of fluid, not of the fixture
   /// In which its file gives numbers, by the SI unit; of several the first.
   std::map<std::string, std::string> units;
   /// Of a component of six directions, which has nothing of its own but a name; nullptr for any other.

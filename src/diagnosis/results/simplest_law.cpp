@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -263,10 +264,25 @@ class Chooser {
     std::sort(laws.begin(), laws.end(), [](const Allowed& a, const Allowed& b) {
       return a.numbers != b.numbers ? a.numbers < b.numbers : a.gap < b.gap;
     });
+    for (auto larger = std::next(laws.begin()); larger != laws.end(); ++larger) {
+      if (tellsMore(m, *larger, laws.front())) {
+        std::iter_swap(laws.begin(), larger);
+      }
+    }
     std::swap(laws.front().law, result_.fitted);
     for (Allowed& law : laws) {
       result_.others.push_back(std::move(law.law));
     }
+  }
+
+  // Whether a law that has another one as a limit leaves less by more than an error that the judgement accepts, for
+  // each number that it has beyond: the numbers of the other one make up for what it lacks, and are those of neither.
+  static bool tellsMore(std::size_t m, const Allowed& larger, const Allowed& smaller) {
+    const Entries& of_larger = larger.law.law.members[m].start;
+    const Entries& of_smaller = smaller.law.law.members[m].start;
+    const double beyond = static_cast<double>(larger.numbers) - static_cast<double>(smaller.numbers);
+    return of_larger.size() == 1 && of_smaller.size() == 1 && of_larger[0].type == of_smaller[0].type &&
+           std::pow(larger.gap, 2) + beyond * std::pow(judge::fittedNumbers().accepted, 2) < std::pow(smaller.gap, 2);
   }
 
   std::optional<Allowed> allowedOf(std::size_t m, const Start& start, std::size_t numbers, double allowed) const {

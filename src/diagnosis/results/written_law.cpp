@@ -44,6 +44,7 @@ io::ComponentDescription componentOf(const hypotheses::PreparedCase& prepared, c
   }
   result.valid_displacement = prepared.component.valid_displacement;
   result.excluded_effects = prepared.component.excluded_effects;
+  result.holds_fluid = prepared.component.holds_fluid;
   result.units = prepared.component.units;
   return result;
 }

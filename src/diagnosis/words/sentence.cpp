@@ -55,11 +55,14 @@ struct ChangeTexts {
 };
 
 // "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers. Of those without a
-// unit only how much there is of the law: a width or an exponent tells nobody anything.
+// unit only how much there is of the law: a width or an exponent tells nobody anything. A resonance of the fixture has
+// the transfer function of a column of fluid: only the component file tells one from the other.
 std::string effectsText(const Diagnosis& diagnosis) {
   constexpr std::size_t kMost = 4;  // a gap and a stiffness of each of two stops
   std::vector<std::string> texts;
   for (const std::string& effect : diagnosis.effects) {
+    const bool either = effect == "fluid_inertia" && !diagnosis.configured.holds_fluid;
+    const char* const readings = either ? "a fluid track, or a mass on a spring such as the fixture" : "";
     std::vector<std::string> sizes;
     for (const SizedValue& size : diagnosis.effect_sizes) {
       const bool tells = size.unit != "1" || sizes.empty();
@@ -67,7 +70,9 @@ std::string effectsText(const Diagnosis& diagnosis) {
         sizes.push_back(sizeName(size) + " " + quantity(size.value, size.unit));
       }
     }
-    texts.push_back(sizes.empty() ? effect : fmt::format("{} ({})", effect, fmt::join(sizes, ", ")));
+    const std::string inside =
+        fmt::format("{}{}{}", readings, either && !sizes.empty() ? ": " : "", fmt::join(sizes, ", "));
+    texts.push_back(inside.empty() ? effect : fmt::format("{} ({})", effect, inside));
   }
   return enumerated(texts);
 }

@@ -1,44 +1,81 @@
 // Candidate effect: a column of fluid that resonates, as in a hydraulic mount.
+#include <cmath>
+
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// A track with a resonance [rad/s], damping as a share of the critical one, and free travel of a decoupler [m]; the
-// scale is the stiffness of its chamber.
-fit::BasisTerm trackTerm(double typical, double resonance, double damping, double free_travel) {
+// What a track has beside a resonance [rad/s].
+struct Track {
+  double resonance;
+  double damping;            // as a share of the critical one
+  double free_travel = 0.0;  // of a decoupler [m]
+  double turbulence = 0.0;   // quadratic damping over the mass [1/m]
+};
+
+// The scale is the stiffness of its chamber.
+fit::BasisTerm trackTerm(double typical, const Track& track) {
   fit::BasisTerm term;
   term.typical = typical;
-  term.at = [=](double stiffness) {
+  term.at = [track](double stiffness) {
+    const double mass = stiffness / (track.resonance * track.resonance);
     element::ElementDescription entry{"inertia_track",
-                                      {{"mass", {stiffness / (resonance * resonance)}},
-                                       {"damping", {2.0 * damping * stiffness / resonance}},
+                                      {{"mass", {mass}},
+                                       {"damping", {2.0 * track.damping * stiffness / track.resonance}},
                                        {"stiffness", {stiffness}}}};
-    if (free_travel > 0.0) {
-      entry.values["free_travel"] = {free_travel};
+    if (track.free_travel > 0.0) {
+      entry.values["free_travel"] = {track.free_travel};
+    }
+    if (track.turbulence > 0.0) {
+      entry.values["quadratic_damping"] = {track.turbulence * mass};
     }
     return entry;
   };
   return term;
 }
 
+double typicalStiffness(const fit::Excitation& excitation) { return 0.2 * excitation.stiffness; }
+
+// With a quadratic loss that is a share of the critical damping where the fluid moves as far as the rubber.
+fit::BasisTerm turbulentTerm(const fit::Excitation& excitation, double resonance, double share) {
+  constexpr double kLaminar = 0.05;
+  return trackTerm(typicalStiffness(excitation),
+                   {resonance, kLaminar, 0.0, 2.0 * share / excitation.largest_displacement});
+}
+
 // Tracks about one frequency [Hz]: together any damping and a resonance between them, or one that the amplitude moves.
 std::vector<fit::BasisTerm> termsAt(const fit::Excitation& excitation, double frequency) {
   constexpr double kBeside = 1.18;  // a resonance over the next
   constexpr double kDecoupled = 0.25;
-  const double typical = 0.2 * excitation.stiffness;
+  constexpr double kTurbulent = 0.2;
+  const double typical = typicalStiffness(excitation);
   const double resonance = 2.0 * element::kPi * frequency;
   std::vector<fit::BasisTerm> terms;
   for (const double ratio : {1.0 / kBeside, 1.0, kBeside}) {
     for (const double damping : {0.08, 0.25, 0.6}) {
-      terms.push_back(trackTerm(typical, ratio * resonance, damping, 0.0));
+      terms.push_back(trackTerm(typical, {ratio * resonance, damping}));
     }
   }
   for (const double share : {0.05, 0.2}) {
-    terms.push_back(trackTerm(typical, resonance, kDecoupled, share * excitation.largest_displacement));
+    terms.push_back(trackTerm(typical, {resonance, kDecoupled, share * excitation.largest_displacement}));
   }
+  terms.push_back(turbulentTerm(excitation, resonance, kTurbulent));
   return terms;
+}
+
+// One track whose loss is quadratic for the most part, from where the fit of its numbers finds any other.
+std::vector<fit::BasisTerm> turbulentLaws(const fit::Excitation& excitation, double least, double largest) {
+  constexpr int kFrequencies = 7;  // a third apart: nearer than the width of the resonance
+  std::vector<fit::BasisTerm> laws;
+  for (int i = 0; i < kFrequencies; ++i) {
+    const double frequency = least * std::pow(largest / least, (i + 0.5) / kFrequencies);
+    for (const double share : {0.1, 0.4}) {
+      laws.push_back(turbulentTerm(excitation, 2.0 * element::kPi * frequency, share));
+    }
+  }
+  return laws;
 }
 
 // Far below its resonance a column is a mass and a damper, far above it a spring: these are effects of their own.
@@ -55,6 +92,7 @@ fit::Candidate fluidInertia(const fit::Excitation& excitation) {
   candidate.largest_shape = kLargest * excitation.highest_frequency;
   candidate.terms_at = [excitation](double frequency) { return termsAt(excitation, frequency); };
   candidate.terms = candidate.terms_at(0.5 * excitation.highest_frequency);
+  candidate.laws = turbulentLaws(excitation, candidate.least_shape, candidate.largest_shape);
   return candidate;
 }
 
