@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
 #include "numerics/symmetric.h"
 
@@ -50,8 +49,9 @@ MatrixXd costOf(const MatrixXd& shares, const VectorXd& penalty) {
 }
 
 MatrixXd sumOf(const std::vector<MatrixXd>& products) {
-  return std::accumulate(products.begin() + 1, products.end(), products.front(),
-                         [](MatrixXd sum, const MatrixXd& one) -> MatrixXd { return std::move(sum) + one; });
+  MatrixXd sum = products.front();
+  std::for_each(products.begin() + 1, products.end(), [&](const MatrixXd& one) { sum += one; });
+  return sum;
 }
 
 // Sums, not differences: what is zero without a fold has to be so to the last bit.

@@ -13,6 +13,7 @@ import tempfile
 import numpy as np
 
 MEBIBYTE = 1 << 20
+OUT_OF_MEMORY = "out of memory; accepted"  # while logs are read, before it is known what the search needs
 CONFIG = """components:
   bush:
     model: elements
@@ -70,13 +71,12 @@ def check(diagnose_program, kind, folder):
     command = [diagnose_program, "--config", config, "--component", "bush", "--threads", str(threads), "--output",
                os.path.join(folder, "out"), "--log", *paths[:logs]]
     command += ["--hold-out", *paths[logs:]] if held_out else []
-    said = 0.0
-    for limit in range(150, 4000, 50):  # too little for the search at first; threads take addresses of their own
+    said, limit = 0.0, 150  # too little for the search; threads take addresses of their own
+    status, errors, peak = diagnose(command, limit * MEBIBYTE)
+    while refused := re.search(r"needs about ([\d.]+) (MiB|GiB)", errors) or (said == 0.0 and OUT_OF_MEMORY in errors):
+        said = said if refused is True else bytes_of(*refused.groups())
+        limit = max(limit + 50, int(said / MEBIBYTE))
         status, errors, peak = diagnose(command, limit * MEBIBYTE)
-        refused = re.search(r"needs about ([\d.]+) (MiB|GiB)", errors)
-        if not refused:
-            break
-        said = bytes_of(*refused.groups())
     print(f"{kind}: needs {said / MEBIBYTE:.0f} MiB, took {peak / MEBIBYTE:.0f} MiB below {limit} MiB", flush=True)
     if status not in (0, 3):  # 3: a report that tells no verdict, after the search
         return f"status {status} below {limit} MiB: {errors.strip()[:200]}"
