@@ -208,11 +208,12 @@ class TableReader {
         return false;
       }
     };
-    refuseIf(
-        names_.size() > 2 && std::all_of(names_.begin() + 1, names_.end(), is_amplitude),
-        "{} over amplitudes {} to {}: a matrix, which lacks the loss angle; accepted: a row for each frequency and "
-        "amplitude, with the columns frequency, amplitude, stiffness, loss angle",
-        log::quoted(names_.front()), log::quoted(names_[1]), log::quoted(names_.back()));
+    if (names_.size() > 2 && std::all_of(names_.begin() + 1, names_.end(), is_amplitude)) {
+      refuse(
+          fmt::format("{} over amplitudes {} to {}: a matrix, which lacks the loss angle; accepted: a row for each "
+                      "frequency and amplitude, with the columns frequency, amplitude, stiffness, loss angle",
+                      log::quoted(names_.front()), log::quoted(names_[1]), log::quoted(names_.back())));
+    }
   }
 
   std::ptrdiff_t countOf(std::size_t quantity) const {

@@ -137,10 +137,13 @@ LogBlocks::LogBlocks(const std::vector<log::Record>& records, std::vector<double
   parallelFor(records.size(), threads, [&](std::size_t r) {
     blocks_[r] = cut(records[r], records.size());
     for (Block& block : blocks_[r]) {
-      Eigen::MatrixXd columns(block.size, count + records[r].nuisances.cols());
+      const Eigen::Index rig = records[r].nuisances.cols();
+      Eigen::MatrixXd columns(block.size, count + rig);
       fill(known_, with({}, 0, count), r, block.first, weights_[r], columns);
       leaveOut(records[r], block.first, columns);
-      columns.rightCols(records[r].nuisances.cols()) = records[r].nuisances.middleRows(block.first, block.size);
+      if (rig > 0) {
+        columns.rightCols(rig) = records[r].nuisances.middleRows(block.first, block.size);
+      }
       block.known = numerics::gramOf(columns);
     }
     penalties_[r] = numerics::penaltyOfWhitening(records[r].nuisances);

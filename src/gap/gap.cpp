@@ -21,7 +21,9 @@ Eigen::MatrixXd productsOver(const log::Record& record, const Eigen::VectorXd& r
   const Eigen::Index rig = record.nuisances.cols();
   Eigen::MatrixXd columns(count, 1 + own.columns.cols() + rig);
   columns.col(0) = residual.segment(first, count);
-  columns.middleCols(1, own.columns.cols()) = own.columns.middleRows(first, count);
+  if (own.columns.cols() > 0) {  // no rows of nothing, which has no address
+    columns.middleCols(1, own.columns.cols()) = own.columns.middleRows(first, count);
+  }
   if (record.counts.size() > 0) {
     columns.array().colwise() *= record.counts.segment(first, count).array();
   }
