@@ -2,9 +2,11 @@
 #include "ros_interface/play_recorder.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <rubber_suspension/Gap.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "bag/bag_writer.h"
@@ -15,13 +17,26 @@ namespace {
 
 constexpr const char* kGapHeader =
     "time_s,level,window_s,samples,gap,noise_floor,beyond_noise,trend_per_s,share_stiffness,share_loss,"
-    "share_harmonics,share_mean,share_drift";
+    "share_harmonics,share_mean,share_drift,iso18571_total,iso18571_corridor,iso18571_phase,iso18571_magnitude,"
+    "iso18571_slope,iso18571_repeats";
 
 std::string gapRow(std::int64_t stamp, const Gap& gap) {
-  return fmt::format("{:.9f},{},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}",
-                     1e-9 * static_cast<double>(stamp), static_cast<int>(gap.level), gap.window, gap.samples, gap.gap,
-                     gap.noise_floor, gap.beyond_noise, gap.trend, gap.share_stiffness, gap.share_loss,
-                     gap.share_harmonics, gap.share_mean, gap.share_drift);
+  const std::array<double, 14> numbers = {gap.gap,
+                                          gap.noise_floor,
+                                          gap.beyond_noise,
+                                          gap.trend,
+                                          gap.share_stiffness,
+                                          gap.share_loss,
+                                          gap.share_harmonics,
+                                          gap.share_mean,
+                                          gap.share_drift,
+                                          gap.iso18571_total,
+                                          gap.iso18571_corridor,
+                                          gap.iso18571_phase,
+                                          gap.iso18571_magnitude,
+                                          gap.iso18571_slope};
+  return fmt::format("{:.9f},{},{:.9g},{},{:.9g},{}", 1e-9 * static_cast<double>(stamp), static_cast<int>(gap.level),
+                     gap.window, gap.samples, fmt::join(numbers, ","), static_cast<int>(gap.iso18571_repeats));
 }
 
 }  // namespace

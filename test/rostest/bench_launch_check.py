@@ -89,6 +89,10 @@ class BenchLaunch(unittest.TestCase):
                 self.assertIn(row["level"], "0123")
             shares = [float(gaps[-1]["share_" + name]) for name in ("stiffness", "loss", "harmonics", "mean", "drift")]
             self.assertAlmostEqual(sum(shares), 1.0, places=6)  # written with nine digits
+            rating = {key[9:]: float(value) for key, value in gaps[-1].items() if key.startswith("iso18571_")}
+            parts = 0.4 * rating["corridor"] + 0.2 * (rating["phase"] + rating["magnitude"] + rating["slope"])
+            self.assertGreater(parts, 0.0)
+            self.assertAlmostEqual(rating["total"], parts, places=6)
 
     def test_bag_holds_the_logs_again(self):
         for component in COMPONENTS:
