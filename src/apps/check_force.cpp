@@ -43,7 +43,7 @@ OptionTable Options::table() {
       Option("--component", play.component, "NAME",
              "name of the component: its topics are NAME/displacement and NAME/force, below the node's namespace")
           .required(),
-      Option("--log", log, "FILE", "log to play: text (CSV), .mat, HDF5 or .bag").required().reads(),
+      Option("--log", log, "FILE", "log to play: text (CSV), .mat, HDF5, RPC III or .bag").required().reads(),
       Option("--tolerance", tolerance, "RATIO",
              "largest gap that passes: RMS of the difference over the standard deviation of the reference")
           .required()

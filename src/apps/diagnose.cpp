@@ -95,7 +95,7 @@ OptionTable DiagnoseOptions::table() {
              "where they couple")
           .oneOf({"x", "y", "z", "rx", "ry", "rz"}),
       Option("--log", logs, "FILE",
-             "measured logs of one component in the order of recording; text (CSV), .mat, HDF5 or .bag")
+             "measured logs of one component in the order of recording; text (CSV), .mat, HDF5, RPC III or .bag")
           .readsEachOnce(),
       Option("--plan", plan, "FILE",
              "instead of --log: programmes with time and displacement alone; says which effects such logs would show, "

@@ -65,7 +65,8 @@ OptionTable Options::table() {
   OptionTable options = {
       Option("--component", components, "NAME", "names of the components, one or several").required(),
       Option("--log", logs, "FILE",
-             "logs to play: text (CSV), .mat, HDF5, or .bag with the node's topics; one per component, or one for all")
+             "logs to play: text (CSV), .mat, HDF5, RPC III, or .bag with the node's topics; one per component, or one "
+             "for all")
           .required()
           .reads(),
       log_options.table(),

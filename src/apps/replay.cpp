@@ -33,7 +33,7 @@ struct Options {
   OptionTable table() {
     OptionTable options = {
         component.table(),
-        Option("--log", log, "FILE", "log to simulate: text (CSV), .mat, HDF5 or .bag").required().reads(),
+        Option("--log", log, "FILE", "log to simulate: text (CSV), .mat, HDF5, RPC III or .bag").required().reads(),
         Option("--output", output, "FILE",
                "CSV to write: time_s,displacement_m,force_N; of six directions time_s,x_m ... rz_rad,Fx_N ... Mz_Nm")
             .required()
