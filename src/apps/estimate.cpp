@@ -41,6 +41,7 @@ struct Options {
   command::SweepOptions sweeps;
   std::vector<std::string> logs;
   std::string table_path;
+  std::string series;
   LogOptions log_options;
   fit::IdentificationOptions identification;
   std::string output;
@@ -97,12 +98,18 @@ OptionTable Options::table() {
           .rare(),
       Option("--points", sweeps.points, "COUNT", "points of each range").rare().within(2, 10000),
       Option("--from-log", logs, "FILE",
-             "measured log with force (text, .mat, HDF5 or .bag): find the parameters from it; may be given several "
+             "measured log with force (text, .mat, HDF5, RPC III or .bag): find the parameters from it; may be given "
+             "several "
              "times")
           .readsEachOnce(),
       Option("--from-table", table_path, "FILE",
              "measured table of stiffness and loss angle over frequency and amplitude: find the parameters from it")
           .reads(),
+      Option("--series", series, "SERIES",
+             "with --from-table: elements to fit in place of those of the component, for as many decades as the table "
+             "has once its temperatures are one curve")
+          .rare()
+          .oneOf({"prony", "springpot"}),
       Option("--hold", identification.held, "ELEMENT.PARAMETER",
              "parameter to keep fixed with --from-log, such as friction.displacement")
           .rare(),
@@ -119,7 +126,7 @@ OptionTable Options::table() {
   options.needs({"--hold", "--starts", "--accept-units"}, {"--from-log"}).needs(LogOptions::names(), {"--from-log"});
   options.excludes({"--frequencies", "--amplitudes", "--frequency", "--amplitude", "--product", "--points"},
                    {"--data-sheet", "--from-log", "--from-table"});
-  options.excludes({"--from-log", "--json", "--plot"}, {"--from-table"});
+  options.excludes({"--from-log", "--json", "--plot"}, {"--from-table"}).needs({"--series"}, {"--from-table"});
   return options.needs({"--output"}, {"--from-log", "--from-table", "--data-sheet"});
 }
 
@@ -203,7 +210,12 @@ int fitToTable(const Options& options) {
   const io::ComponentDescription& description = io::selectComponent(components, options.component);
   const fit::MeasuredTable table = command::readTable(options.table_path);
   command::requireNoShift(description, table, options.table_path);
-  const fit::TableFit result = during("finding parameters", [&] { return fit::fitToTable(description, table.points); });
+  std::optional<fit::Series> series;
+  if (!options.series.empty()) {
+    series = options.series == "prony" ? fit::Series::prony : fit::Series::springpot;
+  }
+  const fit::TableFit result =
+      during("finding parameters", [&] { return fit::fitToTable(description, table.points, series); });
   if (!options.output.empty()) {
     log::writeNewFile(options.output, io::toYaml({result.component}));
   }

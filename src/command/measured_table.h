@@ -18,8 +18,8 @@ fit::MeasuredTable parseTable(const std::string& text, const std::string& source
 /// The same from a file of at most 16 MiB; the name of the table is that of the file without folder and ending.
 fit::MeasuredTable readTable(const std::string& path);
 
-/// Throws std::runtime_error where the table has temperatures and the component shifts with them: a fit takes the loops
-/// as those of the specification. `source`: the name of the file.
+/// Throws std::runtime_error where the table has temperatures and elements of the component shift with them: a fit
+/// finds the shift of the key `temperature` alone. `source`: the name of the file.
 void requireNoShift(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                     const std::string& source);
 

@@ -12,7 +12,7 @@ namespace rubber_suspension::element {
 namespace {
 
 constexpr double kTwoPi = 2.0 * kPi;
-constexpr double kMaximumDecadesOfFrequency = 10.0;  // of the range; bounds the memory
+constexpr double kMaximumDecadesOfFrequency = 20.0;  // of the range; bounds the memory
 const double kSpacing = std::log(10.0) / 2.0;
 constexpr double kMargin = 10.0;  // ratio by which the grid reaches beyond the range at either end
 

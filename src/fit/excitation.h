@@ -26,6 +26,8 @@ struct Excitation {
   bool has_temperature = false;      ///< all logs have one
   double lowest_temperature = 0.0;   ///< [degC]
   double highest_temperature = 0.0;  ///< [degC]
+  /// By which the temperatures shift, as superposition of what was measured tells [J/mol]; 0 where nothing does.
+  double activation_energy = 0.0;
   /// Largest root of displacement squared and of that across squared [m]; 0 where the logs do not tell one from the
   /// other.
   double largest_radius = 0.0;

@@ -19,6 +19,7 @@ namespace rubber_suspension::fit {
 struct BasisTerm {
   std::function<element::ElementDescription(double scale)> at;
   double typical = 1.0;  ///< a scale of the order that a visible effect has
+  double start = 0.0;    ///< a scale that fits may start from besides 0, where what was measured tells one
   double lower = 0.0;
   double upper = std::numeric_limits<double>::infinity();
   bool additive = true;    ///< the force is that of the component plus scale times that of the entry alone

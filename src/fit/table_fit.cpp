@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "element/refuse.h"
 #include "fit/model_parameters.h"
@@ -23,9 +24,8 @@ double misfitOf(const Eigen::VectorXd& residual) {
 }
 
 // Of the logarithms to either side; 0 for those that are kept.
-Eigen::VectorXd boundsOf(const ModelParameters& parameters, const io::ComponentDescription& description) {
-  // The break frequencies spread the elements over the range: with them kept the stiffnesses have one best fit.
-  const bool spread = description.model() == estimation::Model::multi_maxwell;
+// `spread`: the break frequencies spread the elements over the range; with them kept the stiffnesses have one best fit.
+Eigen::VectorXd boundsOf(const ModelParameters& parameters, bool spread) {
   Eigen::VectorXd bounds = parameters.bounds();
   for (Eigen::Index i = 0; i < bounds.size(); ++i) {
     const std::string& name = parameters.names()[static_cast<std::size_t>(i)];
@@ -55,12 +55,10 @@ Eigen::VectorXd differences(const component::Component& component, const std::ve
   return result;
 }
 
-}  // namespace
-
-TableFit fitToTable(const io::ComponentDescription& description, const std::vector<TablePoint>& points) {
-  checkPoints(points);
+TableFit fitToOneTemperature(const io::ComponentDescription& description, const std::vector<TablePoint>& points,
+                             bool spread) {
   const ModelParameters parameters(description, Level::elements);
-  const Eigen::VectorXd bounds = boundsOf(parameters, description);
+  const Eigen::VectorXd bounds = boundsOf(parameters, spread);
   std::vector<Eigen::Index> moved;
   for (Eigen::Index i = 0; i < bounds.size(); ++i) {
     if (bounds[i] > 0.0) {
@@ -91,6 +89,29 @@ TableFit fitToTable(const io::ComponentDescription& description, const std::vect
                               parameters.configured(i) * std::exp(x[i]), !at_bound && deviation < kUndetermined,
                               deviation});
   }
+  return fit;
+}
+
+}  // namespace
+
+TableFit fitToTable(const io::ComponentDescription& description, const std::vector<TablePoint>& points,
+                    std::optional<Series> series) {
+  checkPoints(points);
+  std::optional<MasterCurve> curve;
+  std::optional<element::ElementDescription> shift = description.temperature;
+  if (hasTemperatures(points)) {
+    curve = masterCurve(points, shift ? shift->value("reference") : middleTemperature(points));
+    shift = curve->law;
+  }
+  const std::vector<TablePoint> reduced = shift ? reducedBy(*shift, points) : points;
+  io::ComponentDescription begin = description;
+  if (series) {
+    begin = {description.name, seriesOf(*series, reduced)};
+  }
+  begin.temperature = shift;
+  const bool spread = begin.model() == estimation::Model::multi_maxwell || series == Series::prony;
+  TableFit fit = fitToOneTemperature(begin, reduced, spread);
+  fit.master_curve = std::move(curve);
   return fit;
 }
 

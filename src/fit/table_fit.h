@@ -1,9 +1,11 @@
 // Parameters of a component from a measured table of stiffness and loss angle.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "fit/master_curve.h"
 #include "rubber_suspension/fit/measured_table.h"
 #include "rubber_suspension/io/component_file.h"
 
@@ -21,14 +23,18 @@ struct FittedParameter {
 struct TableFit {
   io::ComponentDescription component;  ///< as a list of elements, with the values found
   std::vector<FittedParameter> parameters;
-  double misfit_before = 0.0;  ///< RMS of |K*_model - K*|/|K*| over the points, K* = K exp(i delta)
-  double misfit = 0.0;         ///< the same after the fit
+  double misfit_before = 0.0;               ///< RMS of |K*_model - K*|/|K*| over the points, K* = K exp(i delta)
+  double misfit = 0.0;                      ///< the same after the fit
+  std::optional<MasterCurve> master_curve;  ///< of a table with temperatures
 };
 
 /// Least squares of (K*_model - K*)/|K*| over all points, in the logarithms of the parameters, each within a factor of
 /// 10 of what is given; counts, tables, dead bands and reference quantities are kept. The result is a local optimum:
-/// begin with a component of about the right size. Throws std::invalid_argument for fewer points than two, for points
-/// that are no loops, and where the component has no parameter that a table shows.
-TableFit fitToTable(const io::ComponentDescription& description, const std::vector<TablePoint>& points);
+/// begin with a component of about the right size. Rows of several temperatures are first moved onto one curve
+/// (masterCurve()), at the reference of the component where it has one; the component found shifts by its law. With a
+/// `series` the fit begins with its elements in place of those given. Throws std::invalid_argument for fewer points
+/// than two, for points that are no loops, and where the component has no parameter that a table shows.
+TableFit fitToTable(const io::ComponentDescription& description, const std::vector<TablePoint>& points,
+                    std::optional<Series> series = std::nullopt);
 
 }  // namespace rubber_suspension::fit

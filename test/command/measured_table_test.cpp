@@ -144,7 +144,8 @@ TEST(MeasuredTable, OfTemperaturesIsNotFittedToWhatShiftsWithThem) {
   EXPECT_NO_THROW(requireNoShift(plain, with, "lab.csv"));
   EXPECT_NO_THROW(requireNoShift(shifting, without, "lab.csv"));
   EXPECT_THAT([&] { requireNoShift(shifting, with, "lab.csv"); },
-              testing::ThrowsMessage<std::runtime_error>(HasSubstr("lab.csv: temperature: bush shifts")));
+              testing::ThrowsMessage<std::runtime_error>(
+                  HasSubstr("lab.csv: temperature: bush has an element that shifts with it")));
 }
 
 TEST(MeasuredTable, RefusesWithLineAndReason) {

@@ -9,11 +9,13 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
 
 #include "diagnosis/laboratory.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/table/scatter.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -102,6 +104,32 @@ TEST(TableDiagnosis, RefusesWhatItCannotUse) {
       "{shift: arrhenius, reference: 20.0, activation_energy: 5.0e4}}");
   EXPECT_THAT([&] { diagnoseTable(shifting, table); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("bush: shifts with temperature, and lab has no column")));
+}
+
+// Over six decades of reduced frequency, of which the model has three: what it lacks is the temperature alone.
+TEST(TableDiagnosis, NamesTemperatureAloneWhereOneCurveHoldsAllRows) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0.0, 3e-3);
+  fit::MeasuredTable table;
+  table.name = "sweeps";
+  for (const double temperature : {5.0, 15.0, 25.0, 35.0}) {
+    for (const double frequency : {0.1, 0.4, 1.6, 6.4, 25.0, 100.0}) {
+      const double shift = 200e3 / 8.314462618 * (1.0 / (temperature + 273.15) - 1.0 / 293.15);
+      const double order = 0.15;
+      const auto pot = std::polar(std::pow(frequency * std::exp(shift), order), 0.5 * element::kPi * order);
+      const auto k = (2e6 + 1e6 * pot) * std::complex<double>(1.0 + noise(random), noise(random));
+      table.points.push_back({frequency, 1e-5, std::abs(k), std::arg(k), 0.0, temperature});
+    }
+  }
+  const auto maxwell = [](double frequency) {
+    return element::ElementDescription{"maxwell", {{"stiffness", {2.5e5}}, {"break_frequency", {frequency}}}};
+  };
+  const io::ComponentDescription model{
+      "bush", {{"spring", {{"stiffness", {2.4e6}}}}, maxwell(0.1), maxwell(1.0), maxwell(10.0), maxwell(100.0)}};
+  const Diagnosis found = checkedTable(model, table);
+  EXPECT_EQ(found.verdict, Verdict::named);
+  EXPECT_THAT(found.effects, testing::ElementsAre("temperature"));
+  EXPECT_THAT(found.noise_source, HasSubstr("what one curve leaves of the table"));
 }
 
 TEST(TableDiagnosis, ProposesARowThatIsNew) {

@@ -10,6 +10,7 @@ namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr int kSingleIterations = 6;
+constexpr int kToldIterations = 20;  // far from the configured values
 constexpr int kFurtherIterations = 3;
 constexpr int kAloneIterations = 4;
 constexpr int kZeroIterations = 2;
@@ -100,16 +101,25 @@ void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_e
   none.model = re_estimated.fit.parameters.model;
   const bool promising = fitter.gapAt(hypothesis, start) < re_estimated.fit.gap;
   fitFrom(fitter, promising ? start : none, limits, single);
-  const bool far = none.largestChange() > kFar;
-  const bool additive = hypothesis.isAdditive();
-  if (single.fit.gap > reach || (!far && additive)) {
-    return;
-  }
   const auto restart = [&](const fit::ParameterVector& from) {
     FittedHypothesis again{hypothesis, {}};
     fitFrom(fitter, from, limits, again);
     keepBetter(std::move(again), single);
   };
+  fit::ParameterVector told = none;
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    told.scales[static_cast<Eigen::Index>(t)] = hypothesis.terms[t].start;
+  }
+  if (!told.scales.isZero(0.0)) {
+    FittedHypothesis again{hypothesis, {}};
+    fitFrom(fitter, told, {kToldIterations, reach}, again);
+    keepBetter(std::move(again), single);
+  }
+  const bool far = none.largestChange() > kFar;
+  const bool additive = hypothesis.isAdditive();
+  if (single.fit.gap > reach || (!far && additive)) {
+    return;
+  }
   if (far && !additive) {
     restart(configured);
   }

@@ -2,11 +2,13 @@
 #include "diagnosis/table/measured_rows.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/hypotheses/measured_logs.h"
 #include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/shapes.h"
+#include "fit/master_curve.h"
 
 namespace rubber_suspension::diagnosis::table {
 
@@ -25,7 +27,17 @@ MeasuredRows::MeasuredRows(const io::ComponentDescription& component, const std:
       model_(component, fit::Level::specification),
       fitter_(loops_, model_, hypotheses::errorScale().oneOfSheet()) {}
 
-fit::Excitation MeasuredRows::excitation() const { return fit::summarise(*loops_->records()); }
+fit::Excitation MeasuredRows::excitation() const {
+  fit::Excitation excitation = fit::summarise(*loops_->records());
+  if (fit::hasTemperatures(loops_->points())) {
+    try {
+      const fit::MasterCurve curve = fit::masterCurve(loops_->points(), fit::middleTemperature(loops_->points()));
+      excitation.activation_energy = curve.activationEnergy();
+    } catch (const std::invalid_argument&) {  // nothing tells the shifts
+    }
+  }
+  return excitation;
+}
 
 std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& excitation,
                                                      const hypotheses::FittedHypothesis& re_estimated,

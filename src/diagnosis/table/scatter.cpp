@@ -11,6 +11,7 @@
 #include <set>
 #include <tuple>
 
+#include "fit/master_curve.h"
 #include "numerics/least_squares.h"
 
 namespace rubber_suspension::diagnosis::table {
@@ -145,6 +146,11 @@ Scatter scatterOf(const Points& points, std::optional<double> stated) {
   }
   if (const Rest rest = repeats(points); rest.free >= kFewestFree) {
     return {upperEnd(rest), "repeated rows of the table"};
+  }
+  if (const auto left = fit::leftBySuperposition(points); left && left->free >= kFewestFree) {
+    return {std::min(upperEnd({left->squares, left->free}), kMostRough),
+            fmt::format("what one curve leaves of the table, its temperatures shifted, {:g} % at most",
+                        100.0 * kMostRough)};
   }
   if (const Rest rest = smoothness(points); rest.free >= kFewestFree) {
     return {std::min(upperEnd(rest), kMostRough),

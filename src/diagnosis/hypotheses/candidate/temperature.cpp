@@ -1,23 +1,55 @@
 // Candidate effect: rates and stiffness that follow the temperature of the logs.
+#include <algorithm>
 #include <cmath>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "fit/master_curve.h"
+#include "rubber_suspension/element/arrhenius_shift.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-constexpr double kLeastRange = 1.5;  // [K]; the tolerance of a thermocouple of class 1 (IEC 60584-1) is as much
+// Decades of time between the coldest and the warmest by an activation energy of 1 J/mol.
+double decadesPerEnergy(const fit::Excitation& excitation) {
+  const auto inverse = [](double temperature) { return 1.0 / (temperature + element::kZeroCelsius); };
+  return (inverse(excitation.lowest_temperature) - inverse(excitation.highest_temperature)) /
+         (std::log(10.0) * element::ArrheniusShift::kGasConstant);
+}
+
+// Of either sign: what the component's own shift has too much.
+double largestEnergy(const fit::Excitation& excitation) {
+  constexpr double kMost = 5e5;          // [J/mol]; the steepest, at the glass transition
+  constexpr double kMostDecades = 16.0;  // between the ends; the law holds to 20 to the slow side
+  return std::min(kMost, kMostDecades / decadesPerEnergy(excitation));
+}
 
 // Rates by one activation energy: over some tens of kelvin what any law of temperature is.
-fit::BasisTerm rates(double reference) {
+fit::BasisTerm rates(const fit::Excitation& excitation, double reference) {
   constexpr double kTypical = 3e4;  // [J/mol]; natural rubber at 20 degC has 7e4, far above T_g all have some 1e4
-  constexpr double kMost = 2e5;     // 16 decades from 40 down to -60 degC; the law holds to 20
   fit::BasisTerm term =
       fit::additiveTerm("arrhenius_shift", "activation_energy", kTypical, {{"reference", {reference}}});
   term.additive = false;
-  term.lower = -kMost;  // what the component's own shift has too much
-  term.upper = kMost;
+  term.upper = largestEnergy(excitation);
+  term.lower = -term.upper;
+  term.start = std::min(excitation.activation_energy, term.upper);
   return term;
+}
+
+// Relaxation that only the shift brings to the frequencies of the logs: unshifted, it is a spring or nothing there, to
+// a percent of the largest stiffness that it may have.
+void addRelaxationBeyond(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
+  const auto add = [&](double frequency) {
+    terms.push_back(
+        fit::additiveTerm("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));
+    terms.back().upper = excitation.stiffness;
+    terms.back().additive = false;  // it shifts
+    terms.back().start = terms.back().typical;
+  };
+  const double reach = 0.5 * excitation.activation_energy * decadesPerEnergy(excitation);  // from the middle
+  for (double decades = 2.0; decades <= std::ceil(reach); decades += 1.0) {
+    add(std::pow(10.0, -decades) / excitation.longest_duration);
+    add(std::pow(10.0, decades) * excitation.highest_frequency);
+  }
 }
 
 // Stiffness that rises as entropy has it, or falls as fillers do.
@@ -46,9 +78,10 @@ fit::Candidate temperature(const fit::Excitation& excitation) {
                            false,
                            {}};
   const double range = excitation.highest_temperature - excitation.lowest_temperature;
-  if (excitation.has_temperature && range >= kLeastRange) {
+  if (excitation.has_temperature && range >= fit::kLeastTemperatureRange) {
     const double reference = std::round(0.5 * (excitation.lowest_temperature + excitation.highest_temperature));
-    candidate.terms = {rates(reference), stiffness(reference, range), transition(reference, 0.5 * range)};
+    candidate.terms = {rates(excitation, reference), stiffness(reference, range), transition(reference, 0.5 * range)};
+    addRelaxationBeyond(excitation, candidate.terms);
   }
   return candidate;
 }

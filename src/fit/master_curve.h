@@ -1,0 +1,81 @@
+// One curve over frequency from the rows of a table at several temperatures, by time-temperature superposition.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/fit/measured_table.h"
+
+namespace rubber_suspension::fit {
+
+/// The tolerance of a thermocouple of class 1 (IEC 60584-1) [K]: what differs by less is one temperature.
+constexpr double kLeastTemperatureRange = 1.5;
+
+/// Whether the rows have temperatures that differ by more than that.
+bool hasTemperatures(const std::vector<TablePoint>& points);
+
+/// How far the rows of about one temperature are moved along the axis of frequency, by themselves.
+struct FoundShift {
+  double temperature = 0.0;  ///< mean of the rows [degC]
+  double decades = 0.0;      ///< log10 a_T: their frequencies times a_T are those at the reference
+  double deviation = 0.0;    ///< standard deviation of `decades`; 0 of the temperature that the others are told from
+};
+
+/// A constant of the law of the shifts.
+struct ShiftConstant {
+  std::string name;  ///< as a key of the law
+  double value = 0.0;
+  double deviation = 0.0;  ///< standard deviation of its logarithm
+};
+
+struct MasterCurve {
+  element::ElementDescription law;  ///< a wlf_shift or arrhenius_shift
+  std::vector<ShiftConstant> constants;
+  std::vector<FoundShift> shifts;  ///< from cold to warm
+  double misfit = 0.0;             ///< RMS of |K* - K*_series|/|K*| over the rows, shifted by the law
+  double misfit_of_shifts = 0.0;   ///< the same, each temperature shifted by itself
+
+  /// log10 a_T of the law at a temperature [degC].
+  double decadesAt(double temperature) const;
+
+  /// By which Arrhenius shifts the coldest and the warmest rows as far apart [J/mol].
+  double activationEnergy() const;
+};
+
+/// Shifts rows such that springs and Maxwell elements, two a decade and none of negative stiffness, leave least of K*:
+/// of each temperature by itself, by Arrhenius, and by Williams, Landel and Ferry. The law is that of the lowest
+/// Bayesian information criterion, and of Arrhenius where a constant of the other is at its limit. Rows of other
+/// amplitudes or mean displacements have a series of their own and the same shifts; b_T is 1. Deviations follow from
+/// the misfit, with the correlation of neighbouring rows. Throws std::invalid_argument where neighbouring temperatures
+/// have no frequencies that overlap when shifted, since nothing tells their distance then.
+/// Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
+MasterCurve masterCurve(const std::vector<TablePoint>& points, double reference /* T_0 [degC] */);
+
+/// What superposition leaves of rows.
+struct SuperpositionRest {
+  double squares = 0.0;  ///< sum of |K* - K*_series|^2/|K*|^2
+  int free = 0;          ///< complex numbers of the rows, less those that shifts and series take
+};
+
+/// With a_T and b_T free at each temperature: what the rows differ by from any one curve. Nothing where the table has
+/// no temperatures or nothing tells the shifts.
+std::optional<SuperpositionRest> leftBySuperposition(const std::vector<TablePoint>& points);
+
+/// A temperature to refer to: the whole number nearest to the middle of the table.
+double middleTemperature(const std::vector<TablePoint>& points);
+
+/// The rows as they would be at the reference of the law: frequency times a_T, K* over b_T.
+std::vector<TablePoint> reducedBy(const element::ElementDescription& law, std::vector<TablePoint> points);
+
+/// What a series takes to fit rows of one temperature.
+enum class Series {
+  prony,      ///< a spring and a Maxwell element for each decade, where its stiffness is not 0
+  springpot,  ///< a spring and a springpot
+};
+
+/// The elements that leave least of K*, to begin a fit with.
+std::vector<element::ElementDescription> seriesOf(Series series, const std::vector<TablePoint>& points);
+
+}  // namespace rubber_suspension::fit

@@ -1,0 +1,155 @@
+// Rows of several temperatures as one curve.
+#include "fit/master_curve.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "fit/table_fit.h"
+#include "rubber_suspension/element/arrhenius_shift.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::fit {
+namespace {
+
+using element::ElementDescription;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr double kReference = 20.0;  // [degC]
+
+// K* of a spring of 1 MN/m and a springpot of 1 MN/m at 1 Hz, written out.
+std::complex<double> stiffnessAt(double frequency) {
+  const double order = 0.2;
+  return 1e6 + 1e6 * std::polar(std::pow(frequency, order), 0.5 * element::kPi * order);
+}
+
+// Ten frequencies over three decades, at temperatures that shift by what `decades` says; noise of each part.
+std::vector<TablePoint> tableOf(const std::vector<double>& temperatures, double (*decades)(double), double noise = 0.0,
+                                unsigned seed = 1) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal(0.0, noise);
+  std::vector<TablePoint> points;
+  for (const double temperature : temperatures) {
+    for (int i = 0; i < 10; ++i) {
+      const double frequency = std::pow(10.0, i / 3.0 - 1.0);
+      std::complex<double> k = stiffnessAt(frequency * std::pow(10.0, decades(temperature)));
+      if (noise > 0.0) {
+        k *= std::complex<double>(1.0 + normal(random), normal(random));
+      }
+      points.push_back({frequency, 1e-5, std::abs(k), std::arg(k), 0.0, temperature});
+    }
+  }
+  return points;
+}
+
+double byWlf(double temperature) { return -8.0 * (temperature - kReference) / (100.0 + temperature - kReference); }
+
+double byArrhenius(double temperature) {  // 150 kJ/mol
+  return 150e3 / (8.314462618 * std::log(10.0)) * (1.0 / (temperature + 273.15) - 1.0 / (kReference + 273.15));
+}
+
+TEST(MasterCurve, FindsTheShiftsThatMadeTheTable) {
+  const MasterCurve curve = masterCurve(tableOf({-10.0, 5.0, 20.0, 35.0, 50.0, 65.0}, byWlf), kReference);
+  EXPECT_EQ(curve.law.type, "wlf_shift");
+  ASSERT_EQ(curve.shifts.size(), 6U);
+  for (const FoundShift& shift : curve.shifts) {
+    // Two elements a decade leave some 2e-4 of K*, which moves by 2 % with a decade.
+    EXPECT_NEAR(shift.decades, byWlf(shift.temperature), 0.02) << shift.temperature;
+    EXPECT_NEAR(curve.decadesAt(shift.temperature), byWlf(shift.temperature), 0.02) << shift.temperature;
+  }
+  EXPECT_NEAR(curve.law.value("c1"), 8.0, 0.2);
+  EXPECT_NEAR(curve.law.value("c2"), 100.0, 2.5);
+  EXPECT_LT(curve.misfit, 1e-3);
+}
+
+TEST(MasterCurve, TakesArrheniusWhereThatMadeTheTable) {
+  const MasterCurve curve = masterCurve(tableOf({0.0, 10.0, 20.0, 30.0, 40.0}, byArrhenius, 2e-3), kReference);
+  ASSERT_EQ(curve.law.type, "arrhenius_shift");
+  EXPECT_NEAR(curve.activationEnergy(), 150e3, 4.0 * curve.constants.front().deviation * 150e3);
+  EXPECT_LT(curve.constants.front().deviation, 0.03);
+}
+
+// Of 20 tables with 5 shifts each, 95 of the 100 intervals of 95 % hold the truth on average, and 89 or more with a
+// probability of 99 %; the shifts of one table depend on each other, so that a few less may.
+TEST(MasterCurve, IntervalsHoldTheTruth) {
+  int held = 0;
+  int all = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const auto points = tableOf({-10.0, 0.0, 10.0, 20.0, 30.0, 40.0}, byArrhenius, 3e-3, seed);
+    for (const FoundShift& shift : masterCurve(points, kReference).shifts) {
+      if (shift.deviation > 0.0) {
+        // By itself, from the temperature in the middle, which is the reference here.
+        held += std::abs(shift.decades - byArrhenius(shift.temperature)) <= 1.96 * shift.deviation ? 1 : 0;
+        ++all;
+      }
+    }
+  }
+  EXPECT_EQ(all, 100);
+  EXPECT_GE(held, 85);
+}
+
+TEST(MasterCurve, RefusesTemperaturesThatDoNotMeet) {
+  std::vector<TablePoint> points = tableOf({0.0, 40.0}, byArrhenius);
+  for (TablePoint& point : points) {
+    point.frequency = 1.0;
+  }
+  EXPECT_THAT([&] { masterCurve(points, kReference); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("neighbouring temperatures do not overlap")));
+  points.front().temperature.reset();
+  EXPECT_THAT([&] { masterCurve(points, kReference); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("a row without a temperature")));
+  EXPECT_FALSE(leftBySuperposition(points).has_value());
+}
+
+// A law that no Arrhenius describes, and a stiffness that falls besides: one curve all the same.
+TEST(MasterCurve, LeavesTheNoiseOfAnyThermorheologicallySimpleTable) {
+  constexpr double kNoise = 5e-3;
+  std::vector<TablePoint> points = tableOf({-10.0, 5.0, 20.0, 35.0, 50.0}, byWlf, kNoise);
+  for (TablePoint& point : points) {
+    point.stiffness *= 1.0 - 3e-3 * (*point.temperature - kReference);
+  }
+  const auto left = leftBySuperposition(points);
+  ASSERT_TRUE(left.has_value());
+  // Both parts have the noise; 50 complex numbers tell their level within 30 %.
+  EXPECT_NEAR(std::sqrt(left->squares / left->free), std::sqrt(2.0) * kNoise, 0.3 * std::sqrt(2.0) * kNoise);
+}
+
+TEST(MasterCurve, BecomesAPronySeriesOrASpringpot) {
+  const std::vector<TablePoint> points = tableOf({0.0, 10.0, 20.0, 30.0, 40.0}, byArrhenius);
+  const io::ComponentDescription given{"bush", {{"spring", {{"stiffness", {1e6}}}}}};
+  const TableFit pot = fitToTable(given, points, Series::springpot);
+  ASSERT_TRUE(pot.master_curve.has_value());
+  ASSERT_EQ(pot.component.elements().size(), 2U);
+  EXPECT_NEAR(pot.component.elements()[1].value("order"), 0.2, 2e-3);
+  EXPECT_NEAR(pot.component.elements()[0].value("stiffness"), 1e6, 2e4);
+  const TableFit prony = fitToTable(given, points, Series::prony);
+  EXPECT_LT(prony.misfit, 1e-2);  // one element a decade: a springpot between them is up to 1 % off
+  for (const TableFit& fit : {pot, prony}) {
+    ASSERT_TRUE(fit.component.temperature.has_value());
+    // K* of the component found, at a temperature of the table by its own shift.
+    const auto shifted = reducedBy(*fit.component.temperature, {points.front()});
+    const auto k = fit.component.makeComponent().complexStiffness(shifted.front().frequency);
+    ASSERT_TRUE(k.has_value());
+    EXPECT_LT(std::abs(*k / points.front().complexStiffness() - 1.0), 1e-2);
+  }
+}
+
+// Rows of another amplitude have a curve of their own: friction lowers it, and the shifts stay.
+TEST(MasterCurve, KeepsAmplitudesApart) {
+  std::vector<TablePoint> points = tableOf({0.0, 10.0, 20.0, 30.0}, byArrhenius);
+  std::vector<TablePoint> larger = points;
+  for (TablePoint& point : larger) {
+    point.amplitude *= 10.0;
+    point.stiffness *= 0.7;
+  }
+  points.insert(points.end(), larger.begin(), larger.end());
+  const MasterCurve curve = masterCurve(points, kReference);
+  EXPECT_NEAR(curve.activationEnergy(), 150e3, 1.5e3);
+  EXPECT_LT(curve.misfit, 1e-3);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::fit
