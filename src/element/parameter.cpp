@@ -50,7 +50,7 @@ const ParameterInfo* findParameter(const std::vector<ParameterInfo>& table, std:
 }
 
 bool isFree(const ParameterInfo& parameter, const std::vector<double>& values) {
-  if (parameter.is_list || values.size() != 1 || (parameter.role != Role::scale && parameter.role != Role::shape)) {
+  if (values.size() != 1 || (parameter.role != Role::scale && parameter.role != Role::shape)) {
     return false;
   }
   const double value = values.front();

@@ -61,11 +61,19 @@ std::vector<int> containedBy(const std::vector<Candidate>& candidates, int large
   return contained;
 }
 
-// Those that the hypothesis does not have yet.
-void addTerms(const std::vector<Candidate>& candidates, int candidate, Hypothesis& hypothesis) {
-  const std::vector<BasisTerm>& terms = candidates[static_cast<std::size_t>(candidate)].terms;
+bool isAmong(const std::vector<int>& list, int one) { return std::find(list.begin(), list.end(), one) != list.end(); }
+
+// Those that the hypothesis does not have yet, along the curve where that is asked for.
+void addTerms(const std::vector<Candidate>& candidates, int candidate, const std::vector<int>& curved,
+              Hypothesis& hypothesis) {
+  const Candidate& of = candidates[static_cast<std::size_t>(candidate)];
+  const bool along = isAmong(curved, candidate) && !of.curved.empty();
+  if (along && !isAmong(hypothesis.curved, candidate)) {
+    hypothesis.curved.push_back(candidate);
+  }
+  const std::vector<BasisTerm>& terms = along ? of.curved : of.terms;
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const TermPlace place{candidate, t};
+    const TermPlace place{candidate, (along ? of.terms.size() : 0) + t};
     if (std::find(hypothesis.places.begin(), hypothesis.places.end(), place) == hypothesis.places.end()) {
       hypothesis.terms.push_back(terms[t]);
       hypothesis.places.push_back(place);
@@ -78,9 +86,8 @@ std::optional<int> heldBy(const std::vector<Candidate>& candidates, int larger, 
                           const std::vector<int>& by_others) {
   const std::vector<int> contained = containedBy(candidates, larger);
   const auto order = [&](int one) { return std::find(preferred.begin(), preferred.end(), one); };
-  const auto is_taken = [&](int one) { return std::find(by_others.begin(), by_others.end(), one) != by_others.end(); };
   const auto best = std::min_element(contained.begin(), contained.end(), [&](int a, int b) {
-    return std::pair(is_taken(a), order(a)) < std::pair(is_taken(b), order(b));
+    return std::pair(isAmong(by_others, a), order(a)) < std::pair(isAmong(by_others, b), order(b));
   });
   return best == contained.end() ? std::nullopt : std::optional(*best);
 }
@@ -110,15 +117,15 @@ bool Hypothesis::isAdditive() const {
 }
 
 Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members,
-                          const std::vector<int>& preferred) {
+                          const std::vector<int>& preferred, const std::vector<int>& curved) {
   Hypothesis hypothesis;
   hypothesis.members = members;
   for (const int member : members) {
     const Candidate& candidate = candidates[static_cast<std::size_t>(member)];
     const std::size_t before = hypothesis.terms.size();
-    addTerms(candidates, member, hypothesis);
+    addTerms(candidates, member, curved, hypothesis);
     if (const auto held = heldBy(candidates, member, preferred, hypothesis.held)) {
-      addTerms(candidates, *held, hypothesis);
+      addTerms(candidates, *held, curved, hypothesis);
       hypothesis.held.push_back(*held);
     }
     hypothesis.counts.push_back(hypothesis.terms.size() - before);
@@ -150,7 +157,7 @@ bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& lar
 
 std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypothesis& hypothesis,
                           const Eigen::VectorXd& scales) {
-  std::size_t numbers = 0;
+  std::size_t numbers = hypothesis.curved.size();
   std::size_t first = 0;
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
     const Candidate& candidate = candidates[static_cast<std::size_t>(hypothesis.members[m])];

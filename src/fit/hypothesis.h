@@ -38,6 +38,12 @@ struct BasisTerm {
   ForceColumn unit_effect;
 };
 
+/// A stiffness that grows with the displacement.
+struct Curve {
+  double growth = 0.0;  ///< logarithm of that at the largest displacement over that at 0
+  double side = 0.0;    ///< 1: in tension only, -1: in compression only, 0: in both
+};
+
 /// An unmodelled effect by its name in reports. Its basis terms span the shapes that the effect's law can take: their
 /// scales are bounded such that only physical laws can be composed (dissipating friction, stiffening stops, ...).
 struct Candidate {
@@ -57,6 +63,9 @@ struct Candidate {
   std::function<std::vector<BasisTerm>(double)> terms_at = nullptr;
   double least_shape = 0.0;
   double largest_shape = 0.0;
+  /// The terms of a law that follows a curve, in place of its own and with one number more; null: it follows none.
+  std::function<std::vector<BasisTerm>(const Curve&)> along = nullptr;
+  std::vector<BasisTerm> curved = {};  ///< those of the curve that was found; empty: none is worth its number
   /// Further laws of few numbers, at the places where a fit of all their numbers may start: after the verdict one of
   /// these, or a few of the terms, stands for the effect.
   std::vector<BasisTerm> laws = {};
@@ -74,7 +83,7 @@ struct Candidate {
 BasisTerm additiveTerm(const std::string& type, const std::string& scaled, double typical,
                        const element::ParameterValues& others = {});
 
-/// A basis term by its candidate, and by its place among the terms of that.
+/// A basis term by its candidate, and by its place among the terms of that; those along a curve come after them.
 struct TermPlace {
   int candidate = 0;
   std::size_t term = 0;
@@ -92,6 +101,7 @@ struct Hypothesis {
   /// Terms of each member: its own, then those of what it contains, without those of an earlier member.
   std::vector<std::size_t> counts;
   std::vector<int> held;         ///< contained candidates whose terms it has
+  std::vector<int> curved;       ///< of these and of the members those whose terms follow the curve
   FreeInLog free_in_log;         ///< is free as well
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
 
@@ -108,9 +118,10 @@ struct Hypothesis {
 };
 
 /// The hypothesis that these candidates are at work. A member that contains several laws is beyond one of them at a
-/// time, the first of `preferred`: beyond all of them it would be beyond a set, and no simpler than that.
+/// time, the first of `preferred`: beyond all of them it would be beyond a set, and no simpler than that. Those of
+/// `curved` follow the curve.
 Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members,
-                          const std::vector<int>& preferred = {});
+                          const std::vector<int>& preferred = {}, const std::vector<int>& curved = {});
 
 /// Whether a candidate contains another one.
 bool contains(const Candidate& larger, const Candidate& smaller);
@@ -120,7 +131,7 @@ bool contains(const Candidate& larger, const Candidate& smaller);
 bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& larger, const std::vector<int>& smaller);
 
 /// The numbers at these scales that are not at their limits and that the members have beyond the laws that they
-/// contain: at least one for each member that contains any.
+/// contain: at least one for each member that contains any; and one for each that follows a curve.
 std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypothesis& hypothesis,
                           const Eigen::VectorXd& scales);
 

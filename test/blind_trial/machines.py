@@ -33,6 +33,9 @@ FIT = {
     # Force falls under a constant displacement; a film that is pulled one way has no friction to speak of.
     "film": Machine("adhesive_film/shear_relaxation_*.csv", ("relaxation", "creep"),
                     ("progressive_stiffness", "asymmetric_stiffness")),
+    # Force falls by 15 to 67 % under a constant displacement, and rises steeply at the largest strain.
+    "film_cyclic": Machine("film_cyclic/*.csv", ("relaxation", "creep"),
+                           ("progressive_stiffness", "asymmetric_stiffness", "bump_stop")),
     # Pressure times area, and the friction of the seal.
     "seal": Machine("rod_seal/*.csv", ("friction", "force_offset"), ("viscous_damping",)),
     # The fluid yields, the gas accumulator adds a constant force.

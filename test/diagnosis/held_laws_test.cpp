@@ -66,7 +66,8 @@ fit::Excitation excitation() {
 TEST(HeldDisplacement, KeepsTheForceOfAnyLawThatIsWritten) {
   const log::Record record = held();
   for (const fit::Candidate& candidate : diagnosis::hypotheses::candidate::candidates(excitation())) {
-    for (const auto* laws : {&candidate.terms, &candidate.laws}) {
+    const auto curved = candidate.along ? candidate.along({2.0, 0.0}) : std::vector<fit::BasisTerm>();
+    for (const auto* laws : {&candidate.terms, &candidate.laws, &curved}) {
       for (const fit::BasisTerm& law : *laws) {
         const std::vector<element::ElementDescription> elements = {{"spring", {{"stiffness", {kSpringBeside}}}},
                                                                    law.at(law.typical)};

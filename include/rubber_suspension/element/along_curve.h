@@ -12,9 +12,14 @@ namespace rubber_suspension::element {
 /// and constant beyond. With k in proportion to the slope of the static curve, small oscillations have a loss angle
 /// that does not depend on the preload, as those of rubber. With U the integral of k over z and w = U(z) - F, the
 /// energy is the integral of U - w from the point where U = w; it never grows by more than the work done where k > 0.
-/// Exact for a displacement that is linear between samples: a step is split at the points. Memory: displacement before,
-/// force. Validity: one relaxation time at all preloads. Source: branch of a nonlinear elastic function, A. Ledesma et
-/// al., UM-MEAM-95-05 (1995), in structure.
+/// Exact for a displacement that is linear between samples: a step is split at the points. Memory: force. Validity: one
+/// relaxation time at all preloads. Source: branch of a nonlinear elastic function, A. Ledesma et al., UM-MEAM-95-05
+/// (1995), in structure.
+///
+/// With `growth` b the curve has two numbers in place of points: k(z) = k_r exp(b ((z/z_r)^2 - 1)) up to the one
+/// displacement z_r, constant beyond; on the other `side` it is that at 0. So the elastic force grows exponentially
+/// with strain, and relaxes alike from any. Source: quasi-linear viscoelasticity, Y. C. Fung, Biomechanics (Springer
+/// 1981), ch. 7.
 class MaxwellAlongCurve final : public ParallelElement {
  public:
   MaxwellAlongCurve(PositionTable stiffness /* k(z) [N/m] */, double break_frequency /* f_b [Hz] */);

@@ -59,8 +59,8 @@ const ParameterInfo* findParameter(const std::vector<ParameterInfo>& table, std:
 
 /// Whether a fit moves a parameter of these values: `estimate --from-log` and `diagnose` alike ask here. It moves
 /// scales and shapes. It keeps a value at an end of its range, which says that the law has no such part (a coefficient
-/// of 0, play that loses all of the motion, a stop that is linear), and a list, which is a curve that was measured
-/// point by point.
+/// of 0, play that loses all of the motion, a stop that is linear), and a list of several numbers, which is a curve
+/// that was measured point by point.
 bool isFree(const ParameterInfo& parameter, const std::vector<double>& values);
 
 /// Values by parameter name; a scalar is a list of one.

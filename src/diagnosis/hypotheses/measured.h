@@ -7,6 +7,7 @@
 #include "fit/excitation.h"
 #include "fit/hypothesis.h"
 #include "fit/hypothesis_fitter.h"
+#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
@@ -20,6 +21,9 @@ class Measured {
 
   /// Fits with the numbers of the specification free.
   virtual const fit::HypothesisFitter& fitter() const = 0;
+
+  /// What the unit effects of terms are found on (fit::findUnitEffects()).
+  virtual const std::vector<log::Record>& records() const = 0;
 
   virtual fit::Excitation excitation() const = 0;
 

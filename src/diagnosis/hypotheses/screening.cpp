@@ -29,7 +29,7 @@ Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit:
     : candidates_(candidates),
       model_size_(fitter.model().size()),
       threads_(threads),
-      all_(fit::makeHypothesis(candidates, allOf(candidates))) {
+      all_(fit::makeHypothesis(candidates, allOf(candidates), {}, about.hypothesis.curved)) {
   about_ = fitter.configured(all_);
   about_.model = about.fit.parameters.model;
   Eigen::Index fitted = 0;
@@ -71,7 +71,7 @@ void Screening::preferLawsAtWork(const fit::Hypothesis& about) {
 }
 
 fit::Hypothesis Screening::hypothesisOf(const std::vector<int>& members) const {
-  return fit::makeHypothesis(candidates_, members, preferred_);
+  return fit::makeHypothesis(candidates_, members, preferred_, all_.curved);
 }
 
 std::vector<Eigen::Index> Screening::columnsOf(const fit::Hypothesis& hypothesis) const {

@@ -18,7 +18,8 @@ struct Screened {
 /// if it were linear: one set for each choice of what is free in a log. Fitter and candidates have to outlive it.
 class Screening {
  public:
-  /// About a fitted hypothesis: its model parameters and scales, all other candidates at nothing.
+  /// About a fitted hypothesis: its model parameters and scales, all other candidates at nothing. Along a curve are
+  /// those that are in it.
   Screening(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
             const FittedHypothesis& about, int threads);
 

@@ -13,6 +13,7 @@
 #include "diagnosis/hypotheses/measured.h"
 #include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/screening.h"
+#include "diagnosis/hypotheses/shapes.h"
 #include "diagnosis/hypotheses/starts.h"
 #include "fit/parallel.h"
 
@@ -62,6 +63,7 @@ class Searcher {
     const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
     say("fitting single effects", 0.3);
     fitSingles(screening);
+    tryCurve(result_.singles);
     look(screening);
     say("fitting pairs", 0.5);
     if (fitSets(plan(screening, 2), result_.pairs)) {
@@ -161,7 +163,9 @@ class Searcher {
       if (held != nullptr && kAsGood * held->fit.gap < list[i].fit.gap) {
         std::vector<int> preferred = held->hypothesis.members;
         preferred.insert(preferred.end(), held->hypothesis.held.begin(), held->hypothesis.held.end());
-        again[i] = {fit::makeHypothesis(result_.candidates, list[i].hypothesis.members, preferred), {}};
+        again[i] = {
+            fit::makeHypothesis(result_.candidates, list[i].hypothesis.members, preferred, held->hypothesis.curved),
+            {}};
         fitBeyond(fitter_, *held, *again[i]);
       }
     });
@@ -175,6 +179,88 @@ class Searcher {
     if (better) {  // what holds these may do better, too
       settle(list);
     }
+  }
+
+  // Laws of members along a curve, in place of those of a list that are less likely.
+  void tryCurve(std::vector<FittedHypothesis>& list) {
+    floor_ = result_.noise;
+    std::vector<std::pair<FittedHypothesis*, int>> straight;
+    for (FittedHypothesis& fitted : list) {
+      for (const int member : fitted.hypothesis.members) {
+        if (mayFollowCurve(fitted, member)) {
+          straight.emplace_back(&fitted, member);
+        }
+      }
+    }
+    std::stable_sort(straight.begin(), straight.end(),
+                     [&](const auto& x, const auto& y) { return oddsOf(*x.first) > oddsOf(*y.first); });
+    if (straight.empty() || !findCurve(*straight.front().first, straight.front().second)) {
+      return;
+    }
+    std::vector<FittedHypothesis> curved(straight.size());
+    const double reach = kHopeless * bestOfAll()->fit.gap;
+    fit::parallelFor(curved.size(), threads_, [&](std::size_t i) {
+      const auto& [fitted, member] = straight[i];
+      curved[i].hypothesis = alongCurve(fitted->hypothesis, member);
+      fitCurved(fitter_, *fitted, reach, curved[i]);
+    });
+    bool better = false;
+    for (std::size_t i = 0; i < curved.size(); ++i) {
+      FittedHypothesis& as_is = *straight[i].first;
+      if (oddsOf(curved[i]) > oddsOf(as_is)) {
+        as_is = std::move(curved[i]);
+        better = true;
+      }
+    }
+    if (better) {
+      settle(list);
+      measured_.estimateNoise(*bestOfAll(), result_);
+    }
+  }
+
+  // Whether the law of a member could gain as much by a curve as that costs.
+  bool mayFollowCurve(const FittedHypothesis& fitted, int member) const {
+    const std::vector<int>& curved = fitted.hypothesis.curved;
+    const fit::Candidate& candidate = result_.candidates[static_cast<std::size_t>(member)];
+    return candidate.along && candidate.applies() && std::find(curved.begin(), curved.end(), member) == curved.end() &&
+           fitted.hypothesis.competes() && fitted.fit.gap <= kHopeless * bestOfAll()->fit.gap &&
+           oddsWithCurve(fitted, floor_) > oddsOf(fitted);
+  }
+
+  // Of the same members with one number more that leave this.
+  double oddsWithCurve(const FittedHypothesis& fitted, double left) const {
+    fit::Hypothesis with = fitted.hypothesis;
+    with.curved.push_back(0);
+    return odds().of(with, fitted.fit.parameters.scales, left);
+  }
+
+  fit::Hypothesis alongCurve(const fit::Hypothesis& hypothesis, int member) const {
+    std::vector<int> curved = hypothesis.curved;
+    curved.push_back(member);
+    return fit::makeHypothesis(result_.candidates, hypothesis.members, hypothesis.held, curved);
+  }
+
+  // One curve for all laws that may follow one, where it is worth its number in this hypothesis; false: it is not.
+  bool findCurve(const FittedHypothesis& about, int member) {
+    if (has_curve_) {
+      return true;
+    }
+    const CurveLook best = bestCurve(fitter_, about, result_.candidates[static_cast<std::size_t>(member)], member,
+                                     measured_.records(), threads_);
+    has_curve_ =
+        oddsWithCurve(about, best.left) > odds().of(about.hypothesis, about.fit.parameters.scales, best.left_straight);
+    std::vector<fit::Candidate> curved;
+    for (const fit::Candidate& candidate : result_.candidates) {
+      curved.emplace_back();
+      if (has_curve_ && candidate.along) {
+        curved.back().terms = candidate.along(best.curve);
+      }
+    }
+    fit::findUnitEffects(curved, measured_.records(), threads_);
+    for (std::size_t c = 0; c < curved.size(); ++c) {
+      result_.candidates[c].curved = std::move(curved[c].terms);
+    }
+    return has_curve_;
   }
 
   // Of the sets that this one holds the fit that leaves least of the logs; null: it holds none.
@@ -284,6 +370,7 @@ class Searcher {
     }
     if (fitted > 0) {
       measured_.estimateNoise(*bestOfAll(), result_);
+      tryCurve(list);
     }
     return fitted > 0;
   }
@@ -333,7 +420,7 @@ class Searcher {
       const bool fitted = std::any_of(result_.pairs.begin(), result_.pairs.end(),
                                       [&](const FittedHypothesis& pair) { return pair.hypothesis.members == part; });
       if (!fitted) {
-        const fit::Hypothesis hypothesis = fit::makeHypothesis(result_.candidates, part, triple.held);
+        const fit::Hypothesis hypothesis = fit::makeHypothesis(result_.candidates, part, triple.held, triple.curved);
         parts.push_back({hypothesis, std::numeric_limits<double>::infinity(), 0.0, fitter_.configured(hypothesis)});
       }
     }
@@ -362,7 +449,8 @@ class Searcher {
   const std::vector<std::string>& excluded_;
   int threads_;
   const ProgressCallback& progress_;
-  double floor_ = 0.0;  // what odds suppose that no set leaves less than
+  double floor_ = 0.0;      // what odds suppose that no set leaves less than
+  bool has_curve_ = false;  // candidates have terms along it
   Search result_;
 };
 

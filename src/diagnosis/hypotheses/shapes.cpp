@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 #include <utility>
 
 #include "diagnosis/hypotheses/screening.h"
@@ -41,6 +43,55 @@ void lookAt(const std::vector<std::pair<Shape*, double>>& looks, const fit::Hypo
       shape.best = looks[i].second;
     }
   }
+}
+
+// The first, the last and one between.
+std::vector<fit::BasisTerm> threeOf(const std::vector<fit::BasisTerm>& terms) {
+  std::vector<fit::BasisTerm> three;
+  for (const std::size_t place : std::set<std::size_t>{0, terms.size() / 2, terms.size() - 1}) {
+    three.push_back(terms[place]);
+  }
+  return three;
+}
+
+// A fitted hypothesis without the terms of a member's own law.
+FittedHypothesis without(const FittedHypothesis& fitted, int member) {
+  FittedHypothesis rest{fitted.hypothesis, fitted.fit};
+  rest.hypothesis.terms.clear();
+  std::vector<Eigen::Index> kept;
+  for (std::size_t t = 0; t < fitted.hypothesis.terms.size(); ++t) {
+    if (fitted.hypothesis.places[t].candidate != member) {
+      rest.hypothesis.terms.push_back(fitted.hypothesis.terms[t]);
+      kept.push_back(static_cast<Eigen::Index>(t));
+    }
+  }
+  rest.fit.parameters.scales = fitted.fit.parameters.scales(kept).eval();
+  return rest;
+}
+
+// What is left with each of some laws beside a hypothesis.
+std::vector<double> leftByLaws(const fit::HypothesisFitter& fitter, FittedHypothesis rest,
+                               const std::vector<fit::Candidate>& laws, int threads) {
+  auto& [all, fit] = rest;
+  const Eigen::Index shared = fitter.model().size() + fit.parameters.scales.size();
+  for (const fit::Candidate& law : laws) {
+    all.terms.insert(all.terms.end(), law.terms.begin(), law.terms.end());
+  }
+  fit.parameters.scales.conservativeResizeLike(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(all.terms.size())));
+  const fit::BlockGrams blocks = fitter.linearise(all, fit.parameters, {}, threads);
+  const numerics::Limits bounds = fitter.stepBounds(all, fit.parameters, blocks.unknowns());
+  std::vector<double> left;
+  Eigen::Index next = shared;
+  for (const fit::Candidate& law : laws) {
+    std::vector<Eigen::Index> columns(static_cast<std::size_t>(shared) + law.terms.size());
+    std::iota(columns.begin(), columns.begin() + shared, 0);
+    std::iota(columns.begin() + shared, columns.end(), next);
+    next += static_cast<Eigen::Index>(law.terms.size());
+    const Eigen::MatrixXd gram = fit::ofUnknowns(blocks.sum, columns);
+    const Eigen::VectorXd step = fit::solve(gram, {bounds.lower(columns), bounds.upper(columns)});
+    left.push_back(std::sqrt(std::max(0.0, fit::squaresLeft(gram, step))));
+  }
+  return left;
 }
 
 }  // namespace
@@ -84,6 +135,38 @@ void settleShapes(const fit::HypothesisFitter& fitter, const FittedHypothesis& r
   for (Shape& shape : shapes) {
     shape.candidate->terms = shape.candidate->terms_at(shape.best);
   }
+}
+
+CurveLook bestCurve(const fit::HypothesisFitter& fitter, const FittedHypothesis& about, const fit::Candidate& candidate,
+                    int member, const std::vector<log::Record>& records, int threads) {
+  const auto leftAlong = [&](const std::vector<fit::Curve>& curves) {
+    std::vector<fit::Candidate> laws(1 + curves.size());
+    laws.front().terms = threeOf(candidate.terms);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      laws[1 + i].terms = threeOf(candidate.along(curves[i]));
+    }
+    fit::findUnitEffects(laws, records, threads);
+    return leftByLaws(fitter, without(about, member), laws, threads);
+  };
+  std::vector<fit::Curve> curves = {{1.0, 0.0}, {2.5, 0.0}, {6.0, 0.0}, {3.0, 1.0}, {3.0, -1.0}};
+  CurveLook best;
+  best.left = HUGE_VAL;
+  double step = 1.6;  // of the growth, to the curves that are looked at next: half way to the next on a log axis
+  for (int refinement = 0; refinement <= kRefinements; ++refinement) {
+    const std::vector<double> left = leftAlong(curves);
+    const auto least = std::min_element(left.begin() + 1, left.end());
+    best.left_straight = left.front();
+    if (*least < best.left) {
+      best.left = *least;
+      best.curve = curves[static_cast<std::size_t>(least - left.begin() - 1)];
+    }
+    if (best.left >= best.left_straight) {
+      break;
+    }
+    curves = {{best.curve.growth * step, best.curve.side}, {best.curve.growth / step, best.curve.side}};
+    step = std::sqrt(step);
+  }
+  return best;
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

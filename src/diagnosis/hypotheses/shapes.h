@@ -13,4 +13,16 @@ namespace rubber_suspension::diagnosis::hypotheses {
 void settleShapes(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
                   const std::vector<log::Record>& records, int threads, std::vector<fit::Candidate>& candidates);
 
+/// A curve that a law may follow, and what it leaves of the logs.
+struct CurveLook {
+  fit::Curve curve;
+  double left = 0.0;
+  double left_straight = 0.0;  ///< with the law as it is
+};
+
+/// The curve along which the law of one of its members leaves least in a fitted hypothesis, by normal equations about
+/// that. Three terms stand for the law, with or without a curve: curves do not differ by their spectrum.
+CurveLook bestCurve(const fit::HypothesisFitter& fitter, const FittedHypothesis& about, const fit::Candidate& candidate,
+                    int member, const std::vector<log::Record>& records, int threads);
+
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -170,4 +170,10 @@ void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from
       {kFurtherIterations, std::numeric_limits<double>::infinity(), mayMove(from, larger.hypothesis, start)});
 }
 
+void fitCurved(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach,
+               FittedHypothesis& curved) {
+  const fit::ParameterVector start = taken(fitter, from, curved.hypothesis);
+  fitFrom(fitter, start, {kSingleIterations, reach, mayMove(from, curved.hypothesis, start)}, curved);
+}
+
 }  // namespace rubber_suspension::diagnosis::hypotheses

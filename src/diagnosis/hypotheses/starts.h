@@ -26,4 +26,8 @@ void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& fro
 /// A hypothesis from where one arrived whose terms are among its own. It leaves no more of the logs than that.
 void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, FittedHypothesis& larger);
 
+/// The members of a fitted hypothesis, one of them along a curve.
+void fitCurved(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach,
+               FittedHypothesis& curved);
+
 }  // namespace rubber_suspension::diagnosis::hypotheses

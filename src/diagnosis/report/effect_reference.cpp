@@ -34,8 +34,10 @@ fit::Excitation typicalExcitation() {
 
 std::string elementsOf(const fit::Candidate& candidate) {
   std::set<std::string> types;
-  for (const fit::BasisTerm& term : candidate.terms) {
-    types.insert(term.at(term.typical).type);
+  for (const auto& terms : {candidate.terms, candidate.along ? candidate.along({}) : candidate.curved}) {
+    for (const fit::BasisTerm& term : terms) {
+      types.insert(term.at(term.typical).type);
+    }
   }
   const auto quoted = [](const std::string& name) { return "`" + name + "`"; };
   const std::string of_others = element::joined(candidate.contains, ", ", quoted);

@@ -1,6 +1,7 @@
 // Candidate effect: relaxation that is slower than the motion.
 #include <algorithm>
 
+#include "diagnosis/hypotheses/candidate/branches.h"
 #include "diagnosis/hypotheses/candidate/creep_time.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
@@ -19,10 +20,11 @@ fit::Candidate creep(const fit::Excitation& excitation) {
       fit::additiveTerm("creep", "stiffness_per_decade", 0.05 * excitation.stiffness,
                         {{"shortest_time", {kBegins * longest}},
                          {"longest_time", {kBeyondLog * std::max(longest, excitation.longest_duration)}}}));
+  std::vector<double> frequencies;
   for (double time = kShortest * longest; time < 3.0 * excitation.longest_duration; time *= 2.5) {
-    candidate.terms.push_back(fit::additiveTerm("maxwell", "stiffness", 0.05 * excitation.stiffness,
-                                                {{"break_frequency", {1.0 / (2.0 * element::kPi * time)}}}));
+    frequencies.push_back(1.0 / (2.0 * element::kPi * time));
   }
+  addBranches(frequencies, 0.05 * excitation.stiffness, excitation, candidate);
   return candidate;
 }
 

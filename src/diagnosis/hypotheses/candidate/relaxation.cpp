@@ -1,4 +1,5 @@
 // Candidate effect: further relaxation times within the band of the excitation.
+#include "diagnosis/hypotheses/candidate/branches.h"
 #include "diagnosis/hypotheses/candidate/creep_time.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
@@ -12,16 +13,17 @@ fit::Candidate relaxation(const fit::Excitation& excitation) {
   const double slowest = 1.0 / (2.0 * element::kPi * longestRelaxationTime(excitation));
   constexpr double kRatio = 2.2;
   constexpr double kBeyondMotion = 8.0;
-  fit::Candidate candidate{
-      "relaxation", "further relaxation: error in stiffness and loss depends on frequency only", false, {}};
-  const auto add = [&](double frequency) {
-    candidate.terms.push_back(
-        fit::additiveTerm("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));
-  };
+  fit::Candidate candidate{"relaxation",
+                           "further relaxation: error in stiffness and loss depends on frequency only, or grows with "
+                           "strain as the branches of a nonlinear spring do",
+                           false,
+                           {}};
+  std::vector<double> frequencies;
   for (double frequency = slowest; frequency < 2.0 * excitation.highest_frequency; frequency *= kRatio) {
-    add(frequency);
+    frequencies.push_back(frequency);
   }
-  add(kBeyondMotion * excitation.highest_frequency);
+  frequencies.push_back(kBeyondMotion * excitation.highest_frequency);
+  addBranches(frequencies, 0.1 * excitation.stiffness, excitation, candidate);
   return candidate;
 }
 

@@ -1,0 +1,103 @@
+// Ramps and holds: relaxation along a curve, and linear relaxation beside a cubic spring.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "diagnosis/checked_diagnosis.h"
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr double kFilmReach = 2e-3;  // [m]
+constexpr double kFilmSpring = 1e6;  // [N/m]
+constexpr double kFilmNoise = 1.5;   // standard deviation, some 0.4 % of the force [N]
+
+using Slope = std::function<double(double)>;  // of the displacement over the reach
+
+struct Film {
+  double cubic = 0.0;  // force of the cubic spring at the reach [N]
+  Slope relaxing;      // stiffness of the branch of 4 s; that of 0.8 s is half of it [N/m]
+};
+
+Film linearBesideCubic() {
+  return {1200.0, [](double) { return 4e5; }};
+}
+
+// Of another form than the element that stands for it.
+Film alongCurve() {
+  return {0.0, [](double x) { return 1.5e5 * (1.0 + 4.0 * x * x); }};
+}
+
+// Ramps of 2 s to each level, which is held for 18 s; sampled each 0.05 s, the branches in 20 steps of that.
+log::Log runFilm(const Film& film, const std::string& name, unsigned seed, const std::vector<double>& levels) {
+  constexpr double kStep = 0.05;
+  constexpr int kRamp = 40;
+  constexpr int kOfLevel = 400;
+  constexpr int kFiner = 20;
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal(0.0, kFilmNoise);
+  log::Log log;
+  log.name = name;
+  double slow = 0.0;
+  double fast = 0.0;
+  double z = 0.0;
+  double from = 0.0;
+  for (std::size_t i = 0; i < levels.size() * kOfLevel; ++i) {
+    const double level = levels[i / kOfLevel] * kFilmReach;
+    const auto within = static_cast<double>(i % kOfLevel + 1);
+    const double next = from + (level - from) * std::min(1.0, within / kRamp);
+    from = i % kOfLevel + 1 == kOfLevel ? level : from;
+    for (int j = 0; j < kFiner; ++j) {
+      const double stiffness = film.relaxing((z + (next - z) * (j + 0.5) / kFiner) / kFilmReach);
+      slow = slow * std::exp(-kStep / kFiner / 4.0) + stiffness * (next - z) / kFiner;
+      fast = fast * std::exp(-kStep / kFiner / 0.8) + 0.5 * stiffness * (next - z) / kFiner;
+    }
+    z = next;
+    log.stamp.push_back(static_cast<std::int64_t>(i) * std::llround(kStep * 1e9));
+    log.displacement.push_back(z);
+    log.force.push_back(kFilmSpring * z + film.cubic * std::pow(z / kFilmReach, 3) + slow + fast + normal(generator));
+  }
+  return log;
+}
+
+diagnosis::Diagnosis diagnoseFilm(const Film& film, double lesser) {
+  const auto component = io::parseComponentFile(
+      "components: {film: {model: elements, elements: [{type: spring, stiffness: 1.0e6}]}}", "film");
+  return checkedDiagnosis(component.front(),
+                          {runFilm(film, "one", 1, {lesser, 0.0, -lesser, 1.0, 0.0, -1.0, 0.25 * lesser, 0.0}),
+                           runFilm(film, "two", 2, {1.0, lesser, -1.0, 0.0, -lesser, lesser, 0.0})},
+                          {});
+}
+
+bool hasTypeAdded(const io::ComponentDescription& component, const std::string& type) {
+  return std::any_of(component.add.begin(), component.add.end(),
+                     [&](const element::ElementDescription& entry) { return entry.type == type; });
+}
+
+std::vector<std::string> sorted(std::vector<std::string> names) {
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(CurvedRelaxation, IsRelaxationWhereHoldsAtTwoAmplitudesShowIt) {
+  const diagnosis::Diagnosis found = diagnoseFilm(alongCurve(), 0.5);
+  EXPECT_EQ(found.effects, std::vector<std::string>{"relaxation"}) << found.sentence;
+  EXPECT_TRUE(hasTypeAdded(found.augmented, "maxwell_along_curve")) << io::toYaml({found.augmented});
+}
+
+TEST(CurvedRelaxation, StaysLinearBesideACubicSpring) {
+  const diagnosis::Diagnosis found = diagnoseFilm(linearBesideCubic(), 0.5);
+  EXPECT_EQ(sorted(found.effects), (std::vector<std::string>{"progressive_stiffness", "relaxation"})) << found.sentence;
+  EXPECT_FALSE(hasTypeAdded(found.augmented_full, "maxwell_along_curve")) << io::toYaml({found.augmented_full});
+}
+
+}  // namespace
+}  // namespace rubber_suspension
