@@ -46,14 +46,13 @@ double Fitter::gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) co
   double sum = 0.0;
   for (std::size_t r = 0; r < records().size(); ++r) {
     const Eigen::VectorXd residual = records()[r].withoutRig(records()[r].force - forces[r]);
-    const double taken = free.any() ? takenInLog(free, r, forces[r], residual) : 0.0;
+    const double taken = free.any() ? ownOf(free, r, forces[r], residual).taken : 0.0;
     sum += std::pow(blocks_->weights()[r], 2) * (residual.squaredNorm() - taken);
   }
   return std::isfinite(sum) ? std::sqrt(sum) : std::numeric_limits<double>::infinity();
 }
 
-// Of the squares that a residual has left, what is free in a log takes.
-double Fitter::takenInLog(const FreeInLog& free, std::size_t r, const Eigen::VectorXd& simulated,
+Fitter::Own Fitter::ownOf(const FreeInLog& free, std::size_t r, const Eigen::VectorXd& simulated,
                           const Eigen::VectorXd& residual) const {
   const log::Record& record = records()[r];
   auto [columns, penalty] = free.unknowns(record, r, simulated);
@@ -64,7 +63,31 @@ double Fitter::takenInLog(const FreeInLog& free, std::size_t r, const Eigen::Vec
   gram.diagonal().array() += 1e-12 * gram.diagonal().maxCoeff();
   gram.diagonal() += penalty;
   const Eigen::VectorXd moment = columns.transpose() * residual;
-  return gram.diagonal().minCoeff() > 0.0 ? moment.dot(numerics::solveSymmetric(gram, moment)) : 0.0;
+  if (!(gram.diagonal().minCoeff() > 0.0)) {
+    return {Eigen::VectorXd::Zero(moment.size()), 0.0};
+  }
+  const Eigen::VectorXd values = numerics::solveSymmetric(gram, moment);
+  return {values, moment.dot(values)};
+}
+
+void Fitter::freeFactors(const ParameterVector& parameters, Hypothesis& hypothesis) const {
+  if (const auto elements = elementsOf(model(), hypothesis, parameters)) {
+    hypothesis.free_in_log.by_factor = columnOf(frictionOf(*elements, records()));
+  }
+}
+
+std::vector<double> Fitter::factors(Hypothesis hypothesis, const ParameterVector& parameters) const {
+  const FreeInLog& free = hypothesis.free_in_log;
+  const auto forces = free.by_factor ? forces_.at(hypothesis, parameters) : std::nullopt;
+  if (forces) {
+    freeFactors(parameters, hypothesis);
+  }
+  std::vector<double> factors;
+  for (std::size_t r = 0; forces && r < records().size(); ++r) {
+    const Eigen::VectorXd residual = records()[r].withoutRig(records()[r].force - (*forces)[r]);
+    factors.push_back(1.0 + ownOf(free, r, (*forces)[r], residual).values[free.placeOfFactor()]);
+  }
+  return factors;
 }
 
 void Fitter::freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis) const {

@@ -35,6 +35,11 @@ class Fitter final : public HypothesisFitter {
   /// setZeros().
   void freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis) const override;
 
+  void freeFactors(const ParameterVector& parameters, Hypothesis& hypothesis) const override;
+
+  /// The factor on the friction of each log at a parameter vector; empty where none is free.
+  std::vector<double> factors(Hypothesis hypothesis, const ParameterVector& parameters) const;
+
   /// Priors of the zeros of the displacement of each log.
   void setZeros(std::vector<DisplacementZero> zeros) { zeros_ = std::move(zeros); }
 
@@ -47,8 +52,13 @@ class Fitter final : public HypothesisFitter {
     return blocks_->normalEquations(base, forces_.columns(hypothesis, parameters, how.active, base, how.threads),
                                     how.free, how.kept, how.threads);
   }
-  double takenInLog(const FreeInLog& free, std::size_t r, const Eigen::VectorXd& simulated,
-                    const Eigen::VectorXd& residual) const;
+  /// What is free in a log, by its residual, and of the squares of that the part that it takes.
+  struct Own {
+    Eigen::VectorXd values;
+    double taken = 0.0;
+  };
+  Own ownOf(const FreeInLog& free, std::size_t r, const Eigen::VectorXd& simulated,
+            const Eigen::VectorXd& residual) const;
 
   HypothesisForces forces_;
   std::unique_ptr<const LogBlocks> blocks_;

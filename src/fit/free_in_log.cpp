@@ -1,9 +1,12 @@
 // Columns of what is free in each log.
 #include "fit/free_in_log.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "numerics/least_squares.h"
+#include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {
@@ -20,6 +23,7 @@ std::vector<Eigen::Index> FreeInLog::placesIn(const FreeInLog& all) const {
   };
   take(trend, all.trend, kTrendsPerLog);
   take(by_zero != nullptr, all.by_zero != nullptr, 1);
+  take(by_factor != nullptr, all.by_factor != nullptr, 1);
   take(offset, all.offset, 1);
   take(gain, all.gain, 1);
   return places;
@@ -39,6 +43,9 @@ Eigen::MatrixXd FreeInLog::columns(const log::Record& record, std::size_t place,
   if (by_zero) {
     columns.col(trend ? kTrendsPerLog : 0) = (*by_zero)[place];
   }
+  if (by_factor) {
+    columns.col(placeOfFactor()) = (*by_factor)[place];
+  }
   if (offset) {
     columns.col(placeOfOffset()).setConstant(record.force_deviation);
   }
@@ -50,7 +57,7 @@ Eigen::MatrixXd FreeInLog::columns(const log::Record& record, std::size_t place,
 
 Eigen::VectorXd FreeInLog::costs(const log::Record& record) const {
   constexpr double kWalk = 0.1;  // standard deviation, of the force
-  constexpr double kGain = 0.5;  // likewise: what laws and gains have in common is the laws'
+  constexpr double kGain = 0.5;  // likewise: what laws and gains have in common is the laws'; so of friction's factor
   Eigen::VectorXd costs = Eigen::VectorXd::Zero(count());
   if (trend) {
     costs[0] = record.one_deviation / kWalk;
@@ -59,6 +66,9 @@ Eigen::VectorXd FreeInLog::costs(const log::Record& record) const {
   }
   if (by_zero) {
     costs[trend ? kTrendsPerLog : 0] = 1.0;
+  }
+  if (by_factor) {
+    costs[placeOfFactor()] = record.one_deviation / kGain;
   }
   if (gain) {
     costs[placeOfGain()] = record.one_deviation / kGain;
@@ -101,6 +111,22 @@ gap::Forces byZero(const std::vector<element::ElementDescription>& elements, con
     columns[r].array() -= columns[r].mean();
   }
   return columns;
+}
+
+gap::Forces frictionOf(const std::vector<element::ElementDescription>& elements,
+                       const std::vector<log::Record>& records) {
+  std::vector<element::ElementDescription> others;
+  std::copy_if(elements.begin(), elements.end(), std::back_inserter(others), [](const auto& description) {
+    const element::ElementPointer element = element::makeElement(description);
+    const element::ParallelElement* const parallel = element::parallelLaw(element);
+    return parallel == nullptr || parallel->part() != element::Part::friction;
+  });
+  gap::Forces forces = gap::simulate(elements, records);
+  const gap::Forces without = gap::simulate(others, records);
+  for (std::size_t r = 0; r < forces.size(); ++r) {
+    forces[r] -= without[r];
+  }
+  return forces;
 }
 
 }  // namespace rubber_suspension::fit

@@ -21,34 +21,37 @@ inline ForceColumn columnOf(gap::Forces forces) { return std::make_shared<const 
 constexpr Eigen::Index kTrendsPerLog = 9;
 
 /// Which of them belong to a hypothesis. Unknowns of each log, in this order: the trend's, the zero of the
-/// displacement, the zero of the force, the gain.
+/// displacement, the factor on friction, the zero of the force, the gain.
 struct FreeInLog {
   bool trend = false;   ///< a slow trend
   bool offset = false;  ///< a zero of the force, over its standard deviation
   bool gain = false;    ///< a gain of the force's channel
   /// A zero of the displacement, by what it does to the force of each log [N], as byZero() gives it; null: it is none.
   ForceColumn by_zero = nullptr;
+  /// A factor on friction, by the friction of each log [N], as frictionOf() gives it; null: it is none.
+  ForceColumn by_factor = nullptr;
 
-  bool any() const { return trend || offset || gain || by_zero; }
+  bool any() const { return trend || offset || gain || by_zero || by_factor; }
   /// What terms have in common for all logs, too.
   bool ofTerms() const { return offset || gain; }
   Eigen::Index count() const {
-    return (trend ? kTrendsPerLog : 0) + (by_zero ? 1 : 0) + (offset ? 1 : 0) + (gain ? 1 : 0);
+    return (trend ? kTrendsPerLog : 0) + (by_zero ? 1 : 0) + (by_factor ? 1 : 0) + (offset ? 1 : 0) + (gain ? 1 : 0);
   }
 
   friend FreeInLog operator|(const FreeInLog& one, const FreeInLog& other) {
     return {one.trend || other.trend, one.offset || other.offset, one.gain || other.gain,
-            one.by_zero ? one.by_zero : other.by_zero};
+            one.by_zero ? one.by_zero : other.by_zero, one.by_factor ? one.by_factor : other.by_factor};
   }
-  /// Both have it; the zero of the displacement is that of the other.
+  /// Both have it; the zero of the displacement and the factor are those of the other.
   friend FreeInLog operator&(const FreeInLog& one, const FreeInLog& other) {
     return {one.trend && other.trend, one.offset && other.offset, one.gain && other.gain,
-            one.by_zero ? other.by_zero : nullptr};
+            one.by_zero ? other.by_zero : nullptr, one.by_factor ? other.by_factor : nullptr};
   }
 
   /// Places of its unknowns among those of one that has them all, and maybe more.
   std::vector<Eigen::Index> placesIn(const FreeInLog& all) const;
   /// Of its unknowns; only where it is one of them.
+  Eigen::Index placeOfFactor() const { return count() - (gain ? 1 : 0) - (offset ? 1 : 0) - 1; }
   Eigen::Index placeOfOffset() const { return count() - (gain ? 2 : 1); }
   Eigen::Index placeOfGain() const { return count() - 1; }
 
@@ -78,5 +81,9 @@ struct DisplacementZero {
 /// which is a zero of the force; over what it counts as.
 gap::Forces byZero(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
                    const std::vector<DisplacementZero>& zeros);
+
+/// The force of all friction of a component on each record [N]: what it has more than without these elements.
+gap::Forces frictionOf(const std::vector<element::ElementDescription>& elements,
+                       const std::vector<log::Record>& records);
 
 }  // namespace rubber_suspension::fit

@@ -55,6 +55,7 @@ struct Candidate {
   std::vector<std::string> contains = {};
   FreeInLog free_in_log = {};  ///< belongs to it
   bool constant = false;       ///< adds a constant force, whose form is never wrong
+  bool is_friction = false;    ///< may have a factor of its own in each log
   /// What its terms do, all of the model's parameters do together: beside right ones it is another reading of wrong
   /// ones, beside other effects it takes part only for gains that differ from log to log.
   bool like_parameters = false;

@@ -90,6 +90,9 @@ class HypothesisFitter {
   /// Free zeros of the displacement where they change the force of a hypothesis at a parameter vector.
   virtual void freeZeros(const ParameterVector& /*parameters*/, Hypothesis& /*hypothesis*/) const {}
 
+  /// Free a factor on the friction of each log, by what friction does at a parameter vector; nothing for a table.
+  virtual void freeFactors(const ParameterVector& /*parameters*/, Hypothesis& /*hypothesis*/) const {}
+
   /// The gap that a departure of one standard deviation counts as.
   double oneDeviation() const { return one_deviation_; }
 

@@ -20,35 +20,53 @@ from virtual_rig import implant  # noqa: E402
 
 @dataclasses.dataclass
 class Machine:
-    """Logs of one machine, and what is at work in it by how it was made and tested."""
+    """Logs of one machine, or a table with its component file, and what is at work in it."""
 
-    logs: str        # pattern below the folder of the data
+    data: str        # pattern below the folder of the data
     effects: tuple   # one of these has to be named first
     also: tuple      # may be named besides; anything else is an effect too many
+    why: str         # by how it was made and tested, whatever a model says
+    rig: str         # machines of one rig depend on each other
+    config: str = ""  # of a table
 
+
+DAMPER = ("the fluid yields, the gas accumulator adds a constant force", "mr_damper")
+SEAL = ("pressure times area, and the friction of the seal, which grows with pressure", "rod_seal")
+CLEARANCE = ("dry friction of a band, with play in its joints", "friction_damper")
+POLYMER = ("the rates follow the temperature, as the shift factors in its repository say", "dma_temperature")
 
 FIT = {
-    # Secant stiffness falls with amplitude and with history; loops stiffen towards their tips.
-    "bearing": Machine("hdrb/*.csv", ("friction", "stress_softening"), ("progressive_stiffness",)),
-    # Force falls under a constant displacement; a film that is pulled one way has no friction to speak of.
+    "bearing": Machine("hdrb/*.csv", ("friction", "stress_softening"), ("progressive_stiffness",),
+                       "secant stiffness falls with amplitude and with history; loops stiffen towards their tips",
+                       "hdrb"),
     "film": Machine("adhesive_film/shear_relaxation_*.csv", ("relaxation", "creep"),
-                    ("progressive_stiffness", "asymmetric_stiffness")),
-    # Force falls by 15 to 67 % under a constant displacement, and rises steeply at the largest strain.
+                    ("progressive_stiffness", "asymmetric_stiffness"),
+                    "the force falls under a constant displacement; a film that is pulled one way has no friction to "
+                    "speak of", "film"),
     "film_cyclic": Machine("film_cyclic/*.csv", ("relaxation", "creep"),
-                           ("progressive_stiffness", "asymmetric_stiffness", "bump_stop")),
-    # Pressure times area, and the friction of the seal.
-    "seal": Machine("rod_seal/*.csv", ("friction", "force_offset"), ("viscous_damping",)),
-    # The fluid yields, the gas accumulator adds a constant force.
-    "damper": Machine("mr_damper/low_*.csv", ("friction", "force_offset"), ("viscous_damping",)),
-    "energised_damper": Machine("mr_damper/high_*.csv", ("friction", "force_offset"), ("viscous_damping",)),
+                           ("progressive_stiffness", "asymmetric_stiffness", "bump_stop"),
+                           "the force falls by 15 to 67 % in the holds, and rises steeply at the largest strain; creep is "
+                           "relaxation slower than the motion", "film"),
+    "seal": Machine("rod_seal/*.csv", ("friction", "force_offset"), ("viscous_damping",), *SEAL),
+    "x_ring": Machine("seals/x_ring_*.csv", ("friction", "force_offset"), ("viscous_damping",), *SEAL),
+    "damper": Machine("mr_damper/low_*.csv", ("friction", "force_offset"), ("viscous_damping",), *DAMPER),
+    "energised_damper": Machine("mr_damper/high_*.csv", ("friction", "force_offset"), ("viscous_damping",), *DAMPER),
+    "silverbox": Machine("silverbox/*.csv", ("inertia",),
+                         ("progressive_stiffness", "asymmetric_stiffness", "viscous_damping", "force_offset"),
+                         "a mass on a spring with a cubic part, a little damping and an offset, as a circuit", "silverbox"),
 }
 JUDGE = {
-    "friction_damper_20": Machine("friction_damper/*20*.csv", ("friction", "backlash"), ()),
-    "friction_damper_70": Machine("friction_damper/*70*.csv", ("friction", "backlash"), ()),
-    "friction_pair": Machine("friction_pair/*.csv", ("friction",), ()),
-    "damper_run_4_1": Machine("mr_damper/sine_4_1*.csv", ("friction", "force_offset"), ("viscous_damping",)),
-    "damper_run_4_2": Machine("mr_damper/sine_4_2*.csv", ("friction", "force_offset"), ("viscous_damping",)),
+    "friction_damper_20": Machine("friction_damper/*20*.csv", ("friction", "backlash"), (), *CLEARANCE),
+    "friction_damper_70": Machine("friction_damper/*70*.csv", ("friction", "backlash"), (), *CLEARANCE),
+    "friction_pair": Machine("friction_pair/*.csv", ("friction",), (), "two dry bodies rub against each other",
+                             "friction_pair"),
+    "damper_run_4_1": Machine("mr_damper/sine_4_1*.csv", ("friction", "force_offset"), ("viscous_damping",), *DAMPER),
+    "damper_run_4_2": Machine("mr_damper/sine_4_2*.csv", ("friction", "force_offset"), ("viscous_damping",), *DAMPER),
+    "lip_seal": Machine("seals/lip_seal_*.csv", ("friction", "force_offset"), ("viscous_damping",), *SEAL),
+    "dma_mid": Machine("dma_temperature/mid.csv", ("temperature",), (), *POLYMER, "dma_temperature/mid.yaml"),
+    "dma_narrow": Machine("dma_temperature/narrow.csv", ("temperature",), (), *POLYMER, "dma_temperature/narrow.yaml"),
 }
+COMPONENT_OF_TABLES = "c"  # in their component files
 HALVES = {"fit": FIT, "judge": JUDGE}
 
 
@@ -62,24 +80,29 @@ def guess_yaml(name, base):
 
 
 def write(name, machine, data, output, labels):
-    """The case in OUTPUT/NAME, its label beside; False where the logs are missing."""
-    paths = sorted(glob.glob(os.path.join(data, machine.logs)))
+    """The case in OUTPUT/NAME, its label beside; False where the data are missing."""
+    paths = sorted(glob.glob(os.path.join(data, machine.data)))
     if not paths:
         return False
-    logs = tuple(os.path.relpath(path, data) for path in paths)
-    measured = implant.Measured(implant.Machine("", logs, (), True, ()))
     folder = os.path.join(output, name)
     os.makedirs(folder, exist_ok=True)
     for path in paths:
         shutil.copy(path, folder)
-    with open(os.path.join(folder, "component.yaml"), "w", encoding="utf-8") as file:
-        file.write(guess_yaml(name, measured.base))
+    names = [os.path.basename(path) for path in paths]
+    case = {"component": name, "logs": names, "hold_out": []}
+    if machine.config:
+        case = {"component": COMPONENT_OF_TABLES, "logs": [], "hold_out": [], "table": names[0]}
+        shutil.copy(os.path.join(data, machine.config), os.path.join(folder, "component.yaml"))
+    else:
+        logs = tuple(os.path.relpath(path, data) for path in paths)
+        base = implant.Measured(implant.Machine("", logs, (), True, ())).base
+        with open(os.path.join(folder, "component.yaml"), "w", encoding="utf-8") as file:
+            file.write(guess_yaml(name, base))
     with open(os.path.join(folder, "case.json"), "w", encoding="utf-8") as file:
-        json.dump({"component": name, "logs": [os.path.basename(path) for path in paths], "hold_out": []}, file,
-                  indent=1)
+        json.dump(case, file, indent=1)
     with open(os.path.join(labels, name + ".json"), "w", encoding="utf-8") as file:
         json.dump({"case": name, "set": "machines", "kind": "machine", "effects": machine.effects,
-                   "also": machine.also, "unknown": None}, file, indent=1)
+                   "also": machine.also, "why": machine.why, "rig": machine.rig, "unknown": None}, file, indent=1)
     return True
 
 
@@ -97,7 +120,7 @@ def main():
     for name, machine in HALVES[arguments.half].items():
         found = write(name, machine, arguments.data, arguments.output, labels)
         written += found
-        print(name if found else f"{name}: no log {machine.logs} below {arguments.data}", flush=True)
+        print(name if found else f"{name}: nothing at {machine.data} below {arguments.data}", flush=True)
     if not written:
         sys.exit("machines.py: no cases")
 

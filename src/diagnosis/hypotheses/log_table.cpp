@@ -99,12 +99,12 @@ double floorUncertainty(const log::Record& record, const Eigen::VectorXd& residu
 }
 
 // Shares of octaves in what forces leave of a log beyond a trend or a gain of its own.
-std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const log::Record& record,
+std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const log::Record& record, std::size_t place,
                                  const Eigen::VectorXd& simulated) {
   fit::FreeInLog free = hypothesis.free_in_log;
   free.by_zero = nullptr;
   const Eigen::VectorXd left = record.force - simulated;
-  return octaveShares(free.any() ? free.addedTo(record, 0, simulated).withoutRig(left) : record.withoutRig(left));
+  return octaveShares(free.any() ? free.addedTo(record, place, simulated).withoutRig(left) : record.withoutRig(left));
 }
 
 // A band counts by the force that the model has there and by what the model leaves there, half each: a rest outside the
@@ -217,7 +217,7 @@ class LogTable {
     const FittedHypothesis& fitted = search_.at(place);
     const auto forces = prepared_.fitter.forces().at(fitted.hypothesis, fitted.fit.parameters);
     for (std::size_t r = 0; forces && r < forces->size(); ++r) {
-      hypothesis.shares.push_back(sharesOfLeft(fitted.hypothesis, prepared_.training[r], (*forces)[r]));
+      hypothesis.shares.push_back(sharesOfLeft(fitted.hypothesis, prepared_.training[r], r, (*forces)[r]));
     }
   }
 

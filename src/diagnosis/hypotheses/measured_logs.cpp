@@ -96,7 +96,8 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
     result.record_caused =
         prepare::frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
   }
-  const fit::FreeInLog free = freeOfNoise(best.hypothesis);
+  fit::FreeInLog free = freeOfNoise(best.hypothesis);
+  free.by_factor = best.hypothesis.free_in_log.by_factor;
   const std::vector<double> least = leastLeftOfLogs(result, records.size());
   result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
   for (std::size_t r = 0; r < records.size(); ++r) {

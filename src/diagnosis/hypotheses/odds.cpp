@@ -34,7 +34,8 @@ double Odds::of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales
     prior += numbers.rateOf(candidates_[static_cast<std::size_t>(member)].effect);
   }
   const std::size_t beyond = fit::numbersBeyond(candidates_, hypothesis, scales);
-  return ofError(error) + prior - judge::costOfNumbers(static_cast<double>(beyond), blocks_, numbers);
+  const double factors = hypothesis.free_in_log.by_factor ? numbers.per_gain * logs_ : 0.0;
+  return ofError(error) + prior - factors - judge::costOfNumbers(static_cast<double>(beyond), blocks_, numbers);
 }
 
 double Odds::mostOf(std::size_t effects) const {

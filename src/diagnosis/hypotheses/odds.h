@@ -16,8 +16,13 @@ class Odds {
  public:
   /// `floor`: noise of all logs; `without`: error of the model without effects. Both in units of the force's standard
   /// deviation. `blocks`: of all logs.
-  Odds(const std::vector<fit::Candidate>& candidates, double floor, double without, std::size_t blocks)
-      : candidates_(candidates), floor_(floor), without_(without), blocks_(static_cast<double>(blocks)) {}
+  Odds(const std::vector<fit::Candidate>& candidates, double floor, double without, std::size_t blocks,
+       std::size_t logs)
+      : candidates_(candidates),
+        floor_(floor),
+        without_(without),
+        blocks_(static_cast<double>(blocks)),
+        logs_(static_cast<double>(logs)) {}
 
   /// Logarithm of the weight of a hypothesis at these scales that leaves this error, departure included.
   double of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales, double error) const;
@@ -32,6 +37,7 @@ class Odds {
   double floor_;
   double without_;
   double blocks_;
+  double logs_;
 };
 
 /// The judgement's numbers for how much a model may err, as fitted last.

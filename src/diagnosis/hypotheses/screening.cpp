@@ -40,7 +40,7 @@ Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit:
   for (const bool gain : {false, true}) {
     for (const bool offset : {false, true}) {
       for (const bool trend : {false, true}) {
-        free.push_back({trend, offset, gain});
+        free.push_back({trend, offset, gain, nullptr, about.hypothesis.free_in_log.by_factor});
       }
     }
   }

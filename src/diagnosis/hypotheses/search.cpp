@@ -42,7 +42,8 @@ struct Planned {
 };
 
 Odds oddsAt(const Search& search, double floor) {
-  return {search.candidates, floor, search.re_estimated.fit.score(), search.re_estimated.fit.blocks.size()};
+  return {search.candidates, floor, search.re_estimated.fit.score(), search.re_estimated.fit.blocks.size(),
+          search.record_noise.size()};
 }
 
 class Searcher {
@@ -64,6 +65,7 @@ class Searcher {
     say("fitting single effects", 0.3);
     fitSingles(screening);
     tryCurve(result_.singles);
+    tryFactors(result_.singles);
     look(screening);
     say("fitting pairs", 0.5);
     if (fitSets(plan(screening, 2), result_.pairs)) {
@@ -216,6 +218,42 @@ class Searcher {
       settle(list);
       measured_.estimateNoise(*bestOfAll(), result_);
     }
+  }
+
+  // Friction with a factor of its own in each log, in place of those of a list that are less likely.
+  void tryFactors(std::vector<FittedHypothesis>& list) {
+    floor_ = result_.noise;
+    std::vector<FittedHypothesis> with(list.size());
+    const double reach = kHopeless * bestOfAll()->fit.gap;
+    fit::parallelFor(list.size(), threads_, [&](std::size_t i) {
+      if (mayHaveFactors(list[i])) {
+        with[i] = withFactors(fitter_, list[i], reach);
+      }
+    });
+    bool better = false;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (with[i].hypothesis.free_in_log.by_factor && oddsOf(with[i]) > oddsOf(list[i])) {
+        list[i] = std::move(with[i]);
+        better = true;
+      }
+    }
+    if (better) {
+      settle(list);
+      measured_.estimateNoise(*bestOfAll(), result_);
+    }
+  }
+
+  // Whether friction could gain as much by factors as these cost.
+  bool mayHaveFactors(const FittedHypothesis& fitted) const {
+    const std::vector<int>& members = fitted.hypothesis.members;
+    const bool friction = std::any_of(members.begin(), members.end(), [&](int member) {
+      return result_.candidates[static_cast<std::size_t>(member)].is_friction;
+    });
+    fit::Hypothesis with = fitted.hypothesis;
+    with.free_in_log.by_factor = fit::columnOf({});
+    return friction && fitted.hypothesis.competes() && !fitted.hypothesis.free_in_log.by_factor &&
+           !fitted.hypothesis.free_in_log.gain &&
+           odds().of(with, fitted.fit.parameters.scales, floor_) > oddsOf(fitted);
   }
 
   // Whether the law of a member could gain as much by a curve as that costs.
@@ -371,6 +409,7 @@ class Searcher {
     if (fitted > 0) {
       measured_.estimateNoise(*bestOfAll(), result_);
       tryCurve(list);
+      tryFactors(list);
     }
     return fitted > 0;
   }
@@ -461,7 +500,7 @@ judge::HypothesisEvidence evidenceOf(const std::vector<fit::Candidate>& candidat
   evidence.beyond = fit::numbersBeyond(candidates, fitted.hypothesis, fitted.fit.parameters.scales);
   evidence.free_trends = fitted.hypothesis.free_in_log.trend;
   evidence.free_offsets = fitted.hypothesis.free_in_log.offset;
-  evidence.free_gains = fitted.hypothesis.free_in_log.gain;
+  evidence.free_gains = fitted.hypothesis.free_in_log.gain || fitted.hypothesis.free_in_log.by_factor;
   evidence.keeps_values = fitted.hypothesis.keepsParameters();
   const bool applies = !fitted.hypothesis.terms.empty() || fitted.hypothesis.members.empty();
   evidence.chi_squared =

@@ -147,6 +147,7 @@ void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_es
 
 void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, const fit::ParameterVector& start,
                 double reach, FittedHypothesis& further) {
+  further.hypothesis.free_in_log.by_factor = from.hypothesis.free_in_log.by_factor;
   const fit::Hypothesis hypothesis = further.hypothesis;
   const fit::ParameterVector as_fitted = taken(fitter, from, hypothesis);
   const bool promising = fitter.gapAt(hypothesis, start) < from.fit.gap;
@@ -164,14 +165,28 @@ void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& fro
 
 void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, FittedHypothesis& larger) {
   larger.hypothesis.free_in_log.by_zero = from.hypothesis.free_in_log.by_zero;
+  larger.hypothesis.free_in_log.by_factor = from.hypothesis.free_in_log.by_factor;
   const fit::ParameterVector start = taken(fitter, from, larger.hypothesis);
   larger.fit = fitter.fit(
       larger.hypothesis, start,
       {kFurtherIterations, std::numeric_limits<double>::infinity(), mayMove(from, larger.hypothesis, start)});
 }
 
+FittedHypothesis withFactors(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach) {
+  FittedHypothesis with{from.hypothesis, {}};
+  fitter.freeFactors(from.fit.parameters, with.hypothesis);
+  const bool promising = fitter.gapAt(with.hypothesis, from.fit.parameters) <= reach;
+  with.fit = promising ? fitter.fit(with.hypothesis, from.fit.parameters, {kFurtherIterations, reach}) : from.fit;
+  if (promising) {  // factors on the friction that this found
+    fitter.freeFactors(with.fit.parameters, with.hypothesis);
+    with.fit = fitter.fit(with.hypothesis, with.fit.parameters, {kZeroIterations, reach});
+  }
+  return with;
+}
+
 void fitCurved(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach,
                FittedHypothesis& curved) {
+  curved.hypothesis.free_in_log.by_factor = from.hypothesis.free_in_log.by_factor;
   const fit::ParameterVector start = taken(fitter, from, curved.hypothesis);
   fitFrom(fitter, start, {kSingleIterations, reach, mayMove(from, curved.hypothesis, start)}, curved);
 }

@@ -26,6 +26,9 @@ void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& fro
 /// A hypothesis from where one arrived whose terms are among its own. It leaves no more of the logs than that.
 void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, FittedHypothesis& larger);
 
+/// A fitted hypothesis with a factor on the friction of each log; as it is where that leaves more than `reach`.
+FittedHypothesis withFactors(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach);
+
 /// The members of a fitted hypothesis, one of them along a curve.
 void fitCurved(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach,
                FittedHypothesis& curved);

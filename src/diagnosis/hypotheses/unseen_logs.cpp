@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "diagnosis/prepare/friction_noise.h"
+#include "element/each.h"
 #include "fit/free_in_log.h"
 #include "fit/hypothesis_forces.h"
 #include "rubber_suspension/gap/gap.h"
@@ -43,11 +44,20 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
     }
     hypothesis.free_in_log.by_zero = fit::columnOf(std::move(columns));
   }
+  if (hypothesis.free_in_log.by_factor) {
+    hypothesis.free_in_log.by_factor = frictionOfEach(elements, records);
+  }
   UnseenErrors errors = partErrorsOf(hypothesis, records, predicted);
   for (gap::PartError& part : errors) {  // a law that gives way under some motion explains none of it
     part.error = std::isfinite(part.error) ? part.error : std::numeric_limits<double>::infinity();
   }
   return errors;
+}
+
+fit::ForceColumn frictionOfEach(const std::vector<element::ElementDescription>& elements,
+                                const std::vector<log::Record>& records) {
+  return fit::columnOf(
+      element::each(records, [&](const log::Record& record) { return fit::frictionOf(elements, {record}).front(); }));
 }
 
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,

@@ -31,6 +31,10 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
                           const gap::Forces& predicted, const std::vector<log::Record>& records,
                           const std::vector<fit::DisplacementZero>& zeros);
 
+/// The friction of a component on each record, each of them recorded on a new one (fit::frictionOf()).
+fit::ForceColumn frictionOfEach(const std::vector<element::ElementDescription>& elements,
+                                const std::vector<log::Record>& records);
+
 /// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each log, which
 /// no simulation predicts, as far as the other tenths of the log tell it.
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,

@@ -16,7 +16,7 @@ struct HypothesisEvidence {
   std::size_t beyond = 0;
   bool free_trends = false;        ///< a slow trend per log is free, too
   bool free_offsets = false;       ///< a zero of the force per log is free, too
-  bool free_gains = false;         ///< a gain per log is free, too
+  bool free_gains = false;         ///< a gain per log is free, too, or a factor on its friction
   bool keeps_values = false;       ///< model parameters are as configured: its member does what other ones would
   double chi_squared = 0.0;        ///< of the numbers of the data sheet, each over its tolerance
   std::vector<double> log_errors;  ///< error on each log, on blocks that took no part in the fit

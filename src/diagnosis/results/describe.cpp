@@ -154,10 +154,16 @@ class Describer {
     const auto elements = withSome(result_, in).allElements();
     const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
     fit::Hypothesis freed;  // what the effects that are in have free in each log
+    bool has_friction = false;
     for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
-      const fit::FreeInLog free =
-          search_.candidates[static_cast<std::size_t>(answer_.effects[e])].free_in_log & judged_.hypothesis.free_in_log;
+      const fit::Candidate& candidate = search_.candidates[static_cast<std::size_t>(answer_.effects[e])];
+      const fit::FreeInLog free = candidate.free_in_log & judged_.hypothesis.free_in_log;
+      has_friction = has_friction || (in[1 + e] && candidate.is_friction);
       freed.free_in_log = in[1 + e] ? freed.free_in_log | free : freed.free_in_log;
+    }
+    if (judged_.hypothesis.free_in_log.by_factor && has_friction) {
+      freed.free_in_log.by_factor = hasUnseenLogs() ? hypotheses::frictionOfEach(elements, records)
+                                                    : fit::columnOf(fit::frictionOf(elements, records));
     }
     return gap::gapOfParts(hypotheses::partErrorsOf(
         freed, records,
@@ -259,7 +265,8 @@ class Describer {
         experiment::nextExperiment(prepared_.fitter, *workings_, options_.limits, options_.threads);
     result_.next_experiment = std::move(next.text);
     result_.proposed = std::move(next.proposed);
-    result_.sentence = words::sentence(result_) + words::excludedNote(result_);
+    result_.sentence = words::sentence(result_) + words::excludedNote(result_) +
+                       words::factorNote(prepared_.fitter.factors(judged_.hypothesis, judged_.fit.parameters));
     result_.could_show = experiment::couldShow(search_);
     if (const std::string note = words::temperatureNote(result_.effects, search_.excitation); !note.empty()) {
       result_.sentence += " " + note;

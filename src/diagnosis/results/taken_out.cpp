@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "diagnosis/hypotheses/unseen_logs.h"
 #include "fit/free_in_log.h"
 #include "gap/simulate.h"
 #include "numerics/gram.h"
@@ -158,6 +159,9 @@ LogAccount accountOf(const log::Record& record, const RawChannels& raw, const St
   if (free.offset) {
     account.takeOut(taken_out::kZero, without({free.trend, true, false, free.by_zero}));
   }
+  if (free.by_factor) {
+    account.takeOut(taken_out::kFriction, without({free.trend, free.offset, false, free.by_zero, free.by_factor}));
+  }
   if (free.gain) {
     account.takeOut(taken_out::kGain, without(free));
   }
@@ -231,6 +235,12 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
   forces.bridged = bridged == recorded ? forces.recorded : over(bridged);
   if (free.by_zero) {
     free.by_zero = fit::columnOf(byZeros(elements, of_the_fit, held_out, zeros));
+  }
+  if (free.by_factor) {
+    gap::Forces friction = fit::frictionOf(elements, of_the_fit);
+    const fit::ForceColumn unseen = hypotheses::frictionOfEach(elements, held_out);
+    friction.insert(friction.end(), unseen->begin(), unseen->end());
+    free.by_factor = fit::columnOf(std::move(friction));
   }
   std::vector<LogAccount> accounts;
   for (const auto* list : {&of_the_fit, &held_out}) {

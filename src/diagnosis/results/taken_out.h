@@ -24,6 +24,7 @@ inline constexpr const char* kDisplacement = "displacement_zero";
 inline constexpr const char* kInitialState = "initial_state";
 inline constexpr const char* kDrift = "drift";
 inline constexpr const char* kGain = "gain";
+inline constexpr const char* kFriction = "friction_factor";  ///< of the log's own
 inline constexpr const char* kDelay = "delay";
 }  // namespace taken_out
 

@@ -229,6 +229,17 @@ std::string temperatureNote(const std::vector<std::string>& effects, const fit::
       fmt::join(doubtful, " and "));
 }
 
+std::string factorNote(const std::vector<double>& factors) {
+  std::vector<std::string> texts;
+  std::transform(factors.begin(), factors.end(), std::back_inserter(texts),
+                 [](double factor) { return fmt::format("{:.2f}", factor); });
+  return factors.empty() ? ""
+                         : fmt::format(
+                               " Friction differs between the logs, in their order {} times that of the file: "
+                               "pressure, current or tension changed between them.",
+                               enumerated(texts));
+}
+
 std::string excludedNote(const Diagnosis& diagnosis) {
   constexpr double kWorthSaying = 0.02;
   std::string note;

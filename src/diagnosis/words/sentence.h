@@ -18,4 +18,7 @@ std::string temperatureNote(const std::vector<std::string>& effects, const fit::
 /// " Excluded by the component file; without that, backlash would be 63 %.", for what would be 2 % or more; else empty.
 std::string excludedNote(const Diagnosis& diagnosis);
 
+/// " Friction differs between the logs, ...", from the factor on it in each log; empty where there are none.
+std::string factorNote(const std::vector<double>& factors);
+
 }  // namespace rubber_suspension::diagnosis::words

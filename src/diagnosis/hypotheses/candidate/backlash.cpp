@@ -38,6 +38,7 @@ fit::Candidate backlash(const fit::Excitation& excitation) {
                            true,
                            {}};
   candidate.contains = {"friction"};
+  candidate.is_friction = excitation.whole_logs > 1;
   candidate.least_shape = kLeastGap * excitation.largest_displacement;
   candidate.largest_shape = kLargestGap * excitation.largest_displacement;
   candidate.terms_at = [excitation](double gap) { return termsAt(excitation, gap); };

@@ -16,6 +16,7 @@ fit::BasisTerm sliderTerm(double yield, double typical) {
 fit::Candidate friction(const fit::Excitation& excitation) {
   fit::Candidate candidate{
       "friction", "friction, a force with a limit: stiffness falls with amplitude at any frequency", false, {}};
+  candidate.is_friction = excitation.whole_logs > 1;
   const double typical = 0.1 * excitation.stiffness;
   const double largest = excitation.largest_displacement;
   // Stop operators over the range of amplitudes: with stiffnesses of 0 or more they compose any friction that obeys
