@@ -11,6 +11,7 @@
 #include "command/identify.h"
 #include "command/linear_part.h"
 #include "command/measured_table.h"
+#include "command/table_fit_text.h"
 #include "command_line/command.h"
 #include "command_line/log_options.h"
 #include "command_line/plot_option.h"

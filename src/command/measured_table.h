@@ -1,4 +1,4 @@
-// A measured table of stiffness and loss angle: reading it, and what `estimate --from-table` shows of a fit to it.
+// A measured table of stiffness and loss angle: reading it.
 #pragma once
 
 #include <string>
@@ -17,12 +17,5 @@ fit::MeasuredTable parseTable(const std::string& text, const std::string& source
 
 /// The same from a file of at most 16 MiB; the name of the table is that of the file without folder and ending.
 fit::MeasuredTable readTable(const std::string& path);
-
-/// Throws std::runtime_error where the table has temperatures and elements of the component shift with them: a fit
-/// finds the shift of the key `temperature` alone. `source`: the name of the file.
-void requireNoShift(const io::ComponentDescription& component, const fit::MeasuredTable& table,
-                    const std::string& source);
-
-std::string toText(const fit::TableFit& fit, const fit::MeasuredTable& table);
 
 }  // namespace rubber_suspension::command

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "command/characteristic_table.h"
+#include "command/table_fit_text.h"
 #include "io/temporary_file.h"
 #include "rubber_suspension/element/constants.h"
 

@@ -70,9 +70,9 @@ FittedHypothesis without(const FittedHypothesis& fitted, int member) {
 }
 
 // What is left with each of some laws beside a hypothesis.
-std::vector<double> leftByLaws(const fit::HypothesisFitter& fitter, FittedHypothesis rest,
+std::vector<double> leftByLaws(const fit::HypothesisFitter& fitter, const FittedHypothesis& rest,
                                const std::vector<fit::Candidate>& laws, int threads) {
-  auto& [all, fit] = rest;
+  auto [all, fit] = rest;
   const Eigen::Index shared = fitter.model().size() + fit.parameters.scales.size();
   for (const fit::Candidate& law : laws) {
     all.terms.insert(all.terms.end(), law.terms.begin(), law.terms.end());

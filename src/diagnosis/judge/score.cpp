@@ -14,8 +14,9 @@ using Eigen::ArrayXd;
 using Eigen::ArrayXXd;
 using Eigen::Index;
 
-constexpr double kLeastSquare = 1e-8;    // of the force: below it a size is no size
-constexpr double kTypicalBlocks = 50.0;  // of which the sharpness is told
+constexpr double kLeastSquare = 1e-8;                                     // of the force: below it a size is no size
+constexpr double kImpossible = -std::numeric_limits<double>::infinity();  // weight of what is no answer
+constexpr double kTypicalBlocks = 50.0;                                   // of which the sharpness is told
 
 void requireLogs(const Evidence& evidence) {
   const auto lacks = [&](const HypothesisEvidence& hypothesis) {
@@ -165,16 +166,14 @@ ArrayXd lossBeside(const ScoreTable& table, const ArrayXXd& s2) {
 }
 
 // A log that no model run follows has no weight.
-void refuseInfinite(ArrayXd& weights) {
-  weights = weights.isFinite().select(weights, -std::numeric_limits<double>::infinity());
-}
+void refuseInfinite(ArrayXd& weights) { weights = weights.isFinite().select(weights, kImpossible); }
 
 // No guess is right as configured, with a gain or without.
 void refuseConfigured(const ScoreTable& table, LogWeights& weights) {
-  weights.alone[Evidence::kAsConfigured] = -std::numeric_limits<double>::infinity();
+  weights.alone[Evidence::kAsConfigured] = kImpossible;
   for (std::size_t h = 0; h < table.members.size(); ++h) {
     if (table.another_reading[h]) {
-      weights.alone[static_cast<Index>(h)] = -std::numeric_limits<double>::infinity();
+      weights.alone[static_cast<Index>(h)] = kImpossible;
     }
   }
 }
@@ -265,11 +264,11 @@ LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
     const double prior = priorOf(table, numbers, h) + priorOfValues(table, numbers, h);
     weights.alone[static_cast<Index>(h)] += prior;
     // Whether values are wrong does not matter beside a rest, nor how that is read.
-    weights.beside[static_cast<Index>(h)] +=
-        table.another_reading[h] ? -std::numeric_limits<double>::infinity() : prior;
+    const double beside = table.another_reading[h] ? kImpossible : prior;
+    weights.beside[static_cast<Index>(h)] += beside;
   }
   weights.beside[Evidence::kReEstimated] -= priorOf(table, numbers, Evidence::kReEstimated);
-  weights.beside[Evidence::kAsConfigured] = -std::numeric_limits<double>::infinity();
+  weights.beside[Evidence::kAsConfigured] = kImpossible;
   if (table.guess) {
     refuseConfigured(table, weights);
   }

@@ -1,0 +1,17 @@
+// What `estimate --from-table` refuses to fit, and what it shows of a fit.
+#pragma once
+
+#include <string>
+
+#include "fit/table_fit.h"
+
+namespace rubber_suspension::command {
+
+/// Throws std::runtime_error where the table has temperatures and elements of the component shift with them: a fit
+/// finds the shift of the key `temperature` alone. `source`: the name of the file.
+void requireNoShift(const io::ComponentDescription& component, const fit::MeasuredTable& table,
+                    const std::string& source);
+
+std::string toText(const fit::TableFit& fit, const fit::MeasuredTable& table);
+
+}  // namespace rubber_suspension::command
