@@ -171,8 +171,11 @@ bool isBeyondLimit(const std::string& name, const boost::shared_array<std::uint8
   return is_beyond;
 }
 
-void readHeaderLength(void* self, const ros::ConnectionPtr& connection, const boost::shared_array<std::uint8_t>& buffer,
-                      std::uint32_t size, bool success) {
+// Of a pointer to a member function the lowest bit says that it is virtual: what takes the place of one is aligned, as
+// functions of no class need not be.
+[[gnu::aligned(16)]] void readHeaderLength(void* self, const ros::ConnectionPtr& connection,
+                                           const boost::shared_array<std::uint8_t>& buffer, std::uint32_t size,
+                                           bool success) {
   if (success && claimOf(buffer) > kLongestRosHeader) {
     tellOnce(told_of_header, fmt::format("a connection was closed: its header claims {} bytes; accepted: at most {}",
                                          claimOf(buffer), kLongestRosHeader));
@@ -182,8 +185,9 @@ void readHeaderLength(void* self, const ros::ConnectionPtr& connection, const bo
   }
 }
 
-void readMessageLength(void* self, const ros::ConnectionPtr& connection,
-                       const boost::shared_array<std::uint8_t>& buffer, std::uint32_t size, bool success) {
+[[gnu::aligned(16)]] void readMessageLength(void* self, const ros::ConnectionPtr& connection,
+                                            const boost::shared_array<std::uint8_t>& buffer, std::uint32_t size,
+                                            bool success) {
   const auto subscription = (static_cast<ros::PublisherLink*>(self)->*LinkAccess::subscription()).lock();
   if (success && subscription && isBeyondLimit(subscription->getName(), buffer)) {
     connection->drop(ros::Connection::Destructing);  // which roscpp takes as a reason not to connect again
@@ -192,8 +196,9 @@ void readMessageLength(void* self, const ros::ConnectionPtr& connection,
   }
 }
 
-void readRequestLength(void* self, const ros::ConnectionPtr& connection,
-                       const boost::shared_array<std::uint8_t>& buffer, std::uint32_t size, bool success) {
+[[gnu::aligned(16)]] void readRequestLength(void* self, const ros::ConnectionPtr& connection,
+                                            const boost::shared_array<std::uint8_t>& buffer, std::uint32_t size,
+                                            bool success) {
   std::string service;
   if (success && connection->getHeader().getValue("service", service) && isBeyondLimit(service, buffer)) {
     connection->drop(ros::Connection::Destructing);
