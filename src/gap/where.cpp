@@ -183,6 +183,7 @@ std::vector<GapCell> gapMap(const std::vector<log::Record>& records, const std::
     cell.amplitude = {std::pow(10.0, 0.5 * key.amplitude_band), std::pow(10.0, 0.5 * (key.amplitude_band + 1))};
     cell.quantity = key.quantity;
     cell.share = energy.squared / total;
+    cell.squared = energy.squared;
     const double expected = noise[key.log] * noise[key.log] * energy.lines / static_cast<double>(records.size());
     cell.noise_ratio = expected > 0.0 ? std::sqrt(energy.squared / expected) : 0.0;
     result.push_back(cell);

@@ -20,6 +20,7 @@
 #include "diagnosis/report/run_record.h"
 #include "diagnosis/words/headline.h"
 #include "diagnosis/words/model_values.h"
+#include "diagnosis/words/sentence.h"
 #include "diagnosis/words/text.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/iwan.h"
@@ -305,21 +306,63 @@ TEST(FirstScreen, AnswersTheFiveQuestions) {
   d.candidates = {friction};
   d.effect_sizes = {{"friction", "maximum_force", "N", 0.0, 6000.0, {5700.0, 6400.0}},
                     {"friction", "displacement", "m", 0.0, 3.5e-4, {3e-4, 4e-4}}};
-  d.where = {{"sines", {2.0, 4.0}, {2e-4, 5e-4}, gap::Quantity::stiffness, 0.31, 10.0}};
+  d.probability = 0.97;
+  d.shares = {{"values", 0.14}, {"friction", 0.72}};
+  d.effect_sizes.push_back({"friction", "gap_in_compression", "m", 0.0, 2.4e-3, {2.2e-3, 2.6e-3}});
+  d.effect_sizes.push_back({"friction", "change_of_stiffness", "1/K", 0.0, -6e-3, {-7e-3, -5e-3}});
+  d.where = {{"sines", {2.0, 4.0}, {2e-4, 5e-4}, gap::Quantity::stiffness, 0.6, 10.0, 0.0121},
+             {"sines", {4.0, 8.0}, {2e-4, 5e-4}, gap::Quantity::loss, 0.4, 10.0, 0.0025}};
+  d.where_after = {{"sines", {4.0, 8.0}, {2e-4, 5e-4}, gap::Quantity::loss, 1.0, 1.0, 0.0004}};
   d.next_experiment = "sine at 4 Hz";
   d.proposed.description = "sine";
   d.proposed.dt = 0.01;
   d.proposed.displacement.assign(201, 0.0);
   d.workings = std::make_shared<diagnosis::Workings>();
-  const std::string html = diagnosis::report::firstScreen(d, "<figure>LOOP</figure>");
-  for (const char* answer :
-       {"bush &lt;1&gt;", "<h1>The model lacks friction.</h1>", "maximum force 6 kN (5.7 to 6.4 kN)",
-        "half of it at 0.35 mm (0.3 to 0.4 mm)", "97 % that friction", "gap 14.0 % as configured", "2.0 % after",
-        "94 % (95 % on further logs: 92 to 100 %)", "sines", "2 to 4 Hz", "stiffness", "31 %", "sine at 4 Hz",
-        "next_experiment.csv", "(2 s at 100 Hz", "LOOP"}) {
+  const std::string html = diagnosis::report::firstScreen(d);
+  for (const char* answer : {"bush &lt;1&gt;",
+                             "<h1>The model lacks friction: gap 12.0 % to 2.0 %.</h1>",
+                             "The model lacks friction.",
+                             "maximum force</td>",
+                             "6 kN</td>",
+                             "5.7 to 6.4 kN</td>",
+                             "gap in compression:</td>",
+                             "2.4 mm</td>",
+                             "falls by 0.6 %/K</td>",
+                             "friction 72 %",
+                             "other values 14 %",
+                             "left 14 %",
+                             "94 % is removed",
+                             "whisker: 92 to 100 %",
+                             "97 %",
+                             "all else",
+                             "class=\"s5 largest\">11</td>",
+                             ">2.0</td>",
+                             "at 2 to 4 Hz and 0.2 to 0.5 mm, most of it stiffness in sines",
+                             "sine at 4 Hz",
+                             "next_experiment.csv",
+                             "(2 s at 100 Hz"}) {
     EXPECT_THAT(html, HasSubstr(answer));
   }
   EXPECT_THAT(html, Not(HasSubstr("nan")));
+}
+
+TEST(Headline, HasAtMost25Words) {
+  diagnosis::Diagnosis d;
+  d.gap = {0.1412, 0.1234, 0.0212, 0.0151};
+  d.configured = {"bush", {{"spring", {{"stiffness", {1e6}}}}}};
+  d.model_sizes = {{"specification", "dynamic_stiffness", "N/m", 4e6, 3e6, {2.9e6, 3.1e6}}};
+  for (const auto verdict : {diagnosis::Verdict::none, diagnosis::Verdict::parameter_error, diagnosis::Verdict::named,
+                             diagnosis::Verdict::confounded, diagnosis::Verdict::unknown, diagnosis::Verdict::partly,
+                             diagnosis::Verdict::check_bench, diagnosis::Verdict::defect}) {
+    d.verdict = verdict;
+    if (diagnosis::namesEffects(verdict)) {
+      d.effects = {"rate_amplitude_coupling", "progressive_stiffness", "stress_softening", "viscous_damping"};
+    }
+    std::istringstream words(diagnosis::words::headline(d));
+    const auto count = std::distance(std::istream_iterator<std::string>(words), {});
+    EXPECT_GT(count, 2) << toString(verdict);
+    EXPECT_LE(count, 25) << diagnosis::words::headline(d);
+  }
 }
 
 }  // namespace

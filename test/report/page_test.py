@@ -29,6 +29,41 @@ Array.from(document.body.querySelectorAll(':not(svg *)')).filter(e => {
     && getComputedStyle(e).display != 'inline' && e.clientWidth > 0);
 }).map(e => e.tagName + '.' + e.className + ': ' + e.textContent.slice(0, 60))
 """
+# Texts of the first screen that lie over each other, or that reach beyond what holds them.
+OVERLAPS = """
+(() => {
+  const texts = [], wrong = [];
+  const walker = document.createTreeWalker(document.querySelector('.first'), NodeFilter.SHOW_TEXT);
+  for (let node; node = walker.nextNode();) {
+    if (!node.data.trim() || node.parentElement.closest('svg')) continue;
+    const range = document.createRange();
+    range.selectNodeContents(node);
+    const holder = node.parentElement.closest('td, th, .row > span, p, dd, dt, h3, caption, figcaption');
+    for (const box of range.getClientRects()) {
+      if (box.width > 0) texts.push({node, box, holder});
+    }
+  }
+  for (const {node, box, holder} of texts) {
+    const within = holder.getBoundingClientRect();
+    if (box.left < within.left - 1 || box.right > within.right + 1 || box.top < within.top - 2 || box.bottom > within.bottom + 2)
+      wrong.push('cut: ' + node.data);
+  }
+  for (let i = 0; i < texts.length; ++i) {
+    for (let j = i + 1; j < texts.length; ++j) {
+      const a = texts[i].box, b = texts[j].box;
+      if (texts[i].node != texts[j].node && Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1
+          && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3)
+        wrong.push('over each other: ' + texts[i].node.data + ' | ' + texts[j].node.data);
+    }
+  }
+  return wrong;
+})()
+"""
+# How the parts of the bar as configured are filled: colour and pattern.
+FILLS = """
+Array.from(document.querySelectorAll('.keys i')).map(e => [getComputedStyle(e).backgroundColor,
+  getComputedStyle(e).backgroundImage])
+"""
 # Contrast of each text that is shown, by WCAG 2, with what lies behind it.
 LOW_CONTRAST = """
 (() => {
@@ -141,9 +176,14 @@ class WithoutBrowser(Reports):
                 self.assertTrue(link.startswith(("#", "data:image/")) or os.path.isfile(os.path.join(os.path.dirname(page), link)), link)
             self.assertNotRegex(text, r"(?<![\w.])-?(nan|inf)(?![\w.])")
 
-    def test_first_figure_comes_before_the_first_section(self):
+    def test_pictures_come_before_the_first_section(self):
         text = self.text(self.pages[0])
-        self.assertLess(text.index("<svg"), text.index("<h2>"))
+        first = text[:text.index("<h2>")]
+        for title in ("Where", "Which, and how far", "How sure"):
+            self.assertIn("<h3>%s</h3>" % title, first)
+        self.assertEqual(first.count(" largest\""), 2)  # before and after
+        headline = re.search("<h1>(.*?)</h1>", text).group(1)
+        self.assertLessEqual(len(headline.split()), 25, headline)
 
     def test_a_bench_to_be_checked_is_seen(self):
         """The loops as they are and with the correction, drawn and as numbers."""
@@ -219,20 +259,36 @@ class InChromium(Reports):
                     shown.show(width, 900, dark)
                     shown.picture("%s_%d%s.png" % (name, width, "_dark" if dark else ""), whole=width == 400)
                     self.assertEqual(shown.evaluate(TOO_WIDE), [], "at %d px" % width)
+                    self.assertEqual(shown.evaluate(OVERLAPS), [], "at %d px" % width)
                     self.assertEqual(shown.evaluate(LOW_CONTRAST), [], "dark" if dark else "light")
 
-    def test_first_screen_holds_facts_and_figure(self):
+    def test_first_screen_holds_the_pictures(self):
         with browser.Page(self.pages[0]) as page:
             page.show(1200, 900)
-            for what in (".first figure", ".first dl"):
-                bottom = page.evaluate("document.querySelector('%s').getBoundingClientRect().bottom" % what)
-                self.assertLess(bottom, 900, what)
+            bottoms = page.evaluate(
+                "Array.from(document.querySelectorAll('.picture')).map(e => e.getBoundingClientRect().bottom)")
+            self.assertEqual(len(bottoms), 3)
+            self.assertLess(max(bottoms), 900)
 
-    def test_print_is_three_pages_of_a4(self):
+    def test_patterns_tell_without_colours(self):
+        with browser.Page(self.pages[0]) as page:
+            page.show(1200, 900)
+            fills = page.evaluate(FILLS)
+            self.assertGreater(len(fills), 2)  # values, an effect, the rest
+            patterns = [re.sub(r"rgb\([^)]*\)", "", image) for _, image in fills]
+            self.assertEqual(len(set(patterns)), len(patterns), patterns)
+
+    def test_overlaps_would_be_found(self):
+        with browser.Page(self.pages[0]) as page:
+            page.show(400, 900)
+            page.evaluate("document.querySelector('.map td.largest').style.cssText = 'font-size: 60px'")
+            self.assertNotEqual(page.evaluate(OVERLAPS), [])
+
+    def test_print_is_two_pages_of_a4(self):
         with browser.Page(self.pages[0]) as page:
             page.show(1200, 900)
             data = page.pdf(os.path.join(OUTPUT, "example.pdf"))
-            self.assertLessEqual(len(re.findall(rb"/Type\s*/Page\b", data)), 3)
+            self.assertLessEqual(len(re.findall(rb"/Type\s*/Page\b", data)), 2)
             boxes = re.findall(rb"/MediaBox\s*\[\s*0 0 ([\d.]+) ([\d.]+)", data)
             self.assertTrue(boxes)
             for width, height in boxes:  # 210 mm x 297 mm in points

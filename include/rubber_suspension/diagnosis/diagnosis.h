@@ -248,8 +248,9 @@ struct Diagnosis {
   std::vector<ExcludedEffect> excluded;     ///< what the component file or the options rule out
   std::vector<CandidateResult> candidates;  ///< most probable first
   Posterior posterior;                      ///< of the answers; the verdict's is the largest
-  std::vector<gap::GapCell> where;
-  CouldShow could_show;  ///< what these logs would have shown of each effect
+  std::vector<gap::GapCell> where;          ///< where the component as configured is wrong
+  std::vector<gap::GapCell> where_after;    ///< and the augmented one
+  CouldShow could_show;                     ///< what these logs would have shown of each effect
   std::string next_experiment;
   ProposedExperiment proposed;  ///< its displacement
   io::ComponentDescription configured;

@@ -23,6 +23,7 @@ struct GapCell {
   Quantity quantity = Quantity::stiffness;
   double share = 0.0;        ///< of the squared gap, all cells adding up to 1
   double noise_ratio = 0.0;  ///< RMS in the cell over that of the noise floor in its windows and band
+  double squared = 0.0;      ///< its part of the squared gap, in variances of the force
 };
 
 /// Split the squared residual. Each log is cut into windows of at least two periods of its slowest motion and eight

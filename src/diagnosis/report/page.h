@@ -16,9 +16,16 @@ extern const char* const kPageStyle;
 /// A whole page of that style; the title is text, the body HTML.
 std::string page(const std::string& title, const std::string& body);
 
-/// What a reader sees first: where, which, how far, how sure, what next. `loop`: the figure of the log with the largest
-/// gap, empty where there is none.
-std::string firstScreen(const Diagnosis& diagnosis, const std::string& loop);
+/// What a reader sees first: where, which, how far, how sure, what next. `figures`: loops of a bench to be checked;
+/// empty for all others, which have pictures.
+std::string firstScreen(const Diagnosis& diagnosis, const std::string& figures = "");
+
+/// Pictures of the first screen: the residual over frequency and amplitude, before and after, the largest place framed;
+/// a bar from the gap as configured over those re-estimated and augmented to the noise, with the share of each effect;
+/// the probabilities of the sets of effects.
+std::string whereMaps(const Diagnosis& diagnosis);
+std::string gapBars(const Diagnosis& diagnosis);
+std::string probabilityBars(const Diagnosis& diagnosis);
 
 /// How the experiment that is proposed can be played; empty where none is.
 std::string howToPlay(const Diagnosis& diagnosis);

@@ -140,8 +140,7 @@ bool isExcited(const gap::GapCell& cell, const std::array<double, 2>& band) {
 }
 
 io::Figure gapMapFigure(const Diagnosis& diagnosis) {
-  const std::array<double, 2> band = excitedBand(*diagnosis.workings);
-  const auto cells = element::those(diagnosis.where, [&](const gap::GapCell& cell) { return isExcited(cell, band); });
+  const auto cells = mappedCells(diagnosis, diagnosis.where);
   std::vector<double> frequencies;
   std::vector<double> amplitudes;
   for (const gap::GapCell& cell : cells) {
@@ -259,6 +258,11 @@ io::Figure shareMap(const std::vector<gap::GapCell>& cells, const std::vector<do
   axes.maps.push_back({frequencies, millimetres, shares, "share of the squared gap [%]"});
   figure.axes.push_back(std::move(axes));
   return figure;
+}
+
+std::vector<gap::GapCell> mappedCells(const Diagnosis& diagnosis, const std::vector<gap::GapCell>& cells) {
+  const std::array<double, 2> band = excitedBand(*diagnosis.workings);
+  return element::those(cells, [&](const gap::GapCell& cell) { return isExcited(cell, band); });
 }
 
 std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {

@@ -38,6 +38,9 @@ std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis);
 io::Figure shareMap(const std::vector<gap::GapCell>& cells, const std::vector<double>& frequencies,
                     const std::vector<double>& amplitudes);
 
+/// Cells of frequencies that the logs excite: no mean, no drift.
+std::vector<gap::GapCell> mappedCells(const Diagnosis& diagnosis, const std::vector<gap::GapCell>& cells);
+
 /// Values in their order, those once that are the same.
 std::vector<double> sortedApart(std::vector<double> values);
 

@@ -22,22 +22,10 @@ using words::escape;
 using words::percent;
 using words::Row;
 
-std::string heading(const std::string& title) { return "<h2>" + title + "</h2>\n"; }
+// A part that is not printed.
+std::string onScreen(const std::string& html) { return "<div class=screen>" + html + "</div>\n"; }
 
-std::string gapTable(const Diagnosis& d) {
-  const double widest = std::max({d.gap.as_configured, d.gap.re_estimated, d.gap.augmented, 1e-12});
-  const auto row = [&](const std::string& model, double gap, const std::string& meaning) -> Row {
-    return {model, percent(gap),
-            fmt::format("<span class=track><span class=bar style=\"width:{:.0f}%\"></span></span>",
-                        std::min(100.0, 100.0 * gap / widest)),
-            meaning};
-  };
-  return words::table({"model", "#gap", "", "what it is"},
-                      {row("as configured", d.gap.as_configured, "the component file as it is"),
-                       row("re-estimated", d.gap.re_estimated, "model parameters fitted to " + words::sourceOf(d)),
-                       row("augmented", d.gap.augmented, "with the named effects added"),
-                       row("noise floor", d.gap.noise_floor, escape(d.noise_source))});
-}
+std::string heading(const std::string& title) { return "<h2>" + title + "</h2>\n"; }
 
 std::string errorTable(const Diagnosis& d) {
   const auto row = [](const std::string& name, const CharacteristicErrors& e) -> Row {
@@ -49,8 +37,7 @@ std::string errorTable(const Diagnosis& d) {
 }
 
 std::string howFar(const Diagnosis& d) {
-  return heading("How far") + "<div class=pair><div>" + gapTable(d) + "</div><div>" + errorTable(d) + "</div></div>\n" +
-         "<p class=note>" +
+  return heading("How far") + errorTable(d) + "<p class=note>" +
          (d.table
               ? "A gap is the RMS over the rows of |K*_measured - K*_simulated|/|K*_measured|, each row left out of "
                 "the fit in its turn: for a sine, the RMS of the force difference over the standard deviation of "
@@ -58,7 +45,7 @@ std::string howFar(const Diagnosis& d) {
               : "A gap is the RMS of measured minus simulated force over the standard deviation of the measured "
                 "force. It is that of data to which no number was fitted, but which helped to choose between the "
                 "effects. What the rig did to a log is taken out before.") +
-         "</p>\n";
+         " Noise floor: " + escape(d.noise_source) + ".</p>\n";
 }
 
 std::string whereTable(const Diagnosis& d) {
@@ -95,12 +82,6 @@ struct DrawnFigure {
     }
     return html;
   }
-
-  // The first panel, in a place of its own; nothing without one.
-  std::string alone(const std::string& caption) const {
-    return panels.empty() ? ""
-                          : "<figure>" + panels[0] + "<figcaption>" + caption + numbers() + "</figcaption></figure>";
-  }
 };
 
 struct DrawnFigures {
@@ -131,31 +112,20 @@ DrawnFigures drawFigures(const Diagnosis& d) {
   return drawn;
 }
 
-constexpr std::size_t kLoops = 0;  // of reportFigures()
-constexpr std::size_t kMap = 1;
+std::string where(const Diagnosis& d) { return heading("Where, by log and quantity") + whereTable(d); }
 
-std::string firstLoop(const DrawnFigures& drawn) {
-  const std::string loop =
-      drawn.figures[kLoops].alone("Where the gap is largest: measured (broad), and simulated before and after.");
-  return loop.empty() ? drawn.problem : loop + "\n";
-}
-
-std::string where(const Diagnosis& d, const DrawnFigures& drawn) {
-  return heading("Where") + "<div class=pair><div>" + whereTable(d) + "</div>" +
-         drawn.figures[kMap].alone("Over frequency and amplitude.") + "</div>\n";
-}
-
+// The map of the gap is a picture of the first screen.
 std::string furtherFigures(const DrawnFigures& drawn) {
   std::string panels;
   std::string captions;
-  for (std::size_t i = 0; i < drawn.figures.size(); ++i) {
-    if (i != kMap) {
-      panels += drawn.figures[i].from(i == kLoops ? 1 : 0);
-      captions += (i == 0 ? "" : " ") + escape(drawn.figures[i].figure.caption) + drawn.figures[i].numbers();
+  for (const DrawnFigure& figure : drawn.figures) {
+    if (figure.figure.name != report::kWhere) {
+      panels += figure.from(0);
+      captions += (captions.empty() ? "" : " ") + escape(figure.figure.caption) + figure.numbers();
     }
   }
   return panels.empty()
-             ? ""
+             ? drawn.problem
              : heading("Figures") + "<div class=figures>" + panels + "</div>\n<p class=note>" + captions + "</p>\n";
 }
 
@@ -341,16 +311,16 @@ std::string benchBody(const Diagnosis& d) {
 
 // What led to the contradiction, and no claim.
 std::string defectBody(const Diagnosis& d) {
-  return report::firstScreen(d, "") + "<p>No effect is named and no component file is written.</p>\n" +
+  return report::firstScreen(d) + "<p>No effect is named and no component file is written.</p>\n" +
          (d.table ? report::tableSection(d) : findings(d) + takenOut(d) + admission(d));
 }
 
 std::string body(const Diagnosis& d) {
   const DrawnFigures drawn = drawFigures(d);
-  return report::firstScreen(d, firstLoop(drawn)) + report::comparisonSection(d.comparison) + howFar(d) +
-         heading("Which") + report::candidateSection(d) + where(d, drawn) + furtherFigures(drawn) + componentFile(d) +
-         nextExperiment(d) + couldShow(d) +
-         (d.table ? report::tableSection(d) : findings(d) + takenOut(d) + ratingTable(d) + admission(d));
+  return report::firstScreen(d) + report::comparisonSection(d.comparison) + furtherFigures(drawn) + howFar(d) +
+         heading("Which") + report::candidateSection(d) + onScreen(where(d)) + componentFile(d) +
+         onScreen(nextExperiment(d) + couldShow(d)) +
+         (d.table ? report::tableSection(d) : findings(d) + takenOut(d) + ratingTable(d) + onScreen(admission(d)));
 }
 
 }  // namespace

@@ -192,17 +192,18 @@ class Describer {
     const Workings& w = *workings_;
     const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
     const auto of = [&](const gap::Forces& forces) { return hasUnseenLogs() ? unseen(forces) : forces; };
-    const std::array<std::function<void()>, 3> tasks = {
+    const auto mapOf = [&](const gap::Forces& forces) {
+      gap::Forces residual;
+      for (std::size_t r = 0; r < prepared_.training.size(); ++r) {
+        const log::Record& record = prepared_.training[r];
+        residual.push_back(record.withoutRig(record.force - forces[r]));
+      }
+      return gap::gapMap(prepared_.training, residual, search_.record_noise);
+    };
+    const std::array<std::function<void()>, 4> tasks = {
         [&] { result_.errors_re_estimated = characteristicErrors(records, of(w.force_re_estimated)); },
         [&] { result_.errors_augmented = characteristicErrors(records, of(w.force_augmented)); },
-        [&] {
-          gap::Forces residual;
-          for (std::size_t r = 0; r < prepared_.training.size(); ++r) {
-            const log::Record& record = prepared_.training[r];
-            residual.push_back(record.withoutRig(record.force - w.force_configured[r]));
-          }
-          result_.where = gap::gapMap(prepared_.training, residual, search_.record_noise);
-        }};
+        [&] { result_.where = mapOf(w.force_configured); }, [&] { result_.where_after = mapOf(w.force_augmented); }};
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
   }
 

@@ -242,12 +242,13 @@ class TableDescriber {
     results::addGap(gap, alone, workings_->evidence, *workings_, options_, result_);
   }
 
-  // Where the configured model is wrong: two cells for each row.
-  void mapGap() {
+  // Where a model is wrong: two cells for each row.
+  std::vector<gap::GapCell> mapOf(Complex DiagnosedRow::*model) const {
     double sum = 0.0;
+    std::vector<gap::GapCell> cells;
     for (const DiagnosedRow& row : result_.table->rows) {
       const Complex measured = row.measured.complexStiffness();
-      const Complex rest = (measured - row.as_configured) / std::abs(measured);
+      const Complex rest = (measured - row.*model) / std::abs(measured);
       sum += std::norm(rest);
       const std::array<std::pair<gap::Quantity, double>, 2> parts = {
           {{gap::Quantity::stiffness, rest.real()}, {gap::Quantity::loss, rest.imag()}}};
@@ -255,14 +256,21 @@ class TableDescriber {
         const double f = row.measured.frequency;
         const double a = row.measured.amplitude;
         const double noise = search_.noise / std::sqrt(2.0);
-        result_.where.push_back({table_.name, {f, f}, {a, a}, quantity, size * size, std::abs(size) / noise});
+        const double squared = size * size / static_cast<double>(table_.points.size());
+        cells.push_back({table_.name, {f, f}, {a, a}, quantity, size * size, std::abs(size) / noise, squared});
       }
     }
-    for (gap::GapCell& cell : result_.where) {
+    for (gap::GapCell& cell : cells) {
       cell.share = sum > 0.0 ? cell.share / sum : 0.0;
     }
-    std::stable_sort(result_.where.begin(), result_.where.end(),
+    std::stable_sort(cells.begin(), cells.end(),
                      [](const gap::GapCell& x, const gap::GapCell& y) { return x.share > y.share; });
+    return cells;
+  }
+
+  void mapGap() {
+    result_.where = mapOf(&DiagnosedRow::as_configured);
+    result_.where_after = mapOf(&DiagnosedRow::augmented);
   }
 
   void describeParameters() {

@@ -22,10 +22,6 @@ bool isChanged(const SizedValue& size) {
          (size.configured < size.interval_95[0] || size.configured > size.interval_95[1]);
 }
 
-std::string nameOf(const SizedValue& size) {
-  return size.owner == "specification" ? symbolOf(size.name) : spoken(size.owner) + " " + spoken(size.name);
-}
-
 std::string boundText(const SizedValue& size) {
   return isAtBound(size) ? ", a bound of the fit: these logs do not tell it" : "";
 }
@@ -54,6 +50,10 @@ std::string addedText(const std::vector<element::ElementDescription>& entries) {
 }
 
 }  // namespace
+
+std::string valueName(const SizedValue& size) {
+  return size.owner == "specification" ? symbolOf(size.name) : spoken(size.owner) + " " + spoken(size.name);
+}
 
 bool isAtBound(const SizedValue& size) {
   return (size.at_bound[0] && size.value == size.interval_95[0]) ||
@@ -95,13 +95,13 @@ std::string wholeText(const Diagnosis& d) {
 
 std::string offText(const SizedValue& size) {
   const double off = size.configured / size.value - 1.0;
-  return fmt::format("{} is {} % too {} in the component file ({} instead of {}{})", nameOf(size),
+  return fmt::format("{} is {} % too {} in the component file ({} instead of {}{})", valueName(size),
                      wholePercent(std::abs(off)), off < 0.0 ? "low" : "high", quantity(size.configured, size.unit),
                      quantity(size.value, size.unit), boundText(size));
 }
 
 std::string besideText(const SizedValue& size) {
-  return fmt::format("{} becomes {} ({} in the component file){}", nameOf(size), quantity(size.value, size.unit),
+  return fmt::format("{} becomes {} ({} in the component file){}", valueName(size), quantity(size.value, size.unit),
                      quantity(size.configured, size.unit), boundText(size));
 }
 
@@ -109,7 +109,7 @@ std::string componentChanges(const Diagnosis& d) {
   std::vector<Row> rows;
   for (const SizedValue& size : d.model_sizes) {
     if (size.value != size.configured) {
-      rows.push_back({escape(nameOf(size)), "<del>" + quantity(size.configured, size.unit) + "</del>",
+      rows.push_back({escape(valueName(size)), "<del>" + quantity(size.configured, size.unit) + "</del>",
                       "<ins>" + quantity(size.value, size.unit) + "</ins>", intervalText(size),
                       fmt::format("{:+.1f} %", 100.0 * (size.value / size.configured - 1.0))});
     }

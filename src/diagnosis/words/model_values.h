@@ -23,6 +23,9 @@ const SizedValue* headlineValue(const Diagnosis& diagnosis);
 /// and a loss angle of 5.1 deg (4.2 deg)."; empty where nothing is known of it.
 std::string wholeText(const Diagnosis& diagnosis);
 
+/// A value of the model by the symbol of a sheet, or its element: "K_n", "maxwell 3 stiffness".
+std::string valueName(const SizedValue& size);
+
 /// "K_n is 19 % too low in the component file (3.4 kN/mm instead of 4.2 kN/mm)".
 std::string offText(const SizedValue& size);
 

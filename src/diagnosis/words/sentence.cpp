@@ -217,6 +217,42 @@ std::string sentence(const Diagnosis& diagnosis) {
   }
 }
 
+std::string headline(const Diagnosis& diagnosis) {
+  const Gap& gap = diagnosis.gap;
+  std::vector<std::string> names;
+  std::transform(diagnosis.effects.begin(), diagnosis.effects.end(), std::back_inserter(names), spoken);
+  const std::string effects = enumerated(names);
+  const ChangeTexts closed(gap.re_estimated, gap.augmented, gap.noise_floor);
+  const std::string falls = fmt::format(": gap {} to {}.", closed.before, closed.after);
+  switch (diagnosis.verdict) {
+    case Verdict::none:
+      return agreement(gap);
+    case Verdict::parameter_error: {
+      const ChangeTexts moved(gap.as_configured, gap.re_estimated, gap.noise_floor);
+      return fmt::format("{}: others lower the gap from {} to {}, noise {}.",
+                         diagnosis.guess ? "The data sheet is a guess" : "Values of the model are wrong", moved.before,
+                         moved.after, moved.noise);
+    }
+    case Verdict::named:
+      return (headlineValue(diagnosis) == nullptr ? "The model lacks " : "Besides wrong values, the model lacks ") +
+             effects + falls;
+    case Verdict::confounded:
+      return "Most probably the model lacks " + effects + falls;
+    case Verdict::partly:
+      return "The model lacks " + effects + " and something else" + falls;
+    case Verdict::check_bench:
+      return diagnosis.rig_findings.empty()
+                 ? "Check the bench."
+                 : fmt::format("Check the bench: {} in log {}.", spoken(diagnosis.rig_findings.front().finding),
+                               diagnosis.rig_findings.front().log);
+    case Verdict::defect:
+      return "This report contradicts itself and names nothing.";
+    default:
+      return fmt::format("No effect of the list explains the gap of {}, noise {}.", percent(gap.re_estimated),
+                         percent(gap.noise_floor));
+  }
+}
+
 std::string temperatureNote(const std::vector<std::string>& effects, const fit::Excitation& excitation) {
   std::vector<std::string> doubtful;
   std::copy_if(effects.begin(), effects.end(), std::back_inserter(doubtful), mayBeTemperature);

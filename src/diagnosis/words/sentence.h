@@ -12,6 +12,9 @@ namespace rubber_suspension::diagnosis::words {
 /// The verdict for an engineer, from the numbers and names of a diagnosis.
 std::string sentence(const Diagnosis& diagnosis);
 
+/// The same in at most 25 words, for a headline: what the model lacks, and how far the gap falls.
+std::string headline(const Diagnosis& diagnosis);
+
 /// A sentence for logs without a temperature that name softening or heating; empty for all others.
 std::string temperatureNote(const std::vector<std::string>& effects, const fit::Excitation& excitation);
 
