@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "component/equal_run.h"
 #include "component/series_root.h"
@@ -16,6 +17,13 @@
 
 namespace rubber_suspension::component {
 namespace {
+
+constexpr std::size_t kPathBlock = 64;  // most steps at once, law after law
+
+// A count of steps at once is a number, or the one that the compiler knows.
+using One = std::integral_constant<std::size_t, 1>;
+template <class Number, class Count>
+using Block = std::array<Number, std::is_same_v<Count, One> ? 1 : kPathBlock>;
 
 void add(element::ComponentForce& sum, element::Part part, double force) {
   switch (part) {
@@ -48,7 +56,8 @@ void scaleBy(const Effects& effects, const element::Motion& motion, double* memo
 }
 
 // The forces of an element, added to those of others.
-void addSteps(const element::ParallelElement& law, const element::Motion* motion, std::size_t count, double* memory,
+template <class Count>
+void addSteps(const element::ParallelElement& law, const element::Motion* motion, Count count, double* memory,
               element::ComponentForce* force) {
   const element::Part part = law.part();
   for (std::size_t i = 0; i < count; ++i) {
@@ -113,7 +122,8 @@ element::ComponentForce kept(const double* slots) { return {slots[0], slots[1], 
 constexpr double kUnknownTemperature = -1e3;  // [degC]
 
 // Increments of displacements [m], the one before the first being kept in `last`.
-void takeIncrements(element::Motion* motion, std::size_t count, double& last) {
+template <class Count>
+void takeIncrements(element::Motion* motion, Count count, double& last) {
   for (std::size_t i = 0; i < count; ++i) {
     motion[i].increment = motion[i].displacement - last;
     last = motion[i].displacement;
@@ -199,6 +209,7 @@ ComponentState Component::makeState() const {
     state.trial_[trial_size_ + kLinear] = static_cast<double>(nonlinear - elements_.begin());
   }
   state.prepared_ = kernel_.makePreparedStep();
+  state.kernel_alone_ = kernel_alone_;
   forgetTemperature(state);
   initialise(state, 0.0);
   return state;
@@ -359,35 +370,19 @@ void Component::forgetTemperature(ComponentState& state) const {
 
 element::ComponentForce Component::stepAlongPath(ComponentState& state, double dt, double displacement) const {
   element::ComponentForce force;
-  if (!displacement_effects_.empty() || !series_.empty() || !shifts_.empty()) {
-    stepsAlongPath(state, dt, &displacement, 1, &force);
-    return force;
-  }
-  if (dt != state.prepared_.dt) {
-    kernel_.prepare(dt, state.prepared_);
-  }
-  const element::Motion motion{dt, displacement, displacement - state.displacement_};
-  state.displacement_ = displacement;
-  double* memory = state.memory_.data();
-  force = kernel_.stepWithoutBranch(motion, memory, state.prepared_);
-  for (const auto& element : elements_) {
-    add(force, element.law->part(), element.law->step(motion, memory + element.offset));
-  }
-  scaleBy(force_effects_, motion, memory, force);
-  for (const auto& element : rig_) {
-    add(force, element.law->part(), element.law->step(motion, memory + element.offset));
-  }
+  stepsAlongPath(state, dt, &displacement, One(), &force);
   return force;
 }
 
-void Component::stepsAlongPath(ComponentState& state, double dt, const double* displacement, std::size_t count,
+template <class Count>
+void Component::stepsAlongPath(ComponentState& state, double dt, const double* displacement, Count count,
                                element::ComponentForce* force) const {
   double* memory = state.memory_.data();
   if (const double reduced = reducedStep(dt, memory); reduced != state.prepared_.dt) {
     kernel_.prepare(reduced, state.prepared_);
   }
-  std::array<element::Motion, kPathBlock> actuator;
-  std::array<element::Motion, kPathBlock> test_piece;
+  Block<element::Motion, Count> actuator;
+  Block<element::Motion, Count> test_piece;
   for (std::size_t i = 0; i < count; ++i) {
     actuator[i] = {dt, displacement[i], 0.0};
   }
@@ -399,11 +394,11 @@ void Component::stepsAlongPath(ComponentState& state, double dt, const double* d
   } else {
     for (std::size_t i = 0; i < count; ++i) {
       test_piece[i].displacement = balance(state, test_piece[i]);
-      takeIncrements(&test_piece[i], 1, memory[test_piece_slot_]);
+      takeIncrements(&test_piece[i], One(), memory[test_piece_slot_]);
       double* const trial = state.trial_.data();
       const double* const slots = trial + trial_size_;
       if (test_piece[i].displacement != slots[kTried]) {
-        stepTestPiece(state.prepared_, &test_piece[i], 1, memory, force + i);
+        stepTestPiece(state.prepared_, &test_piece[i], One(), memory, force + i);
         continue;
       }
       // The last trial was this step, but for the memory of the linear laws.
@@ -418,7 +413,8 @@ void Component::stepsAlongPath(ComponentState& state, double dt, const double* d
   }
 }
 
-void Component::applyDisplacementEffects(element::Motion* motion, std::size_t count, double* memory) const {
+template <class Count>
+void Component::applyDisplacementEffects(element::Motion* motion, Count count, double* memory) const {
   if (displacement_effects_.empty()) {
     return;
   }
@@ -468,7 +464,8 @@ double Component::balance(ComponentState& state, const element::Motion& path) co
 }
 
 // The sum of F_i.
-void Component::stepElements(const kernel::PreparedStep& prepared, const element::Motion* motion, std::size_t count,
+template <class Count>
+void Component::stepElements(const kernel::PreparedStep& prepared, const element::Motion* motion, Count count,
                              double* memory, element::ComponentForce* force) const {
   for (std::size_t i = 0; i < count; ++i) {
     force[i] = kernel_.stepWithoutBranch(motion[i], memory, prepared);
@@ -478,26 +475,21 @@ void Component::stepElements(const kernel::PreparedStep& prepared, const element
   }
 }
 
-// The same in the reduced time, times b_T.
-void Component::stepShiftedElements(const kernel::PreparedStep& prepared, const element::Motion* motion,
-                                    std::size_t count, double* memory, element::ComponentForce* force) const {
-  std::array<element::Motion, kPathBlock> reduced{};
-  for (std::size_t i = 0; i < count; ++i) {
-    reduced[i] = {reducedStep(motion[i].dt, memory), motion[i].displacement, motion[i].increment};
-  }
-  stepElements(prepared, reduced.data(), count, memory, force);
-  for (std::size_t i = 0; i < count; ++i) {
-    scale(force[i], memory[temperature_slot_ + kForce]);
-  }
-}
-
-// F = sum of F_i, scaled.
-void Component::stepTestPiece(const kernel::PreparedStep& prepared, const element::Motion* motion, std::size_t count,
+// F = sum of F_i, in the reduced time and times b_T where there is a temperature, scaled.
+template <class Count>
+void Component::stepTestPiece(const kernel::PreparedStep& prepared, const element::Motion* motion, Count count,
                               double* memory, element::ComponentForce* force) const {
   if (shifts_.empty()) {
     stepElements(prepared, motion, count, memory, force);
   } else {
-    stepShiftedElements(prepared, motion, count, memory, force);
+    Block<element::Motion, Count> reduced{};
+    for (std::size_t i = 0; i < count; ++i) {
+      reduced[i] = {reducedStep(motion[i].dt, memory), motion[i].displacement, motion[i].increment};
+    }
+    stepElements(prepared, reduced.data(), count, memory, force);
+    for (std::size_t i = 0; i < count; ++i) {
+      scale(force[i], memory[temperature_slot_ + kForce]);
+    }
   }
   for (const auto& effect : force_effects_) {
     for (std::size_t i = 0; i < count; ++i) {

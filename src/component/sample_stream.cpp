@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kLongestGap = 9e9;  // [s], what fits into signed nanoseconds
 
-// later - earlier [ns]; both may lie anywhere, so the difference may be more than a signed number holds.
-std::uint64_t between(std::int64_t earlier, std::int64_t later) {
-  return static_cast<std::uint64_t>(later) - static_cast<std::uint64_t>(earlier);
-}
-
 }  // namespace
 
 double StampedStream::secondsBetween(std::int64_t earlier, std::int64_t later) {
@@ -104,7 +99,7 @@ element::ComponentForce SampleStream::initialise(double displacement) {
   return force;
 }
 
-inline element::ComponentForce SampleStream::advance(Acceptance acceptance, std::int64_t stamp, double displacement) {
+element::ComponentForce SampleStream::advance(Acceptance acceptance, std::int64_t stamp, double displacement) {
   if (!started_ || acceptance == Acceptance::restarted) {
     return initialise(displacement);
   }
@@ -112,25 +107,32 @@ inline element::ComponentForce SampleStream::advance(Acceptance acceptance, std:
     save();
   }
   const double dt = secondsBetween(last_stamp_, stamp);
+  if (acceptance == Acceptance::accepted) {
+    usual_ = {between(last_stamp_, stamp), dt};
+  }
   steps_[step_count_++] = {dt, displacement};
   return component_.step(state_, dt, displacement);
 }
 
-StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
+StreamForce SampleStream::pushAny(std::int64_t stamp, double displacement) {
   StreamForce result{judge(stamp, std::isfinite(displacement)), {}};
   if (isAccepted(result.acceptance)) {
     result.force = advance(result.acceptance, stamp, displacement);
-    if (std::isfinite(result.force.total)) {
-      last_stamp_ = stamp;
-      started_ = true;
-    } else {
-      // A displacement can be finite and yet too large for a law that stiffens; the state must not keep that.
-      rollBack();
-      result = {Acceptance::force_not_finite, {}};
+    if (!std::isfinite(result.force.total)) {
+      return refuseForce();
     }
+    last_stamp_ = stamp;
+    started_ = true;
   }
   count(result.acceptance);
   return result;
+}
+
+// A displacement can be finite and yet too large for a law that stiffens; the state must not keep that.
+StreamForce SampleStream::refuseForce() {
+  rollBack();
+  count(Acceptance::force_not_finite);
+  return {Acceptance::force_not_finite, {}};
 }
 
 // How many of the samples follow the last one at equal distance, all accepted by their stamps.
@@ -220,6 +222,7 @@ void SampleStream::reset() {
   component_.initialise(state_, 0.0);
   save();
   started_ = false;
+  usual_ = {};
 }
 
 void SampleStream::deserialise(std::int64_t last_stamp, double displacement, const std::vector<double>& memory) {

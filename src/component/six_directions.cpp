@@ -92,7 +92,8 @@ std::vector<double> SixDirectionsState::numbers() const {
   std::vector<double> numbers(coordinates_.begin(), coordinates_.end());
   numbers.insert(numbers.end(), coupled_.begin(), coupled_.end());
   for (const ComponentState& direction : directions_) {
-    numbers.insert(numbers.end(), direction.memory().begin(), direction.memory().end());
+    const std::vector<double> memory = direction.memory();
+    numbers.insert(numbers.end(), memory.begin(), memory.end());
   }
   return numbers;
 }

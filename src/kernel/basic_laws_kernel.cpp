@@ -1,4 +1,4 @@
-// Springs, dashpots, Maxwell elements and Berg friction in parallel: parameters, general path, complex stiffness.
+// Springs, dashpots, Maxwell elements and Berg friction in parallel: parameters, start, complex stiffness.
 #include "rubber_suspension/kernel/basic_laws_kernel.h"
 
 #include <algorithm>
@@ -25,6 +25,9 @@ BasicLawsKernel::BasicLawsKernel(const element::BasicLaws& laws)
 
 PreparedStep BasicLawsKernel::makePreparedStep() const {
   PreparedStep prepared;
+  prepared.spring_stiffness = spring_stiffness_;
+  prepared.friction_count = static_cast<std::uint32_t>(frictions_.size());
+  prepared.maxwell_count = static_cast<std::uint32_t>(maxwell_count_);
   prepared.maxwells.resize(maxwell_stiffness_.size() / MaxwellBlock::kSize);
   return prepared;
 }
@@ -43,20 +46,21 @@ element::ComponentForce BasicLawsKernel::initialise(double displacement, double*
   return force;
 }
 
-element::ComponentForce BasicLawsKernel::generalStep(double dt, double displacement, double increment, double* memory,
-                                                     PreparedStep& prepared) const {
+element::ComponentForce BasicLawsKernel::step(double dt, double displacement, double increment, double* memory,
+                                              PreparedStep& prepared) const {
   if (dt != prepared.dt) {
     prepare(dt, prepared);
   }
-  const element::Motion motion{dt, displacement, increment};
-  if (keepsDirection(displacement, prepared)) {
-    return fastStep(motion, memory, prepared);
+  if (prepared.continues(dt, displacement, memory)) {
+    return prepared.continueTo(displacement, increment, memory);
   }
   if (frictions_.size() > 1) {
-    return stepWithoutBranch(motion, memory, prepared);
+    return stepWithoutBranch({dt, displacement, increment}, memory, prepared);
   }
-  const double friction = frictions_.front().advance(displacement, frictionMemory(memory), prepared.branch);
-  return sum(displacement, viscousStep(increment, memory, prepared), friction);
+  double* own = frictionMemory(memory);
+  const double friction = frictions_.front().advance(displacement, own);
+  prepared.branch = frictions_.front().currentBranch(own);
+  return prepared.advance(displacement, increment, friction, memory);
 }
 
 std::optional<std::complex<double>> BasicLawsKernel::complexStiffness(double omega) const {

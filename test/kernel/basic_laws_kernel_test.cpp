@@ -148,7 +148,8 @@ class Pair {
 
   void step() {
     const element::Motion motion = path_.next();
-    expectSame(kernel_.step(motion, memory_.data(), prepared_), laws_.step(motion));
+    expectSame(kernel_.step(motion.dt, motion.displacement, motion.increment, memory_.data(), prepared_),
+               laws_.step(motion));
     ASSERT_EQ(memory_, laws_.memory());
   }
 
@@ -262,7 +263,7 @@ TEST_P(BasicLawsKernel, BalancesInClosedForm) {
   kernel::PreparedStep prepared = kernel.makePreparedStep();
   std::array<double, element::BergFriction::kMemorySize> memory{};
   kernel.initialise(0.0, memory.data());
-  kernel.step({1e-3, 1e-3, 1e-3}, memory.data(), prepared);
+  kernel.step(1e-3, 1e-3, 1e-3, memory.data(), prepared);
   // On along the branch: the closed form; back: none, as the branch would be another.
   const auto on = kernel.balance(kSlope, -3e-3, kCompliance, memory.data());
   ASSERT_TRUE(on);
@@ -280,8 +281,8 @@ TEST_P(BasicLawsKernel, AllocatesNothing) {
   std::vector<double> force(1000);
   const AllocationCounter counter;
   kernel.initialise(0.0, memory.data());
-  kernel.step({1e-3, 1e-3, 1e-3}, memory.data(), prepared);
-  kernel.step({1e-3, -1e-3, -2e-3}, memory.data(), prepared);
+  kernel.step(1e-3, 1e-3, 1e-3, memory.data(), prepared);
+  kernel.step(1e-3, -1e-3, -2e-3, memory.data(), prepared);
   kernel.simulate(2e-3, -1e-3, displacement.data(), displacement.size(), force.data(), memory.data(), prepared);
   EXPECT_EQ(counter.count(), 0U);
 }

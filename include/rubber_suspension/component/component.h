@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/align/aligned_allocator.hpp>
 #include <complex>
 #include <memory>
 #include <optional>
@@ -14,11 +15,11 @@
 namespace rubber_suspension::component {
 
 /// Everything that a component remembers between two samples. Copying it is saving it; a trial step is a step on a
-/// copy.
-class ComponentState {
+/// copy. What a step needs lies on few cache lines.
+class alignas(kernel::kCacheLine) ComponentState {
  public:
   double displacement() const { return displacement_; }  ///< at the last sample [m]
-  const std::vector<double>& memory() const { return memory_; }
+  std::vector<double> memory() const { return {memory_.begin(), memory_.end()}; }
 
   /// Take what another state of the same component remembers, and keep the coefficients of the step length last used;
   /// faster than copying all.
@@ -32,9 +33,11 @@ class ComponentState {
   friend class Component;
 
   double displacement_ = 0.0;
-  std::vector<double> memory_;     // of all elements, one block after the other
-  std::vector<double> trial_;      // memory of the test piece while a series balance is solved; not saved
+  bool kernel_alone_ = false;      // as in the component
   kernel::PreparedStep prepared_;  // derived, not saved; a branch only where the component is the kernel alone
+  // Of all elements, one block after the other.
+  std::vector<double, boost::alignment::aligned_allocator<double, kernel::kCacheLine>> memory_;
+  std::vector<double> trial_;  // memory of the test piece while a series balance is solved; not saved
 };
 
 /// Linearisation of one step about its end, for an implicit integrator: dF/dz at the end of the step is
@@ -81,13 +84,17 @@ class Component {
   /// Advance by dt > 0 [s] to a displacement [m], linear in between. Allocates nothing.
   /// The force is not a number, from there on, where the test piece has given way behind a series compliance: where its
   /// tangent stiffness (of an asymmetric_stiffness, say) is more negative than the compliance can hold.
-  element::ComponentForce step(ComponentState& state, double dt, double displacement) const {
-    if (!kernel_alone_) {
+  __attribute__((always_inline)) element::ComponentForce step(ComponentState& state, double dt,
+                                                              double displacement) const {
+    if (!state.kernel_alone_) {
       return stepAlongPath(state, dt, displacement);
     }
-    const element::Motion motion{dt, displacement, displacement - state.displacement_};
+    double* const memory = state.memory_.data();
+    const double increment = displacement - state.displacement_;
     state.displacement_ = displacement;
-    return kernel_.step(motion, state.memory_.data(), state.prepared_);
+    return state.prepared_.continues(dt, displacement, memory)
+               ? state.prepared_.continueTo(displacement, increment, memory)
+               : kernel_.step(dt, displacement, increment, memory, state.prepared_);
   }
 
   /// Whether a temperature does anything.
@@ -143,7 +150,6 @@ class Component {
   };
   enum class Start { as_new, relaxed };
   enum TemperatureSlot { kTemperature, kRate /* 1/a_T */, kForce /* b_T */, kTemperatureSlots };
-  static constexpr std::size_t kPathBlock = 64;  // most steps at once, law after law
 
   bool acceptsMemory(const double* memory) const;
   void place(const std::shared_ptr<const element::ParallelElement>& law, element::BasicLaws& basic_laws);
@@ -157,16 +163,18 @@ class Component {
   double balanceAtStart(ComponentState& state, double displacement, Start kind) const;
 
   element::ComponentForce stepAlongPath(ComponentState& state, double dt, double displacement) const;
-  void stepsAlongPath(ComponentState& state, double dt, const double* displacement, std::size_t count,
+  template <class Count>
+  void stepsAlongPath(ComponentState& state, double dt, const double* displacement, Count count,
                       element::ComponentForce* force) const;
-  void applyDisplacementEffects(element::Motion* motion, std::size_t count, double* memory) const;
+  template <class Count>
+  void applyDisplacementEffects(element::Motion* motion, Count count, double* memory) const;
   double balance(ComponentState& state, const element::Motion& path) const;
-  void stepTestPiece(const kernel::PreparedStep& prepared, const element::Motion* motion, std::size_t count,
-                     double* memory, element::ComponentForce* force) const;
-  void stepElements(const kernel::PreparedStep& prepared, const element::Motion* motion, std::size_t count,
-                    double* memory, element::ComponentForce* force) const;
-  void stepShiftedElements(const kernel::PreparedStep& prepared, const element::Motion* motion, std::size_t count,
-                           double* memory, element::ComponentForce* force) const;
+  template <class Count>
+  void stepTestPiece(const kernel::PreparedStep& prepared, const element::Motion* motion, Count count, double* memory,
+                     element::ComponentForce* force) const;
+  template <class Count>
+  void stepElements(const kernel::PreparedStep& prepared, const element::Motion* motion, Count count, double* memory,
+                    element::ComponentForce* force) const;
   element::Shift shiftAt(double temperature) const;
   /// The step of the elements that a step of dt [s] is.
   double reducedStep(double dt, const double* memory) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "rubber_suspension/component/component.h"
@@ -61,6 +62,11 @@ class StampedStream {
   Acceptance judge(std::int64_t stamp, bool finite) const;
   void count(Acceptance acceptance);
 
+  /// later - earlier [ns]; both may lie anywhere, so the difference may be more than a signed number holds.
+  static std::uint64_t between(std::int64_t earlier, std::int64_t later) {
+    return static_cast<std::uint64_t>(later) - static_cast<std::uint64_t>(earlier);
+  }
+
   /// The time from one stamp [ns] to a later one [s].
   static double secondsBetween(std::int64_t earlier, std::int64_t later);
 
@@ -79,7 +85,21 @@ class SampleStream : public StampedStream {
 
   /// Take one sample: stamp [ns], displacement [m]. The first one after construction or reset() finds the component at
   /// rest at its displacement. A dropped sample leaves the state as it was. Allocates nothing.
-  StreamForce push(std::int64_t stamp, double displacement);
+  __attribute__((always_inline)) StreamForce push(std::int64_t stamp, double displacement) {
+    // As far from the sample before as one that was accepted: nothing is left to check but the numbers.
+    if (stamp <= last_stamp_ || between(last_stamp_, stamp) != usual_.nanoseconds || !std::isfinite(displacement) ||
+        step_count_ == kMostSteps) {
+      return pushAny(stamp, displacement);
+    }
+    steps_[step_count_++] = {usual_.seconds, displacement};
+    const element::ComponentForce force = component_.step(state_, usual_.seconds, displacement);
+    if (!std::isfinite(force.total)) {
+      return refuseForce();
+    }
+    last_stamp_ = stamp;
+    ++counters_.accepted;
+    return {Acceptance::accepted, force};
+  }
 
   /// push() one sample after the other, up to the first that is dropped; returns how many were accepted. Their forces
   /// [N], the same to the last bit, go to `force`. Several times as fast where samples are evenly spaced.
@@ -110,6 +130,14 @@ class SampleStream : public StampedStream {
   };
   static constexpr std::size_t kMostSteps = 64;  // all of which are repeated where a force is not finite
 
+  // A time between samples that was accepted; none before the first.
+  struct Interval {
+    std::uint64_t nanoseconds = 0;
+    double seconds = 0.0;
+  };
+
+  StreamForce pushAny(std::int64_t stamp, double displacement);
+  StreamForce refuseForce();
   void save();
   void rollBack();
   element::ComponentForce initialise(double displacement);
@@ -123,6 +151,7 @@ class SampleStream : public StampedStream {
   ComponentState saved_;
   std::array<Step, kMostSteps> steps_;
   std::size_t step_count_ = 0;
+  Interval usual_;
 };
 
 }  // namespace rubber_suspension::component

@@ -9,31 +9,14 @@
 
 namespace rubber_suspension::element {
 
-/// The numbers that the forces on one side of a branch's reference point have in common.
+/// The side of a branch's reference point that the motion is on, made ready for many samples.
 struct BergSide {
-  double reference_force;  ///< F_s [N]
-  double left;             ///< what is left of the force to F_max or -F_max there [N]
-  double reach;            ///< z2 (1 -+ mu), kept above 0 [m]
-
-  /// Force [N] at a travel [m] from the reference point, taken without its sign.
-  double force(double travel) const { return reference_force + travel * left / (reach + travel); }
-};
-
-/// A branch of Berg friction in the direction of the motion, made ready for many samples.
-struct BergBranch {
   double direction = 0.0;  ///< of the motion; 0: there is no branch, and no motion keeps it
-  double extremum = 0.0;   ///< [m]
-  double reference_displacement = 0.0;
-  BergSide side{};
+  double left = 0.0;       ///< what is left of the reference force to F_max or -F_max [N]
+  double reach = 1.0;      ///< z2 (1 -+ mu), kept above 0 [m]
 
-  bool keepsDirection(double displacement) const { return (displacement - extremum) * direction > 0.0; }
-  bool endsAt(double displacement) const { return displacement == extremum && direction != 0.0; }
-
-  /// Continue to a displacement [m]; returns the force [N].
-  double continueTo(double displacement) {
-    extremum = displacement;
-    return side.force(std::abs(displacement - reference_displacement));
-  }
+  /// Force [N] that a travel [m] from the reference point, taken without its sign, adds to that there.
+  double rise(double travel) const { return travel * left / (reach + travel); }
 };
 
 /// Rate-independent friction that rises smoothly from each reversal towards its maximum.
@@ -80,27 +63,28 @@ class BergFriction final : public ParallelElement {
     return branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
   }
 
-  /// advance() that leaves the branch that the element is on then in `current`.
-  double advance(double displacement, double* memory, BergBranch& current) const {
-    move(displacement, memory);
-    current = currentBranch(memory);
-    return current.endsAt(displacement) ? current.continueTo(displacement)
-                                        : branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
-  }
-
   /// True where the motion to a displacement [m] keeps the direction of the branch.
   bool keepsDirection(double displacement, const double* memory) const {
     return (displacement - memory[kExtremum]) * memory[kDirection] > 0.0;
   }
 
-  /// The branch that the element is on; none at rest. Where a motion keeps its direction, the force along it is that of
-  /// advance(), which then changes the extremum alone.
-  BergBranch currentBranch(const double* memory) const {
+  /// The branch that the element is on; none at rest. Where a motion keeps its direction, continueTo() is advance().
+  BergSide currentBranch(const double* memory) const {
     const double direction = memory[kDirection];
     // The reference point lies behind the extremum, unless the memory was made up.
     const bool behind = (memory[kExtremum] - memory[kReferenceDisplacement]) * direction >= 0.0;
-    return {behind ? direction : 0.0, memory[kExtremum], memory[kReferenceDisplacement],
-            side(direction, memory[kReferenceForce])};
+    return behind ? side(direction, memory[kReferenceForce]) : BergSide{};
+  }
+
+  /// True where the motion to a displacement [m] keeps the direction of a branch.
+  static bool keepsDirection(const BergSide& branch, double displacement, const double* memory) {
+    return (displacement - memory[kExtremum]) * branch.direction > 0.0;
+  }
+
+  /// Continue a branch in its direction to a displacement [m]; returns the force [N].
+  static double continueTo(const BergSide& branch, double displacement, double* memory) {
+    memory[kExtremum] = displacement;
+    return memory[kReferenceForce] + branch.rise(std::abs(displacement - memory[kReferenceDisplacement]));
   }
 
   /// Move along displacements [m] up to, and without, the first that reverses the motion; returns how many these
@@ -119,7 +103,7 @@ class BergFriction final : public ParallelElement {
   /// Force [N] at a displacement [m] on the branch that starts at a reference point.
   double branch(double displacement, double reference_displacement, double reference_force) const {
     const double travel = displacement - reference_displacement;
-    return side(travel, reference_force).force(std::abs(travel));
+    return reference_force + side(travel, reference_force).rise(std::abs(travel));
   }
 
   /// Displacement z [m] on the branch that the element is on, where slope z + offset + compliance F(z) = 0 for a
@@ -140,7 +124,7 @@ class BergFriction final : public ParallelElement {
     // Keeps 0/0 away at the reference point itself once friction is at its maximum.
     constexpr double kTiny = std::numeric_limits<double>::min();
     const double left = std::copysign(maximum_force_, travel) - reference_force;
-    return {reference_force, left, compliance_ * std::abs(left) + kTiny};
+    return {travel, left, compliance_ * std::abs(left) + kTiny};
   }
 
   /// Bring the memory to a displacement [m].

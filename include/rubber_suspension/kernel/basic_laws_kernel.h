@@ -17,13 +17,50 @@
 
 namespace rubber_suspension::kernel {
 
-/// The numbers that a kernel derives from step length and memory to make the next step fast. It need not be saved.
-/// Throws nothing.
+/// The numbers that a kernel derives from its laws, step length and memory to make the next step fast. All that such a
+/// step needs besides the memory lies here, so that of many components little is fetched. It need not be saved. Throws
+/// nothing.
 struct PreparedStep {
-  double dt = -1.0;                    ///< step length that the coefficients are for [s]
-  double dashpot_gain = 0.0;           ///< c/dt [N/m]
+  double dt = -1.0;               ///< step length that the coefficients are for [s]
+  double dashpot_gain = 0.0;      ///< c/dt [N/m]
+  double spring_stiffness = 0.0;  ///< [N/m]
+  element::BergSide branch;       ///< that the memory of a single friction describes, or none
+  std::uint32_t friction_count = 0;
+  std::uint32_t maxwell_count = 0;
   std::vector<MaxwellBlock> maxwells;  ///< coefficients of the Maxwell elements
-  element::BergBranch branch;          ///< that the memory of a single friction describes, or none
+
+  /// Whether a step is as long as the one before and reverses no friction: continueTo() is then the step.
+  __attribute__((always_inline)) bool continues(double length, double displacement, const double* memory) const {
+    return sameBits(length, dt) &&
+           (friction_count == 1 ? element::BergFriction::keepsDirection(branch, displacement, memory + maxwell_count)
+                                : friction_count == 0);
+  }
+
+  /// Calls nothing.
+  __attribute__((always_inline)) element::ComponentForce continueTo(double displacement, double increment,
+                                                                    double* memory) const {
+    const double friction =
+        friction_count == 1 ? element::BergFriction::continueTo(branch, displacement, memory + maxwell_count) : 0.0;
+    return advance(displacement, increment, friction, memory);
+  }
+
+  /// Advances the Maxwell elements; the force [N] of all with theirs, that of the dashpots and friction.
+  __attribute__((always_inline)) element::ComponentForce advance(double displacement, double increment, double friction,
+                                                                 double* memory) const {
+    const double elastic = spring_stiffness * displacement;
+    const double viscous = stepMaxwells(maxwells.data(), maxwell_count, increment, dashpot_gain * increment, memory);
+    return {elastic + viscous + friction, elastic, viscous, friction};
+  }
+
+ private:
+  /// Equality of step lengths, which are neither 0 nor NaN, as integers: that is two instructions less.
+  static bool sameBits(double one, double other) {
+    std::uint64_t bits = 0;
+    std::uint64_t other_bits = 0;
+    std::memcpy(&bits, &one, sizeof bits);
+    std::memcpy(&other_bits, &other, sizeof other_bits);
+    return bits == other_bits;
+  }
 };
 
 /// A force that is linear in a displacement.
@@ -36,8 +73,6 @@ struct LinearForce {
 
 /// F = k z + c dz/dt + sum of Maxwell forces + sum of Berg friction, in this order of summation.
 ///
-/// There are two paths to the same bits. The fast path is for a step that is as long as the one before and that has no
-/// reversal: coefficients and branch are then at hand, and it calls nothing. The general path is for all others.
 /// Memory, which the caller owns: the Maxwell forces, then that of each friction.
 class BasicLawsKernel {
  public:
@@ -54,16 +89,17 @@ class BasicLawsKernel {
   /// Bring the coefficients to a step length > 0 [s].
   void prepare(double dt, PreparedStep& prepared) const;
 
-  /// Advance by one step. `prepared` is of this kernel, and its branch that of the memory, or none.
-  element::ComponentForce step(const element::Motion& motion, double* memory, PreparedStep& prepared) const {
-    return sameBits(motion.dt, prepared.dt) && keepsDirection(motion.displacement, prepared)
-               ? fastStep(motion, memory, prepared)
-               : generalStep(motion.dt, motion.displacement, motion.increment, memory, prepared);
-  }
+  /// Advance by one step, from numbers that stay in registers. `prepared` is of this kernel, and its branch that of the
+  /// memory, or none.
+  element::ComponentForce step(double dt, double displacement, double increment, double* memory,
+                               PreparedStep& prepared) const;
 
-  /// step() for coefficients that are prepared, without use of the branch: for a memory that others change as well.
+  /// step() of a length that is prepared, without use of the branch: for a memory that others change as well.
   element::ComponentForce stepWithoutBranch(const element::Motion& motion, double* memory,
-                                            const PreparedStep& prepared) const;
+                                            const PreparedStep& prepared) const {
+    return prepared.advance(motion.displacement, motion.increment, advanceFrictions(motion.displacement, memory),
+                            memory);
+  }
 
   /// As many steps of dt [s] as there are displacements [m], from the displacement `start` on; the total forces [N] go
   /// to `force`. Several times as fast as step() after step().
@@ -84,40 +120,14 @@ class BasicLawsKernel {
   std::optional<std::complex<double>> complexStiffness(double omega) const;
 
  private:
-  /// Equality of step lengths, which are neither 0 nor NaN, as integers: that is two instructions less.
-  static bool sameBits(double one, double other) {
-    std::uint64_t bits = 0;
-    std::uint64_t other_bits = 0;
-    std::memcpy(&bits, &one, sizeof bits);
-    std::memcpy(&other_bits, &other, sizeof other_bits);
-    return bits == other_bits;
-  }
-
-  bool keepsDirection(double displacement, const PreparedStep& prepared) const {
-    return frictions_.empty() || prepared.branch.keepsDirection(displacement);
-  }
-
-  element::ComponentForce fastStep(const element::Motion& motion, double* memory, PreparedStep& prepared) const {
-    double friction = 0.0;
-    if (!frictions_.empty()) {
-      frictionMemory(memory)[element::BergFriction::kExtremum] = motion.displacement;
-      friction = prepared.branch.continueTo(motion.displacement);
+  double advanceFrictions(double displacement, double* memory) const {
+    memory = frictionMemory(memory);
+    double force = 0.0;
+    for (const element::BergFriction& friction : frictions_) {
+      force += friction.advance(displacement, memory);
+      memory += element::BergFriction::kMemorySize;
     }
-    return sum(motion.displacement, viscousStep(motion.increment, memory, prepared), friction);
-  }
-
-  /// With a motion in numbers, which stay in registers.
-  element::ComponentForce generalStep(double dt, double displacement, double increment, double* memory,
-                                      PreparedStep& prepared) const;
-
-  element::ComponentForce sum(double displacement, double viscous, double friction) const {
-    const double elastic = spring_stiffness_ * displacement;
-    return {elastic + viscous + friction, elastic, viscous, friction};
-  }
-
-  /// Advances the Maxwell elements; returns their force and that of the dashpots [N].
-  double viscousStep(double increment, double* memory, const PreparedStep& prepared) const {
-    return stepMaxwells(prepared.maxwells.data(), maxwell_count_, increment, prepared.dashpot_gain * increment, memory);
+    return force;
   }
 
   double* frictionMemory(double* memory) const { return memory + maxwell_count_; }
@@ -133,18 +143,6 @@ class BasicLawsKernel {
 };
 
 // Inline, as a series balance calls them in each trial.
-
-inline element::ComponentForce BasicLawsKernel::stepWithoutBranch(const element::Motion& motion, double* memory,
-                                                                  const PreparedStep& prepared) const {
-  const double viscous = viscousStep(motion.increment, memory, prepared);
-  double friction = 0.0;
-  double* friction_memory = frictionMemory(memory);
-  for (const element::BergFriction& berg : frictions_) {
-    friction += berg.advance(motion.displacement, friction_memory);
-    friction_memory += element::BergFriction::kMemorySize;
-  }
-  return sum(motion.displacement, viscous, friction);
-}
 
 inline LinearForce BasicLawsKernel::withoutFriction(double start, const double* memory,
                                                     const PreparedStep& prepared) const {

@@ -2,66 +2,66 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 #include "rubber_suspension/element/maxwell.h"
 
 namespace rubber_suspension::kernel {
 
+constexpr std::size_t kCacheLine = 64;  ///< bytes
+
 /// Two numbers in one register. GCC's vector type, which Clang knows, too.
 using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 
+using PairIndex = std::int64_t __attribute__((vector_size(2 * sizeof(double))));
+
 /// Coefficients of the step of eight Maxwell elements, as MaxwellStep has them.
-struct alignas(64) MaxwellBlock {
+struct alignas(kCacheLine) MaxwellBlock {
   static constexpr std::size_t kSize = 8;
 
   Pair decay[kSize / 2];
   Pair gain[kSize / 2];
 
-  /// Advance two elements by an increment of displacement [m], and add their forces [N] to `sum`, one after the other.
-  void stepPair(std::size_t pair, double increment, double* force, double& sum) const {
+  /// Advance two elements by an increment of displacement [m], and add their forces [N] to the first number of `sum`,
+  /// one after the other; what becomes of the second is no matter.
+  void stepPair(std::size_t pair, double increment, double* force, Pair& sum) const {
     Pair forces;
     std::memcpy(&forces, force, sizeof forces);
     forces = element::maxwellForce(decay[pair], gain[pair], forces, increment);
     std::memcpy(force, &forces, sizeof forces);
-    sum += forces[0];
-    sum += forces[1];
+    sum += forces;
+    sum += __builtin_shuffle(forces, PairIndex{1, 1});
   }
 
   /// Advance the first elements, eight at most, likewise. Without a loop, which would cost as much as the elements do,
   /// and nested, so that no address is computed.
-  void stepFirst(std::size_t count, double increment, double* force, double& sum) const {
-    if (count >= 2) {
-      stepPair(0, increment, force, sum);
-      if (count >= 4) {
-        stepPair(1, increment, force + 2, sum);
-        if (count >= 6) {
-          stepPair(2, increment, force + 4, sum);
-          if (count >= 8) {
-            stepPair(3, increment, force + 6, sum);
-          }
-        }
+  template <std::size_t first = 0>
+  __attribute__((always_inline)) void stepFirst(std::size_t count, double increment, double* force, Pair& sum) const {
+    if constexpr (first < kSize) {
+      if (count >= first + 2) {
+        stepPair(first / 2, increment, force + first, sum);
+        stepFirst<first + 2>(count, increment, force, sum);
+      } else if (count > first) {
+        force[first] = element::maxwellForce(decay[first / 2][0], gain[first / 2][0], force[first], increment);
+        sum[0] += force[first];
       }
-    }
-    if (count % 2 != 0) {
-      const std::size_t last = count - 1;
-      force[last] = element::maxwellForce(reinterpret_cast<const double*>(decay)[last],
-                                          reinterpret_cast<const double*>(gain)[last], force[last], increment);
-      sum += force[last];
     }
   }
 };
 
-/// Advances `count` Maxwell elements by an increment of displacement [m]; returns `sum` and their forces [N], added in
-/// their order. `force` is what they remember.
-inline double stepMaxwells(const MaxwellBlock* block, std::size_t count, double increment, double sum, double* force) {
+/// Advances `count` Maxwell elements by an increment of displacement [m]; returns `start` and their forces [N], added
+/// in their order. `force` is what they remember.
+__attribute__((always_inline)) inline double stepMaxwells(const MaxwellBlock* block, std::size_t count,
+                                                          double increment, double start, double* force) {
+  Pair sum = {start, 0.0};
   for (; count > MaxwellBlock::kSize; count -= MaxwellBlock::kSize) {
     block->stepFirst(MaxwellBlock::kSize, increment, force, sum);
     ++block;
     force += MaxwellBlock::kSize;
   }
   block->stepFirst(count, increment, force, sum);
-  return sum;
+  return sum[0];
 }
 
 }  // namespace rubber_suspension::kernel
