@@ -65,13 +65,6 @@ void addSteps(const element::ParallelElement& law, const element::Motion* motion
   }
 }
 
-struct IsLinear {
-  template <class Placed>
-  bool operator()(const Placed& element) const {
-    return element.law->linear();
-  }
-};
-
 // Forces of laws at the end of one step, summed up.
 template <class Laws>
 element::ComponentForce stepOf(Laws first, Laws last, const element::Motion& motion, double* memory) {
@@ -100,23 +93,6 @@ void addTimes(double factor, const element::ComponentForce& more, element::Compo
   sum.viscous += factor * more.viscous;
   sum.friction += factor * more.friction;
 }
-
-// Working space of the series balance behind the memory that its trial steps advance: how many of the elements are
-// linear, which are the first, with the slope of their force for a step; the end of the last trial, and its force.
-enum TrialSlot : std::size_t {
-  kLinear,
-  kSlopeStep,
-  kSlope,
-  kTried = kSlope + 4,
-  kTriedForce,
-  kTrialSlots = kTried + 5
-};
-
-void keep(const element::ComponentForce& force, double* slots) {
-  std::copy_n(std::array{force.total, force.elastic, force.viscous, force.friction}.begin(), 4, slots);
-}
-
-element::ComponentForce kept(const double* slots) { return {slots[0], slots[1], slots[2], slots[3]}; }
 
 // Below absolute zero: no temperature is known.
 constexpr double kUnknownTemperature = -1e3;  // [degC]
@@ -188,7 +164,9 @@ std::size_t Component::reserve(std::size_t size) {
 void Component::reserveMemory() {
   reserve(kernel_.memorySize());
   placeMemory(elements_);
-  std::stable_partition(elements_.begin(), elements_.end(), IsLinear{});
+  linear_count_ = std::stable_partition(elements_.begin(), elements_.end(),
+                                        [](const auto& element) { return element.law->linear(); }) -
+                  elements_.begin();
   placeMemory(force_effects_);
   temperature_slot_ = reserve(shifts_.empty() ? 0 : kTemperatureSlots);
   trial_size_ = memory_size_;
@@ -203,11 +181,7 @@ void Component::reserveMemory() {
 ComponentState Component::makeState() const {
   ComponentState state;
   state.memory_.resize(memory_size_);
-  state.trial_.resize(series_.empty() ? 0 : trial_size_ + kTrialSlots, std::numeric_limits<double>::quiet_NaN());
-  if (!series_.empty()) {
-    const auto nonlinear = std::partition_point(elements_.begin(), elements_.end(), IsLinear{});
-    state.trial_[trial_size_ + kLinear] = static_cast<double>(nonlinear - elements_.begin());
-  }
+  state.trial_.memory.resize(series_.empty() ? 0 : trial_size_);
   state.prepared_ = kernel_.makePreparedStep();
   state.kernel_alone_ = kernel_alone_;
   forgetTemperature(state);
@@ -298,8 +272,8 @@ element::ComponentForce Component::startTestPiece(double displacement, Start kin
 double Component::balanceAtStart(ComponentState& state, double displacement, Start kind) const {
   return solveSeriesBalance(
       [&](double test_piece) {
-        std::copy_n(state.memory_.begin(), trial_size_, state.trial_.begin());
-        return test_piece + series_.deflection(startTestPiece(test_piece, kind, state.trial_.data()).total) -
+        std::copy_n(state.memory_.begin(), trial_size_, state.trial_.memory.begin());
+        return test_piece + series_.deflection(startTestPiece(test_piece, kind, state.trial_.memory.data()).total) -
                displacement;
       },
       displacement);
@@ -395,17 +369,15 @@ void Component::stepsAlongPath(ComponentState& state, double dt, const double* d
     for (std::size_t i = 0; i < count; ++i) {
       test_piece[i].displacement = balance(state, test_piece[i]);
       takeIncrements(&test_piece[i], One(), memory[test_piece_slot_]);
-      double* const trial = state.trial_.data();
-      const double* const slots = trial + trial_size_;
-      if (test_piece[i].displacement != slots[kTried]) {
+      if (test_piece[i].displacement != state.trial_.displacement) {
         stepTestPiece(state.prepared_, &test_piece[i], One(), memory, force + i);
         continue;
       }
       // The last trial was this step, but for the memory of the linear laws.
       const element::Motion reduced{state.prepared_.dt, test_piece[i].displacement, test_piece[i].increment};
-      stepOf(elements_.begin(), elements_.begin() + static_cast<std::ptrdiff_t>(slots[kLinear]), reduced, trial);
-      std::copy_n(trial, trial_size_, memory);
-      force[i] = kept(slots + kTriedForce);
+      stepOf(elements_.begin(), elements_.begin() + linear_count_, reduced, state.trial_.memory.data());
+      std::copy_n(state.trial_.memory.begin(), trial_size_, memory);
+      force[i] = state.trial_.force;
     }
   }
   for (const auto& element : rig_) {
@@ -433,15 +405,14 @@ double Component::balance(ComponentState& state, const element::Motion& path) co
     return series_.solve(kernel_, path, before, state.memory_.data(), state.prepared_);
   }
   const double* const memory = state.memory_.data();
-  double* const trial = state.trial_.data();
-  double* const slots = trial + trial_size_;
+  ComponentState::Trial& tried = state.trial_;
+  double* const trial = tried.memory.data();
   const double dt = state.prepared_.dt;
-  const auto nonlinear = elements_.begin() + static_cast<std::ptrdiff_t>(slots[kLinear]);
-  if (slots[kSlopeStep] != dt) {
-    slots[kSlopeStep] = dt;
-    keep(slopeOf(elements_.begin(), nonlinear, dt, trial), slots + kSlope);
+  const auto nonlinear = elements_.begin() + linear_count_;
+  if (tried.slope_step != dt) {
+    tried.slope_step = dt;
+    tried.slope = slopeOf(elements_.begin(), nonlinear, dt, trial);
   }
-  const element::ComponentForce slope = kept(slots + kSlope);
   std::copy_n(memory, trial_size_, trial);
   const element::ComponentForce held = stepOf(elements_.begin(), nonlinear, {dt, before, 0.0}, trial);
   return solveSeriesBalance(
@@ -450,14 +421,14 @@ double Component::balance(ComponentState& state, const element::Motion& path) co
         const element::Motion reduced{dt, z, z - before};
         element::ComponentForce force = kernel_.stepWithoutBranch(reduced, trial, state.prepared_);
         addTimes(1.0, held, force);
-        addTimes(reduced.increment, slope, force);
+        addTimes(reduced.increment, tried.slope, force);
         addTimes(1.0, stepOf(nonlinear, elements_.end(), reduced, trial), force);
         if (!shifts_.empty()) {
           scale(force, memory[temperature_slot_ + kForce]);
         }
         scaleBy(force_effects_, {path.dt, z, reduced.increment}, trial, force);
-        slots[kTried] = z;
-        keep(force, slots + kTriedForce);
+        tried.displacement = z;
+        tried.force = force;
         return z + series_.deflection(force.total) - path.displacement;
       },
       before + path.increment);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <sstream>
@@ -119,9 +120,6 @@ std::string rotationalUnit(const std::string& unit) {
   return found == units.end() ? unit : found->second;
 }
 
-const std::vector<std::string> kSixDirectionKeys = {
-    "directions",           "coupling",         "frame",      "preload", "rotation", "valid_rotation", "temperature",
-    "stiffness_by_preload", "excluded_effects", "holds_fluid"};
 const std::vector<std::string> kCouplings = {"rectangular", "cylindrical", "spherical"};
 const std::vector<std::string> kMeasures = {"vector", "cardan"};
 const std::vector<std::string> kAxes = {"x", "y", "z"};
@@ -152,6 +150,26 @@ struct Entry {
   // Of a list.
   Entry operator[](std::size_t i) const { return {node[i], fmt::format("{}[{}]", path, i)}; }
 };
+
+class Loader;
+
+// A key of a map, and how its value goes into what the map describes; without that it is read elsewhere. `needed`: what
+// is accepted, of a key that may not be missing.
+template <class Target>
+struct Key {
+  std::string name;
+  std::function<void(Loader&, const Entry&, Target&)> read = {};
+  const char* needed = nullptr;
+};
+
+// A key whose value, as `load` finds it, becomes a member.
+template <class Target, class Value, class Load>
+Key<Target> into(std::string name, Value Target::*member, Load load, const char* needed = nullptr) {
+  return {
+      std::move(name),
+      [=](Loader& loader, const Entry& entry, Target& target) { target.*member = std::invoke(load, loader, entry); },
+      needed};
+}
 
 // One file while it is read.
 class Loader {
@@ -311,15 +329,36 @@ class Loader {
     return entry;
   }
 
-  // What `read` makes of an entry that may be left out.
-  template <class Value>
-  std::optional<Value> ifGiven(const Entry& entry, Value (Loader::*read)(const Entry&)) {
-    return entry ? std::optional<Value>((this->*read)(entry)) : std::nullopt;
+  // A map by its keys, in their order.
+  template <class Target>
+  void read(const Entry& map, const std::vector<Key<Target>>& keys, Target& target, const char* accepted = "a map") {
+    requireMap(map, accepted);
+    checkKeys(map, namesOf(keys));
+    for (const Key<Target>& key : keys) {
+      const Entry value = key.needed == nullptr ? map[key.name] : require(map, key.name, key.needed);
+      if (value && key.read) {
+        key.read(*this, value, target);
+      }
+    }
   }
 
   // The direction that a key of a map names, which was checked.
   static component::Direction directionOf(const YAML::Node& key) {
     return *component::directionFromString(key.Scalar());
+  }
+
+  // What loads a number of what a row of the specification is, a list of numbers, one of some words as its place.
+  static auto as(const char* row) {
+    return [row](Loader& loader, const Entry& entry) {
+      return loader.loadNumber(entry, *element::findParameter(estimation::specificationParameters(), row));
+    };
+  }
+  static auto numbersIn(const char* unit) {
+    return [unit](Loader& loader, const Entry& entry) { return loader.loadNumbers(entry, anyNumber(unit)); };
+  }
+  template <class Choice>
+  static auto oneOf(const std::vector<std::string>& words) {
+    return [&words](Loader& loader, const Entry& entry) { return static_cast<Choice>(loader.loadWord(entry, words)); };
   }
 
   ComponentDescription loadComponent(const YAML::Node& key, const YAML::Node& node) {
@@ -340,12 +379,22 @@ class Loader {
   }
 
   ComponentDescription loadOneDirection(const YAML::Node& key, const Entry& entry) {
-    ComponentDescription description = loadContent(entry, loadModel(entry));
-    description.rig = ifGiven(entry["rig"], &Loader::loadRig);
-    description.temperature = ifGiven(entry["temperature"], &Loader::loadTemperature);
-    description.valid_displacement = ifGiven(entry["valid_displacement"], &Loader::loadValidDisplacement);
-    description.excluded_effects = loadExcludedEffects(entry["excluded_effects"]);
-    description.holds_fluid = loadHoldsFluid(entry);
+    const estimation::Model model = loadModel(entry);
+    const bool listed = model == estimation::Model::elements;
+    using One = ComponentDescription;
+    const std::vector<Key<One>> keys = {
+        {"model"},
+        {listed ? "elements" : "specification", {}, listed ? "a list of elements" : "a map"},
+        {"add"},
+        into("rig", &One::rig, &Loader::loadRig),
+        into("temperature", &One::temperature, &Loader::loadTemperature),
+        into("valid_displacement", &One::valid_displacement, &Loader::loadValidDisplacement),
+        into("excluded_effects", &One::excluded_effects, &Loader::loadExcludedEffects),
+        into("holds_fluid", &One::holds_fluid, &Loader::loadFlag)};
+    checkKeys(entry, namesOf(keys));
+    const Entry base = require(entry, keys[1].name, keys[1].needed);
+    One description = listed ? loadListed(base, entry["add"]) : loadSpecification(base, model, entry["add"]);
+    read(entry, keys, description);
     description.units = units_;
     try {
       description.makeComponent();
@@ -355,42 +404,28 @@ class Loader {
     return description;
   }
 
+  // Each key after those that it needs.
   ComponentDescription loadSixDirections(const YAML::Node& key, const Entry& entry) {
-    checkKeys(entry, kSixDirectionKeys);
-    auto six = std::make_shared<SixDirectionsDescription>();
-    loadArrangement(entry, *six);
+    using Six = SixDirectionsDescription;
+    static const std::vector<Key<Six>> keys = {{"coupling", &Loader::loadCoupling},
+                                               {"rotation", &Loader::loadMeasure},
+                                               {"valid_rotation", &Loader::loadValidRotation},
+                                               {"frame", &Loader::loadFrames},
+                                               {"preload", &Loader::loadPreloads},
+                                               {"directions", &Loader::loadDirections},
+                                               {"temperature"},
+                                               {"excluded_effects"},
+                                               {"holds_fluid"},
+                                               {"stiffness_by_preload", &Loader::loadPreloadTables}};
+    auto six = std::make_shared<Six>();
+    six->arrangement.valid_rotation = component::kVectorEnd;
+    read(entry, keys, *six);
+    loadOfAll(entry, *six);
     const Entry preload = entry["preload"];
-    if (preload) {
-      loadPreloads(preload, *six);
-    }
-    const Entry directions = entry["directions"];
-    if (!directions.node.IsMap() || directions.node.size() == 0) {
-      refuseContent(directions, "a map of x, y, z, rx, ry, rz");
-    }
-    checkKeys(directions, directionNames());
-    for (const auto& of_direction : directions.node) {
-      const component::Direction direction = directionOf(of_direction.first);
-      six->directions[direction] =
-          loadDirection(of_direction.first, directions[of_direction.first.Scalar()], six->preload[direction]);
-      if (const Entry temperature = entry["temperature"]; temperature && !six->directions[direction]->temperature) {
-        six->directions[direction]->temperature = loadTemperature(temperature);
-      }
-    }
-    const std::vector<std::string> excluded = loadExcludedEffects(entry["excluded_effects"]);
-    const bool holds_fluid = loadHoldsFluid(entry);
-    for (std::optional<ComponentDescription>& direction : six->directions) {
-      if (direction) {
-        direction->excluded_effects.insert(direction->excluded_effects.end(), excluded.begin(), excluded.end());
-        direction->holds_fluid = direction->holds_fluid || holds_fluid;
-      }
-    }
     for (const auto& load : preload.node) {
       if (!six->directions[directionOf(load.first)]) {
         refuse(keyOf(preload, load.first), "the direction is free; accepted: one of directions");
       }
-    }
-    if (const Entry tables = entry["stiffness_by_preload"]) {
-      six->tables = loadMaps<PreloadTable>(tables, [&](const Entry& table) { return loadPreloadTable(table, *six); });
     }
     try {
       six->makeComponent();
@@ -402,6 +437,35 @@ class Loader {
     return description;
   }
 
+  // What is the same of all directions, beside what each has of its own.
+  void loadOfAll(const Entry& entry, SixDirectionsDescription& six) {
+    const Entry temperature = entry["temperature"];
+    const Entry effects = entry["excluded_effects"];
+    const Entry fluid = entry["holds_fluid"];
+    const auto shift = temperature ? std::optional(loadTemperature(temperature)) : std::nullopt;
+    const std::vector<std::string> excluded = effects ? loadExcludedEffects(effects) : std::vector<std::string>();
+    const bool holds_fluid = fluid && loadFlag(fluid);
+    for (std::optional<ComponentDescription>& direction : six.directions) {
+      if (direction) {
+        direction->temperature = direction->temperature ? direction->temperature : shift;
+        direction->excluded_effects.insert(direction->excluded_effects.end(), excluded.begin(), excluded.end());
+        direction->holds_fluid = direction->holds_fluid || holds_fluid;
+      }
+    }
+  }
+
+  void loadDirections(const Entry& directions, SixDirectionsDescription& six) {
+    if (!directions.node.IsMap() || directions.node.size() == 0) {
+      refuseContent(directions, "a map of x, y, z, rx, ry, rz");
+    }
+    checkKeys(directions, directionNames());
+    for (const auto& of_direction : directions.node) {
+      const component::Direction direction = directionOf(of_direction.first);
+      six.directions[direction] =
+          loadDirection(of_direction.first, directions[of_direction.first.Scalar()], six.preload[direction]);
+    }
+  }
+
   static std::vector<std::string> directionNames() {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < component::kDirections; ++i) {
@@ -410,7 +474,8 @@ class Loader {
     return names;
   }
 
-  ComponentDescription loadDirection(const YAML::Node& key, const Entry& entry, const std::optional<Preload>& preload) {
+  ComponentDescription loadDirection(const YAML::Node& key, const Entry& entry,
+                                     const std::optional<component::Preload>& preload) {
     if (!entry.node.IsMap()) {
       refuseContent(entry, "a map with the key 'model'; a direction that is left out is free");
     }
@@ -431,46 +496,38 @@ class Loader {
     return description;
   }
 
-  void loadArrangement(const Entry& entry, SixDirectionsDescription& six) {
-    component::SixDirectionsLaws& arrangement = six.arrangement;
-    if (const Entry coupling = entry["coupling"]) {
-      loadCoupling(coupling, arrangement);
-    }
-    if (const Entry rotation = entry["rotation"]) {
-      arrangement.measure = static_cast<component::RotationMeasure>(loadWord(rotation, kMeasures));
-    }
-    const bool cardan = arrangement.measure == component::RotationMeasure::cardan;
-    arrangement.valid_rotation = cardan ? component::kCardanEnd : component::kVectorEnd;
-    if (const Entry valid = entry["valid_rotation"]) {
-      const element::Range range{0.0, arrangement.valid_rotation, true, false};
-      arrangement.valid_rotation = loadNumber(valid, {"valid_rotation", "rad", element::Role::choice, range, ""});
-    }
-    if (const Entry frame = entry["frame"]) {
-      checkMap(frame, {"a", "b"}, "a map with the keys a and b, the bodies");
-      six.frame_on_a = loadFrame(frame["a"]);
-      six.frame_on_b = loadFrame(frame["b"]);
-      arrangement.on_a = frameOf(six.frame_on_a, arrangement.measure);
-      arrangement.on_b = frameOf(six.frame_on_b, arrangement.measure);
-    }
+  void loadFrames(const Entry& entry, SixDirectionsDescription& six) {
+    using Six = SixDirectionsDescription;
+    static const std::vector<Key<Six>> keys = {into("a", &Six::frame_on_a, &Loader::loadFrame),
+                                               into("b", &Six::frame_on_b, &Loader::loadFrame)};
+    read(entry, keys, six, "a map with the keys a and b, the bodies");
+    six.arrangement.on_a = frameOf(six.frame_on_a, six.arrangement.measure);
+    six.arrangement.on_b = frameOf(six.frame_on_b, six.arrangement.measure);
   }
 
   // One word for translations and rotations alike, or a map.
-  void loadCoupling(const Entry& entry, component::SixDirectionsLaws& arrangement) {
-    const auto word = [&](const Entry& value) { return static_cast<component::Coupling>(loadWord(value, kCouplings)); };
-    if (!entry.node.IsMap()) {
-      arrangement.translation = arrangement.rotation = word(entry);
-      return;
+  void loadCoupling(const Entry& entry, SixDirectionsDescription& six) {
+    using Laws = component::SixDirectionsLaws;
+    static const std::vector<Key<Laws>> keys = {
+        into("translation", &Laws::translation, oneOf<component::Coupling>(kCouplings)),
+        into("rotation", &Laws::rotation, oneOf<component::Coupling>(kCouplings)),
+        into("axis", &Laws::axis, oneOf<std::size_t>(kAxes))};
+    if (entry.node.IsMap()) {
+      read(entry, keys, six.arrangement);
+    } else {
+      six.arrangement.translation = six.arrangement.rotation = oneOf<component::Coupling>(kCouplings)(*this, entry);
     }
-    checkKeys(entry, {"translation", "rotation", "axis"});
-    if (const Entry translation = entry["translation"]) {
-      arrangement.translation = word(translation);
-    }
-    if (const Entry rotation = entry["rotation"]) {
-      arrangement.rotation = word(rotation);
-    }
-    if (const Entry axis = entry["axis"]) {
-      arrangement.axis = loadWord(axis, kAxes);
-    }
+  }
+
+  void loadMeasure(const Entry& entry, SixDirectionsDescription& six) {
+    six.arrangement.measure = oneOf<component::RotationMeasure>(kMeasures)(*this, entry);
+    const bool cardan = six.arrangement.measure == component::RotationMeasure::cardan;
+    six.arrangement.valid_rotation = cardan ? component::kCardanEnd : component::kVectorEnd;
+  }
+
+  void loadValidRotation(const Entry& entry, SixDirectionsDescription& six) {
+    const element::Range range{0.0, six.arrangement.valid_rotation, true, false};
+    six.arrangement.valid_rotation = loadNumber(entry, anyNumber("rad", range));
   }
 
   static Eigen::Isometry3d frameOf(const component::SixNumbers& numbers, component::RotationMeasure measure) {
@@ -481,11 +538,8 @@ class Loader {
   }
 
   component::SixNumbers loadFrame(const Entry& entry) {
-    component::SixNumbers frame = component::SixNumbers::Zero();
-    if (!entry) {
-      return frame;
-    }
     checkMap(entry, {"position", "rotation"}, "a map with the keys position and rotation");
+    component::SixNumbers frame = component::SixNumbers::Zero();
     if (const Entry position = entry["position"]) {
       frame.head<3>() = loadThree(position, "m");
     }
@@ -517,10 +571,10 @@ class Loader {
   }
 
   // A force or a displacement, as its unit tells.
-  Preload loadPreload(const Entry& entry, component::Direction direction) {
+  component::Preload loadPreload(const Entry& entry, component::Direction direction) {
     const bool turns = component::isRotation(direction);
     const std::string unit = entry.isText() ? log::unitOfQuantity(entry.text()) : "";
-    Preload preload;
+    component::Preload preload;
     try {
       log::UnitConversion(unit, turns ? "rad" : "m");
       preload.is_force = false;
@@ -536,13 +590,18 @@ class Loader {
     return preload;
   }
 
-  PreloadTable loadPreloadTable(const Entry& entry, const SixDirectionsDescription& six) {
+  void loadPreloadTables(const Entry& list, SixDirectionsDescription& six) {
+    six.tables =
+        loadMaps<component::PreloadTable>(list, [&](const Entry& table) { return loadPreloadTable(table, six); });
+  }
+
+  component::PreloadTable loadPreloadTable(const Entry& entry, const SixDirectionsDescription& six) {
     checkKeys(entry, {"direction", "by", "preload", "factor", "instantaneous"});
     const auto direction = [&](const char* key) {
       const Entry value = require(entry, key, log::join(directionNames()));
       return static_cast<component::Direction>(loadWord(value, directionNames()));
     };
-    PreloadTable table;
+    component::PreloadTable table;
     table.direction = direction("direction");
     table.by = direction("by");
     if (const Entry follows = entry["instantaneous"]; follows && loadFlag(follows)) {
@@ -583,21 +642,13 @@ class Loader {
     return *found;
   }
 
-  ComponentDescription loadContent(const Entry& entry, estimation::Model model) {
-    if (model != estimation::Model::elements) {
-      checkKeys(entry, {"model", "specification", "add", "rig", "temperature", "valid_displacement", "excluded_effects",
-                        "holds_fluid"});
-      return loadSpecification(require(entry, "specification", "a map"), model, entry["add"]);
-    }
-    checkKeys(entry, {"model", "elements", "add", "rig", "temperature", "valid_displacement", "excluded_effects",
-                      "holds_fluid"});
-    const Entry list = require(entry, "elements", "a list of elements");
+  ComponentDescription loadListed(const Entry& list, const Entry& add) {
     std::vector<element::ElementDescription> elements = loadElements(list);
     if (elements.empty()) {
       refuse(list, "an empty list; accepted: at least one element");
     }
     ComponentDescription description(component_, std::move(elements));
-    description.add = loadAdded(entry["add"], {});
+    description.add = loadAdded(add, {});
     return description;
   }
 
@@ -669,10 +720,10 @@ class Loader {
 
   std::vector<std::string> loadExcludedEffects(const Entry& list) const {
     std::vector<std::string> effects;
-    if (list && !list.node.IsSequence()) {
+    if (!list.node.IsSequence()) {
       refuseContent(list, "a list of effects: " + log::join(effectNames()));
     }
-    for (std::size_t i = 0; list && i < list.node.size(); ++i) {
+    for (std::size_t i = 0; i < list.node.size(); ++i) {
       const Entry effect = list[i];
       const std::vector<std::string>& names = effectNames();
       if (!effect.isText() || std::find(names.begin(), names.end(), effect.text()) == names.end()) {
@@ -841,24 +892,18 @@ class Loader {
     return static_cast<std::size_t>(found - words.begin());
   }
 
-  bool loadHoldsFluid(const Entry& entry) const {
-    const Entry mark = entry["holds_fluid"];
-    return mark && loadFlag(mark);
-  }
-
   bool loadFlag(const Entry& entry) const { return loadWord(entry, {"false", "true"}) == 1; }
 
   // Whether something is to scale with the static curve.
   bool loadScale(const Entry& entry) const { return loadWord(entry, {"static_curve", "none"}) == 0; }
 
   estimation::StaticCurve loadCurve(const Entry& entry, const Entry& scale) {
-    checkMap(entry, {"displacement", "force", "monotone"}, "a map with the lists displacement and force");
-    estimation::StaticCurve curve;
-    curve.displacement = loadNumbers(require(entry, "displacement", "a list"), anyNumber("m"));
-    curve.force = loadNumbers(require(entry, "force", "a list"), anyNumber("N"));
-    if (const Entry monotone = entry["monotone"]) {
-      curve.monotone = loadFlag(monotone);
-    }
+    using Curve = estimation::StaticCurve;
+    static const std::vector<Key<Curve>> keys = {into("displacement", &Curve::displacement, numbersIn("m"), "a list"),
+                                                 into("force", &Curve::force, numbersIn("N"), "a list"),
+                                                 into("monotone", &Curve::monotone, &Loader::loadFlag)};
+    Curve curve;
+    read(entry, keys, curve, "a map with the lists displacement and force");
     curve.scales = !scale || loadScale(scale);
     try {
       curve.check();
@@ -883,22 +928,17 @@ class Loader {
   }
 
   estimation::SpecifiedPoint loadPoint(const Entry& entry) {
-    checkKeys(entry, {"frequency", "amplitude", "stiffness", "loss_angle", "weight"});
-    const auto number = [&](const char* key, const char* row) {
-      const Entry value = entry[key];
-      return value ? std::optional<double>(
-                         loadNumber(value, *element::findParameter(estimation::specificationParameters(), row)))
-                   : std::nullopt;
-    };
-    require(entry, "frequency", "a frequency");
-    estimation::SpecifiedPoint point;
-    point.frequency = number("frequency", "nominal_frequency").value_or(0.0);
-    point.amplitude = number("amplitude", "nominal_amplitude").value_or(0.0);
-    point.stiffness = number("stiffness", "dynamic_stiffness");
-    point.loss_angle = number("loss_angle", "loss_angle");
-    if (const Entry weight = entry["weight"]) {
-      point.weight = loadNumber(weight, anyNumber("1", element::Range::positive()));
-    }
+    using Point = estimation::SpecifiedPoint;
+    static const std::vector<Key<Point>> keys = {
+        into("frequency", &Point::frequency, as("nominal_frequency"), "a frequency"),
+        into("amplitude", &Point::amplitude, as("nominal_amplitude")),
+        into("stiffness", &Point::stiffness, as("dynamic_stiffness")),
+        into("loss_angle", &Point::loss_angle, as("loss_angle")),
+        into("weight", &Point::weight, [](Loader& loader, const Entry& value) {
+          return loader.loadNumber(value, anyNumber("1", element::Range::positive()));
+        })};
+    Point point;
+    read(entry, keys, point);
     return point;
   }
 
@@ -1044,7 +1084,7 @@ class Loader {
   // The direction being read, of a component of six.
   std::string place_;
   bool rotational_ = false;
-  std::optional<Preload> preload_;
+  std::optional<component::Preload> preload_;
   // A key without value: YAML places the nothing at the token that follows, perhaps lines below. By position, the key's
   // line.
   std::map<int, int> lines_of_nothing_;
@@ -1187,14 +1227,14 @@ std::string indented(const std::string& text) {
   return result;
 }
 
-std::string preloadYaml(const Preload& preload, component::Direction direction) {
+std::string preloadYaml(const component::Preload& preload, component::Direction direction) {
   const bool turns = component::isRotation(direction);
   return number(preload.value) + (preload.is_force ? (turns ? " N m" : " N") : (turns ? " rad" : " m"));
 }
 
-std::string tableYaml(const PreloadTable& table) {
+std::string tableYaml(const component::PreloadTable& table) {
   std::vector<std::string> loads;
-  for (const Preload& preload : table.preload) {
+  for (const component::Preload& preload : table.preload) {
     loads.push_back(preloadYaml(preload, table.by));
   }
   return fmt::format("      - {{direction: {}, by: {}, preload: [{}], factor: {}}}\n", toString(table.direction),
@@ -1241,7 +1281,7 @@ std::string sixDirectionsYaml(const SixDirectionsDescription& six, const YamlSty
   }
   text += preloads.empty() ? "" : fmt::format("    preload: {{{}}}\n", log::join(preloads));
   text += six.tables.empty() ? "" : "    stiffness_by_preload:\n";
-  for (const PreloadTable& table : six.tables) {
+  for (const component::PreloadTable& table : six.tables) {
     text += tableYaml(table);
   }
   return text;
@@ -1249,7 +1289,7 @@ std::string sixDirectionsYaml(const SixDirectionsDescription& six, const YamlSty
 
 // A preload as a force or as a displacement, whichever a table asks for; by the static curve, where the other is given.
 double preloadAs(bool force, const SixDirectionsDescription& six, component::Direction direction) {
-  const std::optional<Preload>& preload = six.preload[direction];
+  const std::optional<component::Preload>& preload = six.preload[direction];
   if (!preload || !six.directions[direction]) {
     throw std::invalid_argument(
         fmt::format("needs the preload of {}; accepted: preload.{}", toString(direction), toString(direction)));
@@ -1265,29 +1305,6 @@ double preloadAs(bool force, const SixDirectionsDescription& six, component::Dir
                     toString(direction), force ? "table over displacements" : "table over forces"));
   }
   return force ? curve->forceAt(preload->value) : curve->displacementAt(preload->value);
-}
-
-double factorOfTable(const PreloadTable& table, double preload) {
-  const auto after = std::find_if(table.preload.begin(), table.preload.end(),
-                                  [&](const Preload& point) { return point.value > preload; });
-  const auto i = static_cast<std::size_t>(after - table.preload.begin());
-  if (i == 0 || i == table.preload.size()) {
-    return i == 0 ? table.factor.front() : table.factor.back();
-  }
-  const double share = (preload - table.preload[i - 1].value) / (table.preload[i].value - table.preload[i - 1].value);
-  return table.factor[i - 1] + share * (table.factor[i] - table.factor[i - 1]);
-}
-
-// The same elements with all forces times a factor, by the parameters in which they are linear.
-void scaleForces(std::vector<element::ElementDescription>& elements, double factor) {
-  for (element::ElementDescription& element : elements) {
-    for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
-      const auto values = element.values.find(parameter.name);
-      if (parameter.role == element::Role::scale && values != element.values.end()) {
-        std::for_each(values->second.begin(), values->second.end(), [&](double& value) { value *= factor; });
-      }
-    }
-  }
 }
 
 std::vector<element::ElementDescription> ofRubber(std::vector<element::ElementDescription> elements) {
@@ -1364,9 +1381,9 @@ std::optional<element::Range> ComponentDescription::validDisplacement() const {
 
 double SixDirectionsDescription::factorOf(component::Direction direction) const {
   double factor = 1.0;
-  for (const PreloadTable& table : tables) {
+  for (const component::PreloadTable& table : tables) {
     if (table.direction == direction) {
-      factor *= factorOfTable(table, preloadAs(table.preload.front().is_force, *this, table.by));
+      factor *= table.factorAt(preloadAs(table.preload.front().is_force, *this, table.by));
     }
   }
   return factor;
@@ -1379,7 +1396,7 @@ component::SixDirections SixDirectionsDescription::makeComponent() const {
       laws.elements[i] = directions[i]->allElements();
       const double factor = factorOf(static_cast<component::Direction>(i));
       if (factor != 1.0) {
-        scaleForces(laws.elements[i], factor);
+        component::scaleForces(laws.elements[i], factor);
       }
     }
   }

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/align/aligned_allocator.hpp>
+#include <boost/container/small_vector.hpp>
 #include <complex>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,12 +33,23 @@ class alignas(kernel::kCacheLine) ComponentState {
  private:
   friend class Component;
 
+  // Working space while a series balance is solved.
+  struct Trial {
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+    std::vector<double> memory;     // of the test piece, which trial steps advance
+    double slope_step = kNone;      // [s], for which `slope` holds
+    element::ComponentForce slope;  // what a step of the linear elements adds to their forces for each metre
+    double displacement = kNone;    // at the end of the last trial step [m]
+    element::ComponentForce force;  // there
+  };
+
   double displacement_ = 0.0;
   bool kernel_alone_ = false;      // as in the component
   kernel::PreparedStep prepared_;  // derived, not saved; a branch only where the component is the kernel alone
-  // Of all elements, one block after the other.
-  std::vector<double, boost::alignment::aligned_allocator<double, kernel::kCacheLine>> memory_;
-  std::vector<double> trial_;  // memory of the test piece while a series balance is solved; not saved
+  // Of all elements, one block after the other; that of most components lies here, beside the coefficients.
+  boost::container::small_vector<double, 16> memory_;
+  Trial trial_;  // not saved
 };
 
 /// Linearisation of one step about its end, for an implicit integrator: dF/dz at the end of the step is
@@ -193,7 +205,8 @@ class Component {
 
   // The test piece.
   kernel::BasicLawsKernel kernel_;                           // what most components consist of
-  std::vector<Placed<element::ParallelElement>> elements_;   // all others
+  std::vector<Placed<element::ParallelElement>> elements_;   // all others, the linear ones first
+  std::ptrdiff_t linear_count_ = 0;                          // of those
   std::vector<Placed<element::ForceEffect>> force_effects_;  // which scale the sum of both
 
   std::vector<Placed<element::ParallelElement>> rig_;

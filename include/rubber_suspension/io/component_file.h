@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/component/preload.h"
 #include "rubber_suspension/component/six_directions.h"
 #include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/estimation/whole.h"
@@ -91,28 +92,12 @@ class ComponentDescription {
   std::vector<element::ElementDescription> elements_;
 };
 
-/// A static load of a direction: where the numbers of its specification hold, and what tables over a preload are read
-/// at.
-struct Preload {
-  bool is_force = true;  ///< else a displacement
-  double value = 0.0;    ///< [N, N m], or [m, rad]
-};
-
-/// A table by which the preload of one direction scales the forces of another. It is read once, at the preload that the
-/// file gives, as a factor that followed the motion would do work over closed loops.
-struct PreloadTable {
-  component::Direction direction = component::kX;  ///< that is scaled
-  component::Direction by = component::kZ;         ///< whose preload does it
-  std::vector<Preload> preload;                    ///< points, increasing
-  std::vector<double> factor;                      ///< at the points; linear between, constant beyond
-};
-
 /// A component of six directions as a file describes it.
 struct SixDirectionsDescription {
   /// Each as a component of one direction, named after both, rotations in rad and N m; nothing where it is free.
   std::array<std::optional<ComponentDescription>, component::kDirections> directions;
-  std::array<std::optional<Preload>, component::kDirections> preload;
-  std::vector<PreloadTable> tables;
+  std::array<std::optional<component::Preload>, component::kDirections> preload;
+  std::vector<component::PreloadTable> tables;
   component::SixDirectionsLaws arrangement;  ///< without elements: couplings, measure, frames
   /// Where the bush sits on the bodies, as arrangement has it, in numbers: position [m], rotation in its measure [rad].
   component::SixNumbers frame_on_a = component::SixNumbers::Zero();

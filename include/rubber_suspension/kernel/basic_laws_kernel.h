@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/align/aligned_allocator.hpp>
+#include <boost/container/small_vector.hpp>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +29,9 @@ struct PreparedStep {
   element::BergSide branch;       ///< that the memory of a single friction describes, or none
   std::uint32_t friction_count = 0;
   std::uint32_t maxwell_count = 0;
-  std::vector<MaxwellBlock> maxwells;  ///< coefficients of the Maxwell elements
+  /// Coefficients of the Maxwell elements.
+  boost::container::small_vector<MaxwellBlock, 1, boost::alignment::aligned_allocator<MaxwellBlock, kCacheLine>>
+      maxwells;
 
   /// Whether a step is as long as the one before and reverses no friction: continueTo() is then the step.
   __attribute__((always_inline)) bool continues(double length, double displacement, const double* memory) const {
