@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
   return runCommand<Options>(
       argc, argv,
       {"benchmark",
-       "Times the library against hand-written loops and general solvers, taking turns in one process, and prints a "
+       "Times the library against hand-written loops, taking turns in one process, and prints a "
        "Markdown table: ratios are medians over pairs of runs, with quartiles in brackets, the error of the forces "
        "beside them. Times are CPU times of the thread, so that other programs matter little; for the diagnosis they "
        "are wall times.",

@@ -1,5 +1,5 @@
 // What the library is compared with: spring, Maxwell elements and Berg friction as a plain scalar loop, written by hand
-// for this alone, and general solvers.
+// for this alone.
 #pragma once
 
 #include <array>
@@ -119,14 +119,5 @@ class BareComponent {
   std::array<double, n> force_{};
   BareFriction friction_;
 };
-
-/// A general solver of ordinary differential equations: gives the sum of the forces [N] of five Maxwell elements under
-/// displacements [m], linear between the samples at each kStep.
-using PeerSolver = void (*)(const BareMaxwells<5>& maxwells, const std::vector<double>& displacement,
-                            std::vector<double>& force);
-
-/// Simbody, Runge-Kutta-Merson with control of the step; the dashpots are auxiliary states of a force.
-void simbodyMerson(const BareMaxwells<5>& maxwells, const std::vector<double>& displacement,
-                   std::vector<double>& force);
 
 }  // namespace rubber_suspension::benchmark

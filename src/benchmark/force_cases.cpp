@@ -1,9 +1,7 @@
-// One component on a motion, sample by sample and as a log, and many at each tick, against the plain loop and general
-// solvers.
+// One component on a motion, sample by sample and as a log, and many at each tick, against the plain loop.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/numeric/odeint.hpp>
 #include <numeric>
 
 #include "benchmark/bare_loop.h"
@@ -81,54 +79,6 @@ void addSteps(std::vector<Case>& cases, std::size_t samples) {
   add(even, "a log offline, `simulateLog`", simulateWholeLog);
 }
 
-// The sum of the Maxwell forces [N] at each sample: their forces are the states, dF/dt = k v - F/tau.
-void odeintDormandPrince(const BareMaxwells<kElements>& maxwells, const std::vector<double>& displacement,
-                         std::vector<double>& force) {
-  namespace odeint = boost::numeric::odeint;
-  using State = std::array<double, kElements>;
-  constexpr double kRelativeTolerance = 1e-6;
-  constexpr double kAbsoluteTolerance = 1e-2;  // [N]; the forces are some kN
-  auto stepper = odeint::make_controlled(kAbsoluteTolerance, kRelativeTolerance, odeint::runge_kutta_dopri5<State>());
-  State release;  // 1/tau
-  std::transform(maxwells.relaxation_time.begin(), maxwells.relaxation_time.end(), release.begin(),
-                 [](double time) { return 1.0 / time; });
-  State state{};
-  for (std::size_t i = 1; i < displacement.size(); ++i) {
-    const double velocity = (displacement[i] - displacement[i - 1]) / kStep;
-    const auto system = [&](const State& forces, State& rate, double /*time*/) {
-      for (std::size_t k = 0; k < rate.size(); ++k) {
-        rate[k] = maxwells.stiffness[k] * velocity - release[k] * forces[k];
-      }
-    };
-    odeint::integrate_adaptive(stepper, system, state, 0.0, kStep, 0.5 * kStep);
-    force[i] = std::accumulate(state.begin(), state.end(), 0.0);
-  }
-}
-
-// The displacement is linear between samples for a solver, too: the error is its own. Spring and friction are added
-// alike.
-Case peerCase(std::size_t samples, const std::string& name, PeerSolver solve) {
-  constexpr double kHighest = 1000.0;     // break frequency [Hz]; relaxes six times over within a sampling interval
-  constexpr double kErrorOfPeers = 1e-2;  // a general solver is good to its own tolerance only
-  const auto bench = std::make_shared<Bench>(bareParameters(kElements, kHighest), Stamps::even, samples);
-  const auto bare = [solve](Bench& sides) {
-    const BareParameters& given = sides.parameters;
-    const std::vector<double>& displacement = sides.log.displacement;
-    solve(BareMaxwells<kElements>(given), displacement, sides.bare);
-    sides.bare[0] = 0.0;
-    BareFriction friction{displacement[0], displacement[0]};
-    for (std::size_t i = 0; i < displacement.size(); ++i) {
-      sides.bare[i] += given.spring * displacement[i] +
-                       friction.advance(displacement[i], given.maximum_force, given.friction_displacement);
-    }
-  };
-  Case result =
-      forceCase(bench, "a log with break frequencies up to 1 kHz, `Component::simulate`", simulate, name, bare);
-  result.tolerance = kErrorOfPeers;
-  result.most_repetitions = 15;
-  return result;
-}
-
 // Components that differ in all stiffnesses and forces by up to a factor of two.
 struct ManyBench {
   std::vector<BareComponent<kElements>> members;
@@ -185,11 +135,6 @@ std::vector<Case> forceCases(const BenchmarkSize& size) {
   std::vector<Case> cases;
   addSteps(cases, size.samples);
   cases.push_back(manyCase(size.components, std::min(kMostTicks, size.samples)));
-  cases.push_back(
-      peerCase(std::min<std::size_t>(20000, size.samples), "Boost.odeint, Dormand-Prince", odeintDormandPrince));
-#ifdef RUBBER_SUSPENSION_WITH_SIMBODY  // which takes microseconds for a sample
-  cases.push_back(peerCase(std::min<std::size_t>(2000, size.samples), "Simbody, Runge-Kutta-Merson", simbodyMerson));
-#endif
   return cases;
 }
 

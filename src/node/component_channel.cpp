@@ -74,9 +74,9 @@ class ComponentChannel::Model {
     six ? order(six->stream) : order(one->stream);
   }
 
-  // Those of which the model consists; of six directions, which have more than elements, a hash of it all.
-  std::vector<element::ElementDescription> elements() const {
-    return six ? std::vector<element::ElementDescription>{{sha256, {}}} : one->component.elements();
+  // The elements of which the model consists; of six directions, which have more than elements, a hash of it all.
+  ModelIdentity identity() const {
+    return six ? ModelIdentity{{}, sha256} : ModelIdentity{one->component.elements(), ""};
   }
   SavedStream save() const {
     return ask([](const auto& /*component*/, const auto& stream) { return savedOf(stream); });
@@ -320,7 +320,7 @@ void ComponentChannel::setEnabled(bool enabled) {
 
 SavedState ComponentChannel::save() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  SavedState saved{model_->save(), name_, model_->elements(), {}};
+  SavedState saved{model_->save(), name_, model_->identity(), {}};
   if (isBeside()) {
     saved.promotion = SavedPromotion{promotion_->model->save(), io::toYaml({promotion_->description}),
                                      promotion_->fade.stage(), promotion_->fade.weight()};
@@ -335,7 +335,7 @@ std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::checkState(const 
     model = model_;
   }
   element::refuseIf(state.component != name_, "state of component {} does not belong to {}", state.component, name_);
-  element::refuseIf(state.elements != model->elements(), "{}: the state was saved with other elements or parameters",
+  element::refuseIf(state.model != model->identity(), "{}: the state was saved with other elements or parameters",
                     name_);
   try {
     model->check(state);
@@ -374,7 +374,7 @@ void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
   std::shared_ptr<Promotion> promotion;
   clearGaps();
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (model_->elements() != model->elements()) {
+  if (model_->identity() != model->identity()) {
     std::swap(promotion_, promotion);
     note_ = promotion ? "the component file was read again and has another model" : "";
     since_ = model_->save().stamp;

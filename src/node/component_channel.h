@@ -34,11 +34,19 @@ struct SavedPromotion : SavedStream {
   double weight = 0.0;  ///< of its force in the published one
 };
 
+/// What tells a model from others: its elements, or of six directions the SHA-256 of the description in YAML.
+struct ModelIdentity {
+  std::vector<element::ElementDescription> elements;
+  std::string sha256;
+
+  bool operator!=(const ModelIdentity& other) const { return elements != other.elements || sha256 != other.sha256; }
+};
+
 /// The state of a component as it is saved, with what is needed to refuse it where it does not belong.
 struct SavedState : SavedStream {
   std::string component;
-  std::vector<element::ElementDescription> elements;  ///< of the component whose state it is
-  std::optional<SavedPromotion> promotion;            ///< of the model beside, where there is one
+  ModelIdentity model;                      ///< whose state it is
+  std::optional<SavedPromotion> promotion;  ///< of the model beside, where there is one
 };
 
 /// The source of a component's force.

@@ -34,11 +34,14 @@ json toJson(const SavedState& state) {
   json entry = streamJson(state);
   entry["component"] = state.component;
   entry["elements"] = json::array();
-  for (const element::ElementDescription& element : state.elements) {
+  for (const element::ElementDescription& element : state.model.elements) {
     entry["elements"].push_back({{"type", element.type}, {"values", element.values}});
     if (element.of_rig) {
       entry["elements"].back()["of_rig"] = true;
     }
+  }
+  if (!state.model.sha256.empty()) {
+    entry["model_sha256"] = state.model.sha256;
   }
   if (state.promotion) {
     entry["promotion"] = streamJson(*state.promotion);
@@ -113,7 +116,10 @@ SavedPromotion promotionOf(const json& entry) {
 SavedState stateOf(const json& entry) {
   SavedState state{streamOf(entry), entry.at("component").get<std::string>(), {}, {}};
   for (const json& element : entry.at("elements")) {
-    state.elements.push_back(elementOf(element));
+    state.model.elements.push_back(elementOf(element));
+  }
+  if (entry.contains("model_sha256")) {
+    state.model.sha256 = entry.at("model_sha256").get<std::string>();
   }
   if (entry.contains("promotion")) {
     state.promotion = promotionOf(entry.at("promotion"));
