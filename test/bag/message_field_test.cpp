@@ -13,6 +13,7 @@
 
 #include "bag/bag_log.h"
 #include "io/temporary_file.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -53,12 +54,7 @@ class MessageField : public testing::Test {
   }
 
   std::string refusal(const std::vector<std::string>& columns) const {
-    try {
-      read(columns);
-    } catch (const log::LogError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return messageOf<log::LogError>([&] { read(columns); });
   }
 
   void expectNumbers(const log::Log& log) const {

@@ -10,6 +10,7 @@
 #include "campaign/jobs_file.h"
 #include "campaign/manifest.h"
 #include "campaign/scratch_folder.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -116,12 +117,8 @@ TEST_F(MakeCampaign, AnOptionOfAnotherVersionIsRefused) {
   writeFleet();
   nlohmann::json job = campaign::jobJson(make(kFleet).jobs.at(0));
   job["options"]["rate"] = 200.0;
-  try {
-    campaign::jobFromJson(job);
-    FAIL() << "taken";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()), "'rate' is unknown (did you mean 'sampling_rate'?)");
-  }
+  EXPECT_EQ(messageOf<std::invalid_argument>([&] { campaign::jobFromJson(job); }),
+            "'rate' is unknown (did you mean 'sampling_rate'?)");
 }
 
 TEST_F(MakeCampaign, TheManifestReadsBack) {

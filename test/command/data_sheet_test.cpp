@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/message_of.h"
+
 namespace rubber_suspension {
 namespace {
 
@@ -22,12 +24,7 @@ const std::string kSheet = R"(data_sheet:
 )";
 
 std::string refusal(const std::string& text) {
-  try {
-    command::componentFileFromDataSheetText(text, "sheet.yaml");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return messageOf<std::invalid_argument>([&] { command::componentFileFromDataSheetText(text, "sheet.yaml"); });
 }
 
 std::string replaced(const std::string& from, const std::string& to) {

@@ -14,6 +14,7 @@
 #include "command/table_fit_text.h"
 #include "io/temporary_file.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension::command {
 namespace {
@@ -79,12 +80,7 @@ TEST(MeasuredTable, NamesWhatAMaterialLacks) {
 
 TEST(MeasuredTable, NamesColumnsThatItDoesNotUnderstand) {
   const auto refusal = [](const std::string& text) {
-    try {
-      parseTable(text, "lab.csv");
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
+    return messageOf<std::runtime_error>([&] { parseTable(text, "lab.csv"); });
   };
   EXPECT_THAT(refusal("Frequency [Hz],Way [mm],Stiffness [N/mm],Phase [deg]\n1,0.1,200,1\n"),
               testing::AllOf(HasSubstr("amplitude: missing"), HasSubstr("not understood: 'Way [mm]'")));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "command_line/command.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension::command_line {
 namespace {
@@ -64,12 +65,7 @@ Request parse(Values& values, std::vector<std::string> words) {
 
 std::string refusal(const std::vector<std::string>& words) {
   Values values;
-  try {
-    parse(values, words);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "";
+  return messageOf<UsageError>([&] { parse(values, words); });
 }
 
 TEST(Parse, FillsWhatTheTablePointsTo) {

@@ -9,6 +9,7 @@
 
 #include "component/bushes.h"
 #include "support/allocation_counter.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -241,12 +242,7 @@ TEST(SixDirections, ContinuesFromItsNumbers) {
 TEST(SixDirections, SaysWhichDirectionIsRefused) {
   SixDirectionsLaws laws = referenceLaws(RotationMeasure::vector);
   laws.elements[component::kRy] = {{"spring", {{"stiffness", {-1.0}}}}};
-  try {
-    SixDirections bush(laws);
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("ry: spring.stiffness", 0), 0U) << error.what();
-  }
+  EXPECT_EQ(messageOf<std::invalid_argument>([&] { SixDirections bush(laws); }).rfind("ry: spring.stiffness", 0), 0U);
 }
 
 }  // namespace

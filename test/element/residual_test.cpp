@@ -7,6 +7,7 @@
 
 #include "element/typical_elements.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -207,12 +208,7 @@ TEST(Residual, RunsWithoutResonators) {
 std::string refusalOf(const std::string& parameter, const std::vector<double>& values) {
   element::ElementDescription law = typicalResidual();
   law.values[parameter] = values;
-  try {
-    element::makeElement(law);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return messageOf<std::invalid_argument>([&] { element::makeElement(law); });
 }
 
 TEST(Residual, RefusesWhatDoesNotFit) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rubber_suspension/io/component_file.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -53,12 +54,8 @@ TEST_P(BadComponentFile, IsRefusedWithItsError) {
   const std::string mark = "# error: ";
   const std::string line = firstLine(GetParam());
   ASSERT_THAT(line, StartsWith(mark));
-  try {
-    io::loadComponentFile(GetParam());
-    FAIL() << "accepted";
-  } catch (const io::ComponentFileError& error) {
-    expectError(error.what(), GetParam(), line.substr(mark.size()));
-  }
+  expectError(messageOf<io::ComponentFileError>([&] { io::loadComponentFile(GetParam()); }), GetParam(),
+              line.substr(mark.size()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, BadComponentFile, ::testing::ValuesIn(filesIn("bad_component_files", ".yaml")), nameOf);

@@ -13,6 +13,7 @@
 
 #include "io/temporary_file.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -42,12 +43,7 @@ std::vector<io::ComponentDescription> parse(const std::string& text) {
 }
 
 std::string errorOf(const std::string& text) {
-  try {
-    parse(text);
-  } catch (const io::ComponentFileError& error) {
-    return error.what();
-  }
-  return "no error";
+  return messageOf<io::ComponentFileError>([&] { parse(text); });
 }
 
 TEST(ComponentFile, LoadsModelsAndElementsWithUnits) {
@@ -236,14 +232,10 @@ TEST(SelectComponent, TakesTheNamedOrTheOnlyOne) {
   const auto two = parse(kExample);
   EXPECT_EQ(io::selectComponent(two, "bush").name, "bush");
   EXPECT_THROW(io::selectComponent(two, "brush"), io::ComponentFileError);
-  try {
-    io::selectComponent(two, "left_secondry", "file.yaml");
-    FAIL() << "accepted";
-  } catch (const io::ComponentFileError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "file.yaml: no component 'left_secondry' (did you mean 'left_secondary'?); accepted: left_secondary, bush");
-  }
+  const std::string message =
+      messageOf<io::ComponentFileError>([&] { io::selectComponent(two, "left_secondry", "file.yaml"); });
+  EXPECT_EQ(message,
+            "file.yaml: no component 'left_secondry' (did you mean 'left_secondary'?); accepted: left_secondary, bush");
   EXPECT_THROW(io::selectComponent(two, ""), io::ComponentFileError);
   const auto one = parse("components: {a: {model: elements, elements: [{type: spring, stiffness: 1}]}}");
   EXPECT_EQ(io::selectComponent(one, "").name, "a");

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "io/temporary_file.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -115,12 +116,8 @@ TEST(DrawFigure, MuchDataPassesThrough) {
 TEST(DrawFigure, TellsWhatIsWrong) {
   const TemporaryFile file("figure.pdf", "");
   EXPECT_THROW(io::drawFigure(exampleFigure(), file.path()), io::FigureError);
-  try {
-    io::drawFigure(exampleFigure(), "/nonexistent/figure.svg");
-    FAIL() << "drew into a folder that is not there";
-  } catch (const io::FigureError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("/nonexistent/figure.svg: cannot be written: No such file or directory"));
-  }
+  EXPECT_THAT(messageOf<io::FigureError>([&] { io::drawFigure(exampleFigure(), "/nonexistent/figure.svg"); }),
+              HasSubstr("/nonexistent/figure.svg: cannot be written: No such file or directory"));
   io::Figure bad = exampleFigure();
   bad.axes[1].maps[0].values.pop_back();
   EXPECT_THROW(io::drawSvg({bad}), io::FigureError);
@@ -133,12 +130,8 @@ TEST(DrawFigure, TellsWhatIsWrong) {
 TEST(DrawFigure, NamesAMissingMatplotlib) {
   const TemporaryFile module("matplotlib.py", "raise ImportError('none here')\n");
   setenv("PYTHONPATH", module.folder().c_str(), 1);
-  try {
-    io::drawSvg({exampleFigure()});
-    ADD_FAILURE() << "drew without Matplotlib";
-  } catch (const io::FigureError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("figures need Matplotlib (none here); install python3-matplotlib"));
-  }
+  const std::string message = messageOf<io::FigureError>([&] { io::drawSvg({exampleFigure()}); });
+  EXPECT_THAT(message, HasSubstr("figures need Matplotlib (none here); install python3-matplotlib"));
   unsetenv("PYTHONPATH");
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "io/output_files.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -23,12 +24,7 @@ class FolderLock : public testing::Test {
   ~FolderLock() override { fs::remove_all(folder_.parent_path()); }
 
   std::string refusal() const {
-    try {
-      const io::FolderLock lock(folder_);
-    } catch (const io::OutputRefused& error) {
-      return error.what();
-    }
-    return "";
+    return messageOf<io::OutputRefused>([&] { const io::FolderLock lock(folder_); });
   }
 
   // Whether another process gets the folder.

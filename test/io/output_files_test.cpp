@@ -8,6 +8,7 @@
 
 #include "io/temporary_file.h"
 #include "rubber_suspension/io/component_file.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -28,12 +29,7 @@ class CheckOutputs : public ::testing::Test {
 
   // The refusal of an output beside an input, or "".
   static std::string refusal(const std::string& input, const std::vector<io::OutputFile>& outputs, bool force = false) {
-    try {
-      io::checkOutputs({{"--log", input}}, outputs, force);
-    } catch (const io::OutputRefused& error) {
-      return error.what();
-    }
-    return "";
+    return messageOf<io::OutputRefused>([&] { io::checkOutputs({{"--log", input}}, outputs, force); });
   }
 
   TemporaryFile folder_{"log.csv", "time_s,displacement_m,force_N\n0,0,0\n"};

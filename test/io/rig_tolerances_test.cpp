@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "rubber_suspension/io/component_file.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -27,12 +28,9 @@ TEST(RigTolerances, TakeUnitsAndShares) {
 TEST(RigTolerances, NameWhatTheyRefuse) {
   const auto refusal = [](const std::string& text) {
     io::RigTolerances tolerances;
-    try {
+    return messageOf<std::invalid_argument>([&] {
       io::setRigTolerance(tolerances, text);
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted, without error");
+    });
   };
   for (const char* text : {"force_zero", "zero=1", "force_zero=1 m", "force_zero=-1 N", "delay=nan", "gain=2 N"}) {
     EXPECT_THAT(refusal(text), HasSubstr("; accepted: ")) << text;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "rubber_suspension/io/component_file.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -42,12 +43,7 @@ const std::string kBush = R"(    directions:
 )";
 
 std::string refusal(const std::string& text) {
-  try {
-    io::parseComponentFile(text, "bush.yaml");
-  } catch (const io::ComponentFileError& error) {
-    return error.what();
-  }
-  return "";
+  return messageOf<io::ComponentFileError>([&] { io::parseComponentFile(text, "bush.yaml"); });
 }
 
 std::string replaced(const std::string& part, const std::string& by) {

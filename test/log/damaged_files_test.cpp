@@ -14,6 +14,7 @@
 
 #include "io/temporary_file.h"
 #include "rubber_suspension/log/log.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -23,12 +24,7 @@ using ::testing::HasSubstr;
 
 std::string refusalOfBytes(const std::string& name, const std::string& bytes) {
   const TemporaryFile file(name, bytes);
-  try {
-    log::readLogs(file.path());
-  } catch (const log::LogError& error) {
-    return error.what();
-  }
-  return "";
+  return messageOf<log::LogError>([&] { log::readLogs(file.path()); });
 }
 
 // Level 5 of MATLAB, written by its format.
@@ -290,12 +286,7 @@ class Hdf5Writer {
 };
 
 std::string refusalOfHdf5(const std::string& path) {
-  try {
-    log::readLog(path);
-  } catch (const log::LogError& error) {
-    return error.what();
-  }
-  return "";
+  return messageOf<log::LogError>([&] { log::readLog(path); });
 }
 
 TEST(Hdf5File, OfGroupsWithALogEachHoldsSegments) {

@@ -14,6 +14,7 @@
 
 #include "io/temporary_file.h"
 #include "rubber_suspension/log/log.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -227,12 +228,7 @@ TEST(Dialects, SayWhatTheirWriterWrote) {
 
 std::string refusalOf(const std::string& text, const log::LogFormat& format = {}) {
   const TemporaryFile file("log.csv", text);
-  try {
-    log::readLog(file.path(), format);
-  } catch (const log::LogError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return messageOf<log::LogError>([&] { log::readLog(file.path(), format); });
 }
 
 log::Log readBy(const std::string& text, const log::LogFormat& format) {
@@ -449,12 +445,7 @@ TEST(Dialects, OfDatesHaveDaysThatThereAre) {
   const auto refusal = [](const std::string& day) {
     const TemporaryFile file("log.csv",
                              "Zeit;Weg [mm];Kraft [N]\n" + day + " 10:00:00;0;0\n" + day + " 10:00:01;1;1\n");
-    try {
-      log::readLog(file.path());
-    } catch (const log::LogError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return messageOf<log::LogError>([&] { log::readLog(file.path()); });
   };
   for (const char* day : {"31.01.2025", "29.02.2024", "2025-12-31", "28.02.1900"}) {
     EXPECT_EQ(refusal(day), "");
@@ -467,13 +458,8 @@ TEST(Dialects, OfDatesHaveDaysThatThereAre) {
 TEST(Dialects, OfNumbersEndWhereTheirSquaresWould) {
   for (const char* row : {"1,1e31,0", "1,0,1e308", "1,0,-1e31"}) {
     const TemporaryFile file("log.csv", std::string("time_s,displacement_m,force_N\n0,0,0\n") + row + "\n");
-    try {
-      log::readLog(file.path());
-      FAIL() << row;
-    } catch (const log::LogError& error) {
-      EXPECT_THAT(error.what(),
-                  ::testing::AllOf(HasSubstr(":3: "), HasSubstr("out of range; accepted: at most 1e+30")));
-    }
+    const std::string message = messageOf<log::LogError>([&] { log::readLog(file.path()); });
+    EXPECT_THAT(message, ::testing::AllOf(HasSubstr(":3: "), HasSubstr("out of range; accepted: at most 1e+30")));
   }
 }
 

@@ -17,6 +17,7 @@
 
 #include "io/temporary_file.h"
 #include "support/measured_data.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -30,12 +31,7 @@ log::Log readText(const std::string& text, const log::LogFormat& format = {}) {
 }
 
 std::string errorOf(const std::string& text, const log::LogFormat& format = {}) {
-  try {
-    readText(text, format);
-  } catch (const log::LogError& error) {
-    return error.what();
-  }
-  return "no error";
+  return messageOf<log::LogError>([&] { readText(text, format); });
 }
 
 TEST(ReadCsvLog, ConvertsTheUnitsInColumnNames) {

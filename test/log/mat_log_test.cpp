@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "rubber_suspension/log/log.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -15,12 +16,7 @@ log::Log read(const std::string& name, const log::LogFormat& format = {}) {
 }
 
 std::string errorOf(const std::string& name, const log::LogFormat& format = {}) {
-  try {
-    read(name, format);
-  } catch (const log::LogError& error) {
-    return error.what();
-  }
-  return "no error";
+  return messageOf<log::LogError>([&] { read(name, format); });
 }
 
 class MatLogOfLevel : public ::testing::TestWithParam<const char*> {};

@@ -16,6 +16,7 @@
 
 #include "io/temporary_file.h"
 #include "rubber_suspension/log/log.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -41,12 +42,7 @@ std::vector<std::string> namesIn(const std::string& folder) {
 }
 
 std::string errorOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "no error";
+  return messageOf<std::runtime_error>([&] { work(); });
 }
 
 TEST(NewFile, TakesTheNameWhenItIsCommitted) {

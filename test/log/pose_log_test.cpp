@@ -9,6 +9,7 @@
 #include <string>
 
 #include "rubber_suspension/element/constants.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -21,12 +22,7 @@ class PoseLogTest : public testing::Test {
   }
 
   std::string refusal(const std::string& text) {
-    try {
-      log::readPoseLog(write(text));
-    } catch (const log::LogError& error) {
-      return error.what();
-    }
-    return "";
+    return messageOf<log::LogError>([&] { log::readPoseLog(write(text)); });
   }
 
   ~PoseLogTest() override { unlink(path_.c_str()); }

@@ -13,6 +13,7 @@
 #include "io/temporary_file.h"
 #include "log/file_format.h"
 #include "rubber_suspension/log/log.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -27,12 +28,7 @@ log::Log readText(const std::string& text, const log::LogFormat& format = {}) {
 }
 
 std::string refusal(const std::string& text, const log::LogFormat& format = {}) {
-  try {
-    readText(text, format);
-  } catch (const log::LogError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return messageOf<log::LogError>([&] { readText(text, format); });
 }
 
 // The format of an option that an error advises, of those that take a number or a word.

@@ -6,17 +6,13 @@
 
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/units.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
 
 std::string refusal(const std::string& text, const std::string& unit) {
-  try {
-    log::parseQuantity(text, unit);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return messageOf<std::invalid_argument>([&] { log::parseQuantity(text, unit); });
 }
 
 TEST(UnitHints, NameTheUnitInItsRightSpelling) {
@@ -74,12 +70,10 @@ TEST(UnitOfQuantity, IsWhatStandsBehindTheNumber) {
 }
 
 TEST(LogFormat, NamesTheQuantityThatWasMeant) {
-  try {
-    log::makeLogFormat({"dispalcement=x"}, "", 0.0);
-    FAIL() << "accepted";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("(did you mean 'displacement'?)"), std::string::npos) << error.what();
-  }
+  EXPECT_NE(messageOf<std::invalid_argument>([&] {
+              log::makeLogFormat({"dispalcement=x"}, "", 0.0);
+            }).find("(did you mean 'displacement'?)"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "node/component_channel.h"
 #include "node/state_file.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -61,12 +62,7 @@ void run(node::ComponentChannel& channel, int first, int last) {
 }
 
 std::string refusalOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return messageOf<std::invalid_argument>([&] { action(); });
 }
 
 TEST(Promotion, TakesTheForceOverWithinItsBoundAndGivesItBack) {

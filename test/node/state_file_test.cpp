@@ -14,6 +14,8 @@
 #include <iterator>
 #include <limits>
 
+#include "support/message_of.h"
+
 namespace rubber_suspension {
 namespace {
 
@@ -22,7 +24,7 @@ using testing::HasSubstr;
 std::vector<node::SavedState> states() {
   node::SavedState state;
   state.component = "left";
-  state.elements = {{"spring", {{"stiffness", {3e6}}}}};
+  state.model.elements = {{"spring", {{"stiffness", {3e6}}}}};
   state.started = true;
   state.stamp = 1234567890123456789;
   state.displacement = 0.1;
@@ -41,14 +43,10 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 void expectRefusal(const std::string& text, const std::string& word) {
-  try {
-    node::parseStates(text, "state.json");
-    ADD_FAILURE() << "accepted, though " << word;
-  } catch (const node::FileError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("state.json"));
-    EXPECT_THAT(error.what(), HasSubstr(word));
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-  }
+  const std::string message = messageOf<node::FileError>([&] { node::parseStates(text, "state.json"); });
+  EXPECT_THAT(message, HasSubstr("state.json"));
+  EXPECT_THAT(message, HasSubstr(word));
+  EXPECT_EQ(message.find('\n'), std::string::npos);
 }
 
 TEST(StateText, KeepsEveryBit) {
@@ -125,13 +123,10 @@ class StateFile : public testing::Test {
 
   void expectNeitherReadNorReplaced(const std::string& path, const std::string& word) const {
     for (const bool write : {false, true}) {
-      try {
-        write ? node::writeStateFile(path, states()) : static_cast<void>(node::readStateFile(path));
-        ADD_FAILURE() << word;
-      } catch (const node::FileError& error) {
-        EXPECT_THAT(error.what(), HasSubstr(path));
-        EXPECT_THAT(error.what(), HasSubstr(word));
-      }
+      const std::string message = messageOf<node::FileError>(
+          [&] { write ? node::writeStateFile(path, states()) : static_cast<void>(node::readStateFile(path)); });
+      EXPECT_THAT(message, HasSubstr(path));
+      EXPECT_THAT(message, HasSubstr(word));
     }
   }
 
