@@ -28,9 +28,7 @@ TEST(RigTolerances, TakeUnitsAndShares) {
 TEST(RigTolerances, NameWhatTheyRefuse) {
   const auto refusal = [](const std::string& text) {
     io::RigTolerances tolerances;
-    return messageOf<std::invalid_argument>([&] {
-      io::setRigTolerance(tolerances, text);
-    });
+    return messageOf<std::invalid_argument>([&] { io::setRigTolerance(tolerances, text); });
   };
   for (const char* text : {"force_zero", "zero=1", "force_zero=1 m", "force_zero=-1 N", "delay=nan", "gain=2 N"}) {
     EXPECT_THAT(refusal(text), HasSubstr("; accepted: ")) << text;

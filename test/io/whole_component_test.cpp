@@ -236,8 +236,7 @@ TEST(MergeKeys, TakeWhatTheMapDoesNotHave) {
   EXPECT_EQ(component.elements()[2].value("stiffness"), 1e6);
   EXPECT_THAT(refusalOf("    model: elements\n    elements:\n      - {<<: 3, type: spring, stiffness: 1e6}\n"),
               HasSubstr("accepted: an anchor of another map"));
-  EXPECT_NE(refusalOf("    model: elements\n    elements:\n      - &a {<<: *a, type: spring, stiffness: 1e6}\n"),
-            "");
+  EXPECT_NE(refusalOf("    model: elements\n    elements:\n      - &a {<<: *a, type: spring, stiffness: 1e6}\n"), "");
 }
 
 TEST(Symbols, AreSpelledOut) {

@@ -1,4 +1,4 @@
-// Preloads of a component of six directions, and tables by which one direction's scales the forces of another.
+// Preloads of a component of six directions, and tables by which one scales the forces of another. Throws nothing.
 #pragma once
 
 #include <vector>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 
 #include "rubber_suspension/element/maxwell.h"
@@ -13,8 +12,6 @@ constexpr std::size_t kCacheLine = 64;  ///< bytes
 
 /// Two numbers in one register. GCC's vector type, which Clang knows, too.
 using Pair = double __attribute__((vector_size(2 * sizeof(double))));
-
-using PairIndex = std::int64_t __attribute__((vector_size(2 * sizeof(double))));
 
 /// Coefficients of the step of eight Maxwell elements, as MaxwellStep has them.
 struct alignas(kCacheLine) MaxwellBlock {
@@ -31,7 +28,7 @@ struct alignas(kCacheLine) MaxwellBlock {
     forces = element::maxwellForce(decay[pair], gain[pair], forces, increment);
     std::memcpy(force, &forces, sizeof forces);
     sum += forces;
-    sum += __builtin_shuffle(forces, PairIndex{1, 1});
+    sum += Pair{forces[1], forces[1]};
   }
 
   /// Advance the first elements, eight at most, likewise. Without a loop, which would cost as much as the elements do,
