@@ -94,9 +94,9 @@ bool whatIsNamedCloses(const Diagnosis& d) {
     return true;
   }
   const judge::Evidence& evidence = d.workings->evidence;
-  const bool nearer = d.gap.augmented < d.gap.as_configured &&
-                      evidence.at(d.workings->answer.model).chi_squared <
-                          evidence.at(judge::Evidence::kReEstimated).chi_squared;
+  const bool nearer =
+      d.gap.augmented < d.gap.as_configured &&
+      evidence.at(d.workings->answer.model).chi_squared < evidence.at(judge::Evidence::kReEstimated).chi_squared;
   return (d.gap.augmented < d.gap.re_estimated && d.closed_interval[0] > 0.0) || nearer;
 }
 

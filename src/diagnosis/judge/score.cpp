@@ -93,7 +93,8 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
     const ArrayXd squares = arrayOf(hypothesis.sizes[m]);
     const auto member = static_cast<std::size_t>(hypothesis.members[m]);
-    if (!evidence.constant[member]) {
+    const bool exact = evidence.constant[member] || hypothesis.keeps_values;  // one gain does just what values do
+    if (!exact) {
       (evidence.on_rig[member] ? table.added_rig : table.added).row(row) += squares.transpose();
     }
     table.sizes.back().push_back(0.5 * std::log(std::max((squares * table.weight).sum(), kLeastSquare)));
