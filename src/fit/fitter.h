@@ -42,6 +42,7 @@ class Fitter final : public HypothesisFitter {
 
   /// Priors of the zeros of the displacement of each log.
   void setZeros(std::vector<DisplacementZero> zeros) { zeros_ = std::move(zeros); }
+  const std::vector<DisplacementZero>& zeros() const { return zeros_; }
 
  private:
   std::optional<gap::Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const override {

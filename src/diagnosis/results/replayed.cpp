@@ -23,12 +23,13 @@ std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const Fitt
                                            const Entries& elements) {
   const std::vector<log::Record>& records = fitter.records();
   const fit::Hypothesis hypothesis = fitted.law.hypothesis();
-  const auto errorsOf = [&](const gap::Forces& forces) {
-    return errorsByLog(hypotheses::partErrorsOf(hypothesis, records, forces), records.size());
-  };
-  const std::vector<double> replay = errorsOf(gap::simulate(elements, records, gap::asRecorded));
-  const std::vector<double> of_fit =
-      errorsOf(*LawForces(fitter.sharedRecords(), fitter.model(), fitted.law).at(fitted.fit.parameters));
+  // Zeros of the displacement are those of the component that is replayed.
+  const std::vector<double> replay =
+      errorsByLog(hypotheses::unseenErrors(hypothesis, elements, gap::simulate(elements, records, gap::asRecorded),
+                                           records, fitter.zeros()),
+                  records.size());
+  const gap::Forces fit = *LawForces(fitter.sharedRecords(), fitter.model(), fitted.law).at(fitted.fit.parameters);
+  const std::vector<double> of_fit = errorsByLog(hypotheses::partErrorsOf(hypothesis, records, fit), records.size());
   std::vector<gap::PartError> blocks = fitted.fit.blocks;
   const std::vector<double> unseen = errorsByLog(blocks, records.size());
   for (gap::PartError& block : blocks) {
