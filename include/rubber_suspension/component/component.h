@@ -21,6 +21,8 @@ class alignas(kernel::kCacheLine) ComponentState {
  public:
   double displacement() const { return displacement_; }  ///< at the last sample [m]
   std::vector<double> memory() const { return {memory_.begin(), memory_.end()}; }
+  /// The same into a list that is used again, so that saving takes no memory.
+  void saveMemory(std::vector<double>& numbers) const { numbers.assign(memory_.begin(), memory_.end()); }
 
   /// Take what another state of the same component remembers, and keep the coefficients of the step length last used;
   /// faster than copying all.

@@ -50,7 +50,7 @@ void Body::save(SavedState& state) const {
     state.memory = six_state_.numbers();
   } else {
     state.component_displacement = one_state_.displacement();
-    state.memory = one_state_.memory();
+    one_state_.saveMemory(state.memory);
   }
 }
 
