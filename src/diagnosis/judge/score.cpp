@@ -265,8 +265,11 @@ LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
     const double prior = priorOf(table, numbers, h) + priorOfValues(table, numbers, h);
     weights.alone[static_cast<Index>(h)] += prior;
     // Whether values are wrong does not matter beside a rest, nor how that is read.
-    const double beside = table.another_reading[h] ? kImpossible : prior;
-    weights.beside[static_cast<Index>(h)] += beside;
+    double& beside = weights.beside[static_cast<Index>(h)];
+    beside += prior;
+    if (table.another_reading[h]) {
+      beside = kImpossible;
+    }
   }
   weights.beside[Evidence::kReEstimated] -= priorOf(table, numbers, Evidence::kReEstimated);
   weights.beside[Evidence::kAsConfigured] = kImpossible;
