@@ -414,6 +414,7 @@ class Masters(Attack):
                 z = 1e-3 * math.sin(0.02 * i) + 4e-4 * math.sin(0.31 * i)
                 measured.sendall(sample(i, 3.3e6 * z + 900.0 * math.sin(0.02 * i + 0.7) ** 3))
                 writer.sendall(sample(i, z))
+            time.sleep(0.1)  # measured forces that come far behind their samples find none
         self.counts(report, "left", "accepted", 100000)
         tcpros.until(lambda: self.busy(node, "diagnosis"), "a look")
         node.process.send_signal(signal.SIGTERM)
