@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kRadiansBetweenTurns = 3.0;  // less than half a period
 constexpr double kMostParts = 4096.0;
-constexpr double kSplit =
-    0.25;  // of a radian of the resonance, or of the time in which the quadratic loss halves a rate
+// Of a radian of the resonance, or of the time in which the quadratic loss halves a rate.
+constexpr double kSplit = 0.25;
 constexpr double kMostTurned = 4.0;       // radians of the resonance in a step that is split, with quadratic loss
 constexpr double kPastTurn = 1.0 + 1e-9;  // a deflection is known twice as well as the time at which it turns
 constexpr double kEdgeTolerance = 1e-15;  // of the time of an edge, over the part
@@ -201,11 +201,11 @@ void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const
 
 // In how many parts a step is made: one where that is exact.
 double InertiaTrack::partsOf(double rate, double dt, double velocity) const {
-  // A step of several radians is of a motion far below the resonance, where the quadratic loss is next to nothing.
-  const double turned = std::min(dt * std::sqrt(square_), kMostTurned);
+  const double turned = dt * std::sqrt(square_);
   const double braked = dt * brake_ * std::max(std::abs(rate), std::abs(velocity));
-  const double parts = brake_ > 0.0         ? (turned + braked) / kSplit
-                       : free_travel_ > 0.0 ? dt * std::sqrt(square_) / kRadiansBetweenTurns
+  // A step of several radians is of a motion far below the resonance, where the quadratic loss is next to nothing.
+  const double parts = brake_ > 0.0         ? (std::min(turned, kMostTurned) + braked) / kSplit
+                       : free_travel_ > 0.0 ? turned / kRadiansBetweenTurns
                                             : 1.0;
   return std::clamp(std::ceil(parts), 1.0, kMostParts);
 }
