@@ -2,6 +2,8 @@
 #include "command_line/command.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -129,6 +131,15 @@ class SafeOutput : std::streambuf {
   std::string line_;
 };
 
+// malloc reserves 64 MiB of addresses for each thread, far more than it takes. Where addresses are limited, all threads
+// share one reserve.
+void reserveNoAddresses() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+    mallopt(M_ARENA_MAX, 1);
+  }
+}
+
 }  // namespace
 
 std::string version() { return RUBBER_SUSPENSION_VERSION; }
@@ -164,6 +175,7 @@ double quantityOf(const std::string& option, const std::string& text, const Quan
 
 int runCommand(int argc, char** argv, const Command& command, const OptionTable& table,
                const std::function<int()>& body) {
+  reserveNoAddresses();
   const SafeOutput output;
   try {
     const int status = runAsked(argc, argv, command, table, body);
