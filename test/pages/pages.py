@@ -78,8 +78,8 @@ class Page:
                               stderr=subprocess.PIPE, text=True, check=False,
                               env={**os.environ, "ROS_MASTER_URI": master, "PYTHONUNBUFFERED": "1"})
         if done.returncode != 0:
-            last = done.stderr.strip().splitlines()[-1:] or ["no message"]
-            raise RuntimeError(f"the commands end with status {done.returncode}: {last[0]}")
+            last = done.stderr.strip().splitlines()[-5:] or ["no message"]
+            raise RuntimeError(f"the commands end with status {done.returncode}: " + " | ".join(last))
         for i, last in self.outputs.items():
             lines = (self.folder / f"output.{last}").read_text(encoding="utf-8")
             lines = lines.replace(f"{self.folder}/", "/tmp/").splitlines()
