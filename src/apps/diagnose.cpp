@@ -14,8 +14,8 @@
 #include "command_line/plot_option.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/report/run_record.h"
-#include "diagnosis/results/taken_out.h"
 #include "diagnosis/words/model_values.h"
+#include "diagnosis/words/text.h"
 #include "element/refuse.h"
 #include "io/effect_names.h"
 #include "log/text.h"
@@ -62,7 +62,7 @@ Files reportFiles(const DiagnoseOptions& options) {
 }
 
 std::string takenOut(const diagnosis::Diagnosis& diagnosis) {
-  const std::vector<std::string> phrases = diagnosis::results::describeTakenOut(diagnosis.taken_out);
+  const std::vector<std::string> phrases = diagnosis::words::describeTakenOut(diagnosis.taken_out);
   return phrases.empty() ? "" : log::oneLine(fmt::format("taken out of the logs: {}", fmt::join(phrases, "; "))) + "\n";
 }
 

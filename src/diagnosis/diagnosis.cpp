@@ -94,8 +94,8 @@ std::unique_ptr<hypotheses::PreparedCase> withRigPriors(const io::ComponentDescr
                                                         std::vector<log::Record> training,
                                                         std::vector<log::Record> held_out) {
   const fit::ModelParameters model(component, fit::Level::specification);
-  prepare::ZeroPriors zeros = prepare::setRigPriors(model, component.rig.value_or(io::RigTolerances{}),
-                                                    hypotheses::errorScale(), training, held_out);
+  fit::ZeroPriors zeros = prepare::setRigPriors(model, component.rig.value_or(io::RigTolerances{}),
+                                                hypotheses::errorScale(), training, held_out);
   return std::make_unique<hypotheses::PreparedCase>(component, std::move(training), std::move(held_out),
                                                     std::move(zeros));
 }
@@ -117,7 +117,7 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
     result.bench_evidence = std::move(evidence);
     return result;
   }
-  const std::vector<results::RawChannels> raw = results::rawChannels(excerpts.logs, excerpts.hold_out);
+  const std::vector<prepare::RawChannels> raw = prepare::rawChannels(excerpts.logs, excerpts.hold_out);
   std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
   const auto ready = withRigPriors(component, std::move(training), std::move(held_out));
   auto workings = std::make_shared<Workings>();

@@ -1,5 +1,5 @@
 // What a motion before a log leaves in Berg's friction.
-#include "diagnosis/prepare/friction_noise.h"
+#include "measurement/friction_noise.h"
 
 #include <gtest/gtest.h>
 
@@ -30,18 +30,18 @@ double deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array
 
 // Root mean square of what such friction forgets in the course of the log, over its force.
 double forgotten(double displacement) {
-  const Eigen::MatrixXd starts = diagnosis::prepare::frictionStarts(elementsWithBerg(displacement), records())[0];
+  const Eigen::MatrixXd starts = measurement::frictionStarts(elementsWithBerg(displacement), records())[0];
   return std::max(deviation(starts.col(0)), deviation(starts.col(1))) / kMaximumForce;
 }
 
 TEST(FrictionStarts, AreNoneWithoutBergsFriction) {
-  EXPECT_EQ(diagnosis::prepare::frictionStarts(rigComponent().allElements(), records())[0].cols(), 0);
+  EXPECT_EQ(measurement::frictionStarts(rigComponent().allElements(), records())[0].cols(), 0);
 }
 
 TEST(FrictionStarts, AreNoneWhereThePastIsKnown) {
   auto logs = records();
   logs[0].lead_in = Eigen::Vector3d::Zero();
-  EXPECT_EQ(diagnosis::prepare::frictionStarts(elementsWithBerg(5e-3), logs)[0].cols(), 0);
+  EXPECT_EQ(measurement::frictionStarts(elementsWithBerg(5e-3), logs)[0].cols(), 0);
 }
 
 // Motion of up to 2 mm slides such friction to and fro: from the first turns on, nothing tells where it came from.

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
-#include "diagnosis/prepare/friction_noise.h"
 #include "fit/excitation.h"
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
 #include "io/effect_names.h"
+#include "measurement/friction_noise.h"
 #include "rig.h"
 #include "rubber_suspension/log/record.h"
 
@@ -108,7 +108,7 @@ double rootMeanSquare(const Eigen::VectorXd& values) {
 }
 
 TEST(FrictionNoise, IsNothingWithoutFriction) {
-  EXPECT_EQ(diagnosis::prepare::frictionNoise(rigComponent().allElements(), {log::makeRecord(noisyLog(5e-6))}),
+  EXPECT_EQ(measurement::frictionNoise(rigComponent().allElements(), {log::makeRecord(noisyLog(5e-6))}),
             std::vector<double>{0.0});
 }
 
@@ -122,7 +122,7 @@ TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
   const Eigen::VectorXd done =
       gap::simulate(friction, {noisy}, gap::asRecorded)[0] - gap::simulate(friction, {clean})[0];
   const double known = rootMeanSquare(done) / noisy.force_deviation;
-  const double estimated = diagnosis::prepare::frictionNoise(friction, {noisy}).front();
+  const double estimated = measurement::frictionNoise(friction, {noisy}).front();
   EXPECT_GT(known, 1e-3) << "there is something to be estimated";
   // One draw of few events, against three of them and three dead bands.
   EXPECT_GT(estimated, 0.4 * known);

@@ -18,7 +18,7 @@
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/report/run_record.h"
-#include "diagnosis/words/headline.h"
+#include "diagnosis/results/headline.h"
 #include "diagnosis/words/model_values.h"
 #include "diagnosis/words/sentence.h"
 #include "diagnosis/words/text.h"
@@ -28,7 +28,7 @@
 namespace rubber_suspension {
 namespace {
 
-using diagnosis::words::headlineValuesOf;
+using diagnosis::results::headlineValuesOf;
 using diagnosis::words::quantity;
 using testing::HasSubstr;
 using testing::Not;
@@ -171,7 +171,7 @@ TEST(FigureData, HoldsTheCellsOfAMap) {
             "\"share [%]\",\"\",2,4,0.1,1,7\n");
 }
 
-double named(const std::vector<diagnosis::words::HeadlineValue>& values, const std::string& name) {
+double named(const std::vector<diagnosis::results::HeadlineValue>& values, const std::string& name) {
   const auto found = std::find_if(values.begin(), values.end(), [&](const auto& value) { return value.name == name; });
   return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
 }

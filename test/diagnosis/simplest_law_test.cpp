@@ -9,8 +9,8 @@
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/judge/numbers.h"
+#include "diagnosis/results/headline.h"
 #include "diagnosis/results/rounding.h"
-#include "diagnosis/words/headline.h"
 #include "fit/fitter.h"
 #include "gap/simulate.h"
 #include "rig.h"
@@ -18,7 +18,7 @@
 namespace rubber_suspension {
 namespace {
 
-using diagnosis::words::headlineOf;
+using diagnosis::results::headlineOf;
 using testing::HasSubstr;
 
 std::size_t numbersIn(const diagnosis::results::Entries& entries) {

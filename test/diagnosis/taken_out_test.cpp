@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/words/text.h"
 #include "gap/simulate.h"
 #include "numerics/least_squares.h"
 #include "rig.h"
@@ -38,7 +39,7 @@ class TakenOutTest : public ::testing::Test {
     deviation_ = record.force_deviation;
     const auto elements = rigComponent().allElements();
     const results::LogAccount account =
-        results::accountsOf(elements, {record}, {}, results::rawChannels({log_}, {}), {}, {}).front();
+        results::accountsOf(elements, {record}, {}, prepare::rawChannels({log_}, {}), {}, {}).front();
     left_ = std::sqrt(account.left());
     double left = account.recorded();
     for (const TakenOut& part : account.entries()) {
@@ -110,7 +111,7 @@ TEST_F(TakenOutTest, TellsAGain) {
   const auto elements = rigComponent().allElements();
   record.nuisances = gap::simulate(elements, {record}).front().normalized();
   const auto parts =
-      results::accountsOf(elements, {record}, {}, results::rawChannels({log}, {}), {}, {}).front().entries();
+      results::accountsOf(elements, {record}, {}, prepare::rawChannels({log}, {}), {}, {}).front().entries();
   EXPECT_NEAR(shareOf(parts, results::taken_out::kGain), 0.03 / 1.03, 0.002);
 }
 
@@ -122,9 +123,9 @@ TEST_F(TakenOutTest, TellsSpikes) {
 }
 
 TEST(DescribeTakenOut, SaysWhatIsMoreThanAHundredth) {
-  EXPECT_THAT(results::describeTakenOut({{"a", "zero", 0.032}, {"a", "drift", 0.1}, {"b", "spikes", 0.004}}),
+  EXPECT_THAT(words::describeTakenOut({{"a", "zero", 0.032}, {"a", "drift", 0.1}, {"b", "spikes", 0.004}}),
               ElementsAre("a: zero 3.2 %, drift 10 %"));
-  EXPECT_THAT(results::describeTakenOut({}), SizeIs(0));
+  EXPECT_THAT(words::describeTakenOut({}), SizeIs(0));
 }
 
 }  // namespace

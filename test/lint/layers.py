@@ -47,13 +47,13 @@ BELOW = {
 }
 # What each folder of diagnosis/ may include of the others; what lies beside the folders may include all of them.
 WITHIN_DIAGNOSIS = {
-    "words": set(),
     "prepare": set(),
     "judge": set(),
     "live": set(),
-    "hypotheses": {"prepare", "judge"},
-    "experiment": {"words", "prepare", "judge", "hypotheses"},
+    "hypotheses": {"judge"},
     "results": {"words", "prepare", "judge", "hypotheses", "experiment"},
+    "experiment": {"words", "prepare", "judge", "hypotheses"},
+    "words": {"results"},
     "table": {"words", "prepare", "judge", "hypotheses", "experiment", "results"},
     "report": {"words", "prepare", "judge", "hypotheses", "results"},
 }

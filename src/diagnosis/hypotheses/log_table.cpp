@@ -155,10 +155,11 @@ class LogTable {
     addLogs(prepared_.training, forces, search_.record_noise, false);
     if (!prepared_.held_out.empty()) {
       const gap::Forces unseen = predict(prepared_.model, best, prepared_.held_out);
-      addLogs(prepared_.held_out, unseen,
-              noiseFloors(augmentedDescription(prepared_.model, best).allElements(), freeOfNoise(best.hypothesis),
-                          unseen, prepared_.held_out, prepare::noiseLimit(search_.record_noise, prepared_.training)),
-              true);
+      addLogs(
+          prepared_.held_out, unseen,
+          noiseFloors(augmentedDescription(prepared_.model, best).allElements(), freeOfNoise(best.hypothesis), unseen,
+                      prepared_.held_out, measurement::noiseLimit(search_.record_noise, prepared_.training)),
+          true);
     }
     countBlocks(search_.re_estimated.fit.blocks, 0);
     if (!unseen_.empty()) {
@@ -176,7 +177,7 @@ class LogTable {
                bool unseen) {
     for (std::size_t r = 0; r < records.size(); ++r) {
       const double uncertainty = floorUncertainty(records[r], records[r].force - forces[r]);
-      const double floor = std::hypot(floors[r], prepare::rigCost(records[r], records[r].force - forces[r]));
+      const double floor = std::hypot(floors[r], measurement::rigCost(records[r], records[r].force - forces[r]));
       evidence_.logs.push_back({floor, uncertainty, records[r].weight, unseen, 0});
     }
   }

@@ -7,7 +7,7 @@
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/judge/evidence.h"
-#include "diagnosis/prepare/rig_noise.h"
+#include "measurement/rig_noise.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
 

@@ -8,10 +8,10 @@
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/hypotheses/shapes.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
-#include "diagnosis/prepare/friction_noise.h"
-#include "diagnosis/prepare/rig_noise.h"
 #include "fit/free_in_log.h"
 #include "gap/simulate.h"
+#include "measurement/friction_noise.h"
+#include "measurement/rig_noise.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
@@ -94,7 +94,7 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
   if (result.record_caused.empty()) {
     const FittedHypothesis& model = result.re_estimated;
     result.record_caused =
-        prepare::frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
+        measurement::frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
   }
   fit::FreeInLog free = freeOfNoise(best.hypothesis);
   free.by_factor = best.hypothesis.free_in_log.by_factor;
@@ -106,7 +106,7 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
                                    : measurement::relativeFloor(records[r], residual);
     result.record_rest[r] = std::min(result.record_rest[r], left);
   }
-  const prepare::NoiseLimit limit = prepare::noiseLimit(result.record_rest, records);
+  const measurement::NoiseLimit limit = measurement::noiseLimit(result.record_rest, records);
   bool by_displacement = false;
   result.record_noise.clear();
   for (std::size_t r = 0; r < records.size(); ++r) {
@@ -125,7 +125,7 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
   }
   result.record_rig.clear();
   for (std::size_t r = 0; r < records.size(); ++r) {
-    result.record_rig.push_back(prepare::rigCost(records[r], records[r].force - forces[r]));
+    result.record_rig.push_back(measurement::rigCost(records[r], records[r].force - forces[r]));
   }
   result.least = std::hypot(result.noise, commonFloor(result.record_rig, records));
   result.noise_source = by_displacement

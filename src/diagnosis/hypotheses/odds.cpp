@@ -43,7 +43,7 @@ double Odds::mostOf(std::size_t effects) const {
   return ofError(floor_) + judge::priorOfCount(effects, numbers);
 }
 
-prepare::ErrorScale errorScale() {
+measurement::ErrorScale errorScale() {
   const judge::JudgeNumbers& numbers = judge::fittedNumbers();
   return {numbers.accepted, numbers.floor_known, numbers.sharpness};
 }

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "diagnosis/prepare/rig_noise.h"
 #include "fit/hypothesis.h"
+#include "measurement/rig_noise.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
@@ -41,6 +41,6 @@ class Odds {
 };
 
 /// The judgement's numbers for how much a model may err, as fitted last.
-prepare::ErrorScale errorScale();
+measurement::ErrorScale errorScale();
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -8,10 +8,10 @@
 #include <memory>
 #include <utility>
 
-#include "diagnosis/prepare/friction_noise.h"
 #include "element/each.h"
 #include "fit/free_in_log.h"
 #include "fit/hypothesis_forces.h"
+#include "measurement/friction_noise.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 
@@ -75,8 +75,8 @@ fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis) {
 
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const fit::FreeInLog& free,
                                 const gap::Forces& simulated, const std::vector<log::Record>& records,
-                                const prepare::NoiseLimit& limit) {
-  std::vector<double> floors = prepare::frictionNoise(elements, records);
+                                const measurement::NoiseLimit& limit) {
+  std::vector<double> floors = measurement::frictionNoise(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd residual = records[r].force - simulated[r];
     const auto floor = [&](const log::Record& record) {

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/prepare/rig_noise.h"
 #include "fit/free_in_log.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
+#include "measurement/rig_noise.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/log/record.h"
 
@@ -47,7 +47,7 @@ fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
 /// log.
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const fit::FreeInLog& free,
                                 const gap::Forces& simulated, const std::vector<log::Record>& records,
-                                const prepare::NoiseLimit& limit);
+                                const measurement::NoiseLimit& limit);
 
 /// Floor of several records, each by its weight.
 double commonFloor(const std::vector<double>& floors, const std::vector<log::Record>& records);

@@ -10,9 +10,9 @@
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/judge/answer.h"
-#include "diagnosis/prepare/rig.h"
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
+#include "fit/zero_priors.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/io/component_file.h"
@@ -26,7 +26,7 @@ std::vector<std::string> excludedEffects(const io::ComponentDescription& compone
 /// A component and its logs, ready for the fits.
 struct PreparedCase {
   PreparedCase(const io::ComponentDescription& configured, std::vector<log::Record> logs,
-               std::vector<log::Record> hold_out, prepare::ZeroPriors priors = {})
+               std::vector<log::Record> hold_out, fit::ZeroPriors priors = {})
       : component(configured),
         records(std::make_shared<const std::vector<log::Record>>(std::move(logs))),
         training(*records),
@@ -45,7 +45,7 @@ struct PreparedCase {
   std::vector<log::Record> held_out;
   fit::ModelParameters model;
   fit::Fitter fitter;
-  prepare::ZeroPriors zeros;
+  fit::ZeroPriors zeros;
 };
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "log/samples.h"
+#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::prepare {
 namespace {
@@ -293,6 +294,17 @@ Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogS
   }
   result.samples = samplesOf(result.logs) + samplesOf(result.hold_out);
   return result;
+}
+
+std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out) {
+  std::vector<RawChannels> channels;
+  for (const auto* list : {&logs, &hold_out}) {
+    for (const log::Log& log : *list) {
+      log::Record raw = log::rawRecord(log);
+      channels.push_back({std::move(raw.raw_displacement), std::move(raw.force)});
+    }
+  }
+  return channels;
 }
 
 }  // namespace rubber_suspension::diagnosis::prepare

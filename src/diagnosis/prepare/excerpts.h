@@ -1,6 +1,7 @@
 // Excerpts of logs that are longer than a search takes.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -31,5 +32,14 @@ struct Excerpts {
 /// Behind a time gap (log::EvenSteps) a log or excerpt continues as another, to which the exact step over it leads.
 /// Throws LogError where a log is no longer what it was in the survey.
 Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogSurvey>& hold_out, std::size_t most);
+
+/// Both channels at even steps as they were recorded, before samples that a channel did not measure were bridged.
+struct RawChannels {
+  Eigen::VectorXd displacement;  ///< [m]
+  Eigen::VectorXd force;         ///< [N]
+};
+
+/// Of logs in their order. Throws as log::rawRecord().
+std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out);
 
 }  // namespace rubber_suspension::diagnosis::prepare

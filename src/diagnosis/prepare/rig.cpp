@@ -2,16 +2,15 @@
 #include "diagnosis/prepare/rig.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
-#include "diagnosis/prepare/friction_noise.h"
+#include "element/each.h"
 #include "fit/fitter.h"
-#include "fit/parallel.h"
-#include "gap/simulate.h"
+#include "gap/drive.h"
+#include "measurement/friction_noise.h"
 #include "numerics/gram.h"
 #include "numerics/least_squares.h"
 #include "numerics/symmetric.h"
@@ -27,77 +26,6 @@ constexpr int kIterations = 8;          // of the fit by which a start in motion
 constexpr double kBeyond95 = 0.025;     // of a variable, beyond its 95 % interval to one side
 constexpr double kNormal95 = 1.96;      // half width of that of a normal variable, in standard deviations
 constexpr std::size_t kFewestLogs = 3;  // that tell how zeros scatter
-
-std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) {
-  std::vector<measurement::Mask> masks;
-  std::transform(records.begin(), records.end(), std::back_inserter(masks), measurement::maskOf);
-  return masks;
-}
-
-gap::Forces simulateAt(const std::vector<element::ElementDescription>& elements,
-                       const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& displacements) {
-  // It asks for the drive of each of these very records.
-  return gap::simulate(elements, records, [&](const log::Record& record) {
-    return displacements[static_cast<std::size_t>(&record - records.data())];
-  });
-}
-
-// The same values by a model that may err by what is accepted: then the logs tell no more of them than a few errors of
-// that size would, however many samples they have.
-void allowError(const log::Record& record, double one_deviation, measurement::RigFit& fit) {
-  const double unit = one_deviation * record.force_deviation * std::sqrt(record.counted());
-  Eigen::MatrixXd columns = fit.rig.columns * (fit.rig.priors / unit).asDiagonal();
-  Eigen::VectorXd residual = (record.force - fit.rig.base) / unit;
-  if (record.counts.size() > 0) {
-    columns.array().colwise() *= record.counts.array();
-    residual.array() *= record.counts.array();
-  }
-  const Eigen::Index count = columns.cols();
-  const numerics::Cholesky factor(numerics::gramOf(columns) + Eigen::MatrixXd::Identity(count, count));
-  fit.values = fit.rig.priors.cwiseProduct(factor.solve(Eigen::VectorXd(columns.transpose() * residual)));
-  fit.covariance = fit.rig.priors.asDiagonal() *
-                   factor.solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count))) * fit.rig.priors.asDiagonal();
-}
-
-// The rig's part in each record about a model.
-std::vector<measurement::RigFit> fitRig(const measurement::RigModel& rig,
-                                        const std::vector<element::ElementDescription>& elements,
-                                        const std::vector<fit::DisplacementZero>& zeros) {
-  auto fits =
-      rig.fitAll(gap::simulate(elements, rig.records()), [&](const std::vector<Eigen::VectorXd>& displacements) {
-        return simulateAt(elements, rig.records(), displacements);
-      });
-  for (std::size_t r = 0; r < fits.size(); ++r) {
-    allowError(rig.records()[r], zeros[r].one_deviation, fits[r]);
-  }
-  return fits;
-}
-
-// Parts of an initial state may be beyond chance where their sum, which is told, is not.
-bool isBeyondChance(const measurement::RigFinding& finding) {
-  return finding.interval_95[0] > 0.0 || finding.interval_95[1] < 0.0;
-}
-
-// For zeros and gains that are no tolerated error of the rig but a cause.
-io::RigTolerances withAny(const fit::FreeInLog& named, io::RigTolerances tolerances) {
-  constexpr double kAnyZero = 100.0;  // of the range of the force
-  tolerances.gain.value = named.gain ? 1.0 : tolerances.gain.value;
-  tolerances.force_zero = named.offset ? io::RigTolerance{kAnyZero, true} : tolerances.force_zero;
-  return tolerances;
-}
-
-bool isNamed(const measurement::RigFinding& finding, const fit::FreeInLog& named) {
-  return (named.gain && finding.finding == measurement::finding::kSensorGain) ||
-         (named.offset && finding.finding == measurement::finding::kForceZero);
-}
-
-// Whether another model finds a value of the same within the interval.
-bool agrees(const measurement::RigFinding& finding, const std::vector<measurement::RigFinding>& others) {
-  return std::any_of(others.begin(), others.end(), [&](const measurement::RigFinding& other) {
-    return other.finding == finding.finding && other.value >= finding.interval_95[0] &&
-           other.value <= finding.interval_95[1];
-  });
-}
 
 // Zeros and lags that are new in each log scatter as much as they are large; those of a cause do not. Their standard
 // deviation is that about their mean, wider the fewer there are: 95 % are within 1.96 of it (Student's t).
@@ -142,7 +70,7 @@ bool shows(const log::Record& record, const Eigen::VectorXd& deviation) {
 // Pieces of one recording have one zero: only whole logs tell how zeros scatter.
 void addValues(const io::RigTolerances& tolerances, const std::vector<log::Record>& records,
                const gap::Forces& simulated, std::vector<double>& zeros, std::vector<double>& lags) {
-  const measurement::RigModel rig(records, masksOf(records), tolerances);
+  const measurement::RigModel rig(records, element::each(records, measurement::maskOf), tolerances);
   const auto columns = rig.columns(simulated, {});
   for (std::size_t r = 0; r < records.size(); ++r) {
     if (records[r].lead_in.size() > 0) {
@@ -208,9 +136,9 @@ void setNuisances(const std::vector<element::ElementDescription>& elements, cons
                   std::vector<log::Record>& records) {
   const auto rig = measurement::RigModel(records, {}, tolerances)
                        .columns(simulated, [&](const std::vector<Eigen::VectorXd>& displacements) {
-                         return simulateAt(elements, records, displacements);
+                         return gap::simulate(elements, records, gap::drivenBy(displacements, records));
                        });
-  const auto starts = frictionStarts(elements, records);
+  const auto starts = measurement::frictionStarts(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     log::Record& record = records[r];
     const double slow = tolerances.slow_noise.of(record.force_deviation);
@@ -243,7 +171,7 @@ Noise noiseOf(const std::vector<element::ElementDescription>& elements, const st
               const std::vector<log::Record>& held_out) {
   Noise noise{noiseBeside(gap::simulate(elements, training), training),
               noiseBeside(gap::simulateEach(elements, held_out), held_out)};
-  const NoiseLimit limit = noiseLimit(noise.training, training);
+  const measurement::NoiseLimit limit = measurement::noiseLimit(noise.training, training);
   const auto bound = [&](const std::vector<log::Record>& records, std::vector<double>& left) {
     for (std::size_t r = 0; r < records.size(); ++r) {
       left[r] = std::min(left[r], limit.of(records[r]));
@@ -254,7 +182,8 @@ Noise noiseOf(const std::vector<element::ElementDescription>& elements, const st
   return noise;
 }
 
-std::vector<double> oneDeviations(const ErrorScale& scale, const std::vector<double>& floors, std::size_t logs) {
+std::vector<double> oneDeviations(const measurement::ErrorScale& scale, const std::vector<double>& floors,
+                                  std::size_t logs) {
   std::vector<double> result;
   std::transform(floors.begin(), floors.end(), std::back_inserter(result),
                  [&](double floor) { return scale.oneDeviation(floor, logs); });
@@ -275,8 +204,9 @@ std::vector<fit::DisplacementZero> zerosOf(const std::vector<log::Record>& recor
 
 }  // namespace
 
-ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances, const ErrorScale& scale,
-                        std::vector<log::Record>& training, std::vector<log::Record>& held_out, RigScatter scatter) {
+fit::ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
+                             const measurement::ErrorScale& scale, std::vector<log::Record>& training,
+                             std::vector<log::Record>& held_out, RigScatter scatter) {
   const std::size_t logs = training.size();
   const auto configured = model.apply(Eigen::VectorXd::Zero(model.size())).allElements();
   setNuisances(configured, gap::simulate(configured, training), tolerances, {},
@@ -289,42 +219,12 @@ ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigToleranc
   const std::vector<double> of_training = oneDeviations(scale, noise.training, logs);
   const std::vector<double> of_held_out = oneDeviations(scale, noise.held_out, logs);
   setNuisances(elements, gap::simulate(elements, training), tolerances, limits, of_training, training);
-  weighByNoise(noise.training, scale.accepted, training);
+  measurement::weighByNoise(noise.training, scale.accepted, training);
   if (!held_out.empty()) {
     setNuisances(elements, gap::simulateEach(elements, held_out), tolerances, limits, of_held_out, held_out);
-    weighByNoise(noise.held_out, scale.accepted, held_out);
+    measurement::weighByNoise(noise.held_out, scale.accepted, held_out);
   }
   return {zerosOf(training, tolerances, of_training), zerosOf(held_out, tolerances, of_held_out)};
-}
-
-std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
-                                                 const std::vector<element::ElementDescription>& rival,
-                                                 const io::RigTolerances& tolerances,
-                                                 const std::vector<log::Record>& records,
-                                                 const std::vector<fit::DisplacementZero>& zeros,
-                                                 const fit::FreeInLog& named, int threads) {
-  const measurement::RigModel rig(records, masksOf(records), withAny(named, tolerances));
-  std::array<std::vector<measurement::RigFit>, 2> by;
-  fit::parallelFor(by.size(), threads, [&](std::size_t i) { by[i] = fitRig(rig, i == 0 ? judged : rival, zeros); });
-  const auto& [fits, by_rival] = by;
-  const auto findingsBy = [&](std::size_t r, const measurement::RigFit& fit) {
-    std::vector<measurement::RigFinding> all = rig.findings(r, fit);
-    const auto noise = measurement::noiseAlone(records[r], fit.residual, rig.mask(r));
-    const auto colour = noise ? measurement::colouredNoiseFinding(records[r].name, *noise) : std::nullopt;
-    if (colour) {
-      all.push_back(*colour);
-    }
-    return all;
-  };
-  std::vector<measurement::RigFinding> found;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const auto of_log = findingsBy(r, fits[r]);
-    const auto of_rival = findingsBy(r, by_rival[r]);
-    std::copy_if(of_log.begin(), of_log.end(), std::back_inserter(found), [&](const measurement::RigFinding& finding) {
-      return isBeyondChance(finding) && (isNamed(finding, named) || agrees(finding, of_rival));
-    });
-  }
-  return found;
 }
 
 }  // namespace rubber_suspension::diagnosis::prepare

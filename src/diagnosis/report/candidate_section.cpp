@@ -5,7 +5,7 @@
 
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/page.h"
-#include "diagnosis/words/headline.h"
+#include "diagnosis/results/headline.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
 
@@ -23,7 +23,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 bool isNamed(const Diagnosis& d, const CandidateResult& candidate) { return contains(d.effects, candidate.effect); }
 
 std::string parametersText(const CandidateResult& candidate) {
-  return element::joined(words::headlineValuesOf(candidate.add), ", ", [](const words::HeadlineValue& value) {
+  return element::joined(results::headlineValuesOf(candidate.add), ", ", [](const results::HeadlineValue& value) {
     return words::labelOf(value.name) + " " + words::quantity(value.value, value.unit);
   });
 }

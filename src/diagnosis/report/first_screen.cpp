@@ -7,7 +7,6 @@
 
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/page.h"
-#include "diagnosis/results/taken_out.h"
 #include "diagnosis/words/model_values.h"
 #include "diagnosis/words/sentence.h"
 #include "diagnosis/words/text.h"
@@ -71,7 +70,7 @@ std::string lawTable(const Diagnosis& d) {
          (whole.empty() ? "" : "<p class=note>" + whole + "</p>\n");
 }
 
-std::string takenOutHtml(const Diagnosis& d) { return lines(results::describeTakenOut(d.taken_out), words::escape); }
+std::string takenOutHtml(const Diagnosis& d) { return lines(words::describeTakenOut(d.taken_out), words::escape); }
 
 std::string benchHtml(const Diagnosis& d) {
   const auto fatal = element::those(d.rig_findings, &measurement::RigFinding::fatal);

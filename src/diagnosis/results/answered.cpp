@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "diagnosis/hypotheses/fitted_component.h"
+#include "diagnosis/results/headline.h"
 #include "diagnosis/results/predictive.h"
-#include "diagnosis/words/headline.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -50,7 +50,7 @@ CandidateResult candidateResult(const Workings& workings, const DiagnosisOptions
   result.testable =
       search.testable[candidate] || std::count(named.begin(), named.end(), static_cast<int>(candidate)) > 0;
   result.add = hypotheses::entriesOf(search.singles[candidate]);
-  result.parameters = words::headlineOf(result.add);
+  result.parameters = headlineOf(result.add);
   return result;
 }
 

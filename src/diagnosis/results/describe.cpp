@@ -12,12 +12,12 @@
 #include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
-#include "diagnosis/prepare/rig.h"
 #include "diagnosis/results/admission.h"
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/characteristics.h"
 #include "diagnosis/results/recorded_gap.h"
 #include "diagnosis/results/replayed.h"
+#include "diagnosis/results/rig_findings.h"
 #include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/surrogate.h"
 #include "diagnosis/results/taken_out.h"
@@ -35,7 +35,7 @@ constexpr double kHidesTheRig = 0.1;  // of the force: a rest in which what rigs
 class Describer {
  public:
   Describer(const hypotheses::PreparedCase& prepared, std::shared_ptr<Workings> workings,
-            const std::vector<prepare::LogSurvey>& recorded, const std::vector<RawChannels>& raw,
+            const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
             std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options)
       : prepared_(prepared),
         recorded_(recorded),
@@ -142,7 +142,7 @@ class Describer {
       const std::vector<double> floors =
           hypotheses::noiseFloors(result_.augmented_full.allElements(), hypotheses::freeOfNoise(judged_.hypothesis),
                                   hypotheses::predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
-                                  prepare::noiseLimit(search_.record_noise, prepared_.training));
+                                  measurement::noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
       gap.noise_floor = hypotheses::commonFloor(floors, prepared_.held_out);
     }
@@ -218,10 +218,9 @@ class Describer {
     const auto rival =
         hypotheses::augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
     for (const bool held_out : {false, true}) {
-      const auto found =
-          prepare::rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
-                               held_out ? prepared_.zeros.held_out : prepared_.zeros.training,
-                               judged_.hypothesis.free_in_log, options_.threads);
+      const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
+                                     held_out ? prepared_.zeros.held_out : prepared_.zeros.training,
+                                     judged_.hypothesis.free_in_log, options_.threads);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
   }
@@ -292,7 +291,7 @@ class Describer {
 
   const hypotheses::PreparedCase& prepared_;
   const std::vector<prepare::LogSurvey>& recorded_;
-  const std::vector<RawChannels>& raw_;
+  const std::vector<prepare::RawChannels>& raw_;
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
   const hypotheses::Search& search_;
@@ -308,7 +307,7 @@ class Describer {
 }  // namespace
 
 Diagnosis describe(const hypotheses::PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<prepare::LogSurvey>& recorded, const std::vector<RawChannels>& raw,
+                   const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options) {
   return Describer(prepared, std::move(workings), recorded, raw, std::move(findings), options).run();
 }

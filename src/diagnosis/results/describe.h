@@ -15,7 +15,7 @@ namespace rubber_suspension::diagnosis::results {
 /// are of with all that the rig did to them; `raw`: of each record; `findings`: what single samples of the logs
 /// told.
 Diagnosis describe(const hypotheses::PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<prepare::LogSurvey>& recorded, const std::vector<RawChannels>& raw,
+                   const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis::results

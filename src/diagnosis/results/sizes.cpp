@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diagnosis/words/headline.h"
+#include "diagnosis/results/headline.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"
 
@@ -210,7 +210,7 @@ class Resampling {
     sizes.model = modelValues(description);
     const std::vector<Entries> entries = fitted_.law.at(parameters.scales);
     for (std::size_t m = 0; m < entries.size(); ++m) {
-      for (const words::HeadlineValue& value : words::headlineValuesOf(entries[m])) {
+      for (const HeadlineValue& value : headlineValuesOf(entries[m])) {
         sizes.effects.push_back({effects_[m], value.name, value.unit, kNone, value.value});
         if (value.is_scale) {
           may_vanish_.insert({effects_[m], value.name});

@@ -1,15 +1,13 @@
 // The account of what was taken out of each log.
 #include "diagnosis/results/taken_out.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "fit/free_in_log.h"
-#include "gap/simulate.h"
+#include "gap/drive.h"
 #include "numerics/gram.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"
@@ -45,9 +43,7 @@ using Displacements = std::vector<VectorXd>;
 gap::Forces simulateOver(const std::vector<element::ElementDescription>& elements,
                          const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
                          const Displacements& displacements) {
-  gap::Forces forces = gap::simulate(elements, of_the_fit, [&](const log::Record& record) {
-    return displacements[static_cast<std::size_t>(&record - of_the_fit.data())];
-  });
+  gap::Forces forces = gap::simulate(elements, of_the_fit, gap::drivenBy(displacements, of_the_fit));
   for (std::size_t i = 0; i < held_out.size(); ++i) {
     const VectorXd& z = displacements[of_the_fit.size() + i];
     forces.push_back(gap::simulate(elements, {held_out[i]}, [&](const log::Record&) { return z; }).front());
@@ -132,7 +128,7 @@ struct Stages {
   gap::Forces bridged;
 };
 
-LogAccount accountOf(const log::Record& record, const RawChannels& raw, const Stages& forces, std::size_t r,
+LogAccount accountOf(const log::Record& record, const prepare::RawChannels& raw, const Stages& forces, std::size_t r,
                      const fit::FreeInLog& free) {
   const double variance = std::pow(record.force_deviation, 2);
   const double recorded = gap::gapOfResidual(raw.force - forces.recorded[r], gap::standardDeviation(raw.force));
@@ -171,7 +167,7 @@ LogAccount accountOf(const log::Record& record, const RawChannels& raw, const St
 // The effect of a zero of the displacement on each record.
 std::vector<VectorXd> byZeros(const std::vector<element::ElementDescription>& elements,
                               const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                              const prepare::ZeroPriors& zeros) {
+                              const fit::ZeroPriors& zeros) {
   std::vector<VectorXd> columns = fit::byZero(elements, of_the_fit, zeros.training);
   for (std::size_t i = 0; i < held_out.size(); ++i) {
     columns.push_back(fit::byZero(elements, {held_out[i]}, {zeros.held_out[i]}).front());
@@ -205,25 +201,14 @@ std::vector<TakenOut> LogAccount::entries() const {
   return entries;
 }
 
-std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out) {
-  std::vector<RawChannels> channels;
-  for (const auto* list : {&logs, &hold_out}) {
-    for (const log::Log& log : *list) {
-      log::Record raw = log::rawRecord(log);
-      channels.push_back({std::move(raw.raw_displacement), std::move(raw.force)});
-    }
-  }
-  return channels;
-}
-
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                                   const std::vector<RawChannels>& raw, fit::FreeInLog free,
-                                   const prepare::ZeroPriors& zeros) {
+                                   const std::vector<prepare::RawChannels>& raw, fit::FreeInLog free,
+                                   const fit::ZeroPriors& zeros) {
   Displacements recorded;
   Displacements bridged;
   std::transform(raw.begin(), raw.end(), std::back_inserter(recorded),
-                 [](const RawChannels& channels) { return channels.displacement; });
+                 [](const prepare::RawChannels& channels) { return channels.displacement; });
   for (const auto* list : {&of_the_fit, &held_out}) {
     for (const log::Record& record : *list) {
       bridged.push_back(record.raw_displacement);
@@ -250,27 +235,6 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
     }
   }
   return accounts;
-}
-
-std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out) {
-  constexpr double kTold = 0.01;  // of the force
-  std::vector<std::string> phrases;
-  std::string log;
-  for (const TakenOut& one : taken_out) {
-    if (std::abs(one.share) < kTold) {
-      continue;
-    }
-    std::string kind = one.kind;
-    std::replace(kind.begin(), kind.end(), '_', ' ');
-    const std::string share = fmt::format("{} {:.2g} %", kind, 100.0 * one.share);
-    if (one.log == log) {
-      phrases.back() += ", " + share;
-    } else {
-      phrases.push_back(one.log + ": " + share);
-      log = one.log;
-    }
-  }
-  return phrases;
 }
 
 }  // namespace rubber_suspension::diagnosis::results

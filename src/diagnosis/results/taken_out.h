@@ -1,17 +1,16 @@
 // The force taken out of each log before a model was held against it, accounted for by kind.
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "diagnosis/prepare/rig.h"
+#include "diagnosis/prepare/excerpts.h"
 #include "fit/free_in_log.h"
+#include "fit/zero_priors.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/element/parameter.h"
-#include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::results {
@@ -50,25 +49,12 @@ class LogAccount {
   std::vector<std::pair<std::string, double>> squares_;
 };
 
-/// Both channels at even steps as they were recorded, before samples that a channel did not measure were bridged.
-struct RawChannels {
-  Eigen::VectorXd displacement;  ///< [m]
-  Eigen::VectorXd force;         ///< [N]
-};
-
-/// Of logs in their order. Throws as log::rawRecord().
-std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out);
-
 /// The accounts of records against elements, those of the fit first, which were recorded on one component; each other
 /// was on a new one. `free`: what the judged hypothesis frees in each log; `zeros`: of the displacement, as it knows
 /// them.
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                                   const std::vector<RawChannels>& raw, fit::FreeInLog free,
-                                   const prepare::ZeroPriors& zeros);
-
-/// The parts taken out of logs that are more than a hundredth of the force, a phrase for each log; empty where there
-/// are none.
-std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out);
+                                   const std::vector<prepare::RawChannels>& raw, fit::FreeInLog free,
+                                   const fit::ZeroPriors& zeros);
 
 }  // namespace rubber_suspension::diagnosis::results

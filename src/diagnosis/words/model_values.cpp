@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "diagnosis/words/headline.h"
+#include "diagnosis/results/headline.h"
 #include "diagnosis/words/text.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -40,7 +40,7 @@ std::string referenceText(const Diagnosis& d) {
 // Entries of one type, which stand in the file one by one.
 std::string addedText(const std::vector<element::ElementDescription>& entries) {
   std::string values;
-  for (const HeadlineValue& value : headlineValuesOf(entries)) {
+  for (const results::HeadlineValue& value : results::headlineValuesOf(entries)) {
     const bool half = entries.front().type == "iwan_table" && value.name == "displacement";
     values += fmt::format("{}{} {}", values.empty() ? "" : ", ", half ? "half of it at" : labelOf(value.name),
                           quantity(value.value, value.unit));

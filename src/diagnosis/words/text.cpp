@@ -182,4 +182,23 @@ std::string folded(const std::string& title, const std::string& html) {
   return "<details><summary>" + title + "</summary>\n" + html + "</details>\n";
 }
 
+std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out) {
+  constexpr double kTold = 0.01;  // of the force
+  std::vector<std::string> phrases;
+  std::string log;
+  for (const TakenOut& one : taken_out) {
+    if (std::abs(one.share) < kTold) {
+      continue;
+    }
+    const std::string share = fmt::format("{} {:.2g} %", spoken(one.kind), 100.0 * one.share);
+    if (one.log == log) {
+      phrases.back() += ", " + share;
+    } else {
+      phrases.push_back(one.log + ": " + share);
+      log = one.log;
+    }
+  }
+  return phrases;
+}
+
 }  // namespace rubber_suspension::diagnosis::words

@@ -78,4 +78,8 @@ std::string table(const Row& titles, const List& list, Function row) {
 /// A part that is closed until it is clicked at, and not printed.
 std::string folded(const std::string& title, const std::string& html);
 
+/// The parts taken out of logs that are more than a hundredth of the force, a phrase for each log; empty where there
+/// are none.
+std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out);
+
 }  // namespace rubber_suspension::diagnosis::words

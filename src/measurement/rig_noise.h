@@ -6,7 +6,7 @@
 
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis::prepare {
+namespace rubber_suspension::measurement {
 
 /// How much a model may err without being wrong: numbers of the judgement (judge/numbers.h), handed over as values.
 struct ErrorScale {
@@ -46,4 +46,4 @@ double rigCost(const log::Record& record, const Eigen::VectorXd& residual);
 /// gap.
 void weighByNoise(const std::vector<double>& noise, double accepted, std::vector<log::Record>& records);
 
-}  // namespace rubber_suspension::diagnosis::prepare
+}  // namespace rubber_suspension::measurement

@@ -1,5 +1,5 @@
 // The floor that small reversals set for a model with Berg's friction.
-#include "diagnosis/prepare/friction_noise.h"
+#include "measurement/friction_noise.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "gap/simulate.h"
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension::diagnosis::prepare {
+namespace rubber_suspension::measurement {
 namespace {
 
 // Berg's friction of a model, with its dead band (or one about the sensor's noise, if it has none) times a factor.
@@ -84,4 +84,4 @@ std::vector<Eigen::MatrixXd> frictionStarts(const std::vector<element::ElementDe
   return starts;
 }
 
-}  // namespace rubber_suspension::diagnosis::prepare
+}  // namespace rubber_suspension::measurement

@@ -1,5 +1,5 @@
 // Noise of one rig.
-#include "diagnosis/prepare/rig_noise.h"
+#include "measurement/rig_noise.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "numerics/median.h"
 
-namespace rubber_suspension::diagnosis::prepare {
+namespace rubber_suspension::measurement {
 
 double ErrorScale::oneDeviation(double floor, std::size_t logs) const {
   return std::hypot(accepted, floor_known * floor) * std::sqrt(static_cast<double>(logs) / sharpness);
@@ -56,4 +56,4 @@ void weighByNoise(const std::vector<double>& noise, double accepted, std::vector
   }
 }
 
-}  // namespace rubber_suspension::diagnosis::prepare
+}  // namespace rubber_suspension::measurement

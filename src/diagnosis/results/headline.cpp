@@ -1,5 +1,5 @@
 // From entries of a component file to the numbers that engineers say.
-#include "diagnosis/words/headline.h"
+#include "diagnosis/results/headline.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/iwan.h"
 
-namespace rubber_suspension::diagnosis::words {
+namespace rubber_suspension::diagnosis::results {
 namespace {
 
 bool isSlider(const element::ElementDescription& entry) {
@@ -179,4 +179,4 @@ std::map<std::string, double> headlineOf(const std::vector<element::ElementDescr
   return result;
 }
 
-}  // namespace rubber_suspension::diagnosis::words
+}  // namespace rubber_suspension::diagnosis::results

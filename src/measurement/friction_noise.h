@@ -7,7 +7,7 @@
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/log/record.h"
 
-namespace rubber_suspension::diagnosis::prepare {
+namespace rubber_suspension::measurement {
 
 /// The error of Berg's friction by small reversals, for each log, in units of the force's standard deviation;
 /// zero for models without. It forgets all but the last reversal, so one that is missed, or taken where none was,
@@ -23,4 +23,4 @@ std::vector<double> frictionNoise(const std::vector<element::ElementDescription>
 std::vector<Eigen::MatrixXd> frictionStarts(const std::vector<element::ElementDescription>& elements,
                                             const std::vector<log::Record>& records);
 
-}  // namespace rubber_suspension::diagnosis::prepare
+}  // namespace rubber_suspension::measurement

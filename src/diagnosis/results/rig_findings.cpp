@@ -1,0 +1,110 @@
+// The faults of the rig that a judged model leaves.
+#include "diagnosis/results/rig_findings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "element/each.h"
+#include "fit/parallel.h"
+#include "gap/drive.h"
+#include "numerics/gram.h"
+#include "numerics/symmetric.h"
+#include "rubber_suspension/measurement/noise_floor.h"
+#include "rubber_suspension/measurement/prepared_log.h"
+#include "rubber_suspension/measurement/rig_model.h"
+
+namespace rubber_suspension::diagnosis::results {
+namespace {
+
+// The same values by a model that may err by what is accepted: then the logs tell no more of them than a few errors of
+// that size would, however many samples they have.
+void allowError(const log::Record& record, double one_deviation, measurement::RigFit& fit) {
+  const double unit = one_deviation * record.force_deviation * std::sqrt(record.counted());
+  Eigen::MatrixXd columns = fit.rig.columns * (fit.rig.priors / unit).asDiagonal();
+  Eigen::VectorXd residual = (record.force - fit.rig.base) / unit;
+  if (record.counts.size() > 0) {
+    columns.array().colwise() *= record.counts.array();
+    residual.array() *= record.counts.array();
+  }
+  const Eigen::Index count = columns.cols();
+  const numerics::Cholesky factor(numerics::gramOf(columns) + Eigen::MatrixXd::Identity(count, count));
+  fit.values = fit.rig.priors.cwiseProduct(factor.solve(Eigen::VectorXd(columns.transpose() * residual)));
+  fit.covariance = fit.rig.priors.asDiagonal() *
+                   factor.solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count))) * fit.rig.priors.asDiagonal();
+}
+
+// The rig's part in each record about a model.
+std::vector<measurement::RigFit> fitRig(const measurement::RigModel& rig,
+                                        const std::vector<element::ElementDescription>& elements,
+                                        const std::vector<fit::DisplacementZero>& zeros) {
+  auto fits =
+      rig.fitAll(gap::simulate(elements, rig.records()), [&](const std::vector<Eigen::VectorXd>& displacements) {
+        return gap::simulate(elements, rig.records(), gap::drivenBy(displacements, rig.records()));
+      });
+  for (std::size_t r = 0; r < fits.size(); ++r) {
+    allowError(rig.records()[r], zeros[r].one_deviation, fits[r]);
+  }
+  return fits;
+}
+
+// Parts of an initial state may be beyond chance where their sum, which is told, is not.
+bool isBeyondChance(const measurement::RigFinding& finding) {
+  return finding.interval_95[0] > 0.0 || finding.interval_95[1] < 0.0;
+}
+
+// For zeros and gains that are no tolerated error of the rig but a cause.
+io::RigTolerances withAny(const fit::FreeInLog& named, io::RigTolerances tolerances) {
+  constexpr double kAnyZero = 100.0;  // of the range of the force
+  tolerances.gain.value = named.gain ? 1.0 : tolerances.gain.value;
+  tolerances.force_zero = named.offset ? io::RigTolerance{kAnyZero, true} : tolerances.force_zero;
+  return tolerances;
+}
+
+bool isNamed(const measurement::RigFinding& finding, const fit::FreeInLog& named) {
+  return (named.gain && finding.finding == measurement::finding::kSensorGain) ||
+         (named.offset && finding.finding == measurement::finding::kForceZero);
+}
+
+// Whether another model finds a value of the same within the interval.
+bool agrees(const measurement::RigFinding& finding, const std::vector<measurement::RigFinding>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const measurement::RigFinding& other) {
+    return other.finding == finding.finding && other.value >= finding.interval_95[0] &&
+           other.value <= finding.interval_95[1];
+  });
+}
+
+}  // namespace
+
+std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
+                                                 const std::vector<element::ElementDescription>& rival,
+                                                 const io::RigTolerances& tolerances,
+                                                 const std::vector<log::Record>& records,
+                                                 const std::vector<fit::DisplacementZero>& zeros,
+                                                 const fit::FreeInLog& named, int threads) {
+  const measurement::RigModel rig(records, element::each(records, measurement::maskOf), withAny(named, tolerances));
+  std::array<std::vector<measurement::RigFit>, 2> by;
+  fit::parallelFor(by.size(), threads, [&](std::size_t i) { by[i] = fitRig(rig, i == 0 ? judged : rival, zeros); });
+  const auto& [fits, by_rival] = by;
+  const auto findingsBy = [&](std::size_t r, const measurement::RigFit& fit) {
+    std::vector<measurement::RigFinding> all = rig.findings(r, fit);
+    const auto noise = measurement::noiseAlone(records[r], fit.residual, rig.mask(r));
+    const auto colour = noise ? measurement::colouredNoiseFinding(records[r].name, *noise) : std::nullopt;
+    if (colour) {
+      all.push_back(*colour);
+    }
+    return all;
+  };
+  std::vector<measurement::RigFinding> found;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const auto of_log = findingsBy(r, fits[r]);
+    const auto of_rival = findingsBy(r, by_rival[r]);
+    std::copy_if(of_log.begin(), of_log.end(), std::back_inserter(found), [&](const measurement::RigFinding& finding) {
+      return isBeyondChance(finding) && (isNamed(finding, named) || agrees(finding, of_rival));
+    });
+  }
+  return found;
+}
+
+}  // namespace rubber_suspension::diagnosis::results

@@ -1,0 +1,25 @@
+// The faults of the rig in each log, by what a judged model leaves of it.
+#pragma once
+
+#include <vector>
+
+#include "fit/free_in_log.h"
+#include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/io/rig_tolerances.h"
+#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/measurement/rig_finding.h"
+
+namespace rubber_suspension::diagnosis::results {
+
+/// The faults of the rig in each record, by what `judged` leaves of it: the values that the priors and the accepted
+/// error allow, each with the uncertainty that the accepted error leaves it. Not told where `rival`, the next likely
+/// elements, gives a value outside of its interval, but for zeros and gains of each log that the verdict names: those
+/// of `named`. `zeros`: of the records.
+std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
+                                                 const std::vector<element::ElementDescription>& rival,
+                                                 const io::RigTolerances& tolerances,
+                                                 const std::vector<log::Record>& records,
+                                                 const std::vector<fit::DisplacementZero>& zeros,
+                                                 const fit::FreeInLog& named, int threads);
+
+}  // namespace rubber_suspension::diagnosis::results

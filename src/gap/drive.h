@@ -1,0 +1,16 @@
+// Displacements that drive components over prepared records.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "gap/simulate.h"
+
+namespace rubber_suspension::gap {
+
+/// Other displacements of these very records, one of each [m]; refers to both.
+inline Drive drivenBy(const std::vector<Eigen::VectorXd>& displacements, const std::vector<log::Record>& records) {
+  return [&](const log::Record& record) { return displacements[static_cast<std::size_t>(&record - records.data())]; };
+}
+
+}  // namespace rubber_suspension::gap
