@@ -17,7 +17,7 @@
 #include <stdexcept>
 
 #include "command/identify.h"
-#include "diagnosis/results/rounding.h"
+#include "diagnosis/report/augmented_yaml.h"
 #include "element/each.h"
 #include "element/refuse.h"
 #include "io/output_files.h"
@@ -203,7 +203,7 @@ class Executor {
       const std::string folder = makeReportFolder(job);
       log::writeNewFile(folder + "/report.json", diagnosis::toJson(result));
       if (hasComponentFile(result)) {
-        log::writeNewFile(folder + "/augmented.yaml", diagnosis::results::augmentedYaml(result));
+        log::writeNewFile(folder + "/augmented.yaml", diagnosis::report::augmentedYaml(result));
       }
       if (const std::string evidence = diagnosis::evidenceJson(result); !evidence.empty()) {
         log::writeNewFile(folder + "/evidence.json", evidence);

@@ -5,7 +5,7 @@
 
 #include "campaign/scratch_folder.h"
 #include "command/identify.h"
-#include "diagnosis/results/rounding.h"
+#include "diagnosis/report/augmented_yaml.h"
 #include "diagnosis/rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/gap/gap.h"
@@ -61,7 +61,7 @@ TEST_F(ExecuteJob, DiagnosesAsTheCommandDoes) {
   settings.threads = 1;
   const diagnosis::Diagnosis expected = diagnosis::diagnose(component(), logs(), {}, settings);
   EXPECT_EQ(folder_.read(report_ + "report.json"), diagnosis::toJson(expected));
-  EXPECT_EQ(folder_.read(report_ + "augmented.yaml"), diagnosis::results::augmentedYaml(expected));
+  EXPECT_EQ(folder_.read(report_ + "augmented.yaml"), diagnosis::report::augmentedYaml(expected));
   EXPECT_EQ(record.values.at("verdict"), toString(expected.verdict));
   EXPECT_EQ(record.values.at("gap_augmented"), expected.gap.augmented);
   EXPECT_EQ(record.findings.verdict, expected.verdict);

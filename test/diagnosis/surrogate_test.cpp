@@ -9,7 +9,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "diagnosis/results/missing_force.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 #include "shared_runs.h"
@@ -124,7 +123,7 @@ TEST_F(UnlistedEffect, ReplayOfTheSurrogateFileGivesTheClaimedGap) {
 // On the map, too: what the surrogate adds is what is missing.
 TEST_F(UnlistedEffect, TheMapShowsWhatIsMissingAndThatTheSurrogateHasIt) {
   ASSERT_TRUE(result()->surrogate);
-  const results::MissingForce map = results::missingForce(*result());
+  const MissingForce& map = result()->surrogate->missing;
   double missing = 0.0;
   double left = 0.0;
   for (std::size_t cell = 0; cell < map.measured.size(); ++cell) {

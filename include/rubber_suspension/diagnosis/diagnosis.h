@@ -83,6 +83,16 @@ struct Gap {
   double noise_floor = 0.0;
 };
 
+/// The force that a model lacks: means over cells of displacement and velocity, all logs together.
+struct MissingForce {
+  std::vector<double> displacement;  ///< edges of the cells [m]
+  std::vector<double> velocity;      ///< edges [m/s]
+  /// Cells row by row along the velocity; where there are too few samples not a number.
+  std::vector<double> measured;   ///< measured less augmented force [N]
+  std::vector<double> surrogate;  ///< what the surrogate adds to the augmented force [N]
+  std::vector<int> samples;
+};
+
 /// A component that closes a rest that no effect explains, without a claim to its cause.
 struct Surrogate {
   io::ComponentDescription component;  ///< the augmented one with a `residual` on top
@@ -92,6 +102,7 @@ struct Surrogate {
   double share = 0.0;          ///< of the squared rest beyond the noise, that these predict
   double chance = 1.0;         ///< that they would seem to predict some of it if they could not
   bool function_of_the_motion = false;  ///< the larger part of the rest is predicted, beyond chance
+  MissingForce missing;                 ///< what it is fitted to
 };
 
 /// Errors of the characteristics on held-out data, relative RMS over windows.
@@ -152,6 +163,7 @@ struct SizedValue {
   double value = 0.0;
   std::array<double, 2> interval_95{};  ///< posterior predictive: logs, form of the law and choice of the law
   std::array<bool, 2> at_bound{};       ///< whether an end of it is a bound of the fit
+  std::string text = {};                ///< of a number of a file: as it stands there; empty: in full
 };
 
 /// The part of the gap as configured that values or one effect remove.
@@ -263,7 +275,6 @@ struct Diagnosis {
   /// Of each entry that `augmented` adds to the configured ones, the effect that it belongs to.
   std::vector<std::string> added_for;
   std::vector<SizedValue> written;  ///< numbers of `augmented` in full, by their places (io::numberPlace)
-  int finer = 0;                    ///< digits to which they are rounded, beyond a tenth of half the interval
 
   std::optional<Surrogate> surrogate;  ///< for the verdicts unknown and partly
 
@@ -307,7 +318,7 @@ inline bool hasComponentFile(const Diagnosis& diagnosis) {
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
                    const std::vector<log::Log>& hold_out, const DiagnosisOptions& options = {});
 
-/// The same of logs of any length, which are read block by block, up to four times: memory depends on the samples that
+/// The same of logs of any length, which are read block by block, up to three times: memory depends on the samples that
 /// the search takes, and not on those that the logs have.
 Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSources& logs,
                    const log::LogSources& hold_out, const DiagnosisOptions& options = {});

@@ -63,7 +63,6 @@ struct Workings {
   gap::Forces force_configured;      ///< per record [N]
   gap::Forces force_re_estimated;
   gap::Forces force_augmented;
-  gap::Forces force_surrogate;                   ///< empty without a surrogate
   std::vector<hypotheses::UnseenErrors> unseen;  ///< of each hypothesis of the evidence; empty without hold-outs
 };
 

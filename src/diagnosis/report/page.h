@@ -3,7 +3,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
+#include "diagnosis/report/report_figures.h"
 #include "rubber_suspension/diagnosis/could_show.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
@@ -15,6 +17,9 @@ extern const char* const kPageStyle;
 
 /// A whole page of that style; the title is text, the body HTML.
 std::string page(const std::string& title, const std::string& body);
+
+/// The report's page with its figures, those of reportFigures().
+std::string reportPage(const Diagnosis& diagnosis, const std::vector<ReportFigure>& figures);
 
 /// What a reader sees first: where, which, how far, how sure, what next. `figures`: loops of a bench to be checked;
 /// empty for all others, which have pictures.

@@ -14,9 +14,9 @@
 
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/judge/evidence_json.h"
+#include "diagnosis/report/augmented_yaml.h"
+#include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
-#include "diagnosis/results/missing_force.h"
-#include "diagnosis/results/rounding.h"
 #include "io/output_files.h"
 #include "log/new_file.h"
 #include "log/rpc_log.h"
@@ -121,6 +121,23 @@ std::string mapRows(const io::Axes& axes) {
   return rows;
 }
 
+// The cells that have samples: a line each.
+std::string missingForceCsv(const MissingForce& map) {
+  std::string text = "displacement_m,velocity_m_per_s,missing_force_N,surrogate_force_N,samples\n";
+  for (std::size_t cell = 0; cell < map.samples.size(); ++cell) {
+    if (std::isnan(map.measured[cell])) {
+      continue;
+    }
+    const std::size_t width = map.displacement.size() - 1;
+    const std::size_t x = cell % width;
+    const std::size_t y = cell / width;
+    text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{}\n", 0.5 * (map.displacement[x] + map.displacement[x + 1]),
+                        0.5 * (map.velocity[y] + map.velocity[y + 1]), map.measured[cell], map.surrogate[cell],
+                        map.samples[cell]);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string evidenceJson(const Diagnosis& diagnosis) {
@@ -142,14 +159,14 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   NewReport report(folder);
   report.write("report.json", toJson(diagnosis));
   if (hasComponentFile(diagnosis)) {
-    report.write(kComponent, results::augmentedYaml(diagnosis));
+    report.write(kComponent, report::augmentedYaml(diagnosis));
   }
   if (diagnosis.write_full_law && hasComponentFile(diagnosis)) {
-    report.write(kFullComponent, results::fullYaml(diagnosis));
+    report.write(kFullComponent, report::fullYaml(diagnosis));
   }
   if (diagnosis.surrogate) {
     report.write(kSurrogate, io::toYaml({diagnosis.surrogate->component}));
-    report.write(kMissingForce, results::toCsv(results::missingForce(diagnosis)));
+    report.write(kMissingForce, missingForceCsv(diagnosis.surrogate->missing));
   }
   if (const std::string evidence = evidenceJson(diagnosis); !evidence.empty()) {
     report.write(kEvidence, evidence);
@@ -158,12 +175,13 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
     report.write(kExperiment, experimentCsv(diagnosis.proposed));
     report.write(kDrive, driveFile(diagnosis.proposed, diagnosis.turns));
   }
-  for (const report::ReportFigure& figure : report::reportFigures(diagnosis)) {
+  const std::vector<report::ReportFigure> figures = report::reportFigures(diagnosis);
+  for (const report::ReportFigure& figure : figures) {
     if (!figure.figure.axes.empty()) {
       report.write(report::figureDataFile(figure.name), report::figureCsv(figure.figure));
     }
   }
-  report.write(kPage, toHtml(diagnosis));
+  report.write(kPage, report::reportPage(diagnosis, figures));
   report.commit();
 }
 

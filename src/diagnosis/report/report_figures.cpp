@@ -11,7 +11,6 @@
 
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/prepare/bench_evidence.h"
-#include "diagnosis/results/missing_force.h"
 #include "element/each.h"
 #include "log/text.h"
 #include "rubber_suspension/gap/gap.h"
@@ -228,6 +227,34 @@ io::Figure residualOverTime(const Diagnosis& diagnosis) {
   return figure;
 }
 
+io::Axes missingAxes(const MissingForce& map, const std::vector<double>& force, const std::string& title) {
+  io::Axes axes;
+  axes.title = title;
+  axes.x_label = "displacement [mm]";
+  axes.y_label = "velocity [mm/s]";
+  io::HeatMap heat;
+  heat.label = "force [kN]";
+  const auto scaled = [](const std::vector<double>& values, double factor) {
+    std::vector<double> result(values.size());
+    std::transform(values.begin(), values.end(), result.begin(), [&](double value) { return factor * value; });
+    return result;
+  };
+  heat.x_edges = scaled(map.displacement, 1e3);
+  heat.y_edges = scaled(map.velocity, 1e3);
+  heat.values = scaled(force, 1e-3);
+  axes.maps.push_back(std::move(heat));
+  return axes;
+}
+
+// What is missing, and what the surrogate makes of it.
+io::Figure missingForceFigure(const MissingForce& map) {
+  io::Figure figure;
+  figure.title = "Force that the model lacks, over displacement and velocity";
+  figure.axes.push_back(missingAxes(map, map.measured, "measured less augmented"));
+  figure.axes.push_back(missingAxes(map, map.surrogate, "what the surrogate adds"));
+  return figure;
+}
+
 }  // namespace
 
 std::vector<double> sortedApart(std::vector<double> values) {
@@ -284,7 +311,7 @@ std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
   if (diagnosis.surrogate) {
     figures.push_back({kMissing,
                        "Force that the model lacks, over displacement and velocity, and what a surrogate adds.",
-                       results::missingForceFigure(results::missingForce(diagnosis))});
+                       missingForceFigure(diagnosis.surrogate->missing)});
   }
   return figures;
 }

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "diagnosis/hypotheses/workings.h"
+#include "diagnosis/report/augmented_yaml.h"
 #include "diagnosis/report/compare.h"
 #include "diagnosis/report/log_rating.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
-#include "diagnosis/results/rounding.h"
 #include "diagnosis/words/model_values.h"
 #include "diagnosis/words/text.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -89,10 +89,10 @@ struct DrawnFigures {
   std::string problem;  // why nothing is drawn, HTML
 };
 
-DrawnFigures drawFigures(const Diagnosis& d) {
+DrawnFigures drawFigures(const std::vector<report::ReportFigure>& figures) {
   DrawnFigures drawn;
   std::vector<io::Figure> panels;
-  for (const report::ReportFigure& figure : report::reportFigures(d)) {
+  for (const report::ReportFigure& figure : figures) {
     drawn.figures.push_back({figure, {}});
     for (const io::Axes& axes : figure.figure.axes) {
       panels.push_back({"", {axes}, 1});
@@ -133,7 +133,7 @@ std::string componentFile(const Diagnosis& d) {
   return heading("Component file before and after") + words::componentChanges(d) +
          "<p class=screen>Node and <code>replay</code> run <a href=\"augmented.yaml\">augmented.yaml</a> as it is: the "
          "simplest law of each effect, rounded to what is known of it. All digits are in report.json.</p>\n" +
-         words::folded("augmented.yaml", "<pre>" + escape(results::augmentedYaml(d)) + "</pre>\n");
+         words::folded("augmented.yaml", "<pre>" + escape(report::augmentedYaml(d)) + "</pre>\n");
 }
 
 std::string findingText(const measurement::RigFinding& finding) {
@@ -302,8 +302,8 @@ std::string benchLoops(const DrawnFigures& drawn) {
 }
 
 // Of logs that cannot be what they say.
-std::string benchBody(const Diagnosis& d) {
-  return report::firstScreen(d, benchLoops(drawFigures(d))) + report::comparisonSection(d.comparison) +
+std::string benchBody(const Diagnosis& d, const DrawnFigures& drawn) {
+  return report::firstScreen(d, benchLoops(drawn)) + report::comparisonSection(d.comparison) +
          (d.table ? "" : findings(d)) +
          "<p>No effect is named and no component file is written: physics would be fitted to a fault of the "
          "bench.</p>\n";
@@ -315,8 +315,7 @@ std::string defectBody(const Diagnosis& d) {
          (d.table ? report::tableSection(d) : findings(d) + takenOut(d) + admission(d));
 }
 
-std::string body(const Diagnosis& d) {
-  const DrawnFigures drawn = drawFigures(d);
+std::string body(const Diagnosis& d, const DrawnFigures& drawn) {
   return report::firstScreen(d) + report::comparisonSection(d.comparison) + furtherFigures(drawn) + howFar(d) +
          heading("Which") + report::candidateSection(d) + onScreen(where(d)) + componentFile(d) +
          onScreen(nextExperiment(d) + couldShow(d)) +
@@ -325,12 +324,14 @@ std::string body(const Diagnosis& d) {
 
 }  // namespace
 
-std::string toHtml(const Diagnosis& d) {
-  const std::string html = report::page("Gap report: " + d.component, (!d.workings        ? benchBody(d)
-                                                                       : d.defect.empty() ? body(d)
-                                                                                          : defectBody(d)) +
-                                                                          runRecord(d));
+std::string report::reportPage(const Diagnosis& d, const std::vector<ReportFigure>& figures) {
+  const std::string text = !d.workings        ? benchBody(d, drawFigures(figures))
+                           : d.defect.empty() ? body(d, drawFigures(figures))
+                                              : defectBody(d);
+  const std::string html = page("Gap report: " + d.component, text + runRecord(d));
   return d.turns ? words::inRotationUnits(html) : html;
 }
+
+std::string toHtml(const Diagnosis& d) { return report::reportPage(d, report::reportFigures(d)); }
 
 }  // namespace rubber_suspension::diagnosis

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "diagnosis/report/augmented_yaml.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/run_record.h"
-#include "diagnosis/results/rounding.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
 #include "log/new_file.h"
@@ -114,11 +114,11 @@ std::string componentText(const SixDirectionsDiagnosis& diagnosis) {
   io::YamlStyle style;
   style.number = [&](const std::string& place, double value) {
     const auto found = placeIn(diagnosis, place);
-    return found ? results::augmentedStyle(*found->first).number(found->second, value) : fmt::format("{}", value);
+    return found ? report::augmentedStyle(*found->first).number(found->second, value) : fmt::format("{}", value);
   };
   style.note = [&](const std::string& place) {
     const auto found = placeIn(diagnosis, place);
-    const std::string note = found ? results::augmentedStyle(*found->first).note(found->second) : "";
+    const std::string note = found ? report::augmentedStyle(*found->first).note(found->second) : "";
     return found && found->first->turns ? words::inRotationUnits(note) : note;
   };
   style.head = fmt::format("# Diagnosis of {} by direction; others are as configured, but for a radial_stiffness.\n",

@@ -15,6 +15,7 @@
 #include "diagnosis/results/admission.h"
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/characteristics.h"
+#include "diagnosis/results/missing_force.h"
 #include "diagnosis/results/recorded_gap.h"
 #include "diagnosis/results/replayed.h"
 #include "diagnosis/results/rig_findings.h"
@@ -284,7 +285,7 @@ class Describer {
                                   w.force_augmented.begin() + static_cast<std::ptrdiff_t>(w.training));
     Surrogate surrogate = fitSurrogate(result_.augmented, {prepared_.training, of_training, prepared_.held_out},
                                        result_.gap.noise_floor, options_.threads);
-    w.force_surrogate = simulate(surrogate.component);
+    surrogate.missing = missingForce(w.records, w.force_augmented, simulate(surrogate.component));
     result_.sentence += " " + describeRest(surrogate);
     result_.surrogate = std::move(surrogate);
   }

@@ -1,13 +1,9 @@
 // The missing force in cells of displacement and velocity.
 #include "diagnosis/results/missing_force.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "diagnosis/hypotheses/workings.h"
 
 namespace rubber_suspension::diagnosis::results {
 namespace {
@@ -62,44 +58,25 @@ void addRecord(const log::Record& record, const Eigen::VectorXd& augmented, cons
   }
 }
 
-io::Axes axesOf(const MissingForce& map, const std::vector<double>& force, const std::string& title) {
-  io::Axes axes;
-  axes.title = title;
-  axes.x_label = "displacement [mm]";
-  axes.y_label = "velocity [mm/s]";
-  io::HeatMap heat;
-  heat.label = "force [kN]";
-  const auto scaled = [](const std::vector<double>& values, double factor) {
-    std::vector<double> result(values.size());
-    std::transform(values.begin(), values.end(), result.begin(), [&](double value) { return factor * value; });
-    return result;
-  };
-  heat.x_edges = scaled(map.displacement, 1e3);
-  heat.y_edges = scaled(map.velocity, 1e3);
-  heat.values = scaled(force, 1e-3);
-  axes.maps.push_back(std::move(heat));
-  return axes;
-}
-
 }  // namespace
 
-MissingForce missingForce(const Diagnosis& diagnosis) {
-  const Workings& workings = *diagnosis.workings;
+MissingForce missingForce(const std::vector<log::Record>& records, const gap::Forces& augmented,
+                          const gap::Forces& surrogate) {
   MissingForce map;
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (const log::Record& record : workings.records) {
+  for (const log::Record& record : records) {
     low = std::min(low, record.displacement.minCoeff());
     high = std::max(high, record.displacement.maxCoeff());
   }
   map.displacement = evenEdges(low, high);
-  const double speed = usualSpeed(workings.records);
+  const double speed = usualSpeed(records);
   map.velocity = evenEdges(-speed, speed);
   map.measured.assign(kCells * kCells, 0.0);
   map.surrogate.assign(kCells * kCells, 0.0);
   map.samples.assign(kCells * kCells, 0);
-  for (std::size_t r = 0; r < workings.records.size(); ++r) {
-    addRecord(workings.records[r], workings.force_augmented[r], workings.force_surrogate[r], map);
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    addRecord(records[r], augmented[r], surrogate[r], map);
   }
   for (std::size_t cell = 0; cell < map.samples.size(); ++cell) {
     const double count = map.samples[cell] < kFewestSamples ? std::numeric_limits<double>::quiet_NaN()
@@ -108,29 +85,6 @@ MissingForce missingForce(const Diagnosis& diagnosis) {
     map.surrogate[cell] /= count;
   }
   return map;
-}
-
-std::string toCsv(const MissingForce& map) {
-  std::string text = "displacement_m,velocity_m_per_s,missing_force_N,surrogate_force_N,samples\n";
-  for (std::size_t cell = 0; cell < map.samples.size(); ++cell) {
-    if (std::isnan(map.measured[cell])) {
-      continue;
-    }
-    const std::size_t x = cell % kCells;
-    const std::size_t y = cell / kCells;
-    text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{}\n", 0.5 * (map.displacement[x] + map.displacement[x + 1]),
-                        0.5 * (map.velocity[y] + map.velocity[y + 1]), map.measured[cell], map.surrogate[cell],
-                        map.samples[cell]);
-  }
-  return text;
-}
-
-io::Figure missingForceFigure(const MissingForce& map) {
-  io::Figure figure;
-  figure.title = "Force that the model lacks, over displacement and velocity";
-  figure.axes.push_back(axesOf(map, map.measured, "measured less augmented"));
-  figure.axes.push_back(axesOf(map, map.surrogate, "what the surrogate adds"));
-  return figure;
 }
 
 }  // namespace rubber_suspension::diagnosis::results

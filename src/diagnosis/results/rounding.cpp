@@ -2,27 +2,16 @@
 #include "diagnosis/results/rounding.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/words/text.h"
-#include "log/text.h"
 #include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr int kMostDigits = 15;
-
-const SizedValue* at(const std::vector<SizedValue>& written, const std::string& place) {
-  const auto found =
-      std::find_if(written.begin(), written.end(), [&](const SizedValue& size) { return size.name == place; });
-  return found == written.end() ? nullptr : &*found;
-}
-
-bool isAsConfigured(const SizedValue& size) { return size.value == size.configured; }
 
 // A number to so many decimals, which may be negative.
 std::string toDecimals(double value, int decimals) {
@@ -51,78 +40,36 @@ std::string exactly(double value, const std::string& si, const std::string& unit
   return !text.empty() && log::parseQuantity(text, si) == value ? text : fmt::format("{}", value);
 }
 
-std::string roundedText(const SizedValue& size, double value, const std::string& unit, int finer) {
+std::string roundedText(const SizedValue& size, const std::string& unit, int finer) {
   const log::UnitConversion convert(size.unit, unit.empty() ? size.unit : unit);
   const double half = 0.5 * std::abs(convert(size.interval_95[1]) - convert(size.interval_95[0]));
   const int decimals = half > 0.0 ? static_cast<int>(std::ceil(-std::log10(0.1 * half))) + finer : kMostDigits + 1;
-  return toDecimals(convert(value), decimals) + (unit.empty() ? "" : " " + unit);
-}
-
-// Writes each number in the unit of its kind in the configured file.
-io::YamlStyle styleOf(const io::ComponentDescription& component, const std::vector<SizedValue>& written, int finer) {
-  io::YamlStyle style;
-  style.number = [&, finer](const std::string& place, double value) {
-    const SizedValue* const size = at(written, place);
-    if (size == nullptr) {
-      return fmt::format("{}", value);
-    }
-    const std::string unit = unitOf(component, *size);
-    return isAsConfigured(*size) ? exactly(value, size->unit, unit) : roundedText(*size, value, unit, finer);
-  };
-  return style;
-}
-
-std::string logsOf(const Diagnosis& d) {
-  std::vector<std::string> names;
-  for (const Admission& log : d.admission) {
-    names.push_back(log.log + (log.hold_out ? " (held out)" : ""));
-  }
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-std::string originOf(const Diagnosis& d, double gap) {
-  const std::string by =
-      d.run.version.empty() ? "" : fmt::format("rubber_suspension {}, {}; ", d.run.version, d.run.date);
-  return fmt::format(
-      "# Diagnosis of {}: {}{}.\n# Logs: {}.\n# Gap {} as configured, {} re-estimated, {} with this file; "
-      "noise floor {}.\n",
-      d.component, by, toString(d.verdict), log::oneLine(logsOf(d)), words::percent(d.gap.as_configured),
-      words::percent(d.gap.re_estimated), words::percent(gap), words::percent(d.gap.noise_floor));
+  return toDecimals(convert(size.value), decimals) + (unit.empty() ? "" : " " + unit);
 }
 
 }  // namespace
 
-io::ComponentDescription rounded(const io::ComponentDescription& exact, const std::vector<SizedValue>& written,
-                                 int finer) {
-  io::ComponentDescription result =
-      io::parseComponentFile(io::toYaml({exact}, styleOf(exact, written, finer)), "augmented").front();
-  result.units = exact.units;
-  return result;
+std::vector<SizedValue> rounded(std::vector<SizedValue> written, const io::ComponentDescription& component, int finer) {
+  for (SizedValue& size : written) {
+    const std::string unit = unitOf(component, size);
+    size.text = size.value == size.configured ? exactly(size.value, size.unit, unit) : roundedText(size, unit, finer);
+  }
+  return written;
 }
 
-io::YamlStyle augmentedStyle(const Diagnosis& d) {
-  io::YamlStyle style = styleOf(d.augmented, d.written, d.finer);
-  style.note = [&](const std::string& place) {
-    const SizedValue* const size = at(d.written, place);
-    return size == nullptr || isAsConfigured(*size) || !(size->interval_95[0] < size->interval_95[1]) ? ""
-           : std::isfinite(size->configured) ? fmt::format("95 %: {}; was {}", words::intervalText(*size),
-                                                           words::quantity(size->configured, size->unit))
-                                             : "95 %: " + words::intervalText(*size);
+io::YamlStyle styleOf(const std::vector<SizedValue>& written) {
+  io::YamlStyle style;
+  style.number = [&](const std::string& place, double value) {
+    const auto size = std::find_if(written.begin(), written.end(), [&](const auto& one) { return one.name == place; });
+    return size == written.end() || size->text.empty() ? fmt::format("{}", value) : size->text;
   };
   return style;
 }
 
-std::string augmentedYaml(const Diagnosis& d) {
-  io::YamlStyle style = augmentedStyle(d);
-  style.head = originOf(d, d.gap.augmented);
-  style.head += d.turns ? "# A rotation as a component of one direction: m stands for rad, N for N m.\n" : "";
-  return io::toYaml({d.augmented}, style);
-}
-
-std::string fullYaml(const Diagnosis& d) {
-  io::YamlStyle style;
-  style.head = originOf(d, d.gap_of_full_law);
-  return io::toYaml({d.augmented_full}, style);
+io::ComponentDescription asWritten(const io::ComponentDescription& exact, const std::vector<SizedValue>& written) {
+  io::ComponentDescription result = io::parseComponentFile(io::toYaml({exact}, styleOf(written)), "augmented").front();
+  result.units = exact.units;
+  return result;
 }
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <deque>
 #include <stdexcept>
+#include <utility>
 
 #include "diagnosis/results/rounding.h"
 #include "diagnosis/results/simplest_law.h"
@@ -17,24 +18,30 @@ namespace {
 constexpr int kMostFiner = 8;
 constexpr double kShows = 0.01;  // of a gap: rounding that changes it by less does not show
 
+struct Rounded {
+  io::ComponentDescription component;
+  std::vector<SizedValue> written;
+};
+
 // The exact component rounded as far as the gap to the logs of the fit allows.
-io::ComponentDescription roundTo(const io::ComponentDescription& exact, const std::vector<log::Record>& records,
-                                 Diagnosis& diagnosis) {
+Rounded roundTo(const io::ComponentDescription& exact, const std::vector<log::Record>& records,
+                const std::vector<SizedValue>& written) {
   const auto gapOf = [&](const io::ComponentDescription& component) {
     return gap::gapOfParts(gap::partErrors(records, gap::simulate(component.allElements(), records, gap::asRecorded)));
   };
   const double allowed = (1.0 + kShows) * gapOf(exact);
-  for (diagnosis.finer = 0; diagnosis.finer < kMostFiner; ++diagnosis.finer) {
+  for (int finer = 0; finer < kMostFiner; ++finer) {
+    Rounded result{{}, rounded(written, exact, finer)};
     try {
-      io::ComponentDescription result = rounded(exact, diagnosis.written, diagnosis.finer);
-      if (gapOf(result) <= allowed) {
+      result.component = asWritten(exact, result.written);
+      if (gapOf(result.component) <= allowed) {
         return result;
       }
     } catch (const std::runtime_error&) {
       continue;  // so roughly there is no such component
     }
   }
-  return exact;
+  return {exact, written};
 }
 
 io::ComponentDescription componentOf(const hypotheses::PreparedCase& prepared, const FittedLaw& fitted) {
@@ -81,7 +88,9 @@ Replayed addWrittenLaw(const hypotheses::PreparedCase& prepared, const std::vect
   diagnosis.augmented_full = componentOf(prepared, full);
   diagnosis.gap_of_full_law =
       gap::gapOfParts(unseenErrors(prepared.fitter, full, diagnosis.augmented_full.allElements(), held_out));
-  diagnosis.augmented = roundTo(componentOf(prepared, simple), prepared.training, diagnosis);
+  Rounded result = roundTo(componentOf(prepared, simple), prepared.training, diagnosis.written);
+  diagnosis.augmented = std::move(result.component);
+  diagnosis.written = std::move(result.written);
   return replayed(prepared.fitter, simple, diagnosis.augmented.allElements(), held_out);
 }
 

@@ -13,6 +13,7 @@
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/hypotheses/log_table.h"
 #include "diagnosis/results/answered.h"
+#include "diagnosis/results/rounding.h"
 #include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/sizes.h"
 #include "diagnosis/words/sentence.h"
@@ -278,6 +279,7 @@ class TableDescriber {
     result_.guess = search_.guess;
     results::addDepartures(measured_.model(), judged_.fit.parameters.model, result_);
     results::addSizes({{measured_.fitter(), results::fullLaw(judged_)}}, {}, search_.candidates, options_, result_);
+    result_.written = results::rounded(std::move(result_.written), component_, 0);
   }
 
   void describeAnswer() {

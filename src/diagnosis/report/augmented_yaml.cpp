@@ -1,0 +1,65 @@
+// Component files with comments on their numbers.
+#include "diagnosis/report/augmented_yaml.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "diagnosis/results/rounding.h"
+#include "diagnosis/words/text.h"
+#include "log/text.h"
+
+namespace rubber_suspension::diagnosis::report {
+namespace {
+
+std::string logsOf(const Diagnosis& d) {
+  std::vector<std::string> names;
+  for (const Admission& log : d.admission) {
+    names.push_back(log.log + (log.hold_out ? " (held out)" : ""));
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string originOf(const Diagnosis& d, double gap) {
+  const std::string by =
+      d.run.version.empty() ? "" : fmt::format("rubber_suspension {}, {}; ", d.run.version, d.run.date);
+  return fmt::format(
+      "# Diagnosis of {}: {}{}.\n# Logs: {}.\n# Gap {} as configured, {} re-estimated, {} with this file; "
+      "noise floor {}.\n",
+      d.component, by, toString(d.verdict), log::oneLine(logsOf(d)), words::percent(d.gap.as_configured),
+      words::percent(d.gap.re_estimated), words::percent(gap), words::percent(d.gap.noise_floor));
+}
+
+}  // namespace
+
+io::YamlStyle augmentedStyle(const Diagnosis& d) {
+  io::YamlStyle style = results::styleOf(d.written);
+  style.note = [&](const std::string& place) {
+    const auto size =
+        std::find_if(d.written.begin(), d.written.end(), [&](const auto& one) { return one.name == place; });
+    return size == d.written.end() || size->value == size->configured || !(size->interval_95[0] < size->interval_95[1])
+               ? ""
+           : std::isfinite(size->configured) ? fmt::format("95 %: {}; was {}", words::intervalText(*size),
+                                                           words::quantity(size->configured, size->unit))
+                                             : "95 %: " + words::intervalText(*size);
+  };
+  return style;
+}
+
+std::string augmentedYaml(const Diagnosis& d) {
+  io::YamlStyle style = augmentedStyle(d);
+  style.head = originOf(d, d.gap.augmented);
+  style.head += d.turns ? "# A rotation as a component of one direction: m stands for rad, N for N m.\n" : "";
+  return io::toYaml({d.augmented}, style);
+}
+
+std::string fullYaml(const Diagnosis& d) {
+  io::YamlStyle style;
+  style.head = originOf(d, d.gap_of_full_law);
+  return io::toYaml({d.augmented_full}, style);
+}
+
+}  // namespace rubber_suspension::diagnosis::report
