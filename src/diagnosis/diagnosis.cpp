@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <string>
 #include <utility>
 
+#include "diagnosis/experiment/confusion.h"
+#include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/hypotheses/log_table.h"
 #include "diagnosis/hypotheses/measured_logs.h"
 #include "diagnosis/hypotheses/odds.h"
@@ -21,6 +24,7 @@
 #include "diagnosis/prepare/rig.h"
 #include "diagnosis/refused.h"
 #include "diagnosis/results/describe.h"
+#include "diagnosis/words/sentence.h"
 #include "estimation/models.h"
 #include "fit/parallel.h"
 #include "io/available_memory.h"
@@ -100,6 +104,27 @@ std::unique_ptr<hypotheses::PreparedCase> withRigPriors(const io::ComponentDescr
                                                     std::move(zeros));
 }
 
+// What the logs would have shown, and what to play next.
+Diagnosis withExperiment(const fit::Fitter& fitter, const DiagnosisOptions& options, Diagnosis result) {
+  const Workings& workings = *result.workings;
+  experiment::NextExperiment next = experiment::nextExperiment(fitter, workings, options.limits, options.threads);
+  result.next_experiment = std::move(next.text);
+  result.proposed = std::move(next.proposed);
+  result.could_show = experiment::couldShow(workings.search);
+  return result;
+}
+
+Diagnosis inWords(const fit::Fitter& fitter, Diagnosis result) {
+  const hypotheses::Search& search = result.workings->search;
+  const hypotheses::FittedHypothesis& judged = search.at(result.workings->answer.model);
+  const std::string temperature = words::temperatureNote(result.effects, search.excitation);
+  result.sentence = words::sentence(result) + words::excludedNote(result) +
+                    words::factorNote(fitter.factors(judged.hypothesis, judged.fit.parameters)) + temperature +
+                    (result.surrogate ? words::restNote(*result.surrogate) : "");
+  result.next_experiment += temperature.empty() ? "" : " Record temperature_degC with it.";
+  return result;
+}
+
 // `recorded`: the whole logs that the gap as recorded is of.
 Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prepare::Excerpts& excerpts,
                            const std::vector<prepare::LogSurvey>& recorded, const DiagnosisOptions& options) {
@@ -126,7 +151,8 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
                          options.threads, options.progress);
   judgeSearch(*ready, options.threads, *workings);
   workings->write_evidence = options.evidence;
-  return results::describe(*ready, std::move(workings), recorded, raw, std::move(findings), options);
+  Diagnosis result = results::describe(*ready, std::move(workings), recorded, raw, std::move(findings), options);
+  return inWords(ready->fitter, withExperiment(ready->fitter, options, std::move(result)));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "diagnosis/words/sentence.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 #include "shared_runs.h"
@@ -39,21 +40,21 @@ TEST(JudgeRest, WhatIsPredictedInEachLogIsAFunctionOfTheMotion) {
   EXPECT_TRUE(surrogate.function_of_the_motion);
   // 1 - (mean of 4, 6.25 and 9 e-4, less 1e-4)/(1e-2 - 1e-4)
   EXPECT_NEAR(surrogate.share, 1.0 - 5.4167e-4 / 99e-4, 1e-4);
-  EXPECT_THAT(results::describeRest(surrogate), HasSubstr("is a function of the motion that is not in the list"));
-  EXPECT_THAT(results::describeRest(surrogate), HasSubstr("predicts 95 %"));
+  EXPECT_THAT(words::restNote(surrogate), HasSubstr("is a function of the motion that is not in the list"));
+  EXPECT_THAT(words::restNote(surrogate), HasSubstr("predicts 95 %"));
 }
 
 TEST(JudgeRest, ASmallPartOfItIsCalledThat) {
   const Surrogate surrogate = judged({0.085, 0.09, 0.088});
   EXPECT_FALSE(surrogate.function_of_the_motion);
   EXPECT_LT(surrogate.chance, 0.05);
-  EXPECT_THAT(results::describeRest(surrogate), HasSubstr("Only part of the rest"));
+  EXPECT_THAT(words::restNote(surrogate), HasSubstr("Only part of the rest"));
 }
 
 TEST(JudgeRest, WhatIsNotPredictedIsNoFunctionOfTheMotion) {
   const Surrogate surrogate = judged({0.1, 0.101, 0.0999});
   EXPECT_FALSE(surrogate.function_of_the_motion);
-  EXPECT_THAT(results::describeRest(surrogate), HasSubstr("do not tell whether the motion causes it"));
+  EXPECT_THAT(words::restNote(surrogate), HasSubstr("do not tell whether the motion causes it"));
 }
 
 // A noise floor that is higher than what is left cannot be right; it must not make all of the rest predicted.

@@ -51,7 +51,7 @@ WITHIN_DIAGNOSIS = {
     "judge": set(),
     "live": set(),
     "hypotheses": {"judge"},
-    "results": {"words", "prepare", "judge", "hypotheses", "experiment"},
+    "results": {"prepare", "judge", "hypotheses"},
     "experiment": {"words", "prepare", "judge", "hypotheses"},
     "words": {"results"},
     "table": {"words", "prepare", "judge", "hypotheses", "experiment", "results"},

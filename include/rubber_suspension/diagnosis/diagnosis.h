@@ -101,6 +101,7 @@ struct Surrogate {
   double unseen_after = 0.0;   ///< the same with surrogates that were fitted without them
   double share = 0.0;          ///< of the squared rest beyond the noise, that these predict
   double chance = 1.0;         ///< that they would seem to predict some of it if they could not
+  bool beyond_chance = false;  ///< that they predict some of it is no chance
   bool function_of_the_motion = false;  ///< the larger part of the rest is predicted, beyond chance
   MissingForce missing;                 ///< what it is fitted to
 };

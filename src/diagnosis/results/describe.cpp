@@ -8,8 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include "diagnosis/experiment/confusion.h"
-#include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/results/admission.h"
@@ -24,7 +22,6 @@
 #include "diagnosis/results/taken_out.h"
 #include "diagnosis/results/whole_stiffness.h"
 #include "diagnosis/results/written_law.h"
-#include "diagnosis/words/sentence.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -262,17 +259,6 @@ class Describer {
   void describeAnswer() {
     addAnswer(answer_, workings_->evidence, result_);
     addShares([&](const std::vector<bool>& in) { return gapWith(in); }, options_.threads, result_);
-    experiment::NextExperiment next =
-        experiment::nextExperiment(prepared_.fitter, *workings_, options_.limits, options_.threads);
-    result_.next_experiment = std::move(next.text);
-    result_.proposed = std::move(next.proposed);
-    result_.sentence = words::sentence(result_) + words::excludedNote(result_) +
-                       words::factorNote(prepared_.fitter.factors(judged_.hypothesis, judged_.fit.parameters));
-    result_.could_show = experiment::couldShow(search_);
-    if (const std::string note = words::temperatureNote(result_.effects, search_.excitation); !note.empty()) {
-      result_.sentence += " " + note;
-      result_.next_experiment += " Record temperature_degC with it.";
-    }
   }
 
   // A gap that no effect explains is closed all the same.
@@ -286,7 +272,6 @@ class Describer {
     Surrogate surrogate = fitSurrogate(result_.augmented, {prepared_.training, of_training, prepared_.held_out},
                                        result_.gap.noise_floor, options_.threads);
     surrogate.missing = missingForce(w.records, w.force_augmented, simulate(surrogate.component));
-    result_.sentence += " " + describeRest(surrogate);
     result_.surrogate = std::move(surrogate);
   }
 

@@ -1,8 +1,6 @@
 // Surrogate of a component for the rest that no effect explains.
 #include "diagnosis/results/surrogate.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -19,7 +17,6 @@ namespace {
 constexpr double kChanceOfGain = 0.05;  // of a gain on unseen blocks without there being any
 constexpr double kEvenChance = 0.5;     // where there is nothing to tell it by
 constexpr double kLargerPart = 0.5;     // of the squared rest
-constexpr double kLeastPart = 0.01;     // likewise, to be told
 constexpr std::size_t kFewestLogs = 3;  // whose scatter from log to log can be told
 
 // Tenths of logs that took no part in any fit, as further logs.
@@ -87,7 +84,8 @@ void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, 
   const double left = gap::residualAboveFloor(surrogate.unseen_after, floor);
   surrogate.share = rest > 0.0 ? std::clamp(1.0 - std::pow(left / rest, 2), 0.0, 1.0) : 0.0;
   surrogate.chance = chanceOf(unseen, noise_floor, count_logs);
-  surrogate.function_of_the_motion = surrogate.chance < kChanceOfGain && surrogate.share > kLargerPart;
+  surrogate.beyond_chance = surrogate.chance < kChanceOfGain;
+  surrogate.function_of_the_motion = surrogate.beyond_chance && surrogate.share > kLargerPart;
 }
 
 Surrogate fitSurrogate(const io::ComponentDescription& component, const SurrogateLogs& logs, double noise_floor,
@@ -107,22 +105,6 @@ Surrogate fitSurrogate(const io::ComponentDescription& component, const Surrogat
   addHeldOut(component, surrogate.component, logs.held_out, static_cast<int>(logs.training.size()), unseen);
   judgeRest(unseen, noise_floor, logs.training.size() + logs.held_out.size() >= kFewestLogs, surrogate);
   return surrogate;
-}
-
-std::string describeRest(const Surrogate& surrogate) {
-  const std::string prediction = fmt::format(
-      "a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to (gap {:.1f} to {:.1f} %)",
-      100.0 * surrogate.share, 100.0 * surrogate.unseen_before, 100.0 * surrogate.unseen_after);
-  if (surrogate.function_of_the_motion) {
-    return "The rest is a function of the motion that is not in the list: " + prediction + ".";
-  }
-  if (surrogate.chance < kChanceOfGain && surrogate.share >= kLeastPart) {
-    return "Only part of the rest is a function of the motion: " + prediction +
-           ". The other part takes other logs to learn, or the motion does not cause it (hum, cross-talk, a plug).";
-  }
-  return "No surrogate predicts the rest in parts of the logs that it was not fitted to: these logs do not tell "
-         "whether "
-         "the motion causes it.";
 }
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -1,7 +1,6 @@
 // The unexplained rest: whether it is a function of the motion, and a component that closes it all the same.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "fit/surrogate.h"
@@ -26,8 +25,5 @@ Surrogate fitSurrogate(const io::ComponentDescription& component, const Surrogat
 /// Whether blocks that took no part in the fit show the rest to be a function of the motion, and the share of the
 /// squared rest beyond the noise that is. `count_logs`: blocks of one log count as one.
 void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, bool count_logs, Surrogate& surrogate);
-
-/// One sentence, for the verdict.
-std::string describeRest(const Surrogate& surrogate);
 
 }  // namespace rubber_suspension::diagnosis::results

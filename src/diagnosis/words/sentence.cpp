@@ -260,9 +260,25 @@ std::string temperatureNote(const std::vector<std::string>& effects, const fit::
     return "";
   }
   return fmt::format(
-      "Without a recorded temperature {} is not certain: rubber that warmed by itself would look alike. Logs with the "
+      " Without a recorded temperature {} is not certain: rubber that warmed by itself would look alike. Logs with the "
       "column temperature_degC would settle it.",
       fmt::join(doubtful, " and "));
+}
+
+std::string restNote(const Surrogate& surrogate) {
+  constexpr double kLeastPart = 0.01;  // of the squared rest, to be told
+  const std::string prediction = fmt::format(
+      "a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to (gap {:.1f} to {:.1f} %)",
+      100.0 * surrogate.share, 100.0 * surrogate.unseen_before, 100.0 * surrogate.unseen_after);
+  if (surrogate.function_of_the_motion) {
+    return " The rest is a function of the motion that is not in the list: " + prediction + ".";
+  }
+  if (surrogate.beyond_chance && surrogate.share >= kLeastPart) {
+    return " Only part of the rest is a function of the motion: " + prediction +
+           ". The other part takes other logs to learn, or the motion does not cause it (hum, cross-talk, a plug).";
+  }
+  return " No surrogate predicts the rest in parts of the logs that it was not fitted to: these logs do not tell "
+         "whether the motion causes it.";
 }
 
 std::string factorNote(const std::vector<double>& factors) {

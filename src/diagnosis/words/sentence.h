@@ -15,11 +15,14 @@ std::string sentence(const Diagnosis& diagnosis);
 /// The same in at most 25 words, for a headline: what the model lacks, and how far the gap falls.
 std::string headline(const Diagnosis& diagnosis);
 
-/// A sentence for logs without a temperature that name softening or heating; empty for all others.
+/// " Without a recorded temperature ...", for logs without one that name softening or heating; empty for all others.
 std::string temperatureNote(const std::vector<std::string>& effects, const fit::Excitation& excitation);
 
 /// " Excluded by the component file; without that, backlash would be 63 %.", for what would be 2 % or more; else empty.
 std::string excludedNote(const Diagnosis& diagnosis);
+
+/// " The rest is a function of the motion ...", for a rest that a surrogate was fitted to.
+std::string restNote(const Surrogate& surrogate);
 
 /// " Friction differs between the logs, ...", from the factor on it in each log; empty where there are none.
 std::string factorNote(const std::vector<double>& factors);
