@@ -25,9 +25,12 @@
 #include "diagnosis/refused.h"
 #include "diagnosis/results/describe.h"
 #include "diagnosis/words/sentence.h"
+#include "diagnosis/words/text.h"
+#include "element/each.h"
 #include "estimation/models.h"
 #include "fit/parallel.h"
 #include "io/available_memory.h"
+#include "io/rotational_unit.h"
 #include "rubber_suspension/measurement/bench_check.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 
@@ -114,6 +117,31 @@ Diagnosis withExperiment(const fit::Fitter& fitter, const DiagnosisOptions& opti
   return result;
 }
 
+// What measurement/ tells of a rotation, which it takes for a displacement.
+std::vector<RigFinding> ofRotation(std::vector<RigFinding> findings) {
+  for (RigFinding& finding : findings) {
+    finding.unit = io::rotationalUnit(finding.unit);
+    finding.text = words::inRotationUnits(finding.text);
+  }
+  return findings;
+}
+
+Diagnosis ofRotation(Diagnosis result) {
+  result.turns = true;
+  for (auto* sizes : {&result.model_sizes, &result.effect_sizes, &result.written}) {
+    for (SizedValue& size : *sizes) {
+      size.unit = io::rotationalUnit(size.unit);
+    }
+  }
+  for (Admission& log : result.admission) {
+    log.notes = element::each(log.notes, words::inRotationUnits);
+  }
+  result.rig_findings = ofRotation(std::move(result.rig_findings));
+  result.next_experiment = words::inRotationUnits(result.next_experiment);
+  result.proposed.description = words::inRotationUnits(result.proposed.description);
+  return result;
+}
+
 Diagnosis inWords(const fit::Fitter& fitter, Diagnosis result) {
   const hypotheses::Search& search = result.workings->search;
   const hypotheses::FittedHypothesis& judged = search.at(result.workings->answer.model);
@@ -138,7 +166,8 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
   if (measurement::anyFatal(findings)) {
     auto evidence =
         std::make_shared<BenchEvidence>(prepare::benchEvidence(component.allElements(), training, findings));
-    Diagnosis result = refused(component, std::move(findings));
+    Diagnosis result = refused(component, options.turns ? ofRotation(std::move(findings)) : std::move(findings));
+    result.turns = options.turns;
     result.bench_evidence = std::move(evidence);
     return result;
   }
@@ -152,7 +181,8 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
   judgeSearch(*ready, options.threads, *workings);
   workings->write_evidence = options.evidence;
   Diagnosis result = results::describe(*ready, std::move(workings), recorded, raw, std::move(findings), options);
-  return inWords(ready->fitter, withExperiment(ready->fitter, options, std::move(result)));
+  result = withExperiment(ready->fitter, options, std::move(result));
+  return inWords(ready->fitter, options.turns ? ofRotation(std::move(result)) : std::move(result));
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "diagnosis/results/cross_map.h"
-#include "diagnosis/words/text.h"
 #include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/gap/pose_replay.h"
 
@@ -103,16 +102,10 @@ std::vector<log::Log> logsOf(const std::vector<SixLogs>& all, Direction directio
 
 DirectionDiagnosis diagnoseDirection(const io::ComponentDescription& component, Direction direction,
                                      const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out,
-                                     const DiagnosisOptions& options) {
+                                     DiagnosisOptions options) {
+  options.turns = component::isRotation(direction);
   try {
-    DirectionDiagnosis result{direction, diagnose(*component.six->directions[direction], logs, hold_out, options)};
-    result.diagnosis.turns = component::isRotation(direction);
-    if (result.diagnosis.turns) {
-      for (std::string* text : {&result.diagnosis.sentence, &result.diagnosis.next_experiment}) {
-        *text = words::inRotationUnits(*text);
-      }
-    }
-    return result;
+    return {direction, diagnose(*component.six->directions[direction], logs, hold_out, options)};
   } catch (const log::LogError& error) {
     throw log::LogError(
         fmt::format("component '{}', direction {}: {}", component.name, toString(direction), error.what()));

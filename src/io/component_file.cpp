@@ -15,11 +15,22 @@
 #include "element/suggestion.h"
 #include "io/cancellation.h"
 #include "io/effect_names.h"
+#include "io/rotational_unit.h"
 #include "io/yaml_bounds.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::io {
+
+std::string rotationalUnit(const std::string& unit) {
+  static const std::map<std::string, std::string> units = {
+      {"m", "rad"},     {"N", "N m"},           {"N/m", "N m/rad"},    {"N s/m", "N m s/rad"},
+      {"m/s", "rad/s"}, {"N/s", "N m/s"},       {"1/m", "1/rad"},      {"N/m^2", "N m/rad^2"},
+      {"kg", "kg m^2"}, {"N/m^3", "N m/rad^3"}, {"N/m^5", "N m/rad^5"}};
+  const auto found = units.find(unit);
+  return found == units.end() ? unit : found->second;
+}
+
 namespace {
 
 constexpr std::size_t kMaximumNameLength = 100;
@@ -108,16 +119,6 @@ struct ShiftLaw {
 const std::vector<ShiftLaw>& shiftLaws() {
   static const std::vector<ShiftLaw> laws = {{"wlf", "wlf_shift"}, {"arrhenius", "arrhenius_shift"}};
   return laws;
-}
-
-// The unit of a rotation for one of a translation: rad for m, N m for N. Itself where it has neither.
-std::string rotationalUnit(const std::string& unit) {
-  static const std::map<std::string, std::string> units = {
-      {"m", "rad"},     {"N", "N m"},           {"N/m", "N m/rad"},    {"N s/m", "N m s/rad"},
-      {"m/s", "rad/s"}, {"N/s", "N m/s"},       {"1/m", "1/rad"},      {"N/m^2", "N m/rad^2"},
-      {"kg", "kg m^2"}, {"N/m^3", "N m/rad^3"}, {"N/m^5", "N m/rad^5"}};
-  const auto found = units.find(unit);
-  return found == units.end() ? unit : found->second;
 }
 
 const std::vector<std::string> kCouplings = {"rectangular", "cylindrical", "spherical"};

@@ -1,8 +1,10 @@
 // The figure of `diagnose --plot`: one picture each of where and how much, with what was found in its title.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/report_figures.h"
@@ -12,10 +14,10 @@ namespace rubber_suspension {
 namespace {
 
 // A record of a sine whose model is 100 N off before and right after the augmentation.
-diagnosis::Diagnosis madeUp() {
+diagnosis::Diagnosis madeUp(const std::string& log = "sine") {
   constexpr Eigen::Index kSize = 2000;
   log::Record record;
-  record.name = "sine";
+  record.name = log;
   record.dt = 1e-3;
   record.displacement = 1e-3 * (2.0 * element::kPi * Eigen::VectorXd::LinSpaced(kSize, 0.0, 2.0)).array().sin();
   record.raw_displacement = record.displacement;
@@ -42,6 +44,30 @@ TEST(OverviewFigure, ShowsLoopsResidualsAndTime) {
   EXPECT_EQ(figure.axes[0].title, "Force over displacement\nsine, 0 to 2 s");
   EXPECT_NEAR(figure.axes[1].curves[0].y[0], -0.1, 1e-12);  // measured less configured [kN]
   EXPECT_NEAR(figure.axes[1].curves[2].y[0], 0.0, 1e-12);
+}
+
+// A rotation: its units are those of the values, and what is called like a unit stays as it is called.
+TEST(OverviewFigure, HasUnitsOfARotationAndNamesAsTheyAre) {
+  diagnosis::Diagnosis diagnosis = madeUp("run 3 N");
+  diagnosis.turns = true;
+  const auto figures = diagnosis::report::reportFigures(diagnosis);
+  EXPECT_EQ(figures[0].figure.axes[0].title, "run 3 N, 0 to 2 s");
+  EXPECT_EQ(figures[0].figure.axes[0].x_label, "displacement [mrad]");
+  EXPECT_THAT(diagnosis::report::figureCsv(figures[0].figure),
+              testing::StartsWith("curve,panel,displacement_mrad,force_kN_m\n"));
+  diagnosis.defect = "made up";  // whose page has no figures
+  diagnosis.admission.resize(1);
+  diagnosis.admission[0].log = "run 3 N";
+  diagnosis.rig_findings.resize(1);
+  diagnosis.rig_findings[0].log = "run 3 N";
+  diagnosis.rig_findings[0].finding = measurement::finding::kForceZero;
+  diagnosis.rig_findings[0].value = 31.0;
+  diagnosis.rig_findings[0].interval_95 = {29.0, 33.0};
+  diagnosis.rig_findings[0].unit = "N m";
+  const std::string page = toHtml(diagnosis);
+  EXPECT_THAT(page, testing::HasSubstr(">run 3 N</td>"));
+  EXPECT_THAT(page, testing::HasSubstr("run 3 N: 31 N m (29 N m to 33 N m)"));
+  EXPECT_THAT(page, testing::HasSubstr("largest |z| [mrad]"));
 }
 
 TEST(OverviewFigure, MapsTheGapWhereItIsKnown) {

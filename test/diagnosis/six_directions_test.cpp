@@ -137,9 +137,9 @@ TEST(RequiredDirections, ErrorsNameDirectionAndWhatIsAccepted) {
 TEST(RotationUnits, StandBehindNumbersAndInBracketsOnly) {
   EXPECT_EQ(words::inRotationUnits("2 N (1.9 to 2.1 N) at 5 mm or 300 µm"),
             "2 N m (1.9 to 2.1 N m) at 5 mrad or 300 µrad");
-  EXPECT_EQ(words::inRotationUnits("4 kN/mm, 3 N/m, 2 kN s/m, [kN] over [mm]"),
-            "4 kN m/mrad, 3 N m/rad, 2 kN m s/rad, [kN m] over [mrad]");
-  const std::string other = "M 10 20 m 5 5, 5 N m, 3 N m/rad, 4 Nm, x_mm, 5 ms, K_n, 7 Hz, 2 m";
+  EXPECT_EQ(words::inRotationUnits("4 kN/mm, 3 N/m, 2 kN s/m, 2 m, 3 m/s, [kN] over [mm]"),
+            "4 kN m/mrad, 3 N m/rad, 2 kN m s/rad, 2 rad, 3 rad/s, [kN m] over [mrad]");
+  const std::string other = "5 N m, 3 N m/rad, 2 mrad/s, 4 Nm, x_mm, 5 ms, K_n, 7 Hz";
   EXPECT_EQ(words::inRotationUnits(other), other);
 }
 

@@ -43,6 +43,7 @@ struct DiagnosisOptions {
   std::uint64_t available_memory = 0;  ///< that it may take [bytes]; 0: what the system has left for this process
   /// Of all logs and hold-outs together, that the search takes; of longer ones it takes excerpts.
   std::size_t most_samples = kMostSamples;
+  bool turns = false;  ///< of a rotation: in its logs and its component m stands for rad, and N for N m
 };
 
 /// The result of the diagnosis on one candidate effect.
@@ -238,7 +239,7 @@ struct Workings;       // what the report draws and lists besides: every hypothe
 /// The result of a diagnosis.
 struct Diagnosis {
   std::string component;
-  bool turns = false;  ///< of a rotation: m stands for rad, and N for N m; the page says these
+  bool turns = false;  ///< of a rotation: what is stated in m is in rad, and N is N m; units of values say it
   Verdict verdict = Verdict::none;
   double probability = 0.0;          ///< of the verdict; where effects are named, of their set
   std::string sentence;              ///< the verdict for an engineer

@@ -42,7 +42,7 @@ struct Search {
   double least = 0.0;                 ///< what no model leaves less than, of all logs: noise and the rig's errors
   std::string noise_source;
   std::vector<double> visible_share;  ///< per candidate: part of its force that re-estimation does not hide [-]
-  std::vector<Implant> implants;      ///< each candidate implanted into these logs; empty unless asked for
+  std::vector<Implant> implants;      ///< each candidate implanted into these logs; none into a table
   std::vector<bool> testable;         ///< per candidate: a typical size of it would show in these logs
 
   /// A hypothesis by its place in the evidence.

@@ -22,9 +22,9 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 bool isNamed(const Diagnosis& d, const CandidateResult& candidate) { return contains(d.effects, candidate.effect); }
 
-std::string parametersText(const CandidateResult& candidate) {
-  return element::joined(results::headlineValuesOf(candidate.add), ", ", [](const results::HeadlineValue& value) {
-    return words::labelOf(value.name) + " " + words::quantity(value.value, value.unit);
+std::string parametersText(const Diagnosis& d, const CandidateResult& candidate) {
+  return element::joined(results::headlineValuesOf(candidate.add), ", ", [&](const results::HeadlineValue& value) {
+    return words::labelOf(value.name) + " " + words::quantity(value.value, words::unitOf(d, value.unit));
   });
 }
 
@@ -38,7 +38,7 @@ words::Row rowOf(const Diagnosis& d, const CandidateResult& c) {
   return {fmt::format("<b>{}</b><br><span class=note>{}{}</span>", words::escape(c.effect),
                       words::escape(c.documentation), c.on_rig ? " (on the rig, not in the rubber)" : ""),
           words::chance(c.probability) + " %", percent(c.gap), closedText(c),
-          words::escape(isNamed(d, c) ? parametersText(c) : whyOut(d, c))};
+          words::escape(isNamed(d, c) ? parametersText(d, c) : whyOut(d, c))};
 }
 
 std::string notTestable(const Diagnosis& d) {

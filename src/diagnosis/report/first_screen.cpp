@@ -39,11 +39,11 @@ std::string lines(const List& list, const Function& html) {
 }
 
 // A number with its sign and side in words: "falls by 0.6 %/K", "31 N in compression".
-std::string valueInWords(const SizedValue& size) {
+std::string valueInWords(const Diagnosis& d, const SizedValue& size) {
   if (size.name.rfind("change_of_", 0) == 0) {
     return (size.value < 0.0 ? "falls by " : "rises by ") + words::quantity(std::abs(size.value), size.unit);
   }
-  if (size.value < 0.0 && (size.unit == "N" || size.unit == "m")) {
+  if (size.value < 0.0 && (size.unit == words::unitOf(d, "N") || size.unit == words::unitOf(d, "m"))) {
     return words::quantity(-size.value, size.unit) + " in compression";
   }
   return (size.value < 0.0 ? "minus " : "") + words::quantity(std::abs(size.value), size.unit);
@@ -53,7 +53,7 @@ std::string valueInWords(const SizedValue& size) {
 std::string lawTable(const Diagnosis& d) {
   std::vector<words::Row> rows = element::each(d.effect_sizes, [&](const SizedValue& size) -> words::Row {
     return {words::escape((d.effects.size() > 1 ? words::spoken(size.owner) + ", " : "") + words::sizeName(size)),
-            words::escape(valueInWords(size)), words::escape(words::intervalText(size))};
+            words::escape(valueInWords(d, size)), words::escape(words::intervalText(size))};
   });
   for (const SizedValue* size : words::changedValues(d)) {
     rows.push_back({words::escape(words::valueName(*size) + " of the model"),

@@ -106,10 +106,12 @@ struct Map {
 };
 
 // Shades 0 to 5 of the square root, from nothing to the largest before.
-std::string mapTable(const Map& map, const std::vector<std::vector<double>>& squares, const std::string& title) {
+std::string mapTable(const Diagnosis& d, const Map& map, const std::vector<std::vector<double>>& squares,
+                     const std::string& title) {
   constexpr double kShades = 5.0;
   const double most = std::sqrt(map.before[map.largest[0]][map.largest[1]]);
-  std::string html = "<table class=map><caption>" + title + "</caption><thead><tr><th>[mm] \\ [Hz]</th>";
+  std::string html =
+      "<table class=map><caption>" + title + "</caption><thead><tr><th>" + words::inUnits(d, "[mm]") + " \\ [Hz]</th>";
   for (const Band& band : map.frequencies) {
     html += "<th>" + shortText(band, 1.0) + "</th>";
   }
@@ -203,15 +205,16 @@ std::string whereMaps(const Diagnosis& d) {
   const Band frequency = map.frequencies[map.largest[1]];
   const Band amplitude = map.amplitudes[map.largest[0]];
   std::string caption =
-      fmt::format("RMS of the residual in % of the force. Framed: the largest as configured, at {} Hz and {} mm{}.",
-                  words::rangeText(frequency, 1.0), words::rangeText(amplitude, 1e3), escape(mostOf(d, map)));
+      fmt::format("RMS of the residual in % of the force. Framed: the largest as configured, at {} Hz and {}{}.",
+                  words::rangeText(frequency, 1.0), words::inUnits(d, words::rangeText(amplitude, 1e3) + " mm"),
+                  escape(mostOf(d, map)));
   if (map.elsewhere > 1e-8) {
     caption += fmt::format(" Mean and drift have {} besides.", percent(std::sqrt(map.elsewhere)));
   }
   caption += fmt::format(" <a class=screen href=\"{0}\">{0}</a>", figureDataFile(kWhere));
   return figure("Where",
-                "<div class=maps>" + mapTable(map, map.before, "before: as configured") +
-                    mapTable(map, map.after, "after: augmented") + "</div>",
+                "<div class=maps>" + mapTable(d, map, map.before, "before: as configured") +
+                    mapTable(d, map, map.after, "after: augmented") + "</div>",
                 caption);
 }
 

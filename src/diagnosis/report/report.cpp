@@ -64,8 +64,8 @@ class NewReport {
   std::vector<std::pair<std::string, std::unique_ptr<log::NewFile>>> files_;
 };
 
-std::string experimentCsv(const ProposedExperiment& experiment) {
-  std::string text = "time_s,displacement_m\n";
+std::string experimentCsv(const ProposedExperiment& experiment, bool turns) {
+  std::string text = turns ? "time_s,displacement_rad\n" : "time_s,displacement_m\n";
   for (std::size_t i = 0; i < experiment.displacement.size(); ++i) {
     text += fmt::format("{:.9f},{:.9g}\n", static_cast<double>(i) * experiment.dt, experiment.displacement[i]);
   }
@@ -122,8 +122,9 @@ std::string mapRows(const io::Axes& axes) {
 }
 
 // The cells that have samples: a line each.
-std::string missingForceCsv(const MissingForce& map) {
-  std::string text = "displacement_m,velocity_m_per_s,missing_force_N,surrogate_force_N,samples\n";
+std::string missingForceCsv(const MissingForce& map, bool turns) {
+  std::string text = turns ? "displacement_rad,velocity_rad_per_s,missing_moment_N_m,surrogate_moment_N_m,samples\n"
+                           : "displacement_m,velocity_m_per_s,missing_force_N,surrogate_force_N,samples\n";
   for (std::size_t cell = 0; cell < map.samples.size(); ++cell) {
     if (std::isnan(map.measured[cell])) {
       continue;
@@ -166,13 +167,13 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   }
   if (diagnosis.surrogate) {
     report.write(kSurrogate, io::toYaml({diagnosis.surrogate->component}));
-    report.write(kMissingForce, missingForceCsv(diagnosis.surrogate->missing));
+    report.write(kMissingForce, missingForceCsv(diagnosis.surrogate->missing, diagnosis.turns));
   }
   if (const std::string evidence = evidenceJson(diagnosis); !evidence.empty()) {
     report.write(kEvidence, evidence);
   }
   if (!diagnosis.proposed.displacement.empty()) {
-    report.write(kExperiment, experimentCsv(diagnosis.proposed));
+    report.write(kExperiment, experimentCsv(diagnosis.proposed, diagnosis.turns));
     report.write(kDrive, driveFile(diagnosis.proposed, diagnosis.turns));
   }
   const std::vector<report::ReportFigure> figures = report::reportFigures(diagnosis);

@@ -11,6 +11,7 @@
 
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/prepare/bench_evidence.h"
+#include "diagnosis/words/text.h"
 #include "element/each.h"
 #include "log/text.h"
 #include "rubber_suspension/gap/gap.h"
@@ -255,6 +256,31 @@ io::Figure missingForceFigure(const MissingForce& map) {
   return figure;
 }
 
+// With the units of a displacement.
+std::vector<ReportFigure> figuresOf(const Diagnosis& diagnosis) {
+  if (diagnosis.bench_evidence) {
+    return {{kBench, "Force over displacement: measured, and simulated as configured.", benchFigure(diagnosis)}};
+  }
+  if (!diagnosis.workings) {
+    return {};
+  }
+  if (diagnosis.table) {
+    return tableFigures(diagnosis);
+  }
+  std::vector<ReportFigure> figures = {
+      {kLoopsFigure, "Force over displacement: about three cycles where the stroke is largest.", loops(diagnosis)},
+      {kWhere, "Where the squared gap lies, over the frequencies that the logs excite.", gapMapFigure(diagnosis)},
+      {kResidual, "Mean of measured less simulated force, apart for rising and falling displacement.",
+       residualOverDisplacement(diagnosis)},
+      {kTime, "Gap over time, the logs one after the other.", residualOverTime(diagnosis)}};
+  if (diagnosis.surrogate) {
+    figures.push_back({kMissing,
+                       "Force that the model lacks, over displacement and velocity, and what a surrogate adds.",
+                       missingForceFigure(diagnosis.surrogate->missing)});
+  }
+  return figures;
+}
+
 }  // namespace
 
 std::vector<double> sortedApart(std::vector<double> values) {
@@ -293,25 +319,16 @@ std::vector<gap::GapCell> mappedCells(const Diagnosis& diagnosis, const std::vec
 }
 
 std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
-  if (diagnosis.bench_evidence) {
-    return {{kBench, "Force over displacement: measured, and simulated as configured.", benchFigure(diagnosis)}};
-  }
-  if (!diagnosis.workings) {
-    return {};
-  }
-  if (diagnosis.table) {
-    return tableFigures(diagnosis);
-  }
-  std::vector<ReportFigure> figures = {
-      {kLoopsFigure, "Force over displacement: about three cycles where the stroke is largest.", loops(diagnosis)},
-      {kWhere, "Where the squared gap lies, over the frequencies that the logs excite.", gapMapFigure(diagnosis)},
-      {kResidual, "Mean of measured less simulated force, apart for rising and falling displacement.",
-       residualOverDisplacement(diagnosis)},
-      {kTime, "Gap over time, the logs one after the other.", residualOverTime(diagnosis)}};
-  if (diagnosis.surrogate) {
-    figures.push_back({kMissing,
-                       "Force that the model lacks, over displacement and velocity, and what a surrogate adds.",
-                       missingForceFigure(diagnosis.surrogate->missing)});
+  std::vector<ReportFigure> figures = figuresOf(diagnosis);
+  for (ReportFigure& figure : figures) {
+    for (io::Axes& axes : figure.figure.axes) {
+      for (std::string* label : {&axes.x_label, &axes.y_label}) {
+        *label = words::inUnits(diagnosis, *label);
+      }
+      for (io::HeatMap& map : axes.maps) {
+        map.label = words::inUnits(diagnosis, map.label);
+      }
+    }
   }
   return figures;
 }

@@ -53,8 +53,8 @@ std::string whereTable(const Diagnosis& d) {
   const std::vector<gap::GapCell> largest(
       d.where.begin(), d.where.begin() + static_cast<std::ptrdiff_t>(std::min(kMost, d.where.size())));
   return words::table(
-      {d.table ? "table" : "log", "#frequency [Hz]", "#amplitude [mm]", "what is wrong", "#share of squared gap",
-       "#times the noise"},
+      {d.table ? "table" : "log", "#frequency [Hz]", words::inUnits(d, "#amplitude [mm]"), "what is wrong",
+       "#share of squared gap", "#times the noise"},
       largest, [](const gap::GapCell& cell) -> Row {
         return {escape(cell.log),
                 words::rangeText(cell.frequency, 1.0),
@@ -247,8 +247,8 @@ std::string ratingTable(const Diagnosis& d) {
 
 std::string admission(const Diagnosis& d) {
   return heading("The logs") + excerptsTaken(d) +
-         words::table({"log", "#length [s]", "#rate [Hz]", "#largest |z| [mm]", "#excited up to [Hz]", "#noise floor",
-                       "#repeats", "notes"},
+         words::table({"log", "#length [s]", "#rate [Hz]", words::inUnits(d, "#largest |z| [mm]"),
+                       "#excited up to [Hz]", "#noise floor", "#repeats", "notes"},
                       d.admission, [](const Admission& log) -> Row {
                         return {escape(log.log) + (log.hold_out ? " (held out)" : ""),
                                 fmt::format("{:.1f}", log.duration),
@@ -328,8 +328,7 @@ std::string report::reportPage(const Diagnosis& d, const std::vector<ReportFigur
   const std::string text = !d.workings        ? benchBody(d, drawFigures(figures))
                            : d.defect.empty() ? body(d, drawFigures(figures))
                                               : defectBody(d);
-  const std::string html = page("Gap report: " + d.component, text + runRecord(d));
-  return d.turns ? words::inRotationUnits(html) : html;
+  return page("Gap report: " + d.component, text + runRecord(d));
 }
 
 std::string toHtml(const Diagnosis& d) { return report::reportPage(d, report::reportFigures(d)); }

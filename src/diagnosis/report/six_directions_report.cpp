@@ -29,8 +29,7 @@ constexpr const char* kSixDirectionsMeaning =
     "another predicts beyond the motion of the direction itself, on parts of the logs that took no part in the fit";
 
 std::string forceText(const CrossShare& pair) {
-  const std::string text = words::quantity(pair.force, "N");
-  return component::isRotation(pair.of) ? words::inRotationUnits(text) : text;
+  return words::quantity(pair.force, component::isRotation(pair.of) ? "N m" : "N");
 }
 
 std::vector<std::string> directionNames() {
@@ -118,8 +117,7 @@ std::string componentText(const SixDirectionsDiagnosis& diagnosis) {
   };
   style.note = [&](const std::string& place) {
     const auto found = placeIn(diagnosis, place);
-    const std::string note = found ? report::augmentedStyle(*found->first).note(found->second) : "";
-    return found && found->first->turns ? words::inRotationUnits(note) : note;
+    return found ? report::augmentedStyle(*found->first).note(found->second) : "";
   };
   style.head = fmt::format("# Diagnosis of {} by direction; others are as configured, but for a radial_stiffness.\n",
                            diagnosis.component);

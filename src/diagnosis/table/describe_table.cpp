@@ -279,7 +279,7 @@ class TableDescriber {
     result_.guess = search_.guess;
     results::addDepartures(measured_.model(), judged_.fit.parameters.model, result_);
     results::addSizes({{measured_.fitter(), results::fullLaw(judged_)}}, {}, search_.candidates, options_, result_);
-    result_.written = results::rounded(std::move(result_.written), component_, 0);
+    result_.written = results::rounded(std::move(result_.written), result_.augmented, 0);
   }
 
   void describeAnswer() {

@@ -38,12 +38,12 @@ std::string referenceText(const Diagnosis& d) {
 }
 
 // Entries of one type, which stand in the file one by one.
-std::string addedText(const std::vector<element::ElementDescription>& entries) {
+std::string addedText(const Diagnosis& d, const std::vector<element::ElementDescription>& entries) {
   std::string values;
   for (const results::HeadlineValue& value : results::headlineValuesOf(entries)) {
     const bool half = entries.front().type == "iwan_table" && value.name == "displacement";
     values += fmt::format("{}{} {}", values.empty() ? "" : ", ", half ? "half of it at" : labelOf(value.name),
-                          quantity(value.value, value.unit));
+                          quantity(value.value, unitOf(d, value.unit)));
   }
   return "add: " + (entries.size() > 1 ? fmt::format("{} times ", entries.size()) : "") + entries.front().type +
          (values.empty() ? "" : " (" + values + ")");
@@ -88,8 +88,9 @@ std::string wholeText(const Diagnosis& d) {
   return fmt::format(
       "At {:.3g} Hz and {}{}{} the whole component has K = {} ({} as configured) and a loss angle of "
       "{:.1f}° ({:.1f}°).",
-      whole.frequency, quantity(whole.amplitude, "m"), whole.nominal_amplitude ? "" : " (median amplitude of the logs)",
-      referenceText(d), quantity(whole.stiffness[1], "N/m"), quantity(whole.stiffness[0], "N/m"),
+      whole.frequency, quantity(whole.amplitude, unitOf(d, "m")),
+      whole.nominal_amplitude ? "" : " (median amplitude of the logs)", referenceText(d),
+      quantity(whole.stiffness[1], unitOf(d, "N/m")), quantity(whole.stiffness[0], unitOf(d, "N/m")),
       kDegree * whole.loss_angle[1], kDegree * whole.loss_angle[0]);
 }
 
@@ -121,7 +122,7 @@ std::string componentChanges(const Diagnosis& d) {
     added[d.augmented.add[i].type].push_back(d.augmented.add[i]);
   }
   for (const auto& [type, entries] : added) {
-    html += "<p><ins>+ " + escape(addedText(entries)) + "</ins></p>\n";
+    html += "<p><ins>+ " + escape(addedText(d, entries)) + "</ins></p>\n";
   }
   return html;
 }

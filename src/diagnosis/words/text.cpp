@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/rotational_unit.h"
+
 namespace rubber_suspension::diagnosis::words {
 namespace {
 
@@ -28,6 +30,9 @@ const Display& displayOf(const std::string& unit, double size) {
       {"s", {{0.1, 1.0, "s"}, {0.0, 1e-3, "ms"}}},
       {"N s/m", {{1e3, 1e3, "kN s/m"}, {0.0, 1.0, "N s/m"}}},
       {"1/K", {{0.0, 0.01, "%/K"}}},
+      {"N m", {{1e3, 1e3, "kN m"}, {0.0, 1.0, "N m"}}},
+      {"N m/rad", {{1e5, 1e6, "kN m/mrad"}, {0.0, 1e3, "N m/mrad"}}},
+      {"N m s/rad", {{1e3, 1e3, "kN m s/rad"}, {0.0, 1.0, "N m s/rad"}}},
       {"J", {{1e3, 1e3, "kJ"}, {0.0, 1.0, "J"}}},
   };
   static const Display as_it_is{0.0, 1.0, ""};
@@ -71,8 +76,9 @@ std::string chance(double probability) {
 std::string inRotationUnits(const std::string& text) {
   static const std::vector<std::pair<std::regex, std::string>> units = [] {
     std::vector<std::pair<std::regex, std::string>> list;
-    for (const auto& [unit, angular] : {std::pair("(k?)N/(m?)m", "$2N m/$3rad"), std::pair("(k?)N s/m", "$2N m s/rad"),
-                                        std::pair("(k?)N", "$2N m"), std::pair("(m|µ)m", "$2rad")}) {
+    for (const auto& [unit, angular] :
+         {std::pair("(k?)N/(m?)m", "$2N m/$3rad"), std::pair("(k?)N s/m", "$2N m s/rad"), std::pair("(k?)N", "$2N m"),
+          std::pair("(m|µ|)m/s", "$2rad/s"), std::pair("(m|µ|)m", "$2rad")}) {
       // Behind a number, or in brackets; nothing that continues as another unit.
       list.emplace_back(std::regex(std::string("([0-9] |\\[)") + unit + "(?![A-Za-z/]| m| s)"),
                         std::string("$1") + angular);
@@ -84,6 +90,14 @@ std::string inRotationUnits(const std::string& text) {
     result = std::regex_replace(result, unit, angular);
   }
   return result;
+}
+
+std::string inUnits(const Diagnosis& diagnosis, const std::string& text) {
+  return diagnosis.turns ? inRotationUnits(text) : text;
+}
+
+std::string unitOf(const Diagnosis& diagnosis, const std::string& si) {
+  return diagnosis.turns ? io::rotationalUnit(si) : si;
 }
 
 std::string rangeText(const std::array<double, 2>& band, double factor) {

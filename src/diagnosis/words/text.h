@@ -41,9 +41,15 @@ std::string quantity(const SizedValue& size);
 /// Its interval alone, in the unit of its value: "5.7 to 6.4 kN".
 std::string intervalText(const SizedValue& size);
 
-/// Text of a rotation that was diagnosed as a displacement, with its units: "6 N m" for "6 N", "4 kN m/mrad" for "4
-/// kN/mm".
+/// Words of the package's own, in which a rotation was taken for a displacement, with its units: "6 N m" for "6 N", "4
+/// kN m/mrad" for "4 kN/mm". Not for what has names of logs in it.
 std::string inRotationUnits(const std::string& text);
+
+/// The same where a diagnosis is of a rotation.
+std::string inUnits(const Diagnosis& diagnosis, const std::string& text);
+
+/// The unit of what is in this one [SI] where a displacement is diagnosed.
+std::string unitOf(const Diagnosis& diagnosis, const std::string& si);
 
 /// "2 to 4" of a band times a factor, "2" where both ends are one.
 std::string rangeText(const std::array<double, 2>& band, double factor);

@@ -11,8 +11,8 @@ namespace rubber_suspension::diagnosis::hypotheses::candidate {
 /// A candidate for logs of this excitation.
 using CandidateFactory = fit::Candidate (*)(const fit::Excitation& excitation);
 
-/// Enters an effect into the list: one static object in the effect's own file does it, nothing else names the effect.
-/// `place` is its place in the list and on the reference page; no two effects have the same.
+/// Enters an effect into the list: one static object in the effect's own file does it. No search nor judgement names
+/// it. `place` is its place in the list and on the reference page; no two effects have the same.
 struct CandidateEntry {
   CandidateEntry(int place, CandidateFactory factory);
 };
