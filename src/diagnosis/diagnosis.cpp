@@ -24,6 +24,7 @@
 #include "diagnosis/prepare/rig.h"
 #include "diagnosis/refused.h"
 #include "diagnosis/results/describe.h"
+#include "diagnosis/words/experiment_text.h"
 #include "diagnosis/words/sentence.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
@@ -107,16 +108,6 @@ std::unique_ptr<hypotheses::PreparedCase> withRigPriors(const io::ComponentDescr
                                                     std::move(zeros));
 }
 
-// What the logs would have shown, and what to play next.
-Diagnosis withExperiment(const fit::Fitter& fitter, const DiagnosisOptions& options, Diagnosis result) {
-  const Workings& workings = *result.workings;
-  experiment::NextExperiment next = experiment::nextExperiment(fitter, workings, options.limits, options.threads);
-  result.next_experiment = std::move(next.text);
-  result.proposed = std::move(next.proposed);
-  result.could_show = experiment::couldShow(workings.search);
-  return result;
-}
-
 // What measurement/ tells of a rotation, which it takes for a displacement.
 std::vector<RigFinding> ofRotation(std::vector<RigFinding> findings) {
   for (RigFinding& finding : findings) {
@@ -137,19 +128,19 @@ Diagnosis ofRotation(Diagnosis result) {
     log.notes = element::each(log.notes, words::inRotationUnits);
   }
   result.rig_findings = ofRotation(std::move(result.rig_findings));
-  result.next_experiment = words::inRotationUnits(result.next_experiment);
   result.proposed.description = words::inRotationUnits(result.proposed.description);
   return result;
 }
 
-Diagnosis inWords(const fit::Fitter& fitter, Diagnosis result) {
+Diagnosis inWords(const fit::Fitter& fitter, const experiment::NextExperiment& next, Diagnosis result) {
   const hypotheses::Search& search = result.workings->search;
   const hypotheses::FittedHypothesis& judged = search.at(result.workings->answer.model);
   const std::string temperature = words::temperatureNote(result.effects, search.excitation);
   result.sentence = words::sentence(result) + words::excludedNote(result) +
                     words::factorNote(fitter.factors(judged.hypothesis, judged.fit.parameters)) + temperature +
                     (result.surrogate ? words::restNote(*result.surrogate) : "");
-  result.next_experiment += temperature.empty() ? "" : " Record temperature_degC with it.";
+  result.next_experiment =
+      words::experimentText(result, next) + (temperature.empty() ? "" : " Record temperature_degC with it.");
   return result;
 }
 
@@ -181,8 +172,11 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
   judgeSearch(*ready, options.threads, *workings);
   workings->write_evidence = options.evidence;
   Diagnosis result = results::describe(*ready, std::move(workings), recorded, raw, std::move(findings), options);
-  result = withExperiment(ready->fitter, options, std::move(result));
-  return inWords(ready->fitter, options.turns ? ofRotation(std::move(result)) : std::move(result));
+  const experiment::NextExperiment next =
+      experiment::nextExperiment(ready->fitter, *result.workings, options.limits, options.threads);
+  result.proposed = next.proposed;
+  result.could_show = experiment::couldShow(result.workings->search);
+  return inWords(ready->fitter, next, options.turns ? ofRotation(std::move(result)) : std::move(result));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/hypotheses/search.h"
+#include "diagnosis/words/experiment_text.h"
 #include "rig.h"
 #include "rubber_suspension/diagnosis/experiment_limits.h"
 
@@ -274,16 +275,17 @@ TEST_F(Rivals, ProposeNothingThatSettlesNextToNothing) {
   limits.frequency = 15.0;
   const auto none = diagnosis::experiment::nextExperiment(fitter_, workings_, limits, 1);
   EXPECT_TRUE(none.proposed.displacement.empty());
-  EXPECT_THAT(none.text, testing::StartsWith("None within the limits"));
-  EXPECT_THAT(none.text, testing::HasSubstr("would not do"));
+  const std::string text = diagnosis::words::experimentText({}, none);
+  EXPECT_THAT(text, testing::StartsWith("None within the limits"));
+  EXPECT_THAT(text, testing::HasSubstr("would not do"));
 
   single("viscous_damping").fit.parameters.scales[0] = 2e3;
   const auto proposed = diagnosis::experiment::nextExperiment(fitter_, workings_, limits, 1);
-  ASSERT_FALSE(proposed.proposed.displacement.empty()) << proposed.text;
+  ASSERT_FALSE(proposed.proposed.displacement.empty());
   EXPECT_LE(proposed.proposed.open_after, 0.75 * proposed.proposed.open_before);
   EXPECT_EQ(proposed.proposed.decides, "viscous_damping");
   EXPECT_GT(proposed.proposed.probability, 0.5);
-  EXPECT_THAT(proposed.text, testing::HasSubstr("viscous_damping"));
+  EXPECT_THAT(diagnosis::words::experimentText({}, proposed), testing::HasSubstr("between viscous_damping"));
 }
 
 TEST_F(Rivals, ProposalsKeepToTheLimitsGiven) {

@@ -52,8 +52,8 @@ WITHIN_DIAGNOSIS = {
     "live": set(),
     "hypotheses": {"judge"},
     "results": {"prepare", "judge", "hypotheses"},
-    "experiment": {"words", "prepare", "judge", "hypotheses"},
-    "words": {"results"},
+    "experiment": {"prepare", "judge", "hypotheses"},
+    "words": {"results", "experiment"},
     "table": {"words", "prepare", "judge", "hypotheses", "experiment", "results"},
     "report": {"words", "prepare", "judge", "hypotheses", "results"},
 }
