@@ -11,6 +11,7 @@
 #include "diagnosis/results/cross_map.h"
 #include "diagnosis/words/text.h"
 #include "gap/simulate.h"
+#include "io/rotational_unit.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -141,6 +142,14 @@ TEST(RotationUnits, StandBehindNumbersAndInBracketsOnly) {
             "4 kN m/mrad, 3 N m/rad, 2 kN m s/rad, 2 rad, 3 rad/s, [kN m] over [mrad]");
   const std::string other = "5 N m, 3 N m/rad, 2 mrad/s, 4 Nm, x_mm, 5 ms, K_n, 7 Hz";
   EXPECT_EQ(words::inRotationUnits(other), other);
+}
+
+TEST(RotationUnits, ScaleAsThoseOfADisplacement) {
+  for (const char* unit : {"m", "N", "N/m", "N s/m", "m/s"}) {
+    for (const double value : {3e-6, 2e-3, 2.0, 5e3, 7e6}) {
+      EXPECT_EQ(words::quantity(value, io::rotationalUnit(unit)), words::inRotationUnits(words::quantity(value, unit)));
+    }
+  }
 }
 
 }  // namespace

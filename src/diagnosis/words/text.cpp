@@ -30,6 +30,7 @@ const Display& displayOf(const std::string& unit, double size) {
       {"s", {{0.1, 1.0, "s"}, {0.0, 1e-3, "ms"}}},
       {"N s/m", {{1e3, 1e3, "kN s/m"}, {0.0, 1.0, "N s/m"}}},
       {"1/K", {{0.0, 0.01, "%/K"}}},
+      {"rad", {{1.0, 1.0, "rad"}, {1e-5, 1e-3, "mrad"}, {0.0, 1e-6, "µrad"}}},
       {"N m", {{1e3, 1e3, "kN m"}, {0.0, 1.0, "N m"}}},
       {"N m/rad", {{1e5, 1e6, "kN m/mrad"}, {0.0, 1e3, "N m/mrad"}}},
       {"N m s/rad", {{1e3, 1e3, "kN m s/rad"}, {0.0, 1.0, "N m s/rad"}}},
