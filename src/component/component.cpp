@@ -269,14 +269,24 @@ element::ComponentForce Component::startTestPiece(double displacement, Start kin
   return force;
 }
 
+// Displacement of a test piece of this force, which is at `before` when the step begins.
+template <class Force>
+double Component::solveSeries(Force force, double path, double before, double guess) const {
+  const double closed = solveSeriesBalance([&](double z) { return z + series_.deflection(force(z)) - path; }, guess);
+  if (!series_.hasContact()) {
+    return closed;
+  }
+  const double there = force(closed);
+  return series_.opensUnder(there) ? solveFreeLength(force, closed, there, before) : closed;
+}
+
 double Component::balanceAtStart(ComponentState& state, double displacement, Start kind) const {
-  return solveSeriesBalance(
+  return solveSeries(
       [&](double test_piece) {
         std::copy_n(state.memory_.begin(), trial_size_, state.trial_.memory.begin());
-        return test_piece + series_.deflection(startTestPiece(test_piece, kind, state.trial_.memory.data()).total) -
-               displacement;
+        return startTestPiece(test_piece, kind, state.trial_.memory.data()).total;
       },
-      displacement);
+      displacement, 0.0, displacement);
 }
 
 void Component::simulate(ComponentState& state, double dt, const double* displacement, std::size_t count,
@@ -398,10 +408,10 @@ void Component::applyDisplacementEffects(element::Motion* motion, Count count, d
   takeIncrements(motion, count, memory[behind_effects_slot_]);
 }
 
-// Displacement of the test piece behind the series compliance.
+// Displacement of the test piece behind what is in series.
 double Component::balance(ComponentState& state, const element::Motion& path) const {
   const double before = state.memory_[test_piece_slot_];
-  if (elements_.empty() && force_effects_.empty() && shifts_.empty()) {
+  if (elements_.empty() && force_effects_.empty() && shifts_.empty() && !series_.hasContact()) {
     return series_.solve(kernel_, path, before, state.memory_.data(), state.prepared_);
   }
   const double* const memory = state.memory_.data();
@@ -415,7 +425,7 @@ double Component::balance(ComponentState& state, const element::Motion& path) co
   }
   std::copy_n(memory, trial_size_, trial);
   const element::ComponentForce held = stepOf(elements_.begin(), nonlinear, {dt, before, 0.0}, trial);
-  return solveSeriesBalance(
+  return solveSeries(
       [&](double z) {
         std::copy_n(memory, trial_size_, trial);
         const element::Motion reduced{dt, z, z - before};
@@ -429,9 +439,9 @@ double Component::balance(ComponentState& state, const element::Motion& path) co
         scaleBy(force_effects_, {path.dt, z, reduced.increment}, trial, force);
         tried.displacement = z;
         tried.force = force;
-        return z + series_.deflection(force.total) - path.displacement;
+        return force.total;
       },
-      before + path.increment);
+      path.displacement, before, series_.hasContact() ? path.displacement : before + path.increment);
 }
 
 // The sum of F_i.

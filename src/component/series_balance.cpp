@@ -1,15 +1,27 @@
-// A compliance in series with the test piece, and the displacement that it leaves to it.
+// Compliances and contacts in series with the test piece, and the displacement that they leave to it.
 #include "rubber_suspension/component/series_balance.h"
+
+#include <cmath>
 
 #include "component/series_root.h"
 
 namespace rubber_suspension::component {
+namespace {
+
+// Adds a compliance, or notes that there is no end to it.
+void addSide(double compliance, double& sum, bool& opens) {
+  const bool finite = std::isfinite(compliance);
+  sum += finite ? compliance : 0.0;
+  opens = opens || !finite;
+}
+
+}  // namespace
 
 void SeriesBalance::add(const std::shared_ptr<const element::SeriesElement>& element) {
   empty_ = false;
   if (const auto compliance = element->compliance()) {
-    sides_.tension += compliance->tension;
-    sides_.compression += compliance->compression;
+    addSide(compliance->tension, sides_.tension, opens_in_tension_);
+    addSide(compliance->compression, sides_.compression, opens_in_compression_);
   } else {
     hardening_.push_back(element);
   }

@@ -1,6 +1,7 @@
-// The root of a series balance, for any test piece.
+// The roots of a series balance, for any test piece.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -63,6 +64,15 @@ double solveSeriesBalance(Mismatch mismatch, double guess, double least_slope = 
     return std::numeric_limits<double>::quiet_NaN();
   }
   return rootBetween(mismatch, {guess, at_guess}, {other, at_other});
+}
+
+/// Displacement of a test piece of this force where nothing holds it, next to one where its force has the wrong sign:
+/// the root of force(z). `before` is the displacement at the begin of the step, which the root lies about.
+template <class Force>
+double solveFreeLength(Force force, double wrong, double force_there, double before) {
+  constexpr double kLeast = 1e-12;  // [m]
+  const double stiffness = std::abs(force_there) / std::max(std::abs(wrong - before), kLeast);
+  return solveSeriesBalance([&](double z) { return force(z) / stiffness; }, wrong);
 }
 
 }  // namespace rubber_suspension::component

@@ -24,6 +24,7 @@
 #include "rubber_suspension/element/inertia.h"
 #include "rubber_suspension/element/inertia_track.h"
 #include "rubber_suspension/element/iwan.h"
+#include "rubber_suspension/element/lift_off.h"
 #include "rubber_suspension/element/maxwell.h"
 #include "rubber_suspension/element/maxwell_behind_play.h"
 #include "rubber_suspension/element/nonlinear_maxwell.h"
@@ -119,6 +120,7 @@ const std::vector<ElementType>& elementTypes() {
       transitionShiftType(),
       freePlayType(),
       seriesComplianceType(),
+      liftOffType(),
       timeDelayType(),
       inertiaType(),
       sensorGainType(),

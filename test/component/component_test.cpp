@@ -259,6 +259,74 @@ TEST(SeriesCompliance, OfOneSideYieldsThereAlone) {
   EXPECT_NEAR(both.step(of_both, 1e-3, -1e-3).total, -1e-3 / (1.0 / 3e6 + 1.0 / 6e6), 1e-9);
 }
 
+const element::ElementDescription kStrap{"lift_off", {{"side", {1.0}}}};
+
+TEST(LiftOff, CarriesOneSignOfForce) {
+  const component::Component strap({kSpring, kStrap});
+  const component::Component chevron({kSpring, kSeriesCompliance, {"lift_off", {{"side", {-1.0}}}}});
+  const double in_series = 1.0 / (1.0 / 3e6 + 1.0 / 3e7);
+  component::ComponentState pulled = strap.makeState();
+  component::ComponentState pushed = chevron.makeState();
+  constexpr double kRounding = 1e-9;  // [N], of forces of kN
+  for (const double z : {1e-3, -1e-3, 2e-3, -5e-3, 1e-6}) {
+    EXPECT_NEAR(strap.step(pulled, 1e-3, z).total, std::max(0.0, 3e6 * z), kRounding) << z;
+    EXPECT_NEAR(chevron.step(pushed, 1e-3, z).total, std::min(0.0, in_series * z), kRounding) << z;
+    EXPECT_NEAR(strap.initialise(pulled, z).total, std::max(0.0, 3e6 * z), kRounding) << z;
+    EXPECT_NEAR(chevron.initialise(pushed, z).total, std::min(0.0, in_series * z), kRounding) << z;
+  }
+  EXPECT_FALSE(strap.linear());
+}
+
+// Held until the Maxwell element is relaxed, then let go: the strap is too long by z_0 k_m/(k + k_m), and recovers at
+// the rate k/(tau (k + k_m)). Contact returns at the length that it has by then.
+TEST(LiftOff, RecoversWhileSlack) {
+  constexpr double kHeld = 1e-3;
+  constexpr double kSlack = 0.05;  // [s]
+  const component::Component strap({kSpring, kMaxwell, kStrap});
+  const double spring = kSpring.value("stiffness");
+  const double maxwell = kMaxwell.value("stiffness");
+  const double rate = 2.0 * element::kPi * kMaxwell.value("break_frequency");
+  component::ComponentState state = strap.makeState();
+  strap.step(state, 1.0, kHeld);
+  strap.step(state, 100.0, kHeld);
+  const double share = maxwell / (spring + maxwell);
+  constexpr double kQuick = 1e-9;  // [s]
+  constexpr int kSteps = 1000;
+  EXPECT_NEAR(strap.step(state, kQuick, 0.0).total, 0.0, 1e-9);
+  for (int i = 0; i < kSteps; ++i) {
+    EXPECT_NEAR(strap.step(state, kSlack / kSteps, -1e-4).total, 0.0, 1e-9);
+  }
+  const double length = kHeld * share * std::exp(-kSlack * rate * (1.0 - share));
+  component::ComponentState below = state;
+  EXPECT_NEAR(strap.step(below, kQuick, 0.99 * length).total, 0.0, 1e-9);
+  const double closed = 0.01 * length * (spring + maxwell);
+  EXPECT_NEAR(strap.step(state, kQuick, 1.01 * length).total, closed, 0.02 * closed);  // of steps of 1/1600 of the time
+}
+
+// The path is the test piece's own where the contact is closed, with all that a test piece can have.
+TEST(LiftOff, ChangesNothingWhileClosed) {
+  const element::ElementDescription softening{"stress_softening", {{"reduction", {0.3}}}};
+  std::vector<element::ElementDescription> laws = {kSpring, kMaxwell, kFriction, softening};
+  const component::Component glued(laws);
+  laws.push_back(kStrap);
+  const component::Component strap(laws);
+  component::ComponentState of_glued = glued.makeState();
+  component::ComponentState of_strap = strap.makeState();
+  int open = 0;
+  for (int i = 1; i <= 400; ++i) {
+    const double z = 6e-3 + sineAt(i, 100, 2e-3);
+    const double force = glued.step(of_glued, 1e-3, z).total;
+    ASSERT_GT(force, 0.0);
+    ASSERT_EQ(strap.step(of_strap, 1e-3, z).total, force) << i;
+  }
+  for (int i = 1; i <= 400; ++i) {
+    const double force = strap.step(of_strap, 1e-3, sineAt(i, 100, 2e-3)).total;
+    ASSERT_GE(force, -1e-8) << i;
+    open += force < 1e-8 ? 1 : 0;
+  }
+  EXPECT_GT(open, 200) << "half of the motion, and what friction and relaxation leave of the length";
+}
+
 // A stop that is never reached adds nothing, but is no law that the series balance has a closed form for.
 TEST(SeriesCompliance, IsSolvedAlikeWithAndWithoutOtherElements) {
   const element::ElementDescription idle{"bump_stop", {{"stiffness", {1e6}}, {"gap", {1.0}}}};

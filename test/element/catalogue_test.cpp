@@ -65,6 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"mount_side",
                 {"series_compliance", {{"stiffness", {1.0}}, {"side", {0.5}}}},
                 {"series_compliance.side", "0.5", "-1"}},
+        Refused{"contact_side", {"lift_off", {{"side", {0.0}}}}, {"lift_off.side", "1 (F > 0 only)"}},
         Refused{"closing_force",
                 {"series_compliance", {{"stiffness", {1.0}}, {"closing_force", {-2.0}}}},
                 {"series_compliance.closing_force", "-2", "at least 0"}},

@@ -155,6 +155,8 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"series_compliance", {{"stiffness", {3e7}}}},
       {"series_compliance", {{"stiffness", {1e7}}, {"side", {-1.0}}}},
       {"series_compliance", {{"stiffness", {1e7}}, {"closing_force", {2e3}}}},
+      {"lift_off", {{"side", {1.0}}}},
+      {"lift_off", {{"side", {-1.0}}, {"slack_stiffness", {1e6}}}},
       {"time_delay", {{"delay", {3.3e-3}}}},
       {"time_delay", {{"delay", {-2.5e-4}}}},
       {"inertia", {{"mass", {12.0}}}},
@@ -212,7 +214,7 @@ inline bool isElastic(const element::ElementDescription& description) {
 inline bool isExact(const element::ElementDescription& description) {
   const bool approximate =
       isOneOf(description,
-              {"self_heating", "series_compliance", "inertia", "free_play", "time_delay", "power_dashpot",
+              {"self_heating", "series_compliance", "lift_off", "inertia", "free_play", "time_delay", "power_dashpot",
                "position_dashpot", "thinning_dashpot", "power_dashpot_behind_play", "overstress", "nonlinear_maxwell",
                "variable_friction", "viscoplastic_friction", "residual", "dashpot_along_curve"});
   const bool softens_slowly = description.type == "stress_softening" &&

@@ -62,7 +62,8 @@ struct Tangent {
 };
 
 /// Displacement z -> force F:
-///   1. displacement path: delay, then free play, then series compliance, give the displacement of the test piece;
+///   1. displacement path: delay, then free play, then what is in series (compliance, contacts that open), give the
+///      displacement of the test piece;
 ///   2. test piece: F = sum of F_i over the elements in parallel;
 ///   3. softening and heating scale this force;
 ///   4. what belongs to the rig (inertia, offset, drift) is moved by z itself and adds to F.
@@ -174,6 +175,8 @@ class Component {
 
   element::ComponentForce start(ComponentState& state, double displacement, Start kind) const;
   element::ComponentForce startTestPiece(double displacement, Start kind, double* memory) const;
+  template <class Force>
+  double solveSeries(Force force, double path, double before, double guess) const;
   double balanceAtStart(ComponentState& state, double displacement, Start kind) const;
 
   element::ComponentForce stepAlongPath(ComponentState& state, double dt, double displacement) const;

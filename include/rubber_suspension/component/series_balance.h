@@ -1,4 +1,4 @@
-// A compliance in series with the test piece, and the displacement that it leaves to it. Throws nothing.
+// Compliances and contacts in series with the test piece, and the displacement that they leave to it. Throws nothing.
 #pragma once
 
 #include <memory>
@@ -18,17 +18,26 @@ class SeriesBalance {
   bool empty() const { return empty_; }
 
   /// True where u = F/K_s, alike to both sides.
-  bool linear() const { return hardening_.empty() && sides_.tension == sides_.compression; }
+  bool linear() const { return hardening_.empty() && sides_.tension == sides_.compression && !hasContact(); }
+
+  /// Whether a contact opens under a force of some sign, and nothing holds it then.
+  bool hasContact() const { return opens_in_tension_ || opens_in_compression_; }
+
+  /// Whether it does under this force [N].
+  bool opensUnder(double force) const {
+    return (force > 0.0 && opens_in_tension_) || (force < 0.0 && opens_in_compression_);
+  }
 
   /// 1/K_s [m/N], where it is linear; 0 without elements.
   double compliance() const { return sides_.tension; }
 
-  /// u [m] under a force [N].
+  /// u [m] under a force [N], of all but contacts that nothing holds.
   double deflection(double force) const;
 
   /// Displacement [m] of a test piece of basic laws alone at the end of a step of `path`, whose displacement [m] is
   /// that before the compliance; `start` is that of the test piece at the begin, `memory` and `prepared` are the
-  /// kernel's. In closed form where nothing hardens and a single friction, if any, keeps its direction.
+  /// kernel's. In closed form where nothing hardens and a single friction, if any, keeps its direction. Without
+  /// contacts that open.
   double solve(const kernel::BasicLawsKernel& laws, const element::Motion& path, double start, const double* memory,
                const kernel::PreparedStep& prepared) const {
     // The part linear in the displacement is summed up once, not for each trial.
@@ -66,6 +75,8 @@ class SeriesBalance {
   double sideCompliance(double force) const { return force > 0.0 ? sides_.tension : sides_.compression; }
 
   bool empty_ = true;
+  bool opens_in_tension_ = false;
+  bool opens_in_compression_ = false;
   element::SeriesElement::Compliance sides_{0.0, 0.0};  // sums over the elements that are linear to either side
   std::vector<std::shared_ptr<const element::SeriesElement>> hardening_;  // the others
 };

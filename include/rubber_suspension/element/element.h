@@ -146,7 +146,7 @@ class ForceEffect : public Element {
 /// Series compliance: an elastic law in series with the whole test piece, as a bracket or rig that yields.
 class SeriesElement : public Element {
  public:
-  /// Deflection per force [m/N].
+  /// Deflection per force [m/N]; infinite for a contact that opens.
   struct Compliance {
     double tension;      ///< for F > 0
     double compression;  ///< for F < 0
