@@ -108,6 +108,19 @@ TEST(CharacteristicTable, FrictionOnALinearSpringDoesNotFeelThePreload) {
   EXPECT_NEAR(table.rows[1].point.characteristics.loss_angle, angle, 1e-9);
 }
 
+// A strap swings about a preload as if it were glued; there is none of the other sign.
+TEST(CharacteristicTable, AStrapCarriesPreloadsOfOneSign) {
+  const component::Component strap({{"spring", {{"stiffness", {kLinear}}}}, {"lift_off", {{"side", {1.0}}}}});
+  const auto table = makeTable("strap", strap, {{1.0}, {1e-3}, {9e3}});
+  EXPECT_NEAR(table.rows[0].mean, 3e-3, 1e-12);
+  EXPECT_NEAR(table.rows[0].point.characteristics.stiffness, kLinear, 1e-9 * kLinear);
+  EXPECT_THAT(
+      [&] {
+        makeTable("strap", strap, {{1.0}, {1e-3}, {-9e3}});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(HasSubstr("preload: -9000 N")));
+}
+
 TEST(CharacteristicTable, RefusesAPreloadThatNothingCarries) {
   const component::Component dashpot({{"dashpot", {{"damping", {2e4}}}}});
   EXPECT_THAT(
