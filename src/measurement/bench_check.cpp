@@ -327,6 +327,22 @@ bool isOfAMotion(const log::Record& record, const DeadPart& dead) {
          kMore * deviationOfNoMotion(record.raw_displacement, record.force, dead);
 }
 
+// Whether a force that stands still is that of a slack contact: it has no less of that sign, and the displacement is
+// beyond all at which there is more.
+bool isOfASlackContact(const log::Record& record, const DeadPart& dead) {
+  constexpr double kStill = 0.01;  // of the range: twice what a part may have that stands still
+  const auto part = [&](const VectorXd& column) { return column.segment(dead.begin, dead.end - dead.begin); };
+  const double still = kStill * rangeOf(record.force);
+  const double slack = part(record.force).mean();
+  const auto isOfSide = [&](double side) {
+    const auto carries = side * (record.force.array() - slack) > still;
+    const double least = carries.select(side * record.displacement.array(), HUGE_VAL).minCoeff();
+    return (side * (record.force.array() - slack)).minCoeff() >= -still &&
+           (side * part(record.displacement).array()).maxCoeff() <= least;
+  };
+  return isOfSide(1.0) || isOfSide(-1.0);
+}
+
 // A channel that measured nothing, all along or in a part of the log.
 std::optional<RigFinding> constantFinding(const log::Record& record) {
   constexpr double kAsMuch = 0.5;   // of the force's deviation in the rest
@@ -342,7 +358,7 @@ std::optional<RigFinding> constantFinding(const log::Record& record) {
                                name, channel[0], is_force ? "N" : "m", name));
     }
     const DeadPart dead = deadPart(channel, other, is_force ? kFarther : kAsMuch);
-    if (dead.end > dead.begin && (is_force || isOfAMotion(record, dead))) {
+    if (dead.end > dead.begin && (is_force ? !isOfASlackContact(record, dead) : isOfAMotion(record, dead))) {
       const auto time = [&](Index sample) { return static_cast<double>(sample) * record.dt; };
       return fatal(
           record.name, finding::kConstant, time(dead.end - dead.begin),

@@ -283,6 +283,24 @@ TEST(BenchCheck, LeavesASpringThatLiftsOffToTheEffects) {
   EXPECT_TRUE(checkBench(kSpring, {record}).empty());
 }
 
+// Held slack, and moved while slack: the force is dead where the displacement is beyond all that carry any.
+TEST(BenchCheck, TakesNoLongSlackForADeadChannel) {
+  for (const double side : {1.0, -1.0}) {
+    for (const double swing : {0.0, 1.0}) {
+      log::Record record = sine(2.0, 1e6);
+      const Eigen::Index slack = record.size() / 2;
+      auto held = record.raw_displacement.tail(slack);
+      held = ((swing * held).array() - 1.1e-3 * side).eval();
+      record.displacement = record.raw_displacement;
+      record.force = 1e6 * side * (side * record.displacement).cwiseMax(0.0);
+      EXPECT_TRUE(checkBench(kSpring, {record}).empty()) << side << swing;
+      // Within the motion that carries, no contact is slack.
+      record.displacement.tail(slack) = record.raw_displacement.tail(slack) = record.raw_displacement.head(slack);
+      EXPECT_THAT(namesOf(checkBench(kSpring, {record})), ElementsAre(finding::kConstant)) << side << swing;
+    }
+  }
+}
+
 TEST(BenchCheck, NamesAChannelThatMeasuredNothing) {
   const log::Record whole = sine(2.0, 1e6, 0.1);
   for (const bool force : {true, false}) {
