@@ -8,6 +8,7 @@
 #include <string>
 
 #include "gap/simulate.h"
+#include "numerics/quantile.h"
 
 namespace rubber_suspension::fit {
 
@@ -29,6 +30,16 @@ void addTemperature(const std::vector<log::Record>& records, Excitation& result)
   for (const log::Record& record : records) {
     result.lowest_temperature = std::min(result.lowest_temperature, record.temperature.minCoeff());
     result.highest_temperature = std::max(result.highest_temperature, record.temperature.maxCoeff());
+  }
+}
+
+void addForces(const std::vector<log::Record>& records, Excitation& result) {
+  constexpr double kBeyond = 1e-3;
+  for (const log::Record& record : records) {
+    std::vector<double> force(record.force.begin(), record.force.end());
+    std::sort(force.begin(), force.end());
+    result.lowest_force = std::min(result.lowest_force, numerics::quantileOf(force, kBeyond));
+    result.highest_force = std::max(result.highest_force, numerics::quantileOf(force, 1.0 - kBeyond));
   }
 }
 
@@ -119,6 +130,7 @@ Excitation summarise(const std::vector<log::Record>& records) {
     displacement_power += (z.array() - z.mean()).square().sum();
   }
   result.stiffness = std::sqrt(force_power / displacement_power);
+  addForces(records, result);
   addTemperature(records, result);
   result.largest_radius = largestRadius(records);
   result.mass_bandwidth = massBandwidth(records, result.highest_frequency);

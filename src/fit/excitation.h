@@ -13,6 +13,8 @@ struct Excitation {
   double largest_displacement = 0.0;  ///< largest |z| [m]
   double stiffness = 0.0;             ///< force over displacement, by their standard deviations [N/m]
   double force = 0.0;                 ///< standard deviation of the force [N]
+  double lowest_force = 0.0;          ///< [N]; a thousandth of a log is beyond, as spikes are
+  double highest_force = 0.0;         ///< likewise
   double power = 0.0;                 ///< mean of |force x rate| [W]
   double highest_frequency = 0.0;     ///< [Hz]
   double mean_frequency = 0.0;        ///< of the fastest log (Record::mean_frequency) [Hz]

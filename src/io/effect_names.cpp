@@ -14,6 +14,7 @@ const std::vector<std::string>& effectNames() {
                                                  "free_play",
                                                  "friction",
                                                  "inertia",
+                                                 "lift_off",
                                                  "progressive_stiffness",
                                                  "radial_coupling",
                                                  "rate_amplitude_coupling",

@@ -187,18 +187,19 @@ TEST(Candidates, AreEnteredOnceEach) {
   std::set<std::string> names;
   for (const fit::Candidate& candidate : diagnosis::hypotheses::candidate::candidates(fit::summarise(records))) {
     EXPECT_TRUE(names.insert(candidate.effect).second) << candidate.effect;
-    // The logs have neither a temperature nor another displacement.
-    EXPECT_EQ(candidate.applies(), candidate.effect != "temperature" && candidate.effect != "radial_coupling")
+    // The logs have neither a temperature nor another displacement, and forces of both signs.
+    EXPECT_EQ(candidate.applies(), candidate.effect != "temperature" && candidate.effect != "radial_coupling" &&
+                                       candidate.effect != "lift_off")
         << candidate.effect;
     EXPECT_FALSE(candidate.documentation.empty()) << candidate.effect;
   }
   // The effects that reports may name, besides parameter_error and unknown.
   const std::set<std::string> contract = {
-      "friction",       "relaxation", "creep",        "viscous_damping",   "progressive_stiffness",
-      "free_play",      "bump_stop",  "self_heating", "stress_softening",  "asymmetric_stiffness",
-      "inertia",        "time_delay", "force_offset", "series_compliance", "rate_amplitude_coupling",
-      "force_drift",    "backlash",   "temperature",  "sensor_gain",       "fluid_inertia",
-      "radial_coupling"};
+      "friction",        "relaxation", "creep",        "viscous_damping",   "progressive_stiffness",
+      "free_play",       "bump_stop",  "self_heating", "stress_softening",  "asymmetric_stiffness",
+      "inertia",         "time_delay", "force_offset", "series_compliance", "rate_amplitude_coupling",
+      "force_drift",     "backlash",   "temperature",  "sensor_gain",       "fluid_inertia",
+      "radial_coupling", "lift_off"};
   EXPECT_EQ(names, contract);
   EXPECT_THAT(io::effectNames(), ::testing::ElementsAreArray(names)) << "that a component file may exclude";
 }
@@ -247,6 +248,7 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
   }
   EXPECT_EQ(contained, (std::set<std::pair<std::string, std::string>>{{"backlash", "friction"},
                                                                       {"fluid_inertia", "inertia"},
+                                                                      {"lift_off", "series_compliance"},
                                                                       {"rate_amplitude_coupling", "friction"},
                                                                       {"rate_amplitude_coupling", "relaxation"}}));
   const fit::Hypothesis both = fit::makeHypothesis(all, {backlash, coupling});

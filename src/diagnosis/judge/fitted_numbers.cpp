@@ -40,6 +40,7 @@ const JudgeNumbers& fittedNumbers() {
     fitted.rates["free_play"] = -0.0117;
     fitted.rates["friction"] = 0.512;
     fitted.rates["inertia"] = 0.491;
+    fitted.rates["lift_off"] = -0.31;
     fitted.rates["progressive_stiffness"] = 0.619;
     fitted.rates["radial_coupling"] = -5e-06;
     fitted.rates["rate_amplitude_coupling"] = -0.934;

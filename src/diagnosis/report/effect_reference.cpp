@@ -11,14 +11,15 @@
 namespace rubber_suspension::diagnosis::report {
 namespace {
 
-// A spring of 3 MN/m at 2 mm and up to 10 Hz for a minute, from 10 to 40 degC; which elements a candidate takes does
-// not depend on it.
+// A spring of 3 MN/m at 2 mm and up to 10 Hz for a minute, from 10 to 40 degC, in tension alone, as a contact that
+// opens is; which elements a candidate takes does not depend on the rest.
 fit::Excitation typicalExcitation() {
   fit::Excitation excitation;
   excitation.largest_displacement = 2e-3;
   excitation.largest_radius = 2e-3;
   excitation.stiffness = 3e6;
   excitation.force = 4e3;
+  excitation.highest_force = 6e3;
   excitation.power = 100.0;
   excitation.highest_frequency = 10.0;
   excitation.mean_frequency = 5.0;

@@ -158,6 +158,9 @@ class Resampling {
 
   // The part of a form error of this size that a fit takes for numbers of the law: all directions that they span alike.
   void addMistakes(Eigen::Index first, Eigen::Index size, double form_error) {
+    if (size == 0) {
+      return;  // a law without numbers, such as a contact that nothing holds
+    }
     const auto system = numerics::eigensystem(blocks_.sum.block(first, first, size, size));
     for (Eigen::Index i = 0; i < size; ++i) {
       if (system.values[i] > 1e-9 * system.values[size - 1]) {

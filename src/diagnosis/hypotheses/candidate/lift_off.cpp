@@ -1,0 +1,44 @@
+// Candidate effect: a contact that opens.
+#include "diagnosis/hypotheses/candidate/registry.h"
+
+namespace rubber_suspension::diagnosis::hypotheses::candidate {
+namespace {
+
+// The share of its force that a spring as stiff as the logs loses where the contact is open: all of it at 1.
+fit::BasisTerm contactTerm(const fit::Excitation& excitation, double side) {
+  fit::BasisTerm term;
+  term.at = [=, stiffness = excitation.stiffness](double share) {
+    element::ElementDescription entry{"lift_off", {{"side", {side}}}};
+    if (share < 1.0) {
+      entry.values["slack_stiffness"] = {stiffness * (1.0 - share) / share};
+    }
+    return entry;
+  };
+  term.typical = 0.5;
+  term.upper = 1.0;
+  term.additive = false;
+  return term;
+}
+
+// A contact that something holds is a compliance of one side. Logs with much force of both signs have none that opens.
+fit::Candidate liftOff(const fit::Excitation& excitation) {
+  constexpr double kMost = 0.5;  // of the force of the other sign: what a zero, and what still holds, leave of it
+  fit::Candidate candidate{
+      "lift_off",
+      "contact that carries one sign of force, as of a chevron, strap or spring that is not glued: "
+      "slack on the way back, no force beyond",
+      false,
+      {}};
+  candidate.contains = {"series_compliance"};
+  if (-excitation.lowest_force < kMost * excitation.highest_force) {
+    candidate.terms = {contactTerm(excitation, 1.0)};
+  } else if (excitation.highest_force < -kMost * excitation.lowest_force) {
+    candidate.terms = {contactTerm(excitation, -1.0)};
+  }
+  return candidate;
+}
+
+const CandidateEntry kLiftOffEntry(115, liftOff);
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis::hypotheses::candidate
