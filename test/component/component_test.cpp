@@ -327,6 +327,46 @@ TEST(LiftOff, ChangesNothingWhileClosed) {
   EXPECT_GT(open, 200) << "half of the motion, and what friction and relaxation leave of the length";
 }
 
+// A test piece of all that stores and loses, on a bracket: the work of the plate over random loops, each up to where it
+// may be slack and back. What a step gives may be off by the force's change over it, as the rule of trapezoids is.
+TEST(LiftOff, WithBranchesNeverGivesMoreEnergyThanItGot) {
+  constexpr int kParts = 200;
+  constexpr double kRounding = 1e-9;  // [N], of the root where the contact is open
+  for (const double side : {1.0, -1.0}) {
+    const component::Component held(
+        {kSpring, kMaxwell, kFastMaxwell, kFriction, kSeriesCompliance, {"lift_off", {{"side", {side}}}}});
+    component::ComponentState state = held.makeState();
+    std::mt19937 generator(side > 0.0 ? 1 : 2);
+    std::uniform_real_distribution<double> place(-4e-3, 4e-3);
+    std::uniform_real_distribution<double> decades(-3.0, 0.5);
+    double work = 0.0;
+    double uncertainty = 0.0;
+    double before = held.initialise(state, 0.0).total;
+    int open = 0;
+    int closed = 0;
+    const AllocationCounter counter;
+    for (int move = 0; move < 60; ++move) {
+      const double start = state.displacement();
+      const double end = move % 3 == 2 ? 0.0 : place(generator);
+      const double dt = std::pow(10.0, decades(generator)) / kParts;
+      for (int part = 1; part <= kParts; ++part) {
+        const double z = start + (end - start) * part / kParts;
+        const double increment = z - state.displacement();
+        const double force = held.step(state, dt, z).total;
+        ASSERT_GE(side * force, -kRounding) << "move " << move;
+        work += 0.5 * (before + force) * increment;
+        uncertainty += (0.5 * std::abs(force - before) + kRounding) * std::abs(increment);
+        ASSERT_GE(work, -uncertainty) << "move " << move;
+        ++(side * force < 1.0 ? open : closed);
+        before = force;
+      }
+    }
+    EXPECT_EQ(counter.count(), 0U);
+    EXPECT_GT(std::min(open, closed), 2000) << "of 12000 steps";
+    EXPECT_GT(work, uncertainty) << "friction and relaxation lose energy";
+  }
+}
+
 // A stop that is never reached adds nothing, but is no law that the series balance has a closed form for.
 TEST(SeriesCompliance, IsSolvedAlikeWithAndWithoutOtherElements) {
   const element::ElementDescription idle{"bump_stop", {{"stiffness", {1e6}}, {"gap", {1.0}}}};

@@ -225,6 +225,27 @@ TEST(Candidates, RadialCouplingNeedsAnotherDisplacement) {
   EXPECT_FALSE(offered(0.0, 0.01));
 }
 
+// Forces of one sign, or little of the other: then it has the terms of a compliance, too.
+TEST(Candidates, LiftOffNeedsForcesOfOneSign) {
+  for (const double side : {1.0, -1.0}) {
+    for (const double share : {0.0, 0.25, 0.9}) {
+      log::Log log = noisyLog(0.0);
+      for (double& force : log.force) {
+        force *= side * force > 0.0 ? 1.0 : share;
+      }
+      const auto all = diagnosis::hypotheses::candidate::candidates(fit::summarise({log::makeRecord(log)}));
+      const auto found = std::find_if(all.begin(), all.end(), [](const auto& c) { return c.effect == "lift_off"; });
+      ASSERT_NE(found, all.end());
+      const fit::Hypothesis alone = fit::makeHypothesis(all, {static_cast<int>(found - all.begin())});
+      EXPECT_EQ(found->applies(), share < 0.5) << side << " " << share;
+      EXPECT_EQ(alone.held.size(), found->terms.size()) << side << " " << share;
+      for (const fit::BasisTerm& term : found->terms) {
+        EXPECT_EQ(term.at(1.0).value("side"), side);
+      }
+    }
+  }
+}
+
 // The table of laws that have others as a limit: they have their terms, once each, and their further numbers count.
 TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
   const std::vector<fit::Candidate> all =
@@ -248,7 +269,6 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
   }
   EXPECT_EQ(contained, (std::set<std::pair<std::string, std::string>>{{"backlash", "friction"},
                                                                       {"fluid_inertia", "inertia"},
-                                                                      {"lift_off", "series_compliance"},
                                                                       {"rate_amplitude_coupling", "friction"},
                                                                       {"rate_amplitude_coupling", "relaxation"}}));
   const fit::Hypothesis both = fit::makeHypothesis(all, {backlash, coupling});

@@ -1,10 +1,11 @@
-// A strap that goes slack is told, and none is where nothing does.
+// A strap that goes slack is told, with the force that it carries, and none is where nothing goes slack.
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "diagnosis/rig.h"
@@ -13,41 +14,80 @@
 namespace rubber_suspension {
 namespace {
 
-/// The rig's component as a strap: while slack, the rate of its length is what relaxes, by Euler steps of a hundredth
-/// of a sample.
-log::Log strapLog(unsigned seed) {
+constexpr double kNoise = 20.0;  // [N]
+
+double glued(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
+
+/// The rig's component as a strap (side 1) or a chevron (-1): while slack, the rate of its length is what relaxes, by
+/// Euler steps of a hundredth of a sample.
+log::Log unglued(log::Log log, double side) {
   constexpr int kParts = 100;
-  constexpr double kNoise = 20.0;
-  log::Log log = runRig(
-      "log " + std::to_string(seed), seed, [](double, double, double) { return 0.0; }, 0.0);
   const auto elements = rigComponent().allElements();
   const double spring = elements[0].value("stiffness");
   const double relaxing = elements[1].value("stiffness");
   const double rate = 2.0 * element::kPi * elements[1].value("break_frequency");
-  std::mt19937 generator(seed + 100);
+  std::mt19937 generator(static_cast<unsigned>(log.size()));
   std::normal_distribution<double> noise(0.0, kNoise);
-  double length = std::max(0.0, log.displacement.front());  // of the strap under its force
-  double relaxed = length;                                  // what the dashpot has moved
+  double length = std::max(0.0, side * log.displacement.front());  // of the strap under its force
+  double relaxed = length;                                         // what the dashpot has moved
   for (std::size_t i = 0; i < log.size(); ++i) {
     const double from = log.displacement[i == 0 ? 0 : i - 1];
     const double dt = (i == 0 ? 0.0 : log.time(i) - log.time(i - 1)) / kParts;
     for (int part = 1; part <= kParts; ++part) {
-      const double plate = from + (log.displacement[i] - from) * part / kParts;
+      const double plate = side * (from + (log.displacement[i] - from) * part / kParts);
       relaxed += dt * rate * (length - relaxed);
       length = std::max(plate, relaxing * relaxed / (spring + relaxing));
     }
-    log.force[i] = spring * length + relaxing * (length - relaxed) + noise(generator);
+    log.force[i] = side * (spring * length + relaxing * (length - relaxed)) + noise(generator);
   }
   return log;
 }
 
+/// Ramps at three rates to 2 mm of one side and back, a log for each rate.
+std::vector<log::Log> rampLogs(double side, const RigEffect& effect) {
+  constexpr double kReach = 2e-3;
+  std::vector<log::Log> logs;
+  for (const double speed : {2e-2, 5e-3, 1e-3}) {
+    std::mt19937 generator(static_cast<unsigned>(logs.size()));
+    const auto motion = [&](double time) {
+      const double period = 2.0 * kReach / speed;
+      const double phase = time / period - std::floor(time / period);
+      const double up = phase < 0.5 ? 1.0 : -1.0;
+      return std::make_pair(side * kReach * (1.0 - std::abs(1.0 - 2.0 * phase)), side * up * speed);
+    };
+    logs.push_back(runMotion("ramps " + std::to_string(logs.size()), generator, motion, effect, kNoise, 0.004));
+  }
+  return logs;
+}
+
 TEST(LiftOff, OfAStrapIsTold) {
-  const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), {strapLog(1), strapLog(2)}, {});
+  const std::vector<log::Log> logs = {unglued(runRig("one", 1, glued), 1.0), unglued(runRig("two", 2, glued), 1.0)};
+  const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), logs, {});
   ASSERT_THAT(result.effects, testing::ElementsAre("lift_off")) << result.sentence;
   ASSERT_EQ(result.augmented.add.size(), 1U);
   EXPECT_EQ(result.augmented.add.front().type, "lift_off");
   EXPECT_EQ(result.augmented.add.front().value("side"), 1.0);
   EXPECT_LT(result.gap.augmented, 1.2 * result.gap.noise_floor);
+}
+
+TEST(LiftOff, OnRampsIsToldWithTheSideThatItCarries) {
+  for (const auto& [side, carries] : {std::pair(1.0, "tension"), std::pair(-1.0, "compression")}) {
+    std::vector<log::Log> logs = rampLogs(side, glued);
+    for (log::Log& log : logs) {
+      log = unglued(std::move(log), side);
+    }
+    const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), logs, {});
+    EXPECT_THAT(result.effects, testing::ElementsAre("lift_off")) << result.sentence;
+    EXPECT_THAT(result.sentence, testing::HasSubstr(std::string("carries ") + carries + " alone"));
+    EXPECT_LT(result.gap.augmented, 1.2 * result.gap.noise_floor) << result.sentence;
+  }
+}
+
+// On the same ramps, with force of one sign for the most part.
+TEST(LiftOff, IsNotToldOfFriction) {
+  const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), rampLogs(1.0, rigFriction()), {});
+  EXPECT_THAT(result.effects, testing::Contains("friction")) << result.sentence;
+  EXPECT_THAT(result.effects, testing::Not(testing::Contains("lift_off"))) << result.sentence;
 }
 
 // A stop of one side makes the forces of the other the smaller ones, as an open contact does.

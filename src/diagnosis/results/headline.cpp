@@ -148,6 +148,16 @@ std::vector<HeadlineValue> compliancesOf(const std::vector<element::ElementDescr
   return result;
 }
 
+// The side on which a contact is slack says as much as what holds it there, mostly nothing.
+std::vector<HeadlineValue> contactsOf(const std::vector<element::ElementDescription>& group) {
+  std::vector<HeadlineValue> result;
+  for (const element::ElementDescription& entry : group) {
+    result.push_back({entry.value("side") > 0.0 ? "slack_stiffness_in_compression" : "slack_stiffness_in_tension",
+                      "N/m", valueOr(entry, "slack_stiffness", 0.0), false});
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDescription>& entries) {
@@ -161,6 +171,7 @@ std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDe
                         : isStop(group.front())             ? stopsOf(group)
                         : followsTemperature(group.front()) ? changesWithTemperature(group)
                         : name == "series_compliance"       ? compliancesOf(group)
+                        : name == "lift_off"                ? contactsOf(group)
                                                             : movedOf(group);
     for (HeadlineValue value : values) {
       const bool taken = std::any_of(result.begin(), result.end(), [&](const auto& v) { return v.name == value.name; });

@@ -60,8 +60,9 @@ HOPELESS = ({"relaxation", "creep"}, {"relaxation", "series_compliance"}, {"visc
             {"relaxation", "viscous_damping"}, {"creep", "force_drift"}, {"force_offset", "asymmetric_stiffness"},
             {"creep", "series_compliance"}, {"force_offset", "force_drift"}, {"progressive_stiffness", "bump_stop"},
             {"friction", "backlash"}, {"inertia", "fluid_inertia"})  # one contains the other
-# Coupling is what is left where no two effects explain the gap, so it is in no pair.
-PAIRED = [effect for effect in laws.EFFECTS if effect != "rate_amplitude_coupling"]
+# Coupling is what is left where no two effects explain the gap, and a contact opens on programmes of its own.
+ALONE = ("rate_amplitude_coupling", "lift_off")
+PAIRED = [effect for effect in laws.EFFECTS if effect not in ALONE]
 
 
 def plan(case_set, cases, seed):
@@ -144,6 +145,8 @@ def draw_model(rng, effects):
         weights = [0.7, 2.0, 5, 1.0, 0]
     if "series_compliance" in effects:
         weights = [1.5, 1.0, 0.5, 5, 0]
+    if "lift_off" in effects:
+        weights[4] = 0  # as behind a compliance
     if "friction" in effects:
         weights[3] = 0
     if "viscous_damping" in effects:
@@ -179,6 +182,13 @@ def draw_logs(rng, amplitude, layout):
     if repeat is not None:
         z[repeat[1]] = z[repeat[0]].copy()
     return z, kinds, held, programme, repeat, rig
+
+
+def loaded_to_one_side(rng, z, amplitude, rate):
+    """The programme about a preload of its own in each log, all of one sign, without which no contact stays closed."""
+    side = rng.choice([-1.0, 1.0])
+    rise = 0.5 - 0.5 * np.cos(np.pi * np.minimum(np.arange(max(len(x) for x in z)) / rate, 1.0))
+    return [x + side * amplitude * rng.uniform(0.4, 0.9) * rise[:len(x)] for x in z]
 
 
 # ---- the whole case --------------------------------------------------------------------------------------------------
@@ -235,6 +245,8 @@ def arrange(rng, effect_names, recipe, layout):
     model, specification, base, amplitude = recipe.draw_component(rng, effect_names, layout.pace)
     z, kinds, held, programme, repeat, actuator = draw_logs(rng, amplitude, layout)
     rate = layout.rate * FINE
+    if "lift_off" in effect_names:
+        z = loaded_to_one_side(rng, z, amplitude, rate / layout.pace)
     ruler = Ruler(Rig(base, z[:layout.seen], rate, []), FINE)
     scale = scale_of(z, rate, specification.get("dynamic_stiffness", base.highest_stiffness), ruler.reference,
                      actuator.top_frequency * layout.pace, layout)
@@ -243,12 +255,19 @@ def arrange(rng, effect_names, recipe, layout):
     ruler.rig.effects = rig.effects
     strengths, single = {}, {}
     for effect, share in zip(effects, shares_of(rng, len(effects))):
-        strengths[id(effect)], single[effect.name] = ruler.strength_for(effect, recipe.wanted * share,
-                                                                        recipe.by_visible)
+        strengths[id(effect)], single[effect.name] = strength_of(ruler, effect, recipe.wanted * share,
+                                                                 recipe.by_visible)
     full, visible = ruler.gaps(strengths) if effects else (0.0, 0.0)
     return {"model": model, "specification": specification, "base": base, "z": z, "kinds": kinds + held,
             "programme": programme, "repeat": repeat, "actuator": actuator, "rig": rig, "effects": effects,
             "strengths": strengths, "single": single, "full": full, "visible": visible, "scale": scale}
+
+
+def strength_of(ruler, effect, wanted, by_visible):
+    """As the ruler finds it, but nothing holds a contact that opens: with less than all of it, it is a compliance."""
+    if effect.stage == "contact":
+        return effect.strongest, ruler.gaps({id(effect): effect.strongest})
+    return ruler.strength_for(effect, wanted, by_visible)
 
 
 def scale_of(z, rate, stiffness, force, top_frequency, layout):
@@ -258,7 +277,8 @@ def scale_of(z, rate, stiffness, force, top_frequency, layout):
     return Scale(stiffness=stiffness, amplitude=max(peaks), least_amplitude=min(peaks),
                  speed=float(np.sqrt(np.mean([np.mean((np.gradient(x) * rate) ** 2) for x in seen]))),
                  force=float(np.mean([np.std(f) for f in force])), top_frequency=top_frequency,
-                 training=layout.training, lengths=[len(x) for x in z], rate=rate)
+                 training=layout.training, lengths=[len(x) for x in z], rate=rate,
+                 side=-1.0 if sum(float(np.mean(x)) for x in seen) < 0.0 else 1.0)
 
 
 def shares_of(rng, count):

@@ -4,9 +4,9 @@
 import dataclasses
 from typing import Callable
 
-# Order in which the stages act. Displacement: delay -> mount -> play -> specimen (base + parallel) -> factor;
+# Order in which the stages act. Displacement: delay -> mount -> contact -> play -> specimen (base + parallel) -> factor;
 # then what is added on the rig, then what the force transducer and its filter do.
-STAGES = ("displacement", "mount", "play", "parallel", "factor", "added", "transducer")
+STAGES = ("displacement", "mount", "contact", "play", "parallel", "factor", "added", "transducer")
 
 
 @dataclasses.dataclass
@@ -18,6 +18,7 @@ class Effect:
     stage: one of STAGES. By stage, `function` is called with
       displacement, play: (z, rate, strength) -> z            lists over the logs
       mount:              (force, strength) -> displacement of the mount, one log
+      contact:            (z, inner, force, strength) -> the inner displacement closer to balance, one log
       parallel, added:    (z, rate) -> force share at strength 1, a list over the logs
       factor:             (z, elastic, rest, rate, strength) -> force, lists over the logs
       transducer:         (force, rate, strength) -> force, a list over the logs
@@ -50,3 +51,4 @@ class Scale:
     training: int           # the first logs, recorded one after the other on one specimen
     lengths: list           # samples of each log on the fine grid
     rate: float             # of the fine grid
+    side: float = 1.0       # the sign of the force that the programme asks for, where it has one

@@ -23,10 +23,10 @@ MODELS = ("kelvin_voigt", "maxwell", "maxwell_dashpot", "friction", "friction_da
           "elements")
 BENCH = ("running_start", "zeros", "spikes", "pink", "gain")
 DASHPOTS = ("kelvin_voigt", "maxwell_dashpot", "friction_dashpot")
-# A model that has the law already cannot lack it. Behind a series compliance, the force of a dashpot is not found by
-# iteration on a fine grid.
+# A model that has the law already cannot lack it. Behind a series compliance or a contact, the force of a dashpot is
+# not found by iteration on a fine grid.
 UNSUITED = {"friction": ("friction", "friction_dashpot", "berg"), "relaxation": ("multi_maxwell",),
-            "viscous_damping": DASHPOTS, "series_compliance": DASHPOTS}
+            "viscous_damping": DASHPOTS, "series_compliance": DASHPOTS, "lift_off": DASHPOTS}
 # Effects that show only where logs differ.
 NEEDS_LOGS = {"sensor_gain": 3, "temperature": 2}
 HOPELESS = case.HOPELESS + ({"sensor_gain", "temperature"}, {"sensor_gain", "force_offset"},
@@ -99,8 +99,7 @@ def plan_case(decks, kind, benched):
 
 def can_join(effect, effects, count):
     """Whether logs could tell the effect from those that are there already, of `count` in all."""
-    # Coupling is what is left where no two effects explain the gap, so it is in no pair.
-    alone = count > 1 and effect == "rate_amplitude_coupling"
+    alone = count > 1 and effect in case.ALONE
     return effect not in effects and not alone and not any(h <= {effect, *effects} for h in HOPELESS)
 
 
@@ -170,7 +169,7 @@ def draw_elements(rng, effects, pace):
     count = int(rng.integers(0, 2 if "relaxation" in effects else 3))
     component = bases.Base(k0, [k0 * log_uniform(rng, 0.1, 0.6) for _ in range(count)],
                            [1.0 / (2.0 * math.pi * pace * log_uniform(rng, 0.3, 30.0)) for _ in range(count)])
-    if not {"viscous_damping", "series_compliance"} & set(effects) and rng.random() < 0.4:
+    if not {"viscous_damping", "series_compliance", "lift_off"} & set(effects) and rng.random() < 0.4:
         component.c0 = k0 * rng.uniform(0.02, 0.1) / (2.0 * math.pi * 6.0 * pace)
     if "friction" not in effects and rng.random() < 0.4:
         component.friction_z2 = amplitude * log_uniform(rng, 0.05, 0.4)

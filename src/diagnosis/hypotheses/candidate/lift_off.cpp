@@ -20,20 +20,26 @@ fit::BasisTerm contactTerm(const fit::Excitation& excitation, double side) {
   return term;
 }
 
-// A contact that something holds is a compliance of one side. Logs with much force of both signs have none that opens.
-fit::Candidate liftOff(const fit::Excitation& excitation) {
+// The sign of the force that a contact may carry in these logs; 0: they have much of both, so that none opens.
+double sideOf(const fit::Excitation& excitation) {
   constexpr double kMost = 0.5;  // of the force of the other sign: what a zero, and what still holds, leave of it
+  return -excitation.lowest_force < kMost * excitation.highest_force   ? 1.0
+         : excitation.highest_force < -kMost * excitation.lowest_force ? -1.0
+                                                                       : 0.0;
+}
+
+// A contact that something holds is a compliance of one side.
+fit::Candidate liftOff(const fit::Excitation& excitation) {
   fit::Candidate candidate{
       "lift_off",
       "contact that carries one sign of force, as of a chevron, strap or spring that is not glued: "
       "slack on the way back, no force beyond",
       false,
       {}};
-  candidate.contains = {"series_compliance"};
-  if (-excitation.lowest_force < kMost * excitation.highest_force) {
-    candidate.terms = {contactTerm(excitation, 1.0)};
-  } else if (excitation.highest_force < -kMost * excitation.lowest_force) {
-    candidate.terms = {contactTerm(excitation, -1.0)};
+  const double side = sideOf(excitation);
+  if (side != 0.0) {
+    candidate.terms = {contactTerm(excitation, side)};
+    candidate.contains = {"series_compliance"};
   }
   return candidate;
 }

@@ -1,12 +1,12 @@
-# Sealed laws of what the rig adds between actuator and log: compliance, mass, delay, offset, drift.
+# Sealed laws of what the rig adds between actuator and log: compliance, contact, mass, delay, offset, drift.
 # They act at the same stages as those of virtual_rig/laws.py.
-"""Series compliance, inertia, delay, offset, drift."""
+"""Series compliance, contact, inertia, delay, offset, drift."""
 import math
 
 import numpy as np
 from scipy.signal import lfilter
 
-from ..laws import Effect, added_logs, each, filtered, unit
+from ..laws import Effect, added_logs, contact_effect, each, filtered, unit
 from .registry import angular, law, span
 
 
@@ -32,6 +32,16 @@ def opening_flange(rng, scale, name, law_name):
         opened = 0.05 * np.logaddexp(0.0, np.clip(x / 0.05, -60.0, None))
         return s * (f / scale.stiffness + side * e * scale.amplitude * opened)
     return Effect(name, law_name, "mount", bend, 0.45, {"e": e, "preload": preload, "side": side})
+
+
+@law("lift_off", "peeled_lip")
+def peeled_lip(rng, scale, name, law_name):
+    """A tacky lip peels: it lets go over a short way, along a parabola, and then of all."""
+    w = scale.amplitude * rng.uniform(0.01, 0.06)
+
+    def larger(a, b):
+        return np.maximum(a, b) + np.maximum(w - np.abs(a - b), 0.0) ** 2 / (4.0 * w)
+    return contact_effect(name, law_name, scale, larger, {"way": w})
 
 
 @law("inertia", "lever")
