@@ -54,29 +54,28 @@ struct ChangeTexts {
   std::string noise;
 };
 
-// What the name leaves open. A resonance of the fixture has the transfer function of a column of fluid: only the
-// component file tells one from the other. A contact carries one sign of force.
-std::string readingOf(const Diagnosis& diagnosis, const std::string& effect) {
-  if (effect == "fluid_inertia" && !diagnosis.configured.holds_fluid) {
-    return "a fluid track, or a mass on a spring such as the fixture";
-  }
+// The sign of force that a contact carries; of other effects nothing.
+std::vector<std::string> carriedText(const Diagnosis& diagnosis, const std::string& effect) {
   const auto& added = diagnosis.augmented.add;
   const auto contact = std::find_if(added.begin(), added.end(), [&](const element::ElementDescription& entry) {
     return entry.type == "lift_off" && entry.type == effect;
   });
-  return contact == added.end()         ? ""
-         : contact->value("side") > 0.0 ? "carries tension alone"
-                                        : "carries compression alone";
+  if (contact == added.end()) {
+    return {};
+  }
+  return {contact->value("side") > 0.0 ? "carries tension alone" : "carries compression alone"};
 }
 
 // "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers. Of those without a
-// unit only how much there is of the law: a width or an exponent tells nobody anything.
+// unit only how much there is of the law: a width or an exponent tells nobody anything. A resonance of the fixture has
+// the transfer function of a column of fluid: only the component file tells one from the other.
 std::string effectsText(const Diagnosis& diagnosis) {
   constexpr std::size_t kMost = 4;  // a gap and a stiffness of each of two stops
   std::vector<std::string> texts;
   for (const std::string& effect : diagnosis.effects) {
-    const std::string reading = readingOf(diagnosis, effect);
-    std::vector<std::string> sizes;
+    const bool either = effect == "fluid_inertia" && !diagnosis.configured.holds_fluid;
+    const char* const readings = either ? "a fluid track, or a mass on a spring such as the fixture" : "";
+    std::vector<std::string> sizes = carriedText(diagnosis, effect);
     for (const SizedValue& size : diagnosis.effect_sizes) {
       const bool tells = size.unit != "1" || sizes.empty();
       if (size.owner == effect && tells && !isAtBound(size) && sizes.size() < kMost) {
@@ -84,7 +83,7 @@ std::string effectsText(const Diagnosis& diagnosis) {
       }
     }
     const std::string inside =
-        fmt::format("{}{}{}", reading, reading.empty() || sizes.empty() ? "" : ": ", fmt::join(sizes, ", "));
+        fmt::format("{}{}{}", readings, either && !sizes.empty() ? ": " : "", fmt::join(sizes, ", "));
     texts.push_back(inside.empty() ? effect : fmt::format("{} ({})", effect, inside));
   }
   return enumerated(texts);
