@@ -571,8 +571,8 @@ def series_uneven(rng, scale, name, law_name):
                   0.45, {"unevenness": e})
 
 
-def contact_effect(name, law_name, scale, larger, parameters):
-    """A seat that is not glued, in series with the specimen: `larger(a, b)` is their maximum, rounded by the seat.
+def contact_effect(name, law_name, scale, opening, width, parameters):
+    """A seat that is not glued, in series with the specimen: `opening(x, width)` is x above 0, rounded by the seat.
 
     Where it is open a guide holds the specimen, less so the stronger the effect: at strength 1 nothing does. The law of
     the seat is where its step leads nowhere: with an exact maximum, force >= 0, opening >= 0, one of them 0.
@@ -581,7 +581,7 @@ def contact_effect(name, law_name, scale, larger, parameters):
         guide = scale.stiffness * (1.0 / s - 1.0)
         ahead = force + guide * (inner - z)
         step = ahead / (2.0 * scale.stiffness + guide)  # as stiff as the specimen is in no direction
-        return z + scale.side * larger(0.0, scale.side * (inner - step - z))
+        return z + scale.side * opening(scale.side * (inner - step - z), s * width)
     return Effect(name, law_name, "contact", run, 1.0, dict(parameters, side=scale.side))
 
 
@@ -589,14 +589,14 @@ def contact_effect(name, law_name, scale, larger, parameters):
 def contact_rough(rng, scale, name, law_name):
     """Rough faces that lose touch by and by: the opening grows with the logarithm of the force (Greenwood)."""
     w = scale.amplitude * log_uniform(rng, 0.002, 0.02)
-    return contact_effect(name, law_name, scale, lambda a, b: w * np.logaddexp(a / w, b / w), {"roughness": w})
+    return contact_effect(name, law_name, scale, lambda x, w: w * np.logaddexp(0.0, x / w), w, {"roughness": w})
 
 
 @law("lift_off", "cushioned_seat", test_only=True)
 def contact_cushioned(rng, scale, name, law_name):
     """Air below the lip: force times opening is constant (Boyle)."""
     w = scale.amplitude * log_uniform(rng, 0.005, 0.05)
-    return contact_effect(name, law_name, scale, lambda a, b: 0.5 * (a + b + np.hypot(a - b, w)), {"cushion": w})
+    return contact_effect(name, law_name, scale, lambda x, w: 0.5 * (x + np.hypot(x, w)), w, {"cushion": w})
 
 
 @law("inertia", "rigid_mass")

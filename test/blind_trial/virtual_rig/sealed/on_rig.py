@@ -37,11 +37,11 @@ def opening_flange(rng, scale, name, law_name):
 @law("lift_off", "peeled_lip")
 def peeled_lip(rng, scale, name, law_name):
     """A tacky lip peels: it lets go over a short way, along a parabola, and then of all."""
-    w = scale.amplitude * rng.uniform(0.01, 0.06)
+    way = scale.amplitude * rng.uniform(0.01, 0.06)
 
-    def larger(a, b):
-        return np.maximum(a, b) + np.maximum(w - np.abs(a - b), 0.0) ** 2 / (4.0 * w)
-    return contact_effect(name, law_name, scale, larger, {"way": w})
+    def opening(x, w):
+        return np.maximum(x, 0.0) + np.maximum(w - np.abs(x), 0.0) ** 2 / (4.0 * w)
+    return contact_effect(name, law_name, scale, opening, way, {"way": way})
 
 
 @law("inertia", "lever")
