@@ -1,6 +1,7 @@
 # A very small blind trial with its calibration, from nothing to figures through `campaign`.
 # as_campaign_test.py FOLDER: that of the commands `campaign` and `judge_again`.
 """Tests of the blind trial as a campaign."""
+import filecmp
 import json
 import os
 import re
@@ -13,7 +14,10 @@ from unittest import mock
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
+import numpy as np  # noqa: E402
+
 import as_campaign  # noqa: E402
+import wrong_sheets  # noqa: E402
 
 SIZE = as_campaign.SIZES["tiny"]
 SETS = (*as_campaign.CALIBRATED_ON, *as_campaign.JUDGED_BY[1])
@@ -114,6 +118,34 @@ class Trial2Test(unittest.TestCase):
         for case in result["by_case"]:
             self.assertGreater(case["further"]["re_estimated"], 0.0)
             self.assertIsNot(case["further"]["same_re_estimated"], False)
+
+
+class WrongSheetsTest(unittest.TestCase):
+    """One bench of each model whose sheet is wrong."""
+
+    def write(self, folder):
+        cases = os.path.join(folder, "cases")
+        subprocess.run([os.path.join(HERE, "wrong_sheets.py"), cases, "--cases", "4", "--replay",
+                        os.path.join(TrialTest.programs, "replay")], check=True, capture_output=True)
+        return [os.path.join(cases, name) for name in sorted(os.listdir(cases))]
+
+    def test_lack_nothing_that_the_sheet_could_not(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for case in self.write(folder):
+                for name in ("sines", "road"):
+                    measured = np.loadtxt(os.path.join(case, name + ".csv"), delimiter=",", skiprows=1)[:, 2]
+                    force = os.path.join(folder, "force.csv")
+                    subprocess.run([os.path.join(TrialTest.programs, "replay"), "--config", case + "/component.yaml", "--log",
+                                    f"{case}/{name}.csv", "--output", force, "--force"], check=True, capture_output=True)
+                    simulated = np.loadtxt(force, delimiter=",", skiprows=1)[:, -1]
+                    gap = np.std(measured - simulated) / np.std(measured)
+                    self.assertGreater(gap, wrong_sheets.NOISE)  # the sheet is wrong,
+                    self.assertLess(gap, 4.0 * wrong_sheets.OFF["static_stiffness"])  # by what sheets are off
+
+    def test_are_the_same_of_the_same_seed(self):
+        with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as other:
+            for first, second in zip(self.write(one), self.write(other)):
+                self.assertEqual(filecmp.cmpfiles(first, second, os.listdir(first), shallow=False)[1:], ([], []))
 
 
 if __name__ == "__main__":

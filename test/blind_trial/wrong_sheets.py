@@ -1,0 +1,123 @@
+#!/usr/bin/python3
+# Benches that lack nothing: each component is exactly its model, and only its data sheet is wrong. With --gain, the
+# force sensor has a wrong gain besides, and the sheet is off by less.
+"""Cases of wrong data sheets. Usage: wrong_sheets.py OUTPUT --replay PATH [--cases 60] [--seed 21] [--gain] [--jobs 1]
+
+Cases and labels as generate.py writes them, for run.py and judge_again.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import subprocess
+
+import numpy as np
+
+RATE = 500.0
+TIME = np.arange(0.0, 20.0, 1.0 / RATE)
+# The rubber: of each model the numbers of its true data sheet.
+STIFFNESSES = {"static_stiffness": 0.95e6, "dynamic_stiffness": 1.3e6}
+OPERATING_POINT = {"nominal_frequency": 5.0, "nominal_amplitude": 1e-3}
+MODELS = {
+    "multi_maxwell": {**STIFFNESSES, "maximum_stiffness": 1.45e6, "high_frequency": 24.0},
+    "multi_maxwell of 3": {**STIFFNESSES, "maximum_stiffness": 1.45e6, "high_frequency": 24.0},
+    "maxwell": {**STIFFNESSES, "maximum_stiffness": 1.45e6},
+    "maxwell_dashpot": {**STIFFNESSES, "break_frequency": 8.0, "relative_damping": 0.27},
+}
+# Standard deviations of a sheet. Its operating point, and the damping that a person reads off a loop, are as they are.
+OFF = {"static_stiffness": 0.1, "dynamic_stiffness": 0.1, "maximum_stiffness": 0.1, "high_frequency": 0.05}
+OFF_BESIDE_GAIN = 0.3  # of these, where the gain is wrong
+GAINS = (1.03, 1.5)  # or their inverses
+NOISE, ZERO, JITTER = 0.005, 0.01, 0.5e-6  # of the force's RMS; the same; of the displacement [m]
+
+
+def write_component(path, model, values):
+    name, _, elements = model.partition(" of ")
+    lines = ["components:", "  bush:", f"    model: {name}", "    specification:"]
+    lines += [f"      {key}: {value:.6g}" for key, value in {**values, **OPERATING_POINT}.items()]
+    lines += [f"      maxwell_elements: {elements}"] if elements else []
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+def motions(rng):
+    """Displacements [m]; the last is held out."""
+    fade = np.clip(np.minimum(TIME, TIME[-1] - TIME) / 0.5, 0.0, 1.0)
+    tones = zip((1.2, 0.8, 0.5, 0.3), (0.5, 2.1, 5.3, 11.0), rng.uniform(0.0, 2.0 * np.pi, 4))
+    sines = sum(a * np.sin(2.0 * np.pi * f * TIME + phase) for a, f, phase in tones)
+    sweep = 0.9 * np.sin(2.0 * np.pi * np.cumsum(np.geomspace(0.2, 18.0, TIME.size)) / RATE)
+    hold = np.interp(TIME, [0, 1, 8, 8.5, 14, 15, 20], [0, 2, 2, -1.5, -1.5, 0, 0])
+    frequency = np.fft.rfftfreq(TIME.size, 1.0 / RATE)
+    shape = np.where((frequency > 0.2) & (frequency < 15.0), 1.0 / np.maximum(frequency, 0.2), 0.0)
+    road = np.fft.irfft(shape * (rng.standard_normal(frequency.size) + 1j * rng.standard_normal(frequency.size)), TIME.size)
+    return {"sines": 1e-3 * sines * fade, "sweep": 1e-3 * sweep * fade, "hold": 1e-3 * hold,
+            "road": 0.8e-3 * road / road.std() * fade}
+
+
+def write_log(path, columns):
+    names = ("time_s", "displacement_m", "force_N")[:len(columns)]
+    np.savetxt(path, np.column_stack(columns), "%.9g", ",", header=",".join(names), comments="")
+
+
+def force_of(replay, folder, component, displacement):
+    """The force of a component [N]; None where its sheet has no solution."""
+    write_log(f"{folder}/motion.csv", (TIME, displacement))
+    done = subprocess.run([replay, "--config", component, "--log", f"{folder}/motion.csv", "--output", f"{folder}/force.csv",
+                           "--force"], check=False, capture_output=True, text=True)
+    if done.returncode != 0 and "accepted" not in done.stderr:
+        raise RuntimeError(done.stderr)
+    force = np.loadtxt(f"{folder}/force.csv", delimiter=",", skiprows=1)[:, -1] if done.returncode == 0 else None
+    for name in ("motion", "force"):
+        if os.path.exists(f"{folder}/{name}.csv"):
+            os.remove(f"{folder}/{name}.csv")
+    return force
+
+
+def write_case(number, options):
+    rng = np.random.default_rng([options.seed, number, int(options.gain)])
+    model = list(MODELS)[number % len(MODELS)]
+    name = f"case_{number:03d}"
+    folder = os.path.join(options.output, name)
+    os.makedirs(folder, exist_ok=True)
+    logs, config = motions(rng), f"{folder}/component.yaml"
+    write_component(config, model, MODELS[model])
+    forces = {log: force_of(options.replay, folder, config, z) for log, z in logs.items()}
+    share = OFF_BESIDE_GAIN if options.gain else 1.0
+    while True:  # until the model has a solution for the sheet
+        sheet = {key: value * (1.0 + share * OFF.get(key, 0.0) * rng.standard_normal()) for key, value in MODELS[model].items()}
+        write_component(config, model, sheet)
+        if force_of(options.replay, folder, config, logs["road"]) is not None:
+            break
+    gain = np.exp(rng.choice([-1, 1]) * rng.uniform(*np.log(GAINS))) if options.gain else 1.0
+    for log, z in logs.items():
+        size = forces[log].std()
+        force = forces[log] + size * (NOISE * rng.standard_normal(TIME.size) + ZERO * rng.standard_normal())
+        write_log(f"{folder}/{log}.csv", (TIME, z + JITTER * rng.standard_normal(TIME.size), gain * force))
+    with open(f"{folder}/case.json", "w", encoding="utf-8") as file:
+        json.dump({"component": "bush", "logs": [f"{log}.csv" for log in list(logs)[:-1]], "hold_out": ["road.csv"]}, file)
+    with open(os.path.join(options.output + "_labels", name + ".json"), "w", encoding="utf-8") as file:
+        json.dump({"case": name, "set": "wrong_sheets", "seed": options.seed, "unknown": None, "bench": "clean",
+                   "kind": "single" if options.gain else "parameter_error",
+                   "effects": ["sensor_gain"] if options.gain else [],
+                   "share": {"sensor_gain": abs(gain - 1.0)} if options.gain else {},
+                   "gap": {"wanted": 0.0}, "noise": {"floor": NOISE}}, file)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("output", help="folder of the cases; labels go into OUTPUT_labels")
+    parser.add_argument("--replay", required=True, help="the program `replay`")
+    parser.add_argument("--cases", type=int, default=60)
+    parser.add_argument("--seed", type=int, default=21)
+    parser.add_argument("--gain", action="store_true", help="a wrong gain besides, and a sheet that is off by 3 %%")
+    parser.add_argument("--jobs", type=int, default=1)
+    options = parser.parse_args()
+    options.output = options.output.rstrip("/")
+    os.makedirs(options.output + "_labels", exist_ok=True)
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        list(pool.map(lambda number: write_case(number, options), range(options.cases)))
+    print(f"{options.cases} cases in {options.output}")
+
+
+if __name__ == "__main__":
+    main()
