@@ -13,6 +13,7 @@
 #include "command/measured_table.h"
 #include "command/table_fit_text.h"
 #include "command_line/command.h"
+#include "command_line/component_options.h"
 #include "command_line/log_options.h"
 #include "command_line/plot_option.h"
 #include "command_line/warnings.h"
@@ -31,6 +32,7 @@ struct Options {
   std::string config;
   std::string data_sheet;
   std::string component;
+  bool without_rig = false;
   bool json = false;
   std::string plot;
   std::string csv;
@@ -59,6 +61,7 @@ OptionTable Options::table() {
              "a dynamic-to-static ratio, or loss angles at two frequencies")
           .reads(),
       Option("--component", component, "NAME", "name of one component; all if absent"),
+      withoutRigOption(without_rig),
       Option("--json", json, "print JSON, in SI units").rare(),
       plotOption(plot, "stiffness and loss angle"),
       Option("--csv", csv, "FILE",
@@ -122,7 +125,7 @@ OptionTable Options::table() {
       log_options.table()};
   options.oneOf({"--config", "--data-sheet"});
   options.excludes({"--component", "--json", "--from-log", "--from-table"}, {"--data-sheet"});
-  options.excludes({"--csv", "--state-space", "--models", "--sensitivity"},
+  options.excludes({"--without-rig", "--csv", "--state-space", "--models", "--sensitivity"},
                    {"--data-sheet", "--from-log", "--from-table"});
   options.needs({"--hold", "--starts", "--accept-units"}, {"--from-log"}).needs(LogOptions::names(), {"--from-log"});
   options.excludes({"--frequencies", "--amplitudes", "--frequency", "--amplitude", "--product", "--points"},
@@ -280,7 +283,8 @@ int estimateComponents(const Options& options) {
   }
   checkStateSpace(options.state_space, components.size());
   std::vector<command::EstimateReport> reports;
-  for (const io::ComponentDescription& component : components) {
+  for (io::ComponentDescription& component : components) {
+    component = options.without_rig ? component.withoutRig() : component;
     warnOf("estimate", component);
     warnOfAmplitudes(component, sweeps);
     reports.push_back(reportOf(component, sweeps, options.sensitivity));

@@ -6,14 +6,18 @@
 
 namespace rubber_suspension::command_line {
 
+Option withoutRigOption(bool& without_rig) {
+  return Option("--without-rig", without_rig,
+                "leave out what belongs to the rig that measured the component: entries with of_rig, delay, gain, zero "
+                "and drift of the measuring chain")
+      .rare();
+}
+
 OptionTable ComponentOptions::table() {
   return {
       Option("--config", config, "FILE", "component file").required().reads(),
       Option("--component", component, "NAME", "name of the component, where there are several"),
-      Option("--without-rig", without_rig,
-             "leave out what belongs to the rig that measured the component: entries with of_rig, delay, gain, zero "
-             "and drift of the measuring chain")
-          .rare()};
+      withoutRigOption(without_rig)};
 }
 
 io::ComponentDescription ComponentOptions::read(const std::string& command) const {

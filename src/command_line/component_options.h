@@ -8,6 +8,9 @@
 
 namespace rubber_suspension::command_line {
 
+/// --without-rig. The flag has to outlive the option.
+Option withoutRigOption(bool& without_rig);
+
 struct ComponentOptions {
   std::string config;
   std::string component;

@@ -23,6 +23,7 @@ WRONG_USAGE = 2
 REFUSED = (
     ("estimate --data-sheet x.yaml --csv x.csv", "--csv has no effect with --data-sheet"),
     ("estimate --data-sheet x.yaml --component a", "--component has no effect with --data-sheet"),
+    ("estimate --data-sheet x.yaml --without-rig", "--without-rig has no effect with --data-sheet"),
     ("estimate --data-sheet x.yaml --json", "--json has no effect with --data-sheet"),
     (f"estimate --config {EXAMPLE} --output x.yaml", "--output has no effect without --from-log, --from-table or --data-sheet"),
     (f"estimate --config {EXAMPLE} --sampling-rate 100", "--sampling-rate has no effect without --from-log"),
@@ -174,6 +175,15 @@ class Warnings(unittest.TestCase):
         self.check(f"replay --config {BUSH} --log {odd} --output {output}", "warning: .*odd.csv: .* softer than the component")
         self.assertTrue(output.exists())
         self.assertNotIn("warning", run(f"replay --config {BUSH} --log {LOG} --output {output}").stderr)
+
+    def test_of_none_without_what_a_rig_adds(self):
+        rubber = "components: {b: {model: elements, elements: [{type: spring, stiffness: 1e6}]"
+        alone = self.write("alone.yaml", rubber + "}}\n")
+        on_rig = self.write("rig.yaml", rubber + ", add: [{type: time_delay, delay: 0.004}, {type: inertia, mass: 20, of_rig: true}]}}\n")
+        answers = [run(f"estimate --config {config} --points 2{option}").stdout
+                   for config, option in ((alone, ""), (on_rig, " --without-rig"), (on_rig, ""))]
+        self.assertEqual(answers[0], answers[1])
+        self.assertIn("inertia", answers[2])
 
     def test_of_stiffnesses_that_nearly_agree(self):
         config = self.write("c.yaml", "components:\n  b:\n    model: multi_maxwell\n    specification: {static_stiffness: "
