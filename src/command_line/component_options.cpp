@@ -14,10 +14,9 @@ Option withoutRigOption(bool& without_rig) {
 }
 
 OptionTable ComponentOptions::table() {
-  return {
-      Option("--config", config, "FILE", "component file").required().reads(),
-      Option("--component", component, "NAME", "name of the component, where there are several"),
-      withoutRigOption(without_rig)};
+  return {Option("--config", config, "FILE", "component file").required().reads(),
+          Option("--component", component, "NAME", "name of the component, where there are several"),
+          withoutRigOption(without_rig)};
 }
 
 io::ComponentDescription ComponentOptions::read(const std::string& command) const {
