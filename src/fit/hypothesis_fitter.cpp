@@ -129,7 +129,8 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
                                      Place& place) const {
   BlockGrams blocks = linearise(hypothesis, place, limits.active, 1);
   for (int iteration = 0; iteration < limits.iterations; ++iteration) {
-    numerics::Limits bounds = stepBounds(hypothesis, place.parameters, blocks.unknowns());
+    const numerics::Limits all = stepBounds(hypothesis, place.parameters, blocks.unknowns());
+    numerics::Limits bounds = all;
     auto lower = bounds.lower.head(model().size());
     auto upper = bounds.upper.head(model().size());
     lower = lower.cwiseMax(-longest);
@@ -139,8 +140,13 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
       break;
     }
     // The cost that a step promises, were the force linear.
-    const double promise = std::sqrt(std::max(0.0, squaresLeft(blocks.sum, step)));
-    const bool hopeless = iteration > 0 && promise > limits.reach;
+    const auto promiseOf = [&](const Eigen::VectorXd& taken) {
+      return std::sqrt(std::max(0.0, squaresLeft(blocks.sum, taken)));
+    };
+    const double promise = promiseOf(step);
+    // What one step may not reach, several may.
+    const bool hopeless =
+        iteration > 0 && promise > limits.reach && !(promiseOf(solve(blocks.sum, all)) <= limits.reach);
     const bool too_slow = place.cost - promise < kSlow * (place.cost - limits.needed);
     if (hopeless || too_slow || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
       break;

@@ -139,7 +139,6 @@ void ModelParameters::addKnown() {
   }
 }
 
-// Two deviations of the least known number, and no less than of any component.
 double ModelParameters::largestRatio() const {
   return std::max(kLargestRatio, std::exp(2.0 * estimation::largestTolerance(configured_.specification)));
 }

@@ -48,6 +48,9 @@ class ModelParameters {
   /// numbers.
   const Eigen::VectorXd& bounds() const { return bounds_; }
 
+  /// How far a number of the sheet may be off: two deviations of the least known one, and no less than of any component.
+  double largestRatio() const;
+
   /// Numbers that are known beforehand: those of the sheet, then values of single elements.
   const std::vector<KnownNumber>& known() const { return known_; }
 
@@ -114,7 +117,6 @@ class ModelParameters {
   void addElements(std::vector<element::ElementDescription> Point::*list);
   void add(const std::string& name, Slot slot, double largest_ratio);
   void addKnown();
-  double largestRatio() const;
   /// A number of the sheet, whether or not a component has the numbers of the point.
   double sheetNumber(const Point& point, const std::string& key) const;
   Point movedBy(const Eigen::VectorXd& logarithms) const;

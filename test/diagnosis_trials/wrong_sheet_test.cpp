@@ -85,6 +85,39 @@ TEST(WrongSheet, IsNoMissingEffect) {
   }
 }
 
+// Of a mass on a spring at its resonance a best spring alone is a small part of the true one.
+TEST(WrongSheet, OfAGuessIsFollowedAsFarAsAGuessMayBeOff) {
+  constexpr double kStiffness = 1e6;  // [N/m], of which the guess has a thirtieth
+  constexpr double kMass = 5.3;       // [kg]: a resonance at 69 Hz
+  constexpr double kRate = 2000.0;    // [Hz]
+  const auto guess = io::parseComponentFile(
+      "components:\n  b:\n    model: kelvin_voigt\n    specification: {tolerance: guess, dynamic_stiffness: 33000, "
+      "nominal_frequency: 0.05, relative_damping: 0.001}\n",
+      "guess");
+  std::mt19937 generator(5);
+  std::normal_distribution<double> noise(0.0, 0.3);
+  log::Log log;
+  log.name = "about the resonance";
+  for (int i = 0; i < 8000; ++i) {
+    double z = 0.0;
+    double acceleration = 0.0;
+    for (const double frequency : {7.0, 31.0, 53.0, 64.0, 69.0, 75.0, 88.0}) {
+      const double omega = 2.0 * element::kPi * frequency;
+      const double part = 3e-5 * std::sin(omega * i / kRate + frequency);
+      z += part;
+      acceleration -= omega * omega * part;
+    }
+    log.stamp.push_back(std::llround(i * 1e9 / kRate));
+    log.displacement.push_back(z);
+    log.force.push_back(kStiffness * z + kMass * acceleration + noise(generator));
+  }
+  const diagnosis::Diagnosis result = checkedDiagnosis(guess.front(), {log}, {});
+  EXPECT_EQ(result.verdict, diagnosis::Verdict::named) << result.sentence;
+  EXPECT_THAT(result.effects, testing::ElementsAre("inertia")) << result.sentence;
+  ASSERT_FALSE(result.effect_sizes.empty());
+  EXPECT_NEAR(result.effect_sizes.front().value, kMass, 0.02 * kMass);
+}
+
 // The same sheet as a guess: values are identified, right or wrong.
 TEST(WrongSheet, OfAGuessIsIdentified) {
   for (const auto& [k_st, k_n] : {std::pair(1.0, 1.0), std::pair(1.12, 0.90)}) {

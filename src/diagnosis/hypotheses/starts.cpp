@@ -2,6 +2,7 @@
 #include "diagnosis/hypotheses/starts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -9,7 +10,7 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-constexpr int kSingleIterations = 6;
+constexpr int kLeastIterations = 6;
 constexpr int kToldIterations = 20;  // far from the configured values
 constexpr int kFurtherIterations = 3;
 constexpr int kAloneIterations = 4;
@@ -17,6 +18,12 @@ constexpr int kZeroIterations = 2;
 constexpr double kClearlyBetter = 0.99;  // of a score
 // A logarithm of a model parameter: far enough for a second start from the configured ones.
 constexpr double kFar = 0.2;
+
+// As many steps as lead from what was specified to as far from it as it may be: of a guess that is far.
+int singleIterations(const fit::HypothesisFitter& fitter) {
+  const double farthest = std::log(fitter.model().largestRatio());
+  return std::max(kLeastIterations, static_cast<int>(std::ceil(farthest / fit::kLongestStep)));
+}
 
 void keepBetter(FittedHypothesis fitted, FittedHypothesis& best) {
   if (best.fit.blocks.empty() || fitted.fit.score() < best.fit.score()) {
@@ -95,7 +102,7 @@ void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_e
     single.fit = re_estimated.fit;
     return;
   }
-  const fit::FitLimits limits{kSingleIterations, reach};
+  const fit::FitLimits limits{singleIterations(fitter), reach};
   const fit::ParameterVector configured = fitter.configured(hypothesis);
   fit::ParameterVector none = configured;
   none.model = re_estimated.fit.parameters.model;
@@ -128,7 +135,7 @@ void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_e
 
 void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, double reach,
               FittedHypothesis& single) {
-  const fit::FitLimits limits{kSingleIterations, reach};
+  const fit::FitLimits limits{singleIterations(fitter), reach};
   FittedHypothesis common = single;
   common.hypothesis.free_in_log.gain = false;
   fitFrom(fitter, fitter.configured(common.hypothesis), limits, common);
@@ -153,11 +160,11 @@ void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& fro
   const bool promising = fitter.gapAt(hypothesis, start) < from.fit.gap;
   const fit::ParameterVector& first = promising ? start : as_fitted;
   // Values and gains of logs go far to come to one of what both do.
-  const int iterations = hypothesis.free_in_log.gain ? kSingleIterations : kFurtherIterations;
+  const int iterations = hypothesis.free_in_log.gain ? singleIterations(fitter) : kFurtherIterations;
   fitFrom(fitter, first, {iterations, reach, mayMove(from, hypothesis, first)}, further);
   if (further.fit.gap <= reach && from.fit.parameters.largestChange() > kFar && hypothesis.isAdditive()) {
     FittedHypothesis again{hypothesis, {}};
-    fitFrom(fitter, fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1), {kSingleIterations, reach},
+    fitFrom(fitter, fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1), {singleIterations(fitter), reach},
             again);
     keepBetter(std::move(again), further);
   }
@@ -188,7 +195,7 @@ void fitCurved(const fit::HypothesisFitter& fitter, const FittedHypothesis& from
                FittedHypothesis& curved) {
   curved.hypothesis.free_in_log.by_factor = from.hypothesis.free_in_log.by_factor;
   const fit::ParameterVector start = taken(fitter, from, curved.hypothesis);
-  fitFrom(fitter, start, {kSingleIterations, reach, mayMove(from, curved.hypothesis, start)}, curved);
+  fitFrom(fitter, start, {singleIterations(fitter), reach, mayMove(from, curved.hypothesis, start)}, curved);
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses
