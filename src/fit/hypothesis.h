@@ -54,6 +54,7 @@ struct Candidate {
   /// Effects that its law has as a limit: it holds their terms besides its own.
   std::vector<std::string> contains = {};
   FreeInLog free_in_log = {};  ///< belongs to it
+  bool one_form = false;       ///< its law has one form, as that of a mass; others stand for the rubber's or the rig's
   bool constant = false;       ///< adds a constant force, whose form is never wrong
   bool is_friction = false;    ///< may have a factor of its own in each log
   /// What its terms do, all of the model's parameters do together: beside right ones it is another reading of wrong

@@ -34,7 +34,7 @@ inline diagnosis::judge::Evidence unexplained(std::size_t logs, int effects, dou
   for (int effect = 0; effect < effects; ++effect) {
     evidence.hypotheses.push_back(fitted({effect}, errors, {std::vector<double>(logs, 0.0)}));
     evidence.effects.push_back("effect_" + std::to_string(effect));
-    evidence.on_rig.push_back(false);
+    evidence.one_form.push_back(false);
     evidence.constant.push_back(false);
   }
   return evidence;

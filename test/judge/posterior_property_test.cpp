@@ -161,7 +161,7 @@ RC_GTEST_PROP(AnEffectThatDoesNotApply, ChangesNothing, ()) {
   single.terms = 0;
   evidence.hypotheses.insert(evidence.hypotheses.begin() + Evidence::kFirstSingle + effect, single);
   evidence.effects.emplace_back("of_other_logs");
-  evidence.on_rig.push_back(false);
+  evidence.one_form.push_back(false);
   evidence.constant.push_back(false);
   const SetPosterior after = posteriorOf(evidence);
   // The sum over all hypotheses is rounded in another order.

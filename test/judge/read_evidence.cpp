@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/9";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/10";
 
 // JSON has no infinity: what a hypothesis leaves that no model run follows is null.
 double numberOf(const ordered_json& value) {
@@ -57,7 +57,7 @@ judge::Evidence evidenceOf(const ordered_json& value) {
   }
   judge::Evidence evidence;
   value.at("effects").get_to(evidence.effects);
-  value.at("on_rig").get_to(evidence.on_rig);
+  value.at("one_form").get_to(evidence.one_form);
   value.at("guess").get_to(evidence.guess);
   value.at("excluded").get_to(evidence.excluded);
   value.at("constant").get_to(evidence.constant);

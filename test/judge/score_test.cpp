@@ -63,6 +63,13 @@ TEST(LogWeights, AreThoseOfTheEquations) {
               1e-9);
   EXPECT_NEAR(weights.beside[Evidence::kFirstSingle], -3.0 * (std::log(std::max(r2, s2)) + 1.0) - 2.0 + prior, 1e-9);
 
+  // A law of one form differs by less.
+  Evidence of_one_form = evidence;
+  of_one_form.one_form = {true};
+  numbers.form_error_of_one = 0.02;
+  EXPECT_NEAR(expectedSquares(scoreTable(of_one_form), numbers)(Evidence::kFirstSingle, 0),
+              std::pow(0.5 * kFloor, 2) + 0.01 * 0.01 + 0.02 * 0.02 * (0.1 * 0.1 - 0.02 * 0.02), 1e-12);
+
   // The same where a quarter of the log's force, and all that is left, is in its second octave.
   evidence.logs.front().octaves = {0.75, 0.25};
   evidence.hypotheses.back().shares = {{0.0, 1.0}};

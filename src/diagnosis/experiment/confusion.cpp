@@ -198,7 +198,7 @@ judge::Evidence evidenceOf(const Search& search, const Implant& implant, double 
     single.free_gains = candidate.free_in_log.gain;
     evidence.hypotheses.push_back(std::move(single));
     evidence.effects.push_back(candidate.effect);
-    evidence.on_rig.push_back(candidate.on_rig);
+    evidence.one_form.push_back(candidate.one_form);
     evidence.constant.push_back(candidate.constant);
   }
   return evidence;

@@ -555,7 +555,7 @@ judge::Evidence evidenceOf(const Search& search) {
   }
   for (const fit::Candidate& candidate : search.candidates) {
     evidence.effects.push_back(candidate.effect);
-    evidence.on_rig.push_back(candidate.on_rig);
+    evidence.one_form.push_back(candidate.one_form);
     evidence.excluded.push_back(candidate.excluded);
     evidence.constant.push_back(candidate.constant);
   }

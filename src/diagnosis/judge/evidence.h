@@ -47,7 +47,7 @@ struct Evidence {
   std::vector<HypothesisEvidence> hypotheses;
   std::vector<LogEvidence> logs;     ///< those of the fit, then unseen ones
   std::vector<std::string> effects;  ///< names, by the numbers that members are
-  std::vector<bool> on_rig;          ///< of each effect: it belongs to the rig, not to the rubber
+  std::vector<bool> one_form;        ///< of each effect: its law has one form, as that of a mass
   std::vector<bool> constant;        ///< of each effect: it adds a constant force, whose form is never wrong
   bool guess = false;                ///< the data sheet is a guess, so that the model as configured is no answer
   std::vector<bool> excluded = {};   ///< of each effect: it is ruled out, as all hypotheses with it; empty: none is

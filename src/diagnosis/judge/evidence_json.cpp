@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/9";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/10";
 
 ordered_json logJson(const LogEvidence& log) {
   return {{"floor", log.floor},   {"floor_uncertainty", log.floor_uncertainty},
@@ -43,7 +43,7 @@ std::string toJson(const Evidence& evidence) {
   }
   const ordered_json value = {{"schema", kEvidenceSchema},
                               {"effects", evidence.effects},
-                              {"on_rig", evidence.on_rig},
+                              {"one_form", evidence.one_form},
                               {"guess", evidence.guess},
                               {"excluded", evidence.excluded},
                               {"constant", evidence.constant},

@@ -11,7 +11,7 @@ const JudgeNumbers& fittedNumbers() {
     fitted.sharpness = 11.86;
     fitted.growth = 0.1676;
     fitted.form_error = 0.04882;
-    fitted.form_error_on_rig = 0.05322;
+    fitted.form_error_of_one = 0.05322;
     fitted.accepted = 0.008326;
     fitted.floor_known = 0.573;
     fitted.tails = 3.957;

@@ -12,7 +12,7 @@ struct JudgeNumbers {
   double sharpness = 8.0;
   double growth = 0.2;
   double form_error = 0.12;
-  double form_error_on_rig = 0.025;
+  double form_error_of_one = 0.025;
   double accepted = 0.008;
   double floor_known = 0.5;
   double tails = 4.0;

@@ -95,7 +95,7 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
     const auto member = static_cast<std::size_t>(hypothesis.members[m]);
     const bool exact = evidence.constant[member] || hypothesis.keeps_values;  // one gain does just what values do
     if (!exact) {
-      (evidence.on_rig[member] ? table.added_rig : table.added).row(row) += squares.transpose();
+      (evidence.one_form[member] ? table.added_of_one : table.added).row(row) += squares.transpose();
     }
     table.sizes.back().push_back(0.5 * std::log(std::max((squares * table.weight).sum(), kLeastSquare)));
   }
@@ -190,7 +190,7 @@ ScoreTable scoreTable(const Evidence& evidence) {
   fillLogs(evidence, table);
   fillBands(evidence, table);
   const auto rows = static_cast<Index>(evidence.hypotheses.size());
-  table.left = table.added = table.added_rig = ArrayXXd::Zero(rows, table.weight.size());
+  table.left = table.added = table.added_of_one = ArrayXXd::Zero(rows, table.weight.size());
   table.in_bands = ArrayXXd::Zero(rows, static_cast<Index>(table.bands.size()));
   table.departure = table.beyond = table.trends = table.offsets = table.gains = ArrayXd::Zero(rows);
   for (Index row = 0; row < rows; ++row) {
@@ -213,8 +213,8 @@ ScoreTable scoreTable(const Evidence& evidence) {
 
 ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& numbers) {
   const double form = numbers.form_error * numbers.form_error;
-  const double form_on_rig = numbers.form_error_on_rig * numbers.form_error_on_rig;
-  ArrayXXd squares = form * table.added + form_on_rig * table.added_rig;
+  const double form_of_one = numbers.form_error_of_one * numbers.form_error_of_one;
+  ArrayXXd squares = form * table.added + form_of_one * table.added_of_one;
   const ArrayXd others = numbers.floor_known * numbers.floor_known * table.floor + numbers.accepted * numbers.accepted;
   squares.rowwise() += others.transpose();
   return squares;

@@ -152,7 +152,7 @@ class Chooser {
     const double most = 0.5 * (full + std::pow(before_, 2));  // closes half of what the full law does
     double allowed = full + std::pow(numbers.accepted, 2);
     for (std::size_t m = 0; m < own_.size(); ++m) {
-      result_.form_error.push_back((candidateOf(m).on_rig ? numbers.form_error_on_rig : numbers.form_error) *
+      result_.form_error.push_back((candidateOf(m).one_form ? numbers.form_error_of_one : numbers.form_error) *
                                    addedBy(m));
       allowed += std::pow(result_.form_error[m], 2);
       simplify(m, std::min(allowed, most));

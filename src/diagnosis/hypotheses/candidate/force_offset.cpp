@@ -15,6 +15,7 @@ fit::Candidate forceOffset(const fit::Excitation& excitation) {
                            true,
                            {term}};
   candidate.free_in_log.offset = excitation.whole_logs > 1;
+  candidate.one_form = true;
   candidate.constant = true;
   return candidate;
 }

@@ -12,7 +12,10 @@ fit::Candidate inertia(const fit::Excitation& excitation) {
                                           {{"bandwidth", {excitation.mass_bandwidth}}});
   mass.on_rig = true;
   mass.exact = fit::acceleration;
-  return {"inertia", "moving fixture: error of stiffness grows with frequency squared, in phase", true, {mass}};
+  fit::Candidate candidate{
+      "inertia", "moving fixture: error of stiffness grows with frequency squared, in phase", true, {mass}};
+  candidate.one_form = true;
+  return candidate;
 }
 
 const CandidateEntry kInertiaEntry(120, inertia);

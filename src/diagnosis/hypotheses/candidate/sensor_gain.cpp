@@ -19,6 +19,7 @@ fit::Candidate sensorGain(const fit::Excitation& excitation) {
                            true,
                            {term}};
   candidate.free_in_log.gain = excitation.whole_logs > 1;
+  candidate.one_form = true;
   candidate.like_parameters = true;
   return candidate;
 }

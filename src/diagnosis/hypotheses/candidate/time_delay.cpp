@@ -12,7 +12,10 @@ fit::Candidate timeDelay(const fit::Excitation& excitation) {
   term.upper = 0.03;
   term.typical = std::min(term.typical, 0.5 * term.upper);  // of a slow log no step beyond what the element takes
   term.additive = false;
-  return {"time_delay", "displacement or force recorded late: error of phase grows with frequency", true, {term}};
+  fit::Candidate candidate{
+      "time_delay", "displacement or force recorded late: error of phase grows with frequency", true, {term}};
+  candidate.one_form = true;
+  return candidate;
 }
 
 const CandidateEntry kTimeDelayEntry(130, timeDelay);
