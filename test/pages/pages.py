@@ -154,23 +154,32 @@ def difference(one, other):
     return 1.0 if pictures[0].shape != pictures[1].shape else float(numpy.abs(pictures[0] - pictures[1]).mean())
 
 
+def problems(root, name, programs, write):
+    """What is wrong with a page, one line each."""
+    page = Page(root, root / name, programs)
+    try:
+        page.run()
+        found = list(page.differences())
+        if write:
+            page.write()
+        return found
+    except RuntimeError as failure:
+        return [str(failure)]
+    finally:
+        shutil.rmtree(page.folder)
+
+
 def main(root, programs, names, write):
-    found = 0
+    wrong = 0
     for name in names:
-        page = Page(root, root / name, programs)
-        try:
-            page.run()
-            for line in page.differences():
-                found += 1
-                print(f"{name}: {line}")
-            if write:
-                page.write()
-        except RuntimeError as failure:
-            found += 1
-            print(f"{name}: {failure}")
-        finally:
-            shutil.rmtree(page.folder)
-    return 0 if write or found == 0 else 1
+        found = problems(root, name, programs, write)
+        if found and not write and "roslaunch" in (root / name).read_text(encoding="utf-8"):
+            print(f"{name}: {found[0]}; once more, since it plays in real time on a machine that may be busy")
+            found = problems(root, name, programs, write)
+        wrong += len(found)
+        for line in found:
+            print(f"{name}: {line}")
+    return 0 if write or wrong == 0 else 1
 
 
 if __name__ == "__main__":
