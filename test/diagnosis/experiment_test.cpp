@@ -162,14 +162,16 @@ class Rivals : public testing::Test {
   }
 
   // Judged: an effect whose fit is as it is now, of all that the search has.
+  // Effects of a usual size, whose forms are wrong by less than is accepted: all are expected to leave about as much.
   void judgeAs(int effect) {
+    constexpr double kUsualSize = 0.002;  // square, of the force
     diagnosis::judge::Evidence& evidence = workings_.evidence;
     evidence = diagnosis::hypotheses::evidenceOf(search_);
     evidence.logs = {{search_.noise, 0.0, 1.0, false, 50}};
     for (std::size_t h = 0; h < evidence.hypotheses.size(); ++h) {
       diagnosis::judge::HypothesisEvidence& hypothesis = evidence.hypotheses[h];
       hypothesis.log_errors = {std::pow(search_.at(static_cast<int>(h)).fit.held_out, 2)};
-      hypothesis.sizes.assign(hypothesis.members.size(), {0.01});
+      hypothesis.sizes.assign(hypothesis.members.size(), {kUsualSize});
     }
     workings_.answer = diagnosis::judge::answer(evidence);
     workings_.answer.effects = {effect};

@@ -89,7 +89,8 @@ TEST(WrongSheet, IsNoMissingEffect) {
 TEST(WrongSheet, OfAGuessIsFollowedAsFarAsAGuessMayBeOff) {
   constexpr double kStiffness = 1e6;  // [N/m], of which the guess has a thirtieth
   constexpr double kMass = 5.3;       // [kg]: a resonance at 69 Hz
-  constexpr double kRate = 2000.0;    // [Hz]
+  constexpr double kDamping = 200.0;  // [N s/m]
+  constexpr double kRate = 8000.0;    // [Hz], at which a second difference is the acceleration
   const auto guess = io::parseComponentFile(
       "components:\n  b:\n    model: kelvin_voigt\n    specification: {tolerance: guess, dynamic_stiffness: 33000, "
       "nominal_frequency: 0.05, relative_damping: 0.001}\n",
@@ -98,18 +99,20 @@ TEST(WrongSheet, OfAGuessIsFollowedAsFarAsAGuessMayBeOff) {
   std::normal_distribution<double> noise(0.0, 0.3);
   log::Log log;
   log.name = "about the resonance";
-  for (int i = 0; i < 8000; ++i) {
+  for (int i = 0; i < 24000; ++i) {
     double z = 0.0;
+    double velocity = 0.0;
     double acceleration = 0.0;
     for (const double frequency : {7.0, 31.0, 53.0, 64.0, 69.0, 75.0, 88.0}) {
       const double omega = 2.0 * element::kPi * frequency;
       const double part = 3e-5 * std::sin(omega * i / kRate + frequency);
       z += part;
+      velocity += 3e-5 * omega * std::cos(omega * i / kRate + frequency);
       acceleration -= omega * omega * part;
     }
     log.stamp.push_back(std::llround(i * 1e9 / kRate));
     log.displacement.push_back(z);
-    log.force.push_back(kStiffness * z + kMass * acceleration + noise(generator));
+    log.force.push_back(kStiffness * z + kDamping * velocity + kMass * acceleration + noise(generator));
   }
   const diagnosis::Diagnosis result = checkedDiagnosis(guess.front(), {log}, {});
   EXPECT_EQ(result.verdict, diagnosis::Verdict::named) << result.sentence;

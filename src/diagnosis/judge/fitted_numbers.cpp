@@ -1,5 +1,5 @@
 // The numbers of the judgement as fitted last. Written by `judge_again --calibrate`:
-// 2026-11-27, on 138 cases:
+// 2026-11-28, on 138 cases:
 // 8 machine, 2 mixed, 9 none, 17 pair, 31 parameter_error, 59 single, 4 triple, 8 unknown.
 #include "diagnosis/judge/numbers.h"
 
@@ -8,50 +8,50 @@ namespace rubber_suspension::diagnosis::judge {
 const JudgeNumbers& fittedNumbers() {
   static const JudgeNumbers numbers = [] {
     JudgeNumbers fitted;
-    fitted.sharpness = 11.86;
-    fitted.growth = 0.1676;
-    fitted.form_error = 0.04882;
-    fitted.form_error_of_one = 0.05322;
-    fitted.accepted = 0.008326;
-    fitted.floor_known = 0.573;
-    fitted.tails = 3.957;
-    fitted.sheet_scale = 1.388;
-    fitted.sheet_tails = 4.542;
-    fitted.values_spread = 0.6991;
-    fitted.no_effect = 0.6692;
-    fitted.common_gain = -1.374;
-    fitted.rest = -2.239;
-    fitted.effect = -4.605;
-    fitted.second = -0.8451;
-    fitted.third = -1.019;
-    fitted.per_number_beyond = 0.2372;
-    fitted.per_trend = 0.4196;
-    fitted.per_offset = 0.2796;
-    fitted.per_gain = 0.5755;
-    fitted.share = 0.8477;
-    fitted.share_spread = 0.5684;
-    fitted.rates["asymmetric_stiffness"] = -0.618;
-    fitted.rates["backlash"] = -0.669;
-    fitted.rates["bump_stop"] = -0.454;
-    fitted.rates["creep"] = 0.546;
-    fitted.rates["fluid_inertia"] = 0.495;
-    fitted.rates["force_drift"] = -0.0206;
-    fitted.rates["force_offset"] = 0.114;
-    fitted.rates["free_play"] = -0.0117;
-    fitted.rates["friction"] = 0.512;
-    fitted.rates["inertia"] = 0.491;
-    fitted.rates["lift_off"] = -0.31;
-    fitted.rates["progressive_stiffness"] = 0.619;
-    fitted.rates["radial_coupling"] = -5e-06;
-    fitted.rates["rate_amplitude_coupling"] = -0.934;
-    fitted.rates["relaxation"] = -0.656;
-    fitted.rates["self_heating"] = -0.0313;
-    fitted.rates["sensor_gain"] = -0.6;
-    fitted.rates["series_compliance"] = -0.31;
-    fitted.rates["stress_softening"] = 0.295;
-    fitted.rates["temperature"] = -5e-06;
-    fitted.rates["time_delay"] = 0.206;
-    fitted.rates["viscous_damping"] = 0.5;
+    fitted.sharpness = 11.06;
+    fitted.growth = 0.1712;
+    fitted.form_error = 0.06241;
+    fitted.form_error_of_one = 0.02291;
+    fitted.accepted = 0.006627;
+    fitted.floor_known = 0.5829;
+    fitted.tails = 4.165;
+    fitted.sheet_scale = 1.336;
+    fitted.sheet_tails = 4.376;
+    fitted.values_spread = 0.7;
+    fitted.no_effect = 1.299;
+    fitted.common_gain = -1.387;
+    fitted.rest = -2.19;
+    fitted.effect = -4.577;
+    fitted.second = -0.6605;
+    fitted.third = -0.9503;
+    fitted.per_number_beyond = 0.2284;
+    fitted.per_trend = 0.4259;
+    fitted.per_offset = 0.3615;
+    fitted.per_gain = 0.7894;
+    fitted.share = 0.5988;
+    fitted.share_spread = 0.6208;
+    fitted.rates["asymmetric_stiffness"] = -0.605;
+    fitted.rates["backlash"] = -0.589;
+    fitted.rates["bump_stop"] = -0.465;
+    fitted.rates["creep"] = 0.539;
+    fitted.rates["fluid_inertia"] = 0.516;
+    fitted.rates["force_drift"] = -0.0272;
+    fitted.rates["force_offset"] = 0.0106;
+    fitted.rates["free_play"] = -0.0173;
+    fitted.rates["friction"] = 0.459;
+    fitted.rates["inertia"] = 0.371;
+    fitted.rates["lift_off"] = -0.000225;
+    fitted.rates["progressive_stiffness"] = 0.587;
+    fitted.rates["radial_coupling"] = -5.02e-06;
+    fitted.rates["rate_amplitude_coupling"] = -1.03;
+    fitted.rates["relaxation"] = -0.75;
+    fitted.rates["self_heating"] = -0.0466;
+    fitted.rates["sensor_gain"] = -0.502;
+    fitted.rates["series_compliance"] = -0.277;
+    fitted.rates["stress_softening"] = 0.31;
+    fitted.rates["temperature"] = -5.02e-06;
+    fitted.rates["time_delay"] = 0.345;
+    fitted.rates["viscous_damping"] = 0.637;
     return fitted;
   }();
   return numbers;
