@@ -48,7 +48,8 @@ class ModelParameters {
   /// numbers.
   const Eigen::VectorXd& bounds() const { return bounds_; }
 
-  /// How far a number of the sheet may be off: two deviations of the least known one, and no less than of any component.
+  /// How far a number of the sheet may be off: two deviations of the least known one, and no less than of any
+  /// component.
   double largestRatio() const;
 
   /// Numbers that are known beforehand: those of the sheet, then values of single elements.
