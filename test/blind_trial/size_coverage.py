@@ -14,6 +14,8 @@ import subprocess
 
 import numpy as np
 
+import replayed
+
 RATE = 250.0
 SECONDS = 20.0
 TIME = np.arange(0.0, SECONDS, 1.0 / RATE)
@@ -136,9 +138,7 @@ KINDS = {"friction": dahl, "bump_stop": stop, "relaxation": relaxation, "creep":
 def base_force(replay, folder, z):
     np.savetxt(f"{folder}/z.csv", np.column_stack([TIME, z]), delimiter=",", header="time_s,displacement_m",
                comments="", fmt="%.12g")
-    subprocess.run([replay, "--config", f"{folder}/true.yaml", "--log", f"{folder}/z.csv", "--output",
-                    f"{folder}/f.csv", "--force"], check=True, capture_output=True)
-    return np.loadtxt(f"{folder}/f.csv", delimiter=",", skiprows=1)[:, -1]
+    return replayed.replay(replay, f"{folder}/true.yaml", "bush", f"{folder}/z.csv")
 
 
 def write_bench(folder, kind, rng, replay):

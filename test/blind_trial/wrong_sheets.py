@@ -13,6 +13,8 @@ import subprocess
 
 import numpy as np
 
+import replayed
+
 RATE = 500.0
 TIME = np.arange(0.0, 20.0, 1.0 / RATE)
 # The rubber: of each model the numbers of its true data sheet.
@@ -60,17 +62,21 @@ def write_log(path, columns):
 
 
 def force_of(replay, folder, component, displacement):
-    """The force of a component [N]; None where its sheet has no solution."""
-    write_log(f"{folder}/motion.csv", (TIME, displacement))
-    done = subprocess.run([replay, "--config", component, "--log", f"{folder}/motion.csv", "--output", f"{folder}/force.csv",
-                           "--force"], check=False, capture_output=True, text=True)
-    if done.returncode != 0 and "accepted" not in done.stderr:
-        raise RuntimeError(done.stderr)
-    force = np.loadtxt(f"{folder}/force.csv", delimiter=",", skiprows=1)[:, -1] if done.returncode == 0 else None
-    for name in ("motion", "force"):
-        if os.path.exists(f"{folder}/{name}.csv"):
-            os.remove(f"{folder}/{name}.csv")
-    return force
+    """The force of a component [N]. Throws subprocess.CalledProcessError where its sheet has no solution."""
+    motion = f"{folder}/motion.csv"
+    write_log(motion, (TIME, displacement))
+    try:
+        return replayed.replay(replay, component, "bush", motion)
+    finally:
+        os.remove(motion)
+
+
+def has_solution(replay, folder, component, displacement):
+    try:
+        force_of(replay, folder, component, displacement)
+    except subprocess.CalledProcessError:
+        return False
+    return True
 
 
 def write_case(number, options):
@@ -86,7 +92,7 @@ def write_case(number, options):
     while True:  # until the model has a solution for the sheet
         sheet = {key: value * (1.0 + share * OFF.get(key, 0.0) * rng.standard_normal()) for key, value in MODELS[model].items()}
         write_component(config, model, sheet)
-        if force_of(options.replay, folder, config, logs["road"]) is not None:
+        if has_solution(options.replay, folder, config, logs["road"]):
             break
     gain = np.exp(rng.choice([-1, 1]) * rng.uniform(*np.log(GAINS))) if options.gain else 1.0
     for log, z in logs.items():
