@@ -284,7 +284,9 @@ int estimateComponents(const Options& options) {
   checkStateSpace(options.state_space, components.size());
   std::vector<command::EstimateReport> reports;
   for (io::ComponentDescription& component : components) {
-    component = options.without_rig ? component.withoutRig() : component;
+    if (options.without_rig) {
+      component = component.withoutRig();
+    }
     warnOf("estimate", component);
     warnOfAmplitudes(component, sweeps);
     reports.push_back(reportOf(component, sweeps, options.sensitivity));
