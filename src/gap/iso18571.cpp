@@ -134,65 +134,91 @@ struct Sums {
 };
 
 // The cheapest path through the squared differences, by steps of one in either signal or in both, and what it comes to.
+// Cells of one diagonal, on which the places in both signals add up to the same, need nothing of each other.
 class Warping {
  public:
   Warping(const Signal& measured, const Signal& simulated)
       : measured_(measured),
         simulated_(simulated),
+        last_(measured.size() - 1),
         reach_(std::max<Index>(1, static_cast<Index>(std::ceil(kWindow * static_cast<double>(measured.size())))) - 1),
-        steps_(static_cast<std::size_t>(measured.size() * width())) {}
+        steps_(static_cast<std::size_t>((2 * last_ + 1) * (reach_ + 1))) {}
 
   Sums sums() {
     fill();
     Sums result;
-    Index i = measured_.size() - 1;
-    Index j = i;
+    Index i = last_;
+    Index j = last_;
     while (true) {
       result.difference += std::abs(simulated_[i] - measured_[j]);
       result.measured += std::abs(measured_[j]);
       if (i == 0 && j == 0) {
         return result;
       }
-      const Step step = steps_[place(i, j - i + reach_)];
-      i -= step == Step::measured ? 0 : 1;
-      j -= step == Step::simulated ? 0 : 1;
+      const unsigned char step = steps_[place(i + j, i)];
+      i -= step == kMeasured ? 0 : 1;
+      j -= step == kSimulated ? 0 : 1;
     }
   }
 
  private:
-  enum class Step : unsigned char { simulated, measured, both };
+  enum Step : unsigned char { kSimulated, kMeasured, kBoth };
 
-  Index width() const { return 2 * reach_ + 1; }
-  std::size_t place(Index i, Index k) const { return static_cast<std::size_t>(i * width() + k); }
+  Index firstOf(Index diagonal) const {
+    return std::max((std::max<Index>(0, diagonal - reach_) + 1) / 2, diagonal - last_);
+  }
+  Index lastOf(Index diagonal) const { return std::min((diagonal + reach_) / 2, std::min(diagonal, last_)); }
+  std::size_t place(Index diagonal, Index i) const {
+    return static_cast<std::size_t>(diagonal * (reach_ + 1) + i - firstOf(diagonal));
+  }
 
-  // Row i is that of a simulated sample; its column k is the measured sample i - reach + k.
+  // Row by row of diagonals. The cost of place i in the simulated signal is at i + 1: what no path reaches lies around.
   void fill() {
     constexpr double kNever = std::numeric_limits<double>::infinity();
-    Eigen::VectorXd before = Eigen::VectorXd::Constant(width() + 1, kNever);
-    Eigen::VectorXd row = before;
-    before[reach_] = 0.0;  // from which the first cell is reached by a step in both
-    for (Index i = 0; i < measured_.size(); ++i) {
-      const Index first = std::max<Index>(0, reach_ - i);
-      const Index last = std::min(width() - 1, measured_.size() - 1 - i + reach_);
-      row.setConstant(kNever);
-      double left = kNever;
-      for (Index k = first; k <= last; ++k) {
-        const double up = before[k + 1];
-        const double both = before[k];
-        const double cost = std::pow(simulated_[i] - measured_[i - reach_ + k], 2);
-        const Step step = up <= left && up <= both ? Step::simulated : left <= both ? Step::measured : Step::both;
-        left = cost + std::min(std::min(up, left), both);
-        row[k] = left;
-        steps_[place(i, k)] = step;
-      }
-      before.swap(row);
+    const Eigen::VectorXd backwards = measured_.reverse();
+    const Eigen::VectorXd none = Eigen::VectorXd::Constant(last_ + 3, kNever);
+    std::array<Eigen::VectorXd, 3> costs = {none, none, none};  // two diagonals before, one before, and this one
+    costs[0][0] = 0.0;  // from which the first cell is reached by a step in both
+    for (Index diagonal = 0; diagonal <= 2 * last_; ++diagonal) {
+      const Index first = firstOf(diagonal);
+      const Index count = lastOf(diagonal) - first + 1;
+      costs[2][first] = kNever;
+      costs[2][first + count + 1] = kNever;
+      const double* measured = backwards.data() + last_ - diagonal + first;
+      fill({simulated_.data() + first, measured, costs[0].data() + first, costs[1].data() + first}, count,
+           costs[2].data() + first + 1, steps_.data() + diagonal * (reach_ + 1));
+      std::rotate(costs.begin(), costs.begin() + 1, costs.end());
+    }
+  }
+
+  // Of the first cell of a diagonal; costs from the place before it.
+  struct Before {
+    const double* simulated;
+    const double* measured;
+    const double* two_before;
+    const double* one_before;
+  };
+
+  static void fill(const Before& before, Index count, double* cost, unsigned char* steps) {
+    for (Index k = 0; k < count; ++k) {
+      const double up = before.one_before[k];
+      const double left = before.one_before[k + 1];
+      const double both = before.two_before[k];
+      const double difference = before.simulated[k] - before.measured[k];
+      const double single = up < left ? up : left;
+      const double least = single < both ? single : both;
+      cost[k] = difference * difference + least;
+      const int in_both = both < single ? 1 : 0;
+      const int in_measured = left < up ? 1 : 0;
+      steps[k] = static_cast<unsigned char>(2 * in_both | (in_measured & ~in_both));
     }
   }
 
   const Signal& measured_;
   const Signal& simulated_;
+  Index last_;
   Index reach_;
-  std::vector<Step> steps_;
+  std::vector<unsigned char> steps_;
 };
 
 Sums warp(const Signal& measured, const Signal& simulated, std::size_t blocks) {

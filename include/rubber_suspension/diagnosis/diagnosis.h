@@ -19,6 +19,7 @@
 #include "rubber_suspension/diagnosis/verdict.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/fit/measured_table.h"
+#include "rubber_suspension/gap/iso18571.h"
 #include "rubber_suspension/gap/where.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"
@@ -114,6 +115,12 @@ struct CharacteristicErrors {
   double energy = 0.0;      ///< of the loss per cycle [-]
 };
 
+/// The rating of a log by ISO/TS 18571, as it was recorded.
+struct LogRating {
+  gap::Iso18571 as_configured;
+  gap::Iso18571 augmented;
+};
+
 /// A log as it was admitted.
 struct Admission {
   std::string log;
@@ -126,6 +133,7 @@ struct Admission {
   double repeats = 0.0;               ///< share of the log that repeats an earlier motion
   double recorded = 0.0;              ///< gap of the augmented component to the log as recorded
   double left = 0.0;                  ///< the same once what the rig did to the log is taken out
+  std::optional<LogRating> rating;    ///< of a log that was judged
   std::vector<std::string> notes;
 };
 

@@ -7,7 +7,6 @@
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/augmented_yaml.h"
 #include "diagnosis/report/compare.h"
-#include "diagnosis/report/log_rating.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/words/model_values.h"
@@ -221,14 +220,16 @@ std::string excerptsTaken(const Diagnosis& d) {
 }
 
 std::string ratingTable(const Diagnosis& d) {
-  const std::vector<report::LogRating> ratings = report::logRatings(d);
   std::vector<Row> rows;
   bool any_repeats = false;
-  for (std::size_t r = 0; r < ratings.size(); ++r) {
-    const gap::Iso18571& after = ratings[r].augmented;
+  for (const Admission& log : d.admission) {
+    if (!log.rating) {
+      continue;
+    }
+    const gap::Iso18571& after = log.rating->augmented;
     any_repeats = any_repeats || after.repeats;
-    rows.push_back({escape(d.admission[r].log) + (after.repeats ? " *" : ""),
-                    fmt::format("{:.3f}", ratings[r].as_configured.total), fmt::format("{:.3f}", after.total),
+    rows.push_back({escape(log.log) + (after.repeats ? " *" : ""),
+                    fmt::format("{:.3f}", log.rating->as_configured.total), fmt::format("{:.3f}", after.total),
                     gap::iso18571Grade(after.total), fmt::format("{:.3f}", after.corridor),
                     fmt::format("{:.3f}", after.phase), fmt::format("{:.3f}", after.magnitude),
                     fmt::format("{:.3f}", after.slope)});

@@ -3,7 +3,6 @@
 #include <complex>
 
 #include "diagnosis/hypotheses/workings.h"
-#include "diagnosis/report/log_rating.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/report/run_record.h"
 #include "element/each.h"
@@ -54,29 +53,23 @@ ordered_json ratingJson(const gap::Iso18571& rating) {
 }
 
 ordered_json admissionJson(const Admission& log) {
-  return {{"log", log.log},
-          {"hold_out", log.hold_out},
-          {"duration_s", log.duration},
-          {"step_s", log.dt},
-          {"largest_displacement_m", log.largest_displacement},
-          {"highest_frequency_hz", log.highest_frequency},
-          {"noise_floor", log.noise},
-          {"repeats", log.repeats},
-          {"gap_as_recorded", log.recorded},
-          {"gap", log.left},
-          {"notes", log.notes}};
-}
-
-// With the ratings, where the logs were judged.
-ordered_json admissionsJson(const Diagnosis& diagnosis) {
-  ordered_json logs = each(diagnosis.admission, admissionJson);
-  const std::vector<report::LogRating> ratings = report::logRatings(diagnosis);
-  for (std::size_t r = 0; r < ratings.size(); ++r) {
-    logs[r]["iso18571"] = {{"as_configured", ratingJson(ratings[r].as_configured)},
-                           {"augmented", ratingJson(ratings[r].augmented)},
-                           {"repeats", ratings[r].augmented.repeats}};
+  ordered_json entry = {{"log", log.log},
+                        {"hold_out", log.hold_out},
+                        {"duration_s", log.duration},
+                        {"step_s", log.dt},
+                        {"largest_displacement_m", log.largest_displacement},
+                        {"highest_frequency_hz", log.highest_frequency},
+                        {"noise_floor", log.noise},
+                        {"repeats", log.repeats},
+                        {"gap_as_recorded", log.recorded},
+                        {"gap", log.left},
+                        {"notes", log.notes}};
+  if (log.rating) {
+    entry["iso18571"] = {{"as_configured", ratingJson(log.rating->as_configured)},
+                         {"augmented", ratingJson(log.rating->augmented)},
+                         {"repeats", log.rating->augmented.repeats}};
   }
-  return logs;
+  return entry;
 }
 
 ordered_json takenOutJson(const TakenOut& part) {
@@ -255,7 +248,7 @@ std::string toJson(const Diagnosis& diagnosis) {
                            {"sheet_deviations", each(diagnosis.sheet_deviations, deviationJson)},
                            {"at_bounds", diagnosis.at_bounds}}},
                          {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
-                         {"admission", admissionsJson(diagnosis)}};
+                         {"admission", each(diagnosis.admission, admissionJson)}};
   if (!diagnosis.defect.empty()) {
     report["defect"] = diagnosis.defect;
   }

@@ -233,7 +233,10 @@ class Describer {
   void describeLogs() {
     result_.admission.resize(noise_.size());
     fit::parallelFor(noise_.size(), options_.threads, [&](std::size_t r) {
-      result_.admission[r] = admit(workings_->records[r], r >= prepared_.training.size(), noise_[r]);
+      const Workings& w = *workings_;
+      result_.admission[r] = admit(w.records[r], r >= prepared_.training.size(), noise_[r]);
+      result_.admission[r].rating = {gap::rateIso18571(w.records[r].force, w.force_configured[r]),
+                                     gap::rateIso18571(w.records[r].force, w.force_augmented[r])};
     });
   }
 
