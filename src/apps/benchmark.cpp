@@ -1,10 +1,6 @@
-// The command `benchmark`: how fast the library is against plain loops written by hand, with the error beside it.
-#include <fmt/format.h>
-
-#include "benchmark/cases.h"
+// The command `benchmark`: how long the library takes on this machine.
+#include "benchmark/own_work.h"
 #include "command_line/command.h"
-#include "command_line/plot_option.h"
-#include "element/refuse.h"
 
 namespace {
 
@@ -13,94 +9,35 @@ using namespace rubber_suspension::command_line;
 
 struct Options {
   bool quick = false;
-  std::size_t samples = 0;
-  double log_duration = 20.0;
-  int pairs = 0;
-  std::string plot;
-  std::string work;
-  std::string config;
-  std::string log;
+  double long_log = 0.0;
 
   OptionTable table();
 };
 
 OptionTable Options::table() {
   OptionTable options = {
-      Option("--quick", quick, "shorter logs and fewer pairs: under a minute"),
-      Option("--samples", samples, "COUNT",
-             "samples of the logs that are simulated; if absent 100000, with --quick 20000")
-          .within(10, 10000000),
-      Option("--log-duration", log_duration, "SECONDS", "length of the logs that are diagnosed")
-          .rare()
-          .within(1, 604800),
-      Option("--pairs", pairs, "COUNT",
-             "pairs of runs of plain loop and library, per row; if absent 101, with --quick 15")
-          .rare()
-          .within(1, 100000),
-      plotOption(plot, "the ratios"),
-      Option("--work", work, "WORK",
-             "only time the library on this, once, and print JSON: simulate, the force of a log; fit, from the "
-             "component as given (both for scripts/benchmark_peers); diagnose, one log of --log-duration that is made "
-             "as it is read, with the memory that the process took")
-          .oneOf({"simulate", "fit", "diagnose"}),
-      Option("--config", config, "FILE", "with --work simulate or fit: component file of one component").reads(),
-      Option("--log", log, "FILE", "with --work simulate or fit: CSV log").reads()};
-  options.needs({"--config", "--log"}, {"--work"}).excludes({"--config", "--log"}, {"--work diagnose"});
-  options.excludes({"--log-duration"}, {"--work simulate", "--work fit"});
-  return options.excludes({"--quick", "--samples", "--pairs", "--plot"}, {"--work"});
-}
-
-std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
-  std::vector<benchmark::Case> all;
-  for (const auto part : {benchmark::forceCases, benchmark::sixDirectionCases, benchmark::logCases,
-                          benchmark::bundleCases, benchmark::estimationCases, benchmark::diagnosisCases}) {
-    for (benchmark::Case& work : part(size)) {
-      all.push_back(std::move(work));
-    }
-  }
-  return all;
-}
-
-int runSingle(const Options& options) {
-  if (options.work == "diagnose") {
-    std::cout << benchmark::diagnoseLongLog(options.log_duration) << '\n';
-    return kSuccess;
-  }
-  element::refuseIf<UsageError>(options.config.empty() || options.log.empty(), "--work {} needs --config and --log",
-                                options.work);
-  std::cout << benchmark::singleWork(options.work, options.config, options.log) << '\n';
-  return kSuccess;
+      Option("--quick", quick, "shorter logs and fewer runs: a few seconds"),
+      Option("--long-log", long_log, "SECONDS",
+             "only diagnose one log of that length, which is made as it is read, and print JSON: the time, and the "
+             "memory that the process took")
+          .within(1, 604800)};
+  return options.excludes({"--quick"}, {"--long-log"});
 }
 
 int run(const Options& options) {
-  if (!options.work.empty()) {
-    return runSingle(options);
+  if (options.long_log > 0.0) {
+    std::cout << benchmark::diagnoseLongLog(options.long_log) << '\n';
+    return kSuccess;
   }
-  benchmark::BenchmarkSize size;
-  size.samples = options.samples > 0 ? options.samples : options.quick ? 20000 : 100000;
-  size.log_duration = options.log_duration;
-  const int pairs = options.pairs > 0 ? options.pairs : options.quick ? 15 : 101;
-  std::vector<benchmark::Result> results;
-  bool accurate = true;
-  for (benchmark::Case& work : allCases(size)) {
-    std::cerr << "measuring " << work.name << '\n';
-    if (options.quick) {
-      work.most_repetitions = std::min(work.most_repetitions, work.clock == benchmark::Clock::wall ? 1 : pairs);
-    }
-    results.push_back(benchmark::measure(work, pairs));
-    if (!results.back().accurate) {
-      printError("benchmark", work.name + ": the error is beyond its tolerance");
-      accurate = false;
-    }
-    if (results.back().slow) {
-      printError("benchmark", fmt::format("{}: {:.3g} times the time of {}; accepted: {:g} times", work.name,
-                                          results.back().ratio.lower, work.baseline, work.most));
-      accurate = false;
-    }
+  std::vector<benchmark::Work> all = benchmark::forces(options.quick ? 20000 : 100000);
+  const auto diagnoses = benchmark::diagnoses(options.quick ? 2.0 : 20.0);
+  all.insert(all.end(), diagnoses.begin(), diagnoses.end());
+  std::cout << "| work | time, median | quartiles |\n|---|---|---|\n";
+  for (const benchmark::Work& work : all) {
+    const int runs = work.clock == benchmark::Clock::wall ? 3 : 101;
+    std::cout << benchmark::row(work, options.quick ? 1 + runs / 10 : runs) << std::flush;
   }
-  std::cout << benchmark::markdown(results);
-  drawPlot(options.plot, [&] { return benchmark::ratioFigure(results); });
-  return accurate ? kSuccess : kFailed;
+  return kSuccess;
 }
 
 }  // namespace
@@ -109,12 +46,9 @@ int main(int argc, char** argv) {
   return runCommand<Options>(
       argc, argv,
       {"benchmark",
-       "Times the library against hand-written loops, taking turns in one process, and prints a "
-       "Markdown table: ratios are medians over pairs of runs, with quartiles in brackets, the error of the forces "
-       "beside them. Times are CPU times of the thread, so that other programs matter little; for the diagnosis they "
-       "are wall times.",
-       {{"In a minute", "--quick"},
-        {"All of it, with a picture", "--plot ratios.svg"},
-        {"One work alone", "--work simulate --config component.yaml --log log.csv"}}},
+       "Measures how long the library takes on this machine for forces, an estimation and a diagnosis, and prints a "
+       "Markdown table. The component is a spring, five Maxwell elements and friction, at 1 kHz. Times are CPU times "
+       "of the thread, so that other programs matter little; for the diagnosis they are wall times.",
+       {{"In a few seconds", "--quick"}, {"Time and memory for a log of an hour", "--long-log 3600"}}},
       run);
 }

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "benchmark/latency/benchmark_node.h"
-#include "benchmark/measurement.h"
+#include "benchmark/timing.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension {

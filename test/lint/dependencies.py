@@ -71,7 +71,7 @@ IMPLIED = {"rosconsole", "rostime", "xmlrpcpp", "Threads", "CTest", "bits", "sys
            "Python3"}
 # Found where they are, done without where not: no rosdep key names them.
 OPTIONAL = {"rapidcheck", "rapidcheck.h"}
-# The same: a compiled Python that scripts/benchmark_peers compares with.
+# The same: a compiled Python that test/benchmark/peers compares with.
 OPTIONAL |= {"numba"}
 # For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.
 TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev",

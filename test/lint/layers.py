@@ -42,8 +42,7 @@ BELOW = {
         "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis", "node",
         "bag", "roscpp_fixes"},
     "benchmark": {
-        "processor", "element", "kernel", "component", "response", "estimation", "numerics", "log", "io", "gap",
-        "measurement", "fit", "diagnosis", "node", "roscpp_fixes", "ros_interface"},
+        "element", "component", "estimation", "numerics", "log", "io", "gap", "diagnosis", "ros_interface"},
 }
 # What each folder of diagnosis/ may include of the others; what lies beside the folders may include all of them.
 WITHIN_DIAGNOSIS = {

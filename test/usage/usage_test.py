@@ -33,7 +33,7 @@ REFUSED = (
     (f"play_log --component a --log {LOG} --paused --step 1", "--paused has no effect with --step"),
     (f"play_log --component a --log {LOG} --force", "--force has no effect without a file to write"),
     (f"check_force --component a --log {LOG} --tolerance 1 --config-component b", "has no effect without --config"),
-    ("benchmark --config x.yaml", "--config has no effect without --work"),
+    ("benchmark --quick --long-log 60", "--quick has no effect with --long-log"),
     ("benchmark_latency --soak 1000 --sampling-rate 100", "--sampling-rate has no effect with --soak"),
     (f"half_bogie --config c --track {LOG} --forces implicit --delay 1", "--delay has no effect with --forces implicit"),
     ("half_bogie --config c --stability --columns time=1", "--columns has no effect with --stability"),

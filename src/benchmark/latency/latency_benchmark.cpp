@@ -9,7 +9,7 @@
 #include <ostream>
 
 #include "benchmark/latency/benchmark_node.h"
-#include "benchmark/measurement.h"
+#include "benchmark/timing.h"
 #include "element/refuse.h"
 
 namespace rubber_suspension::benchmark {

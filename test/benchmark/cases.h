@@ -11,27 +11,18 @@ namespace rubber_suspension::benchmark {
 
 struct BenchmarkSize {
   std::size_t samples = 100000;  ///< of the logs that are simulated, at 1 kHz
-  double log_duration = 20.0;    ///< of the logs that are diagnosed [s]
   int components = 1000;         ///< at one tick
 };
 
 // The parts of the table; their files say what they measure.
 std::vector<Case> forceCases(const BenchmarkSize& size);
 std::vector<Case> sixDirectionCases(const BenchmarkSize& size);
-std::vector<Case> estimationCases(const BenchmarkSize& size);
-std::vector<Case> logCases(const BenchmarkSize& size);
 std::vector<Case> bundleCases(const BenchmarkSize& size);
-std::vector<Case> diagnosisCases(const BenchmarkSize& size);
 
 /// Time `simulate` (the force of a log, median of some runs) or `fit` (of the only component of the file to the log,
 /// from one start), in seconds of the thread, for scripts that time others by turns with it. Returns JSON: seconds, and
 /// of a fit its cost, the sum of squared residuals [N^2]. Throws ComponentFileError, LogError and
 /// std::invalid_argument.
 std::string singleWork(const std::string& work, const std::string& component_file, const std::string& log);
-
-/// Diagnoses a log of so many seconds [s] at 1 kHz that is made as it is read, of a component that hides friction, with
-/// two threads. Returns JSON: samples, seconds of the clock, the largest resident memory of the process [bytes], and
-/// the verdict.
-std::string diagnoseLongLog(double duration);
 
 }  // namespace rubber_suspension::benchmark

@@ -6,28 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "benchmark/example.h"
 #include "rubber_suspension/element/constants.h"
-#include "rubber_suspension/element/parameter.h"
 
 namespace rubber_suspension::benchmark {
-
-/// Numbers of a component: spring, Maxwell elements of one total stiffness spread over the log of frequency, friction.
-struct BareParameters {
-  double spring = 3.0e6;                  ///< [N/m]
-  std::vector<double> stiffness;          ///< of the Maxwell elements [N/m]
-  std::vector<double> break_frequency;    ///< [Hz]
-  double maximum_force = 5000.0;          ///< F_max [N]
-  double friction_displacement = 2.2e-3;  ///< z2 [m]
-
-  /// With stiffnesses and friction force times these factors.
-  BareParameters scaled(double by_stiffness, double by_force) const;
-};
-
-/// That many Maxwell elements of 1.9 MN/m together, break frequencies from 0.03 Hz to the highest [Hz].
-BareParameters bareParameters(int maxwell_elements, double highest = 25.0);
-
-/// The same numbers as entries of a component file.
-std::vector<element::ElementDescription> elementsOf(const BareParameters& parameters);
 
 /// Memory of friction between steps: displacement and force of the last sample, reference point, direction of motion.
 struct BareFriction {
@@ -62,7 +44,7 @@ struct BareFriction {
 
 /// Force [N] at every sample, at rest at the first one. One step [s] holds throughout; of several, step[i] ends at
 /// sample i.
-void bareLoop(const BareParameters& parameters, const std::vector<double>& step,
+void bareLoop(const ExampleParameters& parameters, const std::vector<double>& step,
               const std::vector<double>& displacement, std::vector<double>& force);
 
 /// Stiffnesses and relaxation times of n Maxwell elements, a number that the compiler knows: that makes the loop as
@@ -72,7 +54,7 @@ struct BareMaxwells {
   std::array<double, n> stiffness;        ///< [N/m]
   std::array<double, n> relaxation_time;  ///< [s]
 
-  explicit BareMaxwells(const BareParameters& parameters) {
+  explicit BareMaxwells(const ExampleParameters& parameters) {
     for (int i = 0; i < n; ++i) {
       stiffness[i] = parameters.stiffness[i];
       relaxation_time[i] = 1.0 / (2.0 * element::kPi * parameters.break_frequency[i]);
@@ -85,7 +67,7 @@ template <int n>
 class BareComponent {
  public:
   /// At rest at a displacement [m].
-  explicit BareComponent(const BareParameters& parameters, double displacement = 0.0)
+  explicit BareComponent(const ExampleParameters& parameters, double displacement = 0.0)
       : spring_(parameters.spring),
         maximum_force_(parameters.maximum_force),
         friction_displacement_(parameters.friction_displacement),

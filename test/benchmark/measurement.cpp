@@ -4,23 +4,11 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <boost/algorithm/string/erase.hpp>
-#include <ctime>
 
 namespace rubber_suspension::benchmark {
 namespace {
-
-double now(Clock clock) {
-  timespec time{};
-  clock_gettime(clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-std::string readable(double seconds) {
-  const std::pair<double, const char*> units[] = {{1.0, "s"}, {1e-3, "ms"}, {1e-6, "us"}, {1e-9, "ns"}};
-  const auto* unit = std::find_if(units, units + 3, [&](const auto& one) { return seconds >= one.first; });
-  return fmt::format("{:.3g} {}", seconds / unit->first, unit->second);
-}
 
 std::string readableRatio(double ratio) {
   return fmt::format(ratio < 0.1 ? "{:.2g}" : ratio < 100.0 ? "{:.2f}" : "{:.0f}", ratio);
@@ -34,12 +22,6 @@ double relativeDifference(const std::vector<double>& expected, const std::vector
   return (found - right).abs().maxCoeff<Eigen::PropagateNaN>() / right.abs().maxCoeff();
 }
 
-double secondsOf(const std::function<void()>& run, Clock clock) {
-  const double start = now(clock);
-  run();
-  return now(clock) - start;
-}
-
 Result measure(const Case& work, int pairs) {
   work.bare();
   work.library();
@@ -47,18 +29,17 @@ Result measure(const Case& work, int pairs) {
   std::vector<double> bare;
   std::vector<double> library;
   std::vector<double> ratio;
-  const int repetitions = std::min(pairs, work.most_repetitions);
-  for (int i = 0; i < repetitions; ++i) {
+  for (int i = 0; i < pairs; ++i) {
     const bool bare_first = i % 2 == 0;
     for (const bool is_bare : {bare_first, !bare_first}) {
-      const double seconds = secondsOf(is_bare ? work.bare : work.library, work.clock);
+      const double seconds = secondsOf(is_bare ? work.bare : work.library, Clock::thread);
       (is_bare ? bare : library).push_back(seconds / (is_bare ? work.baseline_count : work.count));
     }
     ratio.push_back(library.back() / bare.back());
   }
   Result result{work.name, work.baseline, "", spreadOf(ratio), error <= work.tolerance, false};  // no NaN is accurate
   constexpr int kFewest = 15;  // pairs; fewer only show that the case runs
-  result.slow = repetitions >= kFewest && result.ratio.lower > work.most;
+  result.slow = pairs >= kFewest && result.ratio.lower > work.most;
   result.row = fmt::format("| {} | {} | **{}** ({} to {}) | {} per {} | {} | {:.1e} {} |\n", work.name, work.baseline,
                            readableRatio(result.ratio.median), readableRatio(result.ratio.lower),
                            readableRatio(result.ratio.upper), readable(spreadOf(library).median), work.unit,

@@ -1,9 +1,8 @@
 // What it costs that a saved state is one instant: bundles under the lock of all components, and a save against them.
 #include <fmt/format.h>
 
-#include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
-#include "benchmark/test_signal.h"
+#include "benchmark/example.h"
 #include "node/channel_group.h"
 
 namespace rubber_suspension::benchmark {
@@ -27,7 +26,7 @@ struct BundleBench {
     constexpr double kMaxGap = 0.5;  // [s], that of the node
     std::vector<node::ComponentChannel*> pointers;
     for (std::size_t i = 0; i < components; ++i) {
-      const io::ComponentDescription description{fmt::format("component_{:03d}", i), elementsOf(bareParameters(5))};
+      const io::ComponentDescription description{fmt::format("component_{:03d}", i), ExampleParameters().elements()};
       channels.push_back(std::make_unique<node::ComponentChannel>(description, kMaxGap));
       pointers.push_back(channels.back().get());
     }

@@ -6,36 +6,14 @@
 #include <cmath>
 #include <memory>
 
-#include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
-#include "benchmark/test_signal.h"
+#include "benchmark/example.h"
 #include "rubber_suspension/component/six_directions.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
 
 using component::kDirections;
-
-// Five Maxwell elements and friction; of rotations 0.1 rad are what 2 mm are.
-std::vector<element::ElementDescription> directionElements(bool bank, bool turns) {
-  constexpr double kLength = 0.02;  // [m/rad]
-  const BareParameters parameters = bareParameters(5);
-  std::vector<element::ElementDescription> elements =
-      elementsOf(turns ? parameters.scaled(kLength * kLength, kLength) : parameters);
-  for (element::ElementDescription& element : elements) {
-    element.type = bank && element.type == "friction" ? "iwan" : element.type;
-  }
-  return elements;
-}
-
-component::SixDirectionsLaws lawsOf(component::Coupling coupling) {
-  component::SixDirectionsLaws laws;
-  laws.translation = laws.rotation = coupling;
-  for (std::size_t k = 0; k < kDirections; ++k) {
-    laws.elements[k] = directionElements(coupling != component::Coupling::rectangular, k >= 3);
-  }
-  return laws;
-}
 
 // Components of six directions, and six times as many of one, on one path.
 struct SixDirectionBench {
@@ -53,7 +31,7 @@ struct SixDirectionBench {
   double expected_tangents = 0.0;
 
   SixDirectionBench(std::size_t samples, std::size_t count, component::Coupling coupling)
-      : bushes(count, component::SixDirections(lawsOf(coupling))),
+      : bushes(count, component::SixDirections(exampleBush(coupling))),
         coordinates(samples),
         poses(samples),
         states(count, bushes[0].makeState()),

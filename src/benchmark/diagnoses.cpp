@@ -1,5 +1,4 @@
-// Fit and diagnosis of logs of a component that hides friction: six logs against single passes of the plain loop over
-// them, and against one thread; and one log of any length.
+// Diagnoses of logs of a component that hides friction: six logs, and one of any length.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -8,9 +7,8 @@
 #include <boost/random/normal_distribution.hpp>
 #include <cmath>
 
-#include "benchmark/bare_loop.h"
-#include "benchmark/cases.h"
-#include "benchmark/test_signal.h"
+#include "benchmark/example.h"
+#include "benchmark/own_work.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/log/log_source.h"
@@ -50,45 +48,17 @@ class MeasuringRig {
   std::int64_t next_ = 0;
 };
 
-// Logs of several amplitudes, and what became of diagnosing them.
-struct DiagnosisBench {
+// Logs of several amplitudes.
+std::vector<log::Log> sixLogs(double duration) {
   std::vector<log::Log> logs;
-  diagnosis::Diagnosis diagnosis;
-
-  explicit DiagnosisBench(std::size_t samples, std::size_t count) {
-    constexpr double kScales[] = {1.0, 0.3, 0.6, 0.15, 0.8, 0.45};
-    for (std::size_t i = 0; i < count; ++i) {
-      MeasuringRig rig(static_cast<unsigned>(i) + 1);
-      logs.emplace_back().name = fmt::format("log {}", i + 1);
-      for (const double z : benchmarkDisplacement(samples)) {
-        rig.measure(kScales[i] * z, logs.back());
-      }
+  for (const double scale : {1.0, 0.3, 0.6, 0.15, 0.8, 0.45}) {
+    logs.emplace_back().name = fmt::format("log {}", logs.size());
+    MeasuringRig rig(static_cast<unsigned>(logs.size()));
+    for (const double z : benchmarkDisplacement(static_cast<std::size_t>(duration / kStep))) {
+      rig.measure(scale * z, logs.back());
     }
   }
-
-  double samples() const { return static_cast<double>(logs.size() * logs.front().size()); }
-
-  void run(int threads) {
-    diagnosis::DiagnosisOptions options;
-    options.threads = threads;
-    diagnosis = diagnosis::diagnose(describedComponent(), logs, {}, options);
-  }
-};
-
-// A diagnosis against whatever else; the error is that of the diagnosis.
-template <class Bare>
-Case diagnosisCase(const std::shared_ptr<DiagnosisBench>& bench, const std::string& name, const std::string& baseline,
-                   Bare bare) {
-  const auto run = [](DiagnosisBench& work) { work.run(2); };
-  Case result = caseOf(bench, "fit and diagnosis of " + name + " at 1 kHz, 2 threads", run, baseline, bare, "sample",
-                       bench->samples());
-  result.error = [bench] { return bench->diagnosis.gap.augmented - bench->diagnosis.gap.noise_floor; };
-  result.error_meaning = "gap left above the noise floor";
-  // The friction left out is a gap of 15 %; the fit's own share of the noise is a tenth of this.
-  result.tolerance = 0.02;
-  result.clock = Clock::wall;
-  result.most_repetitions = 3;
-  return result;
+  return logs;
 }
 
 // The benchmark's motion again and again, with an amplitude that changes over minutes.
@@ -122,22 +92,20 @@ class LongLog : public log::LogSource {
 
 }  // namespace
 
-std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
-  constexpr int kPasses = 100;  // so that one run is long against what interrupts it
-  const auto six = std::make_shared<DiagnosisBench>(static_cast<std::size_t>(size.log_duration / kStep), 6);
-  const std::string name = fmt::format("six logs of {:g} s", size.log_duration);
-  const auto passes = [force = std::vector<double>(six->logs.front().size())](const DiagnosisBench& work) mutable {
-    for (int i = 0; i < kPasses; ++i) {
-      for (const log::Log& log : work.logs) {
-        bareLoop(bareParameters(1), {kStep}, log.displacement, force);
-      }
-    }
-  };
-  std::vector<Case> cases = {
-      diagnosisCase(six, name, "one pass of the plain loop, 1 Maxwell", passes),
-      diagnosisCase(six, name, "the same in 1 thread", [](DiagnosisBench& work) { work.run(1); })};
-  cases[0].baseline_count *= kPasses;
-  return cases;
+std::vector<Work> diagnoses(double duration) {
+  std::vector<Work> all;
+  const auto logs = std::make_shared<std::vector<log::Log>>(sixLogs(duration));
+  for (const int threads : {1, 2}) {
+    const auto run = [logs, threads] {
+      diagnosis::DiagnosisOptions options;
+      options.threads = threads;
+      diagnosis::diagnose(describedComponent(), *logs, {}, options);
+    };
+    const std::string name = fmt::format("diagnosis of six logs of {:g} s at 1 kHz, {}", duration,
+                                         threads == 1 ? "one thread" : "two threads");
+    all.push_back({name, "sample", static_cast<double>(logs->size() * logs->front().size()), run, Clock::wall});
+  }
+  return all;
 }
 
 std::string diagnoseLongLog(double duration) {

@@ -2,20 +2,16 @@
 // whole machine.
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "numerics/quantile.h"
+#include "benchmark/timing.h"
 #include "rubber_suspension/io/figure.h"
 
 namespace rubber_suspension::benchmark {
-
-/// Seconds of the calling thread, so that other programs on the machine do not count, or of the wall.
-enum class Clock { thread, wall };
 
 /// One row of the table before it is measured.
 struct Case {
@@ -31,8 +27,6 @@ struct Case {
   double tolerance = 0.0;         ///< the error may be as large
   /// The ratio may be as large: held by its lower quartile, which a busy machine does not raise, over enough pairs.
   double most = std::numeric_limits<double>::infinity();
-  Clock clock = Clock::thread;
-  int most_repetitions = 1000000;  ///< of a case that takes long
 };
 
 /// Largest difference over the largest expected value.
@@ -74,15 +68,6 @@ struct Result {
   bool accurate = false;  ///< the error is within the tolerance
   bool slow = false;      ///< the ratio is beyond the largest accepted
 };
-
-/// Median and quartiles of repeated measurements, linear between the ranks. The list must not be empty.
-inline io::Spread spreadOf(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return {numerics::quantileOf(values, 0.5), numerics::quantileOf(values, 0.25), numerics::quantileOf(values, 0.75)};
-}
-
-/// What a run takes by the clock [s].
-double secondsOf(const std::function<void()>& run, Clock clock);
 
 /// Run the case once unmeasured, then in that many pairs; which of the two runs first alternates.
 Result measure(const Case& work, int pairs);
