@@ -62,7 +62,7 @@ Files reportFiles(const DiagnoseOptions& options) {
 }
 
 std::string takenOut(const diagnosis::Diagnosis& diagnosis) {
-  const std::vector<std::string> phrases = diagnosis::words::describeTakenOut(diagnosis.taken_out);
+  const std::vector<std::string> phrases = diagnosis::words::describeTakenOut(diagnosis.logs.taken_out);
   return phrases.empty() ? "" : log::oneLine(fmt::format("taken out of the logs: {}", fmt::join(phrases, "; "))) + "\n";
 }
 
@@ -213,10 +213,10 @@ void setTolerances(const std::vector<std::string>& assignments, io::ComponentDes
 }
 
 std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis) {
-  return diagnosis.samples == diagnosis.recorded_samples
+  return diagnosis.samples.searched == diagnosis.samples.recorded
              ? ""
-             : fmt::format("excerpts: {} of {} samples were searched (--most-samples)\n", diagnosis.samples,
-                           diagnosis.recorded_samples);
+             : fmt::format("excerpts: {} of {} samples were searched (--most-samples)\n", diagnosis.samples.searched,
+                           diagnosis.samples.recorded);
 }
 
 std::optional<diagnosis::report::EarlierReport> earlierReport(const DiagnoseOptions& options) {

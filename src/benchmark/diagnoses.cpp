@@ -118,7 +118,7 @@ std::string diagnoseLongLog(double duration) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return fmt::format("{{\"samples\": {}, \"seconds\": {:.3g}, \"peak_bytes\": {}, \"verdict\": \"{}\"}}", samples,
-                     seconds, static_cast<long long>(usage.ru_maxrss) * 1024, toString(diagnosis.verdict));
+                     seconds, static_cast<long long>(usage.ru_maxrss) * 1024, toString(diagnosis.answer.verdict));
 }
 
 }  // namespace rubber_suspension::benchmark

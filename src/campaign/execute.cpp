@@ -52,20 +52,20 @@ std::vector<std::string> effectsOf(const diagnosis::Alternative& other) {
 
 // A number that is not finite is written as null.
 ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
-  ordered_json values = {{"verdict", toString(d.verdict)},
-                         {"effects", log::join(d.effects)},
-                         {"confounded", setsText(d.confounded)},
-                         {"alternatives", setsText(element::each(d.alternatives, effectsOf))},
-                         {"gap_as_configured", d.gap.as_configured},
-                         {"gap_re_estimated", d.gap.re_estimated},
-                         {"gap_augmented", d.gap.augmented},
-                         {"noise_floor", d.gap.noise_floor},
-                         {"closed", d.closed},
-                         {"closed_lower", d.closed_interval[0]},
-                         {"closed_upper", d.closed_interval[1]},
+  ordered_json values = {{"verdict", toString(d.answer.verdict)},
+                         {"effects", log::join(d.answer.effects)},
+                         {"confounded", setsText(d.answer.confounded)},
+                         {"alternatives", setsText(element::each(d.answer.alternatives, effectsOf))},
+                         {"gap_as_configured", d.gaps.unseen.as_configured},
+                         {"gap_re_estimated", d.gaps.unseen.re_estimated},
+                         {"gap_augmented", d.gaps.unseen.augmented},
+                         {"noise_floor", d.gaps.unseen.noise_floor},
+                         {"closed", d.gaps.closed},
+                         {"closed_lower", d.gaps.closed_interval[0]},
+                         {"closed_upper", d.gaps.closed_interval[1]},
                          {"rig_findings", d.rig_findings.size()},
                          {"sentence", d.sentence}};
-  for (const auto& [name, ratio] : d.parameter_ratios) {
+  for (const auto& [name, ratio] : d.parameters.ratios) {
     values["ratio." + name] = ratio;
   }
   return values;
@@ -75,11 +75,11 @@ ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
 // with an effect depend on its form, unless other values would do as well.
 bool hasValuesOfItsOwn(const diagnosis::Diagnosis& d) {
   const bool other_values_do =
-      std::any_of(d.alternatives.begin(), d.alternatives.end(), [](const diagnosis::Alternative& other) {
+      std::any_of(d.answer.alternatives.begin(), d.answer.alternatives.end(), [](const diagnosis::Alternative& other) {
         return other.effects.empty() && other.verdict == Verdict::parameter_error;
       });
-  return d.verdict != Verdict::check_bench && d.verdict != Verdict::defect && d.verdict != Verdict::unknown &&
-         (d.effects.empty() || other_values_do);
+  return d.answer.verdict != Verdict::check_bench && d.answer.verdict != Verdict::defect &&
+         d.answer.verdict != Verdict::unknown && (d.answer.effects.empty() || other_values_do);
 }
 
 // Nothing for a number without a logarithm.
@@ -90,9 +90,9 @@ void addChange(const std::string& name, double ratio, Findings& findings) {
 }
 
 Findings findingsOf(const diagnosis::Diagnosis& d) {
-  Findings findings{d.verdict, d.effects, {}};
+  Findings findings{d.answer.verdict, d.answer.effects, {}};
   if (hasValuesOfItsOwn(d)) {
-    for (const auto& [name, ratio] : d.parameter_ratios) {
+    for (const auto& [name, ratio] : d.parameters.ratios) {
       addChange(name, ratio, findings);
     }
   }

@@ -13,7 +13,6 @@
 #include "diagnosis/hypotheses/measured_logs.h"
 #include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/invariants.h"
 #include "diagnosis/judge/answer.h"
@@ -78,23 +77,10 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
   return findings;
 }
 
-// The error that each hypothesis leaves in unseen logs; nothing without such logs.
-std::vector<hypotheses::UnseenErrors> unseenErrorsOf(const hypotheses::PreparedCase& prepared,
-                                                     const hypotheses::Search& search, std::size_t hypotheses,
-                                                     int threads) {
-  std::vector<hypotheses::UnseenErrors> unseen(prepared.held_out.empty() ? 0 : hypotheses);
-  fit::parallelFor(unseen.size(), threads, [&](std::size_t hypothesis) {
-    unseen[hypothesis] = hypotheses::unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)),
-                                                  prepared.held_out, prepared.zeros.held_out);
-  });
-  return unseen;
-}
-
-void judgeSearch(const hypotheses::PreparedCase& prepared, int threads, Workings& workings) {
-  workings.evidence = hypotheses::evidenceOf(workings.search);
-  workings.unseen = unseenErrorsOf(prepared, workings.search, workings.evidence.hypotheses.size(), threads);
-  hypotheses::addLogTable(prepared, workings.search, workings.unseen, threads, workings.evidence);
-  workings.answer = judge::answer(workings.evidence);
+Workings judged(const hypotheses::PreparedCase& prepared, hypotheses::Search search, const DiagnosisOptions& options) {
+  judge::Evidence evidence = hypotheses::evidenceOfLogs(prepared, search, options.threads);
+  judge::Answer answer = judge::answer(evidence);
+  return {std::move(search), std::move(evidence), std::move(answer), options.evidence, {}};
 }
 
 // The logs of the fit with the rig's priors, and the models to be fitted to them.
@@ -119,27 +105,28 @@ std::vector<RigFinding> ofRotation(std::vector<RigFinding> findings) {
 
 Diagnosis ofRotation(Diagnosis result) {
   result.turns = true;
-  for (auto* sizes : {&result.model_sizes, &result.effect_sizes, &result.written}) {
+  for (auto* sizes : {&result.law.model_sizes, &result.law.effect_sizes, &result.law.numbers}) {
     for (SizedValue& size : *sizes) {
       size.unit = io::rotationalUnit(size.unit);
     }
   }
-  for (Admission& log : result.admission) {
+  for (Admission& log : result.logs.admission) {
     log.notes = element::each(log.notes, words::inRotationUnits);
   }
   result.rig_findings = ofRotation(std::move(result.rig_findings));
-  result.proposed.description = words::inRotationUnits(result.proposed.description);
+  std::string& motion = result.next.proposed.description;
+  motion = words::inRotationUnits(motion);
   return result;
 }
 
 Diagnosis inWords(const fit::Fitter& fitter, const experiment::NextExperiment& next, Diagnosis result) {
   const hypotheses::Search& search = result.workings->search;
   const hypotheses::FittedHypothesis& judged = search.at(result.workings->answer.model);
-  const std::string temperature = words::temperatureNote(result.effects, search.excitation);
+  const std::string temperature = words::temperatureNote(result.answer.effects, search.excitation);
   result.sentence = words::sentence(result) + words::excludedNote(result) +
                     words::factorNote(fitter.factors(judged.hypothesis, judged.fit.parameters)) + temperature +
                     (result.surrogate ? words::restNote(*result.surrogate) : "");
-  result.next_experiment =
+  result.next.text =
       words::experimentText(result, next) + (temperature.empty() ? "" : " Record temperature_degC with it.");
   return result;
 }
@@ -160,21 +147,21 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
     Diagnosis result = refused(component, options.turns ? ofRotation(std::move(findings)) : std::move(findings));
     result.turns = options.turns;
     result.bench_evidence = std::move(evidence);
+    result.samples = {excerpts.samples, excerpts.of};
     return result;
   }
   const std::vector<prepare::RawChannels> raw = prepare::rawChannels(excerpts.logs, excerpts.hold_out);
   std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
   const auto ready = withRigPriors(component, std::move(training), std::move(held_out));
-  auto workings = std::make_shared<Workings>();
-  workings->search =
+  hypotheses::Search search =
       hypotheses::search(hypotheses::MeasuredLogs(ready->fitter), hypotheses::excludedEffects(component, options),
                          options.threads, options.progress);
-  judgeSearch(*ready, options.threads, *workings);
-  workings->write_evidence = options.evidence;
-  Diagnosis result = results::describe(*ready, std::move(workings), recorded, raw, std::move(findings), options);
+  Diagnosis result = results::describe(*ready, judged(*ready, std::move(search), options), recorded, raw,
+                                       std::move(findings), options);
+  result.samples = {excerpts.samples, excerpts.of};
   const experiment::NextExperiment next =
       experiment::nextExperiment(ready->fitter, *result.workings, options.limits, options.threads);
-  result.proposed = next.proposed;
+  result.next.proposed = next.proposed;
   result.could_show = experiment::couldShow(result.workings->search);
   return inWords(ready->fitter, next, options.turns ? ofRotation(std::move(result)) : std::move(result));
 }
@@ -192,10 +179,7 @@ Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSour
   const prepare::Excerpts excerpts = prepare::makeExcerpts(surveys, unseen, options.most_samples);
   prepare::requireMemory({excerpts.samples, excerpts.logs.size()}, excerpts.of, options.threads,
                          options.available_memory > 0 ? options.available_memory : io::availableMemory());
-  Diagnosis result = diagnoseExcerpts(component, excerpts, unseen.empty() ? surveys : unseen, options);
-  result.samples = excerpts.samples;
-  result.recorded_samples = excerpts.of;
-  return heldToInvariants(std::move(result));
+  return heldToInvariants(diagnoseExcerpts(component, excerpts, unseen.empty() ? surveys : unseen, options));
 }
 
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,

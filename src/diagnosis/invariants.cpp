@@ -40,73 +40,79 @@ double probabilityOf(const Diagnosis& d, const std::string& effect) {
 }
 
 bool posteriorIsOne(const Diagnosis& d) {
-  const Posterior& p = d.posterior;
+  const Posterior& p = d.answer.posterior;
   return nearly(p.none + p.parameter_error + p.effects + p.none_of_these, 1.0);
 }
 
 bool verdictIsTheLikeliest(const Diagnosis& d) {
-  const Posterior& p = d.posterior;
-  const double said = namesEffects(d.verdict)                 ? p.effects
-                      : d.verdict == Verdict::none            ? p.none
-                      : d.verdict == Verdict::parameter_error ? p.parameter_error
-                                                              : p.none_of_these;
+  const Posterior& p = d.answer.posterior;
+  const double said = namesEffects(d.answer.verdict)                 ? p.effects
+                      : d.answer.verdict == Verdict::none            ? p.none
+                      : d.answer.verdict == Verdict::parameter_error ? p.parameter_error
+                                                                     : p.none_of_these;
   return said >= std::max({p.none, p.parameter_error, p.effects, p.none_of_these}) - kRounding;
 }
 
 bool alternativesFollow(const Diagnosis& d) {
-  const bool falling = std::is_sorted(d.alternatives.begin(), d.alternatives.end(),
+  const bool falling = std::is_sorted(d.answer.alternatives.begin(), d.answer.alternatives.end(),
                                       [](const auto& a, const auto& b) { return a.probability > b.probability; });
-  return falling && d.probability + sumOf(d.alternatives, [](const Alternative& other) { return other.probability; }) <=
+  return falling && d.answer.probability +
+                            sumOf(d.answer.alternatives, [](const Alternative& other) { return other.probability; }) <=
                         1.0 + kRounding;
 }
 
 bool verdictHasItsEffects(const Diagnosis& d) {
-  return !d.effects.empty() == namesEffects(d.verdict) && d.confounded.empty() == d.effects.empty();
+  return !d.answer.effects.empty() == namesEffects(d.answer.verdict) &&
+         d.answer.confounded.empty() == d.answer.effects.empty();
 }
 
 bool candidatesAreOfTheSets(const Diagnosis& d) {
-  const double effects = d.posterior.effects;
+  const double effects = d.answer.posterior.effects;
   return all(d.candidates, [&](const CandidateResult& c) { return c.probability <= effects + kRounding; }) &&
          sumOf(d.candidates, [](const CandidateResult& c) { return c.probability; }) >= effects - kRounding &&
-         all(d.excluded, [&](const auto& one) { return probabilityOf(d, one.effect) == 0.0; });
+         all(d.answer.excluded, [&](const auto& one) { return probabilityOf(d, one.effect) == 0.0; });
 }
 
 bool firstSetIsNamed(const Diagnosis& d) {
-  return d.confounded.empty() || std::is_permutation(d.confounded.front().begin(), d.confounded.front().end(),
-                                                     d.effects.begin(), d.effects.end());
+  return d.answer.confounded.empty() ||
+         std::is_permutation(d.answer.confounded.front().begin(), d.answer.confounded.front().end(),
+                             d.answer.effects.begin(), d.answer.effects.end());
 }
 
 bool setsAreProbable(const Diagnosis& d) {
   const auto listed = [&](const std::string& effect) { return probabilityOf(d, effect) >= kWorthListing; };
-  return d.confounded.empty() ||
-         std::all_of(d.confounded.begin() + 1, d.confounded.end(), [&](const auto& set) { return all(set, listed); });
+  return d.answer.confounded.empty() || std::all_of(d.answer.confounded.begin() + 1, d.answer.confounded.end(),
+                                                    [&](const auto& set) { return all(set, listed); });
 }
 
 bool floorIsLeast(const Diagnosis& d) {
-  const double most = std::min({d.gap.as_configured, d.gap.re_estimated, d.gap.augmented}) + kRounding;
-  return d.gap.noise_floor <= most &&
-         all(d.candidates, [&](const CandidateResult& c) { return d.gap.noise_floor <= c.gap + kRounding; });
+  const double most =
+      std::min({d.gaps.unseen.as_configured, d.gaps.unseen.re_estimated, d.gaps.unseen.augmented}) + kRounding;
+  return d.gaps.unseen.noise_floor <= most &&
+         all(d.candidates, [&](const CandidateResult& c) { return d.gaps.unseen.noise_floor <= c.gap + kRounding; });
 }
 
 // What is named explains more than other values do, or as much with values nearer to the data sheet.
 bool whatIsNamedCloses(const Diagnosis& d) {
-  if (d.effects.empty()) {
+  if (d.answer.effects.empty()) {
     return true;
   }
   const judge::Evidence& evidence = d.workings->evidence;
   const bool nearer =
-      d.gap.augmented < d.gap.as_configured &&
+      d.gaps.unseen.augmented < d.gaps.unseen.as_configured &&
       evidence.at(d.workings->answer.model).chi_squared < evidence.at(judge::Evidence::kReEstimated).chi_squared;
-  return (d.gap.augmented < d.gap.re_estimated && d.closed_interval[0] > 0.0) || nearer;
+  return (d.gaps.unseen.augmented < d.gaps.unseen.re_estimated && d.gaps.closed_interval[0] > 0.0) || nearer;
 }
 
 bool closedIsOfTheGaps(const Diagnosis& d) {
-  const double fraction = (d.gap.re_estimated - d.gap.augmented) / (d.gap.re_estimated - d.gap.noise_floor);
-  return d.effects.empty() || nearly(d.closed, std::min(1.0, fraction));
+  const double fraction =
+      (d.gaps.unseen.re_estimated - d.gaps.unseen.augmented) / (d.gaps.unseen.re_estimated - d.gaps.unseen.noise_floor);
+  return d.answer.effects.empty() || nearly(d.gaps.closed, std::min(1.0, fraction));
 }
 
 bool intervalHoldsWhatIsClosed(const Diagnosis& d) {
-  return d.effects.empty() || (d.closed_interval[0] <= d.closed && d.closed <= d.closed_interval[1]);
+  return d.answer.effects.empty() ||
+         (d.gaps.closed_interval[0] <= d.gaps.closed && d.gaps.closed <= d.gaps.closed_interval[1]);
 }
 
 // No other value than that of the headline is in the sentence.
@@ -123,7 +129,7 @@ bool boundsAreSaid(const Diagnosis& d) {
     return says == (size.at_bound[0] || size.at_bound[1]) &&
            (size.interval_95[0] != 0.0 || size.value == 0.0 || size.at_bound[0]);
   };
-  return all(d.model_sizes, holds) && all(d.effect_sizes, holds);
+  return all(d.law.model_sizes, holds) && all(d.law.effect_sizes, holds);
 }
 
 // Why a candidate is out agrees with its gap.
@@ -131,14 +137,14 @@ bool reasonsAgree(const Diagnosis& d) {
   return all(d.candidates, [&](const CandidateResult& c) {
     const std::string why = report::whyOut(d, c);
     const auto says = [&](const char* words) { return why.find(words) != std::string::npos; };
-    return (!says("where what is named leaves") || c.gap > d.gap.augmented) &&
-           (!says("no more than what is named") || c.gap <= d.gap.augmented);
+    return (!says("where what is named leaves") || c.gap > d.gaps.unseen.augmented) &&
+           (!says("no more than what is named") || c.gap <= d.gaps.unseen.augmented);
   });
 }
 
 bool takenOutAddsUp(const Diagnosis& d) {
-  return all(d.admission, [&](const Admission& log) {
-    const double left = log.recorded * log.recorded - sumOf(d.taken_out, [&](const TakenOut& part) {
+  return all(d.logs.admission, [&](const Admission& log) {
+    const double left = log.recorded * log.recorded - sumOf(d.logs.taken_out, [&](const TakenOut& part) {
                           return part.log == log.log ? std::copysign(part.share * part.share, part.share) : 0.0;
                         });
     return nearly(left, log.left * log.left, kRounding * (1.0 + left));
@@ -146,7 +152,7 @@ bool takenOutAddsUp(const Diagnosis& d) {
 }
 
 bool isInPieces(const Diagnosis& d) {
-  return !all(d.admission, [](const Admission& log) {
+  return !all(d.logs.admission, [](const Admission& log) {
     return all(log.notes, [](const std::string& note) { return note.find("time gaps") == std::string::npos; });
   });
 }
@@ -154,11 +160,11 @@ bool isInPieces(const Diagnosis& d) {
 // Over the logs that the gaps are of, what they leave as recorded is what `replay` gives, and what they leave is the
 // gap; without held-out logs the gap is of blocks that took no part in a fit, and more.
 bool takenOutExplainsTheGaps(const Diagnosis& d) {
-  const bool held_out = !all(d.admission, [](const Admission& log) { return !log.hold_out; });
+  const bool held_out = !all(d.logs.admission, [](const Admission& log) { return !log.hold_out; });
   std::vector<Admission> logs;
-  std::copy_if(d.admission.begin(), d.admission.end(), std::back_inserter(logs),
+  std::copy_if(d.logs.admission.begin(), d.logs.admission.end(), std::back_inserter(logs),
                [&](const Admission& log) { return log.hold_out == held_out; });
-  if (logs.empty() || d.samples != d.recorded_samples || isInPieces(d)) {
+  if (logs.empty() || d.samples.searched != d.samples.recorded || isInPieces(d)) {
     return true;  // a table, or parts of logs
   }
   const double recorded = std::sqrt(sumOf(logs, [](const Admission& log) { return log.recorded * log.recorded; }) /
@@ -166,20 +172,24 @@ bool takenOutExplainsTheGaps(const Diagnosis& d) {
   const auto [least, most] = std::minmax_element(
       logs.begin(), logs.end(), [](const Admission& a, const Admission& b) { return a.left < b.left; });
   return nearly(recorded, d.gap_as_recorded.augmented, kReplayed * d.gap_as_recorded.augmented + kRounding) &&
-         least->left < (1.0 + kReplayed) * d.gap.augmented &&
-         (!held_out || d.gap.augmented < (1.0 + kReplayed) * most->left);
+         least->left < (1.0 + kReplayed) * d.gaps.unseen.augmented &&
+         (!held_out || d.gaps.unseen.augmented < (1.0 + kReplayed) * most->left);
 }
 
 bool whereIsOne(const Diagnosis& d) {
-  return d.where.empty() || nearly(sumOf(d.where, [](const gap::GapCell& cell) { return cell.share; }), 1.0);
+  return d.where.before.empty() ||
+         nearly(sumOf(d.where.before, [](const gap::GapCell& cell) { return cell.share; }), 1.0);
 }
 
 bool sharesAddUp(const Diagnosis& d) {
-  return nearly(sumOf(d.shares, [](const auto& part) { return part.share; }),
-                1.0 - d.gap.augmented / std::max(d.gap.as_configured, std::numeric_limits<double>::min()));
+  return nearly(
+      sumOf(d.shares, [](const auto& part) { return part.share; }),
+      1.0 - d.gaps.unseen.augmented / std::max(d.gaps.unseen.as_configured, std::numeric_limits<double>::min()));
 }
 
-bool surrogateIsThere(const Diagnosis& d) { return d.surrogate.has_value() == (leavesRest(d.verdict) && !d.table); }
+bool surrogateIsThere(const Diagnosis& d) {
+  return d.surrogate.has_value() == (leavesRest(d.answer.verdict) && !d.table);
+}
 
 struct Invariant {
   const char* name;
@@ -207,7 +217,7 @@ constexpr Invariant kInvariants[] = {
     {"where adds up to 1", whereIsOne},
     {"shares add up to what is removed", sharesAddUp},
     {"a surrogate where unknown or partly", surrogateIsThere},
-    {"a next experiment, or why none", [](const Diagnosis& d) { return !d.next_experiment.empty(); }}};
+    {"a next experiment, or why none", [](const Diagnosis& d) { return !d.next.text.empty(); }}};
 
 }  // namespace
 
@@ -226,15 +236,15 @@ Diagnosis heldToInvariants(Diagnosis diagnosis) {
   if (broken.empty()) {
     return diagnosis;
   }
-  diagnosis.verdict = Verdict::defect;
+  diagnosis.answer.verdict = Verdict::defect;
   diagnosis.defect = fmt::format("{}", fmt::join(broken, "; "));
   diagnosis.sentence = fmt::format(
       "No verdict: this report would contradict itself ({}). That is a defect of rubber_suspension, not of the logs.",
       diagnosis.defect);
-  diagnosis.next_experiment = "None: report the defect, with report.json and evidence.json (option --evidence).";
-  diagnosis.proposed = {};
-  diagnosis.effects.clear();
-  diagnosis.confounded.clear();
+  diagnosis.next.text = "None: report the defect, with report.json and evidence.json (option --evidence).";
+  diagnosis.next.proposed = {};
+  diagnosis.answer.effects.clear();
+  diagnosis.answer.confounded.clear();
   diagnosis.surrogate.reset();
   return diagnosis;
 }

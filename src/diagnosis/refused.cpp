@@ -6,14 +6,14 @@ namespace rubber_suspension::diagnosis {
 Diagnosis refused(const io::ComponentDescription& component, std::vector<measurement::RigFinding> findings) {
   Diagnosis result;
   result.component = component.name;
-  result.verdict = Verdict::check_bench;
+  result.answer.verdict = Verdict::check_bench;
   for (const measurement::RigFinding& finding : findings) {
     if (finding.fatal) {
       result.sentence = "Check the bench: " + finding.log + ": " + finding.text + ".";
       break;
     }
   }
-  result.next_experiment = "Correct what was measured, or measure it again, and diagnose again.";
+  result.next.text = "Correct what was measured, or measure it again, and diagnose again.";
   result.rig_findings = std::move(findings);
   return result;
 }

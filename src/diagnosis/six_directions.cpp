@@ -139,7 +139,7 @@ io::ComponentDescription augmentedOf(const io::ComponentDescription& component,
   auto six = std::make_shared<io::SixDirectionsDescription>(*component.six);
   for (const DirectionDiagnosis& found : directions) {
     if (hasComponentFile(found.diagnosis)) {
-      six->directions[found.direction] = found.diagnosis.augmented;
+      six->directions[found.direction] = found.diagnosis.law.augmented;
     }
   }
   for (const DirectionDiagnosis& found : directions) {

@@ -39,10 +39,14 @@ py::object toReport(const Diagnosis& diagnosis) {
 void addDiagnosis(py::module_& module) {
   py::class_<Diagnosis> type(module, "Diagnosis", "What a diagnosis found.");
   makeByNew(type)
-      .def_property_readonly("verdict", [](const Diagnosis& diagnosis) { return toString(diagnosis.verdict); })
+      .def_property_readonly("verdict", [](const Diagnosis& diagnosis) { return toString(diagnosis.answer.verdict); })
       .def_readonly("sentence", &Diagnosis::sentence, "The verdict for an engineer.")
-      .def_readonly("effects", &Diagnosis::effects, "Those named, most important first.")
-      .def_readonly("augmented", &Diagnosis::augmented, "The component with the effects named.")
+      .def_property_readonly(
+          "effects", [](const Diagnosis& diagnosis) { return diagnosis.answer.effects; },
+          "Those named, most important first.")
+      .def_property_readonly(
+          "augmented", [](const Diagnosis& diagnosis) { return diagnosis.law.augmented; },
+          "The component with the effects named.")
       .def_readonly("re_estimated", &Diagnosis::re_estimated, "The component, re-estimated from the logs.")
       .def("report", &toReport, "All of report.json as a dict.")
       .def("write", &diagnosis::writeReport, py::arg("folder"),

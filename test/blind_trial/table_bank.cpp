@@ -90,7 +90,7 @@ fit::MeasuredTable tableOf(const io::ComponentDescription& truth, double noise, 
 
 std::string setOf(const diagnosis::Diagnosis& diagnosis) {
   std::string text;
-  for (const auto& set : diagnosis.confounded) {
+  for (const auto& set : diagnosis.answer.confounded) {
     for (const std::string& member : set) {
       text += " " + member;
     }
@@ -109,11 +109,12 @@ int main(int argc, char** argv) {
     for (unsigned seed = 1; seed <= tables; ++seed) {
       const auto found = diagnosis::diagnoseTable(componentOf(one.configured, ""),
                                                   tableOf(componentOf(one.truth, one.added), noise, seed, few));
-      const std::string first = found.effects.empty() ? toString(found.verdict) : found.effects.front();
-      const bool is_right = first == one.right && found.effects.size() < 2;
+      const std::string first =
+          found.answer.effects.empty() ? toString(found.answer.verdict) : found.answer.effects.front();
+      const bool is_right = first == one.right && found.answer.effects.size() < 2;
       right += is_right ? 1 : 0;
       if (!is_right) {
-        fmt::print("{} {}: {} {}; set:{}\n", one.right, seed, toString(found.verdict), first, setOf(found));
+        fmt::print("{} {}: {} {}; set:{}\n", one.right, seed, toString(found.answer.verdict), first, setOf(found));
       }
     }
   }

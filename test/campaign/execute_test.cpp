@@ -62,10 +62,10 @@ TEST_F(ExecuteJob, DiagnosesAsTheCommandDoes) {
   const diagnosis::Diagnosis expected = diagnosis::diagnose(component(), logs(), {}, settings);
   EXPECT_EQ(folder_.read(report_ + "report.json"), diagnosis::toJson(expected));
   EXPECT_EQ(folder_.read(report_ + "augmented.yaml"), diagnosis::report::augmentedYaml(expected));
-  EXPECT_EQ(record.values.at("verdict"), toString(expected.verdict));
-  EXPECT_EQ(record.values.at("gap_augmented"), expected.gap.augmented);
-  EXPECT_EQ(record.findings.verdict, expected.verdict);
-  EXPECT_EQ(record.findings.effects, expected.effects);
+  EXPECT_EQ(record.values.at("verdict"), toString(expected.answer.verdict));
+  EXPECT_EQ(record.values.at("gap_augmented"), expected.gaps.unseen.augmented);
+  EXPECT_EQ(record.findings.verdict, expected.answer.verdict);
+  EXPECT_EQ(record.findings.effects, expected.answer.effects);
   EXPECT_FALSE(folder_.holds(report_ + "evidence.json"));
 }
 

@@ -64,7 +64,7 @@ int openNames(const diagnosis::Diagnosis& diagnosis) {
 
 bool isTheTruthAlone(const diagnosis::Diagnosis& diagnosis, const std::string& truth) {
   constexpr double kSure = 0.9;
-  return diagnosis.effects == std::vector<std::string>{truth} && diagnosis.probability >= kSure;
+  return diagnosis.answer.effects == std::vector<std::string>{truth} && diagnosis.answer.probability >= kSure;
 }
 
 diagnosis::Diagnosis diagnoseWith(VirtualBench& bench, std::vector<log::Log> logs, const Programme& programme,
@@ -74,13 +74,13 @@ diagnosis::Diagnosis diagnoseWith(VirtualBench& bench, std::vector<log::Log> log
 }
 
 std::string resultOf(const diagnosis::Diagnosis& diagnosis) {
-  const diagnosis::Posterior& posterior = diagnosis.posterior;
+  const diagnosis::Posterior& posterior = diagnosis.answer.posterior;
   std::string text = fmt::format(
       "{} {}, none {:.2f} values {:.2f} effects {:.2f} others {:.2f}, gap {:.4f} {:.4f} {:.4f} "
       "floor {:.4f};",
-      toString(diagnosis.verdict), diagnosis.confounded, posterior.none, posterior.parameter_error, posterior.effects,
-      posterior.none_of_these, diagnosis.gap.as_configured, diagnosis.gap.re_estimated, diagnosis.gap.augmented,
-      diagnosis.gap.noise_floor);
+      toString(diagnosis.answer.verdict), diagnosis.answer.confounded, posterior.none, posterior.parameter_error,
+      posterior.effects, posterior.none_of_these, diagnosis.gaps.unseen.as_configured,
+      diagnosis.gaps.unseen.re_estimated, diagnosis.gaps.unseen.augmented, diagnosis.gaps.unseen.noise_floor);
   constexpr std::size_t kMost = 4;
   for (std::size_t i = 0; i < std::min(kMost, diagnosis.candidates.size()); ++i) {
     const diagnosis::CandidateResult& candidate = diagnosis.candidates[i];
@@ -100,21 +100,21 @@ void runCase(unsigned seed, const Options& options, Tally& tally) {
     return;
   }
   ++tally.open;
-  if (before.proposed.displacement.empty()) {
+  if (before.next.proposed.displacement.empty()) {
     if (options.verbose) {
-      fmt::print("  none: {}\n", before.next_experiment);
+      fmt::print("  none: {}\n", before.next.text);
     }
     return;
   }
   ++tally.proposed;
-  tally.promised += before.proposed.probability;
+  tally.promised += before.next.proposed.probability;
   const VirtualBench::Memory memory = bench.memory();
-  const Programme proposed{"proposed", before.proposed.dt, before.proposed.displacement};
+  const Programme proposed{"proposed", before.next.proposed.dt, before.next.proposed.displacement};
   const diagnosis::Diagnosis after = diagnoseWith(bench, logs, proposed, options.threads);
   const double duration = static_cast<double>(proposed.displacement.size() - 1) * proposed.dt;
   tally.by_proposal += isTheTruthAlone(after, bench.effect()) ? 1 : 0;
   if (options.verbose) {
-    fmt::print("  {}\n  proposed ({:.1f} s): {}\n", before.next_experiment, duration, resultOf(after));
+    fmt::print("  {}\n  proposed ({:.1f} s): {}\n", before.next.text, duration, resultOf(after));
   }
   if (options.random) {
     bench.goBackTo(memory);

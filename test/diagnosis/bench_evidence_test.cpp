@@ -30,7 +30,7 @@ double distance(const io::Axes& axes) {
 // Two panels: far apart as it is, together with the correction, of which the title speaks.
 void expectCorrected(const log::Log& log, const std::string& correction) {
   const diagnosis::Diagnosis result = diagnose(log);
-  ASSERT_EQ(result.verdict, diagnosis::Verdict::check_bench) << correction;
+  ASSERT_EQ(result.answer.verdict, diagnosis::Verdict::check_bench) << correction;
   const auto figures = diagnosis::report::reportFigures(result);
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_EQ(figures[0].name, "bench");
@@ -64,7 +64,7 @@ TEST(BenchEvidence, ProposesNothingForAnotherComponent) {
     force *= 6.0;
   }
   const diagnosis::Diagnosis result = diagnose(log);
-  ASSERT_EQ(result.verdict, diagnosis::Verdict::check_bench);
+  ASSERT_EQ(result.answer.verdict, diagnosis::Verdict::check_bench);
   const auto figures = diagnosis::report::reportFigures(result);
   ASSERT_EQ(figures.at(0).figure.axes.size(), 1U);
 }

@@ -25,7 +25,7 @@ inline void checkContainment(const diagnosis::Diagnosis& d) {
     for (const FittedHypothesis* smaller : all) {
       if (larger != smaller && smaller->hypothesis.competes() &&
           fit::holds(search.candidates, larger->hypothesis.members, smaller->hypothesis.members)) {
-        EXPECT_LE(larger->fit.gap, kAsMuch * smaller->fit.gap + kOfFloor * search.noise)
+        EXPECT_LE(larger->fit.gap, kAsMuch * smaller->fit.gap + kOfFloor * search.noise.floor)
             << diagnosis::experiment::nameOf(search, *larger) << " above "
             << diagnosis::experiment::nameOf(search, *smaller);
       }
@@ -49,8 +49,8 @@ inline bool mayBe(const diagnosis::Diagnosis& diagnosis, const std::string& effe
   const auto is = [&](const diagnosis::Alternative& other) {
     return other.effects == std::vector<std::string>{effect};
   };
-  return diagnosis.effects == std::vector<std::string>{effect} ||
-         std::any_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), is);
+  return diagnosis.answer.effects == std::vector<std::string>{effect} ||
+         std::any_of(diagnosis.answer.alternatives.begin(), diagnosis.answer.alternatives.end(), is);
 }
 
 }  // namespace rubber_suspension

@@ -18,12 +18,12 @@ using testing::Not;
 diagnosis::Diagnosis firstDay() {
   diagnosis::Diagnosis d;
   d.component = "bush";
-  d.verdict = diagnosis::Verdict::named;
-  d.effects = {"friction"};
-  d.gap = {0.14, 0.12, 0.02, 0.01};
-  d.model_sizes = {{"specification", "dynamic_stiffness", "N/m", 4e6, 4.2e6, {4.1e6, 4.3e6}}};
-  d.effect_sizes = {{"friction", "maximum_force", "N", 0.0, 6000.0, {5800.0, 6200.0}}};
-  d.where = {{"monday", {2.0, 4.0}, {2e-4, 5e-4}, gap::Quantity::loss, 1.0, 10.0}};
+  d.answer.verdict = diagnosis::Verdict::named;
+  d.answer.effects = {"friction"};
+  d.gaps.unseen = {0.14, 0.12, 0.02, 0.01};
+  d.law.model_sizes = {{"specification", "dynamic_stiffness", "N/m", 4e6, 4.2e6, {4.1e6, 4.3e6}}};
+  d.law.effect_sizes = {{"friction", "maximum_force", "N", 0.0, 6000.0, {5800.0, 6200.0}}};
+  d.where.before = {{"monday", {2.0, 4.0}, {2e-4, 5e-4}, gap::Quantity::loss, 1.0, 10.0}};
   d.rig_findings.push_back({"monday", "force_zero", 31.0, {29.0, 33.0}, "N", false, false, ""});
   d.run.version = "1";
   d.run.date = "2026-01-01T00:00:00Z";
@@ -62,10 +62,10 @@ TEST_F(Compare, FindsNothingBetweenEqualReports) {
 
 TEST_F(Compare, TellsValuesApartByTheirIntervals) {
   diagnosis::Diagnosis now = firstDay();
-  now.model_sizes[0].value = 4.25e6;  // within the earlier interval
-  now.model_sizes[0].interval_95 = {4.2e6, 4.35e6};
-  now.effect_sizes[0].value = 4000.0;
-  now.effect_sizes[0].interval_95 = {3900.0, 4100.0};
+  now.law.model_sizes[0].value = 4.25e6;  // within the earlier interval
+  now.law.model_sizes[0].interval_95 = {4.2e6, 4.35e6};
+  now.law.effect_sizes[0].value = 4000.0;
+  now.law.effect_sizes[0].interval_95 = {3900.0, 4100.0};
   now.rig_findings.clear();
   const diagnosis::Comparison comparison = since(firstDay(), now);
   EXPECT_FALSE(changeOf(comparison, "K_n").differs);
@@ -82,10 +82,10 @@ TEST_F(Compare, TellsValuesApartByTheirIntervals) {
 // The logs of another day have other names: places are compared over all logs, by their part of the force.
 TEST_F(Compare, FollowsThePlacesOfTheGap) {
   diagnosis::Diagnosis now = firstDay();
-  now.gap.as_configured = 0.2;
-  now.verdict = diagnosis::Verdict::partly;
-  now.where = {{"tuesday", {2.0, 4.0}, {2e-4, 5e-4}, gap::Quantity::loss, 0.49, 10.0},
-               {"tuesday", {4.0, 8.0}, {2e-4, 5e-4}, gap::Quantity::stiffness, 0.51, 10.0}};
+  now.gaps.unseen.as_configured = 0.2;
+  now.answer.verdict = diagnosis::Verdict::partly;
+  now.where.before = {{"tuesday", {2.0, 4.0}, {2e-4, 5e-4}, gap::Quantity::loss, 0.49, 10.0},
+                      {"tuesday", {4.0, 8.0}, {2e-4, 5e-4}, gap::Quantity::stiffness, 0.51, 10.0}};
   const diagnosis::Comparison comparison = since(firstDay(), now);
   EXPECT_TRUE(changeOf(comparison, "verdict").differs);
   const auto& same = changeOf(comparison, "gap in loss at 2 to 4 Hz, 0.2 to 0.5 mm");

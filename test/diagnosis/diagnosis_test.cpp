@@ -19,15 +19,15 @@ namespace {
 
 TEST(Diagnosis, FindsNoGapWhereThereIsNone) {
   const diagnosis::Diagnosis& result = ofNothing();
-  EXPECT_EQ(result.verdict, diagnosis::Verdict::none);
-  EXPECT_TRUE(result.effects.empty());
+  EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::none);
+  EXPECT_TRUE(result.answer.effects.empty());
   // 20 N of white noise over the standard deviation of the force; the floor is the median of some hundred spectral
   // lines.
   double standard_deviation = 0.0;
-  for (const log::Record& record : result.workings->records) {
+  for (const log::Record& record : result.workings->simulated.records) {
     standard_deviation = std::max(standard_deviation, record.force_deviation);
   }
-  EXPECT_NEAR(result.gap.noise_floor, 20.0 / standard_deviation, 0.15 * 20.0 / standard_deviation);
+  EXPECT_NEAR(result.gaps.unseen.noise_floor, 20.0 / standard_deviation, 0.15 * 20.0 / standard_deviation);
 }
 
 TEST(Diagnosis, CallsWrongValuesAParameterError) {
@@ -37,30 +37,30 @@ TEST(Diagnosis, CallsWrongValuesAParameterError) {
   specification.set("break_frequency", 4.0);
   wrong.specify(specification);
   const diagnosis::Diagnosis result = diagnoseRig(nothing, wrong);
-  EXPECT_EQ(result.verdict, diagnosis::Verdict::parameter_error);
-  EXPECT_TRUE(result.effects.empty());
-  EXPECT_GT(result.gap.as_configured, 5.0 * result.gap.noise_floor);
-  EXPECT_LT(result.gap.re_estimated, 1.1 * result.gap.noise_floor);  // the floor itself is an estimate
+  EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::parameter_error);
+  EXPECT_TRUE(result.answer.effects.empty());
+  EXPECT_GT(result.gaps.unseen.as_configured, 5.0 * result.gaps.unseen.noise_floor);
+  EXPECT_LT(result.gaps.unseen.re_estimated, 1.1 * result.gaps.unseen.noise_floor);  // the floor itself is an estimate
 }
 
 TEST(Diagnosis, NamesAStopAndClosesTheGapOnAnUnseenLog) {
   const diagnosis::Diagnosis& result = ofAStop();
-  ASSERT_FALSE(result.effects.empty()) << result.sentence;
-  EXPECT_EQ(result.effects.front(), "bump_stop");
-  EXPECT_GT(result.closed, 0.8);
-  EXPECT_LE(result.closed_interval[0], result.closed);
-  EXPECT_GE(result.closed_interval[1], result.closed);
+  ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
+  EXPECT_EQ(result.answer.effects.front(), "bump_stop");
+  EXPECT_GT(result.gaps.closed, 0.8);
+  EXPECT_LE(result.gaps.closed_interval[0], result.gaps.closed);
+  EXPECT_GE(result.gaps.closed_interval[1], result.gaps.closed);
 }
 
 TEST(Diagnosis, RefusesMainsHum) {
   const diagnosis::Diagnosis& result = ofHum();
-  EXPECT_EQ(result.verdict, diagnosis::Verdict::unknown);
-  EXPECT_TRUE(result.effects.empty());
+  EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::unknown);
+  EXPECT_TRUE(result.answer.effects.empty());
 }
 
 TEST(Diagnosis, SharesOfTheMapAddUpToOne) {
   const diagnosis::Diagnosis& result = ofAStop();
-  const double sum = std::accumulate(result.where.begin(), result.where.end(), 0.0,
+  const double sum = std::accumulate(result.where.before.begin(), result.where.before.end(), 0.0,
                                      [](double total, const gap::GapCell& cell) { return total + cell.share; });
   EXPECT_NEAR(sum, 1.0, 1e-12);
 }
@@ -68,7 +68,7 @@ TEST(Diagnosis, SharesOfTheMapAddUpToOne) {
 TEST(Diagnosis, ReplayOfTheAugmentedFileGivesTheClaimedGap) {
   const log::Log unseen = runRig("unseen", 3, stop);
   const diagnosis::Diagnosis& result = ofAStop();
-  const auto components = io::parseComponentFile(io::toYaml({result.augmented}), "augmented.yaml");
+  const auto components = io::parseComponentFile(io::toYaml({result.law.augmented}), "augmented.yaml");
   const gap::Replay replayed = gap::replay(components.front().makeComponent(), unseen);
   const Eigen::Map<const Eigen::VectorXd> measured(unseen.force.data(), static_cast<Eigen::Index>(unseen.size()));
   const Eigen::Map<const Eigen::VectorXd> simulated(replayed.force.data(), measured.size());
@@ -77,7 +77,7 @@ TEST(Diagnosis, ReplayOfTheAugmentedFileGivesTheClaimedGap) {
       std::sqrt((measured - simulated).squaredNorm() / static_cast<double>(measured.size())) / standard_deviation;
   EXPECT_NEAR(gap, result.gap_as_recorded.augmented, 1e-9);
   // The unseen log has a zero and a start at rest of its own, which the gap does not count.
-  EXPECT_NEAR(gap, result.gap.augmented, 0.05 * gap);
+  EXPECT_NEAR(gap, result.gaps.unseen.augmented, 0.05 * gap);
 }
 
 TEST(Diagnosis, WritesAReportOfTheAgreedSchema) {
@@ -120,13 +120,13 @@ TEST(Excluded, IsNotNamedButTold) {
   io::ComponentDescription component = rigComponent();
   component.excluded_effects = {"bump_stop"};
   const diagnosis::Diagnosis result = diagnoseRig(linearStop, component);
-  EXPECT_THAT(result.effects, ::testing::Not(::testing::Contains("bump_stop"))) << result.sentence;
-  ASSERT_EQ(result.excluded.size(), 1);
-  EXPECT_EQ(result.excluded[0].effect, "bump_stop");
-  EXPECT_GT(result.excluded[0].probability_otherwise, 0.5);
+  EXPECT_THAT(result.answer.effects, ::testing::Not(::testing::Contains("bump_stop"))) << result.sentence;
+  ASSERT_EQ(result.answer.excluded.size(), 1);
+  EXPECT_EQ(result.answer.excluded[0].effect, "bump_stop");
+  EXPECT_GT(result.answer.excluded[0].probability_otherwise, 0.5);
   EXPECT_THAT(result.sentence,
               ::testing::HasSubstr("Excluded by the component file; without that, bump_stop would be "));
-  EXPECT_EQ(result.augmented.excluded_effects, component.excluded_effects);
+  EXPECT_EQ(result.law.augmented.excluded_effects, component.excluded_effects);
 }
 
 }  // namespace

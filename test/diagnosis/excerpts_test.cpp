@@ -205,14 +205,14 @@ TEST(Excerpts, LeaveOutStretchesBetweenTimeGapsThatAreTooShort) {
 TEST(Excerpts, ALongLogIsDiagnosedByThem) {
   const diagnosis::Diagnosis& whole = ofOneLog();
   const log::Log log = runRigs({1}, nothing).front();
-  EXPECT_EQ(whole.samples, log.size());
-  EXPECT_EQ(whole.recorded_samples, log.size());
+  EXPECT_EQ(whole.samples.searched, log.size());
+  EXPECT_EQ(whole.samples.recorded, log.size());
   diagnosis::DiagnosisOptions options;
   options.most_samples = log.size() / 2;
   const diagnosis::Diagnosis part = diagnosis::diagnose(rigComponent(), {log}, {}, options);
-  EXPECT_LE(part.samples, options.most_samples);
-  EXPECT_EQ(part.recorded_samples, log.size());
-  EXPECT_EQ(part.verdict, whole.verdict);
+  EXPECT_LE(part.samples.searched, options.most_samples);
+  EXPECT_EQ(part.samples.recorded, log.size());
+  EXPECT_EQ(part.answer.verdict, whole.answer.verdict);
   // Of the whole log, whatever was searched; the parameters may differ by what the noise leaves open.
   EXPECT_NEAR(part.gap_as_recorded.as_configured, whole.gap_as_recorded.as_configured, 1e-12);
   const auto told = [](const diagnosis::Diagnosis& of) {

@@ -129,7 +129,7 @@ class Rivals : public testing::Test {
         excitation_(fit::summarise(fitter_.records())) {
     search_.excitation = excitation_;
     search_.candidates = diagnosis::hypotheses::candidate::candidates(excitation_);
-    search_.noise = 0.005;
+    search_.noise.floor = 0.005;
     search_.re_estimated.fit.parameters = fitter_.configured({});
     search_.re_estimated.fit.held_out = 0.05;
     search_.as_configured = search_.re_estimated;
@@ -167,7 +167,7 @@ class Rivals : public testing::Test {
     constexpr double kUsualSize = 0.002;  // square, of the force
     diagnosis::judge::Evidence& evidence = workings_.evidence;
     evidence = diagnosis::hypotheses::evidenceOf(search_);
-    evidence.logs = {{search_.noise, 0.0, 1.0, false, 50}};
+    evidence.logs = {{search_.noise.floor, 0.0, 1.0, false, 50}};
     for (std::size_t h = 0; h < evidence.hypotheses.size(); ++h) {
       diagnosis::judge::HypothesisEvidence& hypothesis = evidence.hypotheses[h];
       hypothesis.log_errors = {std::pow(search_.at(static_cast<int>(h)).fit.held_out, 2)};

@@ -41,8 +41,8 @@ TEST(ForceOffset, OfEachLogStandsBesideFriction) {
       {runRig("1 bar", 1, beside(rigFriction(), 8e3)), runRig("3 bar", 2, beside(rigFriction(), 22e3)),
        runRig("7 bar", 3, beside(rigFriction(), 50e3))},
       {runRig("5 bar", 4, beside(rigFriction(), 36e3)), runRig("2 bar", 5, beside(rigFriction(), 15e3))});
-  EXPECT_THAT(result.effects, ElementsAre("friction", "force_offset")) << result.sentence;
-  EXPECT_LT(result.gap.augmented, 1.3 * result.gap.noise_floor);
+  EXPECT_THAT(result.answer.effects, ElementsAre("friction", "force_offset")) << result.sentence;
+  EXPECT_LT(result.gaps.unseen.augmented, 1.3 * result.gaps.unseen.noise_floor);
   // Beside their mean, to the noise of 20 N and to what a zero and friction have in common.
   EXPECT_NEAR(zeroFound(result, "7 bar") - zeroFound(result, "1 bar"), 42e3, 60.0);
   EXPECT_NEAR(zeroFound(result, "5 bar") - zeroFound(result, "2 bar"), 21e3, 60.0);
@@ -53,9 +53,9 @@ TEST(ForceOffset, OfAllLogsIsOneNumber) {
   const diagnosis::Diagnosis result = checkedDiagnosis(
       rigComponent(), {runRig("one", 1, beside(nothing(), 900.0)), runRig("two", 2, beside(nothing(), 900.0))},
       {runRig("unseen", 3, beside(nothing(), 900.0))});
-  EXPECT_THAT(result.effects, ElementsAre("force_offset")) << result.sentence;
-  ASSERT_EQ(result.augmented.add.size(), 1U);
-  EXPECT_NEAR(result.augmented.add.front().value("offset"), 900.0, 20.0);
+  EXPECT_THAT(result.answer.effects, ElementsAre("force_offset")) << result.sentence;
+  ASSERT_EQ(result.law.augmented.add.size(), 1U);
+  EXPECT_NEAR(result.law.augmented.add.front().value("offset"), 900.0, 20.0);
 }
 
 // Triangles of 6 s over a minute: what the model lacks is alike in all of them, and no drift between them.
@@ -74,8 +74,8 @@ TEST(ForceOffset, TrianglesAreNoDrift) {
   };
   const diagnosis::Diagnosis result = checkedDiagnosis(
       rigComponent(), {triangles("small", 1, 0.5e-3), triangles("large", 2, 2e-3)}, {triangles("unseen", 3, 1e-3)});
-  EXPECT_THAT(result.effects, Not(Contains("force_drift"))) << result.sentence;
-  EXPECT_THAT(result.effects, Contains("friction")) << result.sentence;
+  EXPECT_THAT(result.answer.effects, Not(Contains("force_drift"))) << result.sentence;
+  EXPECT_THAT(result.answer.effects, Contains("friction")) << result.sentence;
 }
 
 }  // namespace

@@ -29,19 +29,19 @@ diagnosis::Diagnosis diagnoseFactors(const std::vector<double>& factors) {
 
 TEST(FrictionFactors, AreToldWhereTheLogsDiffer) {
   const diagnosis::Diagnosis found = diagnoseFactors({0.5, 1.5, 4.0});
-  ASSERT_EQ(found.effects, std::vector<std::string>{"friction"}) << found.sentence;
+  ASSERT_EQ(found.answer.effects, std::vector<std::string>{"friction"}) << found.sentence;
   EXPECT_NE(found.sentence.find("Friction differs between the logs"), std::string::npos) << found.sentence;
   const auto& search = found.workings->search;
   const auto named = std::find_if(search.singles.begin(), search.singles.end(), [&](const auto& single) {
     return search.candidates[static_cast<std::size_t>(single.hypothesis.members.front())].effect == "friction";
   });
   ASSERT_NE(named, search.singles.end());
-  EXPECT_LT(named->fit.held_out, 1.5 * search.noise) << "nothing but noise is left";
+  EXPECT_LT(named->fit.held_out, 1.5 * search.noise.floor) << "nothing but noise is left";
 }
 
 TEST(FrictionFactors, AreNoneWhereTheLogsAgree) {
   const diagnosis::Diagnosis found = diagnoseFactors({1.0, 1.0});
-  ASSERT_EQ(found.effects, std::vector<std::string>{"friction"}) << found.sentence;
+  ASSERT_EQ(found.answer.effects, std::vector<std::string>{"friction"}) << found.sentence;
   EXPECT_EQ(found.sentence.find("Friction differs"), std::string::npos) << found.sentence;
 }
 

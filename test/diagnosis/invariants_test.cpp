@@ -27,30 +27,33 @@ TEST(Invariants, HoldForReportsOfAllKinds) {
 
 TEST(Invariants, AreEachFoundBroken) {
   const std::vector<std::pair<std::string, std::function<void(Diagnosis&)>>> changes = {
-      {"effects if and only if the verdict names any", [](Diagnosis& d) { d.effects.clear(); }},
-      {"the posterior adds up to 1", [](Diagnosis& d) { d.posterior.none += 0.01; }},
-      {"the verdict is the likeliest", [](Diagnosis& d) { std::swap(d.posterior.none, d.posterior.effects); }},
+      {"effects if and only if the verdict names any", [](Diagnosis& d) { d.answer.effects.clear(); }},
+      {"the posterior adds up to 1", [](Diagnosis& d) { d.answer.posterior.none += 0.01; }},
+      {"the verdict is the likeliest",
+       [](Diagnosis& d) { std::swap(d.answer.posterior.none, d.answer.posterior.effects); }},
       {"effects are as probable as their sets", [](Diagnosis& d) { d.candidates[0].probability = 0.0; }},
-      {"the first set is the one named", [](Diagnosis& d) { d.confounded.front() = {"friction"}; }},
-      {"no set holds an improbable effect", [](Diagnosis& d) { d.confounded.push_back({"no effect"}); }},
+      {"the first set is the one named", [](Diagnosis& d) { d.answer.confounded.front() = {"friction"}; }},
+      {"no set holds an improbable effect", [](Diagnosis& d) { d.answer.confounded.push_back({"no effect"}); }},
       {"alternatives follow by probability",
        [](Diagnosis& d) {
-         d.alternatives.assign(3, {{}, {}, 0.5});
+         d.answer.alternatives.assign(3, {{}, {}, 0.5});
        }},
-      {"the floor is no more than any gap", [](Diagnosis& d) { d.gap.noise_floor = 1.01 * d.gap.augmented; }},
+      {"the floor is no more than any gap",
+       [](Diagnosis& d) { d.gaps.unseen.noise_floor = 1.01 * d.gaps.unseen.augmented; }},
       {"named: the gap falls and the interval excludes 0, or the data sheet holds",
-       [](Diagnosis& d) { d.gap.re_estimated = d.gap.as_configured = 0.99 * d.gap.augmented; }},
-      {"closed is of the gaps", [](Diagnosis& d) { d.closed -= 0.01; }},
+       [](Diagnosis& d) { d.gaps.unseen.re_estimated = d.gaps.unseen.as_configured = 0.99 * d.gaps.unseen.augmented; }},
+      {"closed is of the gaps", [](Diagnosis& d) { d.gaps.closed -= 0.01; }},
       {"the interval holds what is closed",
        [](Diagnosis& d) {
-         d.closed_interval = {0.1, 0.2};
+         d.gaps.closed_interval = {0.1, 0.2};
        }},
-      {"an interval that ends at a bound says so", [](Diagnosis& d) { d.effect_sizes.front().interval_95[0] = 0.0; }},
-      {"what was taken out adds up", [](Diagnosis& d) { d.admission.front().left *= 1.1; }},
+      {"an interval that ends at a bound says so",
+       [](Diagnosis& d) { d.law.effect_sizes.front().interval_95[0] = 0.0; }},
+      {"what was taken out adds up", [](Diagnosis& d) { d.logs.admission.front().left *= 1.1; }},
       {"what was taken out explains the gaps", [](Diagnosis& d) { d.gap_as_recorded.augmented *= 1.1; }},
-      {"where adds up to 1", [](Diagnosis& d) { d.where.front().share *= 0.5; }},
+      {"where adds up to 1", [](Diagnosis& d) { d.where.before.front().share *= 0.5; }},
       {"a surrogate where unknown or partly", [](Diagnosis& d) { d.surrogate.emplace(); }},
-      {"a next experiment, or why none", [](Diagnosis& d) { d.next_experiment.clear(); }}};
+      {"a next experiment, or why none", [](Diagnosis& d) { d.next.text.clear(); }}};
   for (const auto& [name, change] : changes) {
     Diagnosis changed = ofAStop();
     change(changed);
@@ -60,10 +63,10 @@ TEST(Invariants, AreEachFoundBroken) {
 
 TEST(Defect, TellsNoVerdict) {
   Diagnosis changed = ofAStop();
-  changed.gap.re_estimated = changed.gap.as_configured = changed.gap.augmented;
+  changed.gaps.unseen.re_estimated = changed.gaps.unseen.as_configured = changed.gaps.unseen.augmented;
   const Diagnosis told = heldToInvariants(std::move(changed));
-  EXPECT_EQ(told.verdict, diagnosis::Verdict::defect);
-  EXPECT_TRUE(told.effects.empty());
+  EXPECT_EQ(told.answer.verdict, diagnosis::Verdict::defect);
+  EXPECT_TRUE(told.answer.effects.empty());
   EXPECT_THAT(told.defect, HasSubstr("named: the gap falls"));
   EXPECT_THAT(told.sentence, HasSubstr("No verdict"));
   EXPECT_NE(toJson(told).find("\"defect\": \"named: the gap falls"), std::string::npos);

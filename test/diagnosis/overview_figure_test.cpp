@@ -25,14 +25,14 @@ diagnosis::Diagnosis madeUp(const std::string& log = "sine") {
   record.force_deviation = 1e3 / std::sqrt(2.0);
   diagnosis::Diagnosis diagnosis;
   diagnosis.component = "bush";
-  diagnosis.verdict = diagnosis::Verdict::named;
-  diagnosis.effects = {"friction", "creep"};
+  diagnosis.answer.verdict = diagnosis::Verdict::named;
+  diagnosis.answer.effects = {"friction", "creep"};
   auto workings = std::make_shared<diagnosis::Workings>();
-  workings->records = {record};
-  workings->training = 1;
-  workings->force_configured = {record.force.array() + 100.0};
-  workings->force_re_estimated = workings->force_configured;
-  workings->force_augmented = {record.force};
+  workings->simulated.records = {record};
+  workings->simulated.training = 1;
+  workings->simulated.configured = {record.force.array() + 100.0};
+  workings->simulated.re_estimated = workings->simulated.configured;
+  workings->simulated.augmented = {record.force};
   diagnosis.workings = workings;
   return diagnosis;
 }
@@ -56,8 +56,8 @@ TEST(OverviewFigure, HasUnitsOfARotationAndNamesAsTheyAre) {
   EXPECT_THAT(diagnosis::report::figureCsv(figures[0].figure),
               testing::StartsWith("curve,panel,displacement_mrad,force_kN_m\n"));
   diagnosis.defect = "made up";  // whose page has no figures
-  diagnosis.admission.resize(1);
-  diagnosis.admission[0].log = "run 3 N";
+  diagnosis.logs.admission.resize(1);
+  diagnosis.logs.admission[0].log = "run 3 N";
   diagnosis.rig_findings.resize(1);
   diagnosis.rig_findings[0].log = "run 3 N";
   diagnosis.rig_findings[0].finding = measurement::finding::kForceZero;
@@ -72,9 +72,9 @@ TEST(OverviewFigure, HasUnitsOfARotationAndNamesAsTheyAre) {
 
 TEST(OverviewFigure, MapsTheGapWhereItIsKnown) {
   diagnosis::Diagnosis diagnosis = madeUp();
-  diagnosis.where = {{"sine", {1.0, 2.0}, {3.16e-4, 1e-3}, gap::Quantity::stiffness, 0.7, 10.0},
-                     {"sine", {1.0, 2.0}, {3.16e-4, 1e-3}, gap::Quantity::loss, 0.2, 10.0},
-                     {"sine", {0.0, 0.0}, {0.0, 0.0}, gap::Quantity::mean, 0.1, 10.0}};
+  diagnosis.where.before = {{"sine", {1.0, 2.0}, {3.16e-4, 1e-3}, gap::Quantity::stiffness, 0.7, 10.0},
+                            {"sine", {1.0, 2.0}, {3.16e-4, 1e-3}, gap::Quantity::loss, 0.2, 10.0},
+                            {"sine", {0.0, 0.0}, {0.0, 0.0}, gap::Quantity::mean, 0.1, 10.0}};
   const io::Figure figure = diagnosis::report::overviewFigure(diagnosis);
   ASSERT_EQ(figure.axes.size(), 4U);
   ASSERT_EQ(figure.axes[1].maps.size(), 1U);

@@ -240,7 +240,7 @@ TEST(ReportText, TellsTheEndsOfAnIntervalApart) {
 
 diagnosis::Diagnosis withSizes(std::vector<diagnosis::SizedValue> sizes) {
   diagnosis::Diagnosis d;
-  d.model_sizes = std::move(sizes);
+  d.law.model_sizes = std::move(sizes);
   return d;
 }
 
@@ -256,13 +256,14 @@ TEST(ModelValues, AreTheFactWhereTheLogsContradictThem) {
 
 TEST(ModelValues, MakeRoomForEffects) {
   const auto d = withSizes({{"specification", "dynamic_stiffness", "N/m", 4.2e6, 3.4e6, {3.3e6, 3.5e6}}});
-  EXPECT_EQ(diagnosis::words::besideText(d.model_sizes[0]), "K_n becomes 3.4 kN/mm (4.2 kN/mm in the component file)");
+  EXPECT_EQ(diagnosis::words::besideText(d.law.model_sizes[0]),
+            "K_n becomes 3.4 kN/mm (4.2 kN/mm in the component file)");
 }
 
 TEST(Candidates, AreOutForAReason) {
   diagnosis::Diagnosis d;
-  d.effects = {"friction"};
-  d.gap = {0.14, 0.12, 0.02, 0.015};
+  d.answer.effects = {"friction"};
+  d.gaps.unseen = {0.14, 0.12, 0.02, 0.015};
   diagnosis::CandidateResult creep;
   creep.effect = "creep";
   creep.gap = 0.11;
@@ -294,29 +295,29 @@ TEST(Findings, AllHaveAMeaningAndARemedy) {
 TEST(FirstScreen, AnswersTheFiveQuestions) {
   diagnosis::Diagnosis d;
   d.component = "bush <1>";
-  d.verdict = diagnosis::Verdict::named;
+  d.answer.verdict = diagnosis::Verdict::named;
   d.sentence = "The model lacks friction.";
-  d.effects = {"friction"};
-  d.gap = {0.14, 0.12, 0.02, 0.015};
-  d.closed = 0.94;
-  d.closed_interval = {0.92, 1.1};
+  d.answer.effects = {"friction"};
+  d.gaps.unseen = {0.14, 0.12, 0.02, 0.015};
+  d.gaps.closed = 0.94;
+  d.gaps.closed_interval = {0.92, 1.1};
   diagnosis::CandidateResult friction;
   friction.effect = "friction";
   friction.probability = 0.97;
   d.candidates = {friction};
-  d.effect_sizes = {{"friction", "maximum_force", "N", 0.0, 6000.0, {5700.0, 6400.0}},
-                    {"friction", "displacement", "m", 0.0, 3.5e-4, {3e-4, 4e-4}}};
-  d.probability = 0.97;
+  d.law.effect_sizes = {{"friction", "maximum_force", "N", 0.0, 6000.0, {5700.0, 6400.0}},
+                        {"friction", "displacement", "m", 0.0, 3.5e-4, {3e-4, 4e-4}}};
+  d.answer.probability = 0.97;
   d.shares = {{"values", 0.14}, {"friction", 0.72}};
-  d.effect_sizes.push_back({"friction", "gap_in_compression", "m", 0.0, 2.4e-3, {2.2e-3, 2.6e-3}});
-  d.effect_sizes.push_back({"friction", "change_of_stiffness", "1/K", 0.0, -6e-3, {-7e-3, -5e-3}});
-  d.where = {{"sines", {2.0, 4.0}, {2e-4, 5e-4}, gap::Quantity::stiffness, 0.6, 10.0, 0.0121},
-             {"sines", {4.0, 8.0}, {2e-4, 5e-4}, gap::Quantity::loss, 0.4, 10.0, 0.0025}};
-  d.where_after = {{"sines", {4.0, 8.0}, {2e-4, 5e-4}, gap::Quantity::loss, 1.0, 1.0, 0.0004}};
-  d.next_experiment = "sine at 4 Hz";
-  d.proposed.description = "sine";
-  d.proposed.dt = 0.01;
-  d.proposed.displacement.assign(201, 0.0);
+  d.law.effect_sizes.push_back({"friction", "gap_in_compression", "m", 0.0, 2.4e-3, {2.2e-3, 2.6e-3}});
+  d.law.effect_sizes.push_back({"friction", "change_of_stiffness", "1/K", 0.0, -6e-3, {-7e-3, -5e-3}});
+  d.where.before = {{"sines", {2.0, 4.0}, {2e-4, 5e-4}, gap::Quantity::stiffness, 0.6, 10.0, 0.0121},
+                    {"sines", {4.0, 8.0}, {2e-4, 5e-4}, gap::Quantity::loss, 0.4, 10.0, 0.0025}};
+  d.where.after = {{"sines", {4.0, 8.0}, {2e-4, 5e-4}, gap::Quantity::loss, 1.0, 1.0, 0.0004}};
+  d.next.text = "sine at 4 Hz";
+  d.next.proposed.description = "sine";
+  d.next.proposed.dt = 0.01;
+  d.next.proposed.displacement.assign(201, 0.0);
   d.workings = std::make_shared<diagnosis::Workings>();
   const std::string html = diagnosis::report::firstScreen(d);
   for (const char* answer : {"bush &lt;1&gt;",
@@ -348,15 +349,15 @@ TEST(FirstScreen, AnswersTheFiveQuestions) {
 
 TEST(Headline, HasAtMost25Words) {
   diagnosis::Diagnosis d;
-  d.gap = {0.1412, 0.1234, 0.0212, 0.0151};
+  d.gaps.unseen = {0.1412, 0.1234, 0.0212, 0.0151};
   d.configured = {"bush", {{"spring", {{"stiffness", {1e6}}}}}};
-  d.model_sizes = {{"specification", "dynamic_stiffness", "N/m", 4e6, 3e6, {2.9e6, 3.1e6}}};
+  d.law.model_sizes = {{"specification", "dynamic_stiffness", "N/m", 4e6, 3e6, {2.9e6, 3.1e6}}};
   for (const auto verdict : {diagnosis::Verdict::none, diagnosis::Verdict::parameter_error, diagnosis::Verdict::named,
                              diagnosis::Verdict::confounded, diagnosis::Verdict::unknown, diagnosis::Verdict::partly,
                              diagnosis::Verdict::check_bench, diagnosis::Verdict::defect}) {
-    d.verdict = verdict;
+    d.answer.verdict = verdict;
     if (diagnosis::namesEffects(verdict)) {
-      d.effects = {"rate_amplitude_coupling", "progressive_stiffness", "stress_softening", "viscous_damping"};
+      d.answer.effects = {"rate_amplitude_coupling", "progressive_stiffness", "stress_softening", "viscous_damping"};
     }
     std::istringstream words(diagnosis::words::headline(d));
     const auto count = std::distance(std::istream_iterator<std::string>(words), {});

@@ -151,19 +151,19 @@ TEST(WrittenComponent, HasNumbersThatAreKnown) {
   auto specification = exact.specification();
   specification.set("static_stiffness", 896345.6789);
   exact.specify(specification);
-  d.written = {written("specification.static_stiffness", "N/m", 0.9e6, 896345.6789, {886e3, 906e3}),
-               written("specification.nominal_frequency", "Hz", 4.0, 4.0, {4.0, 4.0}),
-               written("add[0].maximum_force", "N", std::nan(""), 216.18, {195.0, 240.0})};
-  d.written = diagnosis::results::rounded(d.written, exact, 0);
-  d.augmented = diagnosis::results::asWritten(exact, d.written);
-  EXPECT_DOUBLE_EQ(d.augmented.specification().at("static_stiffness"), 896e3) << "half the interval is 10 N/mm";
-  EXPECT_DOUBLE_EQ(d.augmented.add[0].value("maximum_force"), 216.0);
-  EXPECT_DOUBLE_EQ(d.augmented.add[0].value("displacement"), 1.2345678e-4) << "nothing is known of its interval";
+  d.law.numbers = {written("specification.static_stiffness", "N/m", 0.9e6, 896345.6789, {886e3, 906e3}),
+                   written("specification.nominal_frequency", "Hz", 4.0, 4.0, {4.0, 4.0}),
+                   written("add[0].maximum_force", "N", std::nan(""), 216.18, {195.0, 240.0})};
+  d.law.numbers = diagnosis::results::rounded(d.law.numbers, exact, 0);
+  d.law.augmented = diagnosis::results::asWritten(exact, d.law.numbers);
+  EXPECT_DOUBLE_EQ(d.law.augmented.specification().at("static_stiffness"), 896e3) << "half the interval is 10 N/mm";
+  EXPECT_DOUBLE_EQ(d.law.augmented.add[0].value("maximum_force"), 216.0);
+  EXPECT_DOUBLE_EQ(d.law.augmented.add[0].value("displacement"), 1.2345678e-4) << "nothing is known of its interval";
   const std::string text = diagnosis::report::augmentedYaml(d);
   EXPECT_THAT(text, HasSubstr("static_stiffness: 0.896 kN/mm  # 95 %: 0.886 to 0.906 kN/mm; was 0.9 kN/mm"));
   EXPECT_THAT(text, HasSubstr("# maximum_force: 95 %: 195 to 240 N"));
   const auto read = io::parseComponentFile(text, "augmented.yaml").front();
-  EXPECT_EQ(io::toYaml({read}), io::toYaml({d.augmented})) << "the file is the component, to the last bit";
+  EXPECT_EQ(io::toYaml({read}), io::toYaml({d.law.augmented})) << "the file is the component, to the last bit";
 }
 
 TEST(Headline, TellsFrictionOverAllTerms) {

@@ -97,9 +97,9 @@ TEST_F(UnlistedEffect, IsSeenToBeAFunctionOfTheMotion) {
 TEST_F(UnlistedEffect, IsClosedByTheSurrogateOnAnUnseenLog) {
   ASSERT_TRUE(result()->surrogate);
   const log::Log unseen = runRig("unseen", 3, catchingCable);
-  const double before = replayedGap(result()->augmented, unseen);
+  const double before = replayedGap(result()->law.augmented, unseen);
   const double after = replayedGap(result()->surrogate->component, unseen);
-  const double floor = result()->gap.noise_floor;
+  const double floor = result()->gaps.unseen.noise_floor;
   EXPECT_LT(after - floor, 0.4 * (before - floor)) << before << " to " << after << ", floor " << floor;
 }
 
@@ -139,7 +139,7 @@ TEST_F(UnlistedEffect, TheMapShowsWhatIsMissingAndThatTheSurrogateHasIt) {
 
 TEST(SurrogateOfHum, IsNoFunctionOfTheMotion) {
   const Diagnosis& result = ofHum();
-  ASSERT_EQ(result.verdict, diagnosis::Verdict::unknown);
+  ASSERT_EQ(result.answer.verdict, diagnosis::Verdict::unknown);
   ASSERT_TRUE(result.surrogate);
   EXPECT_FALSE(result.surrogate->function_of_the_motion) << result.sentence;
   EXPECT_THAT(result.sentence, HasSubstr("do not tell whether the motion causes it"));

@@ -56,7 +56,7 @@ double gapOf(const io::ComponentDescription& description, const fit::MeasuredTab
 TEST(TableDiagnosis, TheAugmentedComponentLeavesWhatTheReportSays) {
   const fit::MeasuredTable table = Laboratory(3).table(with(kZener, kFriction));
   const Diagnosis found = checkedTable(without(kZener), table);
-  const auto reloaded = io::parseComponentFile(io::toYaml({found.augmented}), "augmented.yaml").front();
+  const auto reloaded = io::parseComponentFile(io::toYaml({found.law.augmented}), "augmented.yaml").front();
   // Other samples of a cycle, which move the area of a loop with friction by some 1e-4.
   EXPECT_NEAR(gapOf(reloaded, table), found.gap_as_recorded.augmented, 1e-3);
   EXPECT_NEAR(gapOf(found.configured, table), found.gap_as_recorded.as_configured, 1e-3);
@@ -67,13 +67,13 @@ TEST(TableDiagnosis, SaysWhereByRows) {
   const std::size_t wrong = 8;
   table.points[wrong].stiffness *= 1.3;
   const Diagnosis found = checkedTable(without(kZener), table);
-  ASSERT_THAT(found.where, Not(IsEmpty()));
-  EXPECT_EQ(found.where.front().log, "lab");
-  EXPECT_EQ(found.where.front().frequency[0], table.points[wrong].frequency);
-  EXPECT_EQ(found.where.front().frequency[1], table.points[wrong].frequency);
-  EXPECT_EQ(found.where.front().amplitude[0], table.points[wrong].amplitude);
-  EXPECT_EQ(found.where.front().quantity, gap::Quantity::stiffness);
-  EXPECT_GT(found.where.front().share, 0.9);
+  ASSERT_THAT(found.where.before, Not(IsEmpty()));
+  EXPECT_EQ(found.where.before.front().log, "lab");
+  EXPECT_EQ(found.where.before.front().frequency[0], table.points[wrong].frequency);
+  EXPECT_EQ(found.where.before.front().frequency[1], table.points[wrong].frequency);
+  EXPECT_EQ(found.where.before.front().amplitude[0], table.points[wrong].amplitude);
+  EXPECT_EQ(found.where.before.front().quantity, gap::Quantity::stiffness);
+  EXPECT_GT(found.where.before.front().share, 0.9);
 }
 
 TEST(TableDiagnosis, ChecksTheBench) {
@@ -82,7 +82,7 @@ TEST(TableDiagnosis, ChecksTheBench) {
     point.stiffness *= 1000.0;
   }
   const Diagnosis found = checkedTable(without(kZener), table);
-  EXPECT_EQ(found.verdict, diagnosis::Verdict::check_bench);
+  EXPECT_EQ(found.answer.verdict, diagnosis::Verdict::check_bench);
   ASSERT_EQ(found.rig_findings.size(), 1U);
   EXPECT_EQ(found.rig_findings.front().finding, "unit_factor");
   EXPECT_THAT(found.sentence, HasSubstr("factor 1000"));
@@ -128,16 +128,15 @@ TEST(TableDiagnosis, NamesTemperatureWhereOneCurveHoldsAllRows) {
   const io::ComponentDescription model{
       "bush", {{"spring", {{"stiffness", {2.4e6}}}}, maxwell(0.1), maxwell(1.0), maxwell(10.0), maxwell(100.0)}};
   const Diagnosis found = checkedTable(model, table);
-  EXPECT_THAT(found.verdict, testing::AnyOf(Verdict::named, Verdict::partly));
-  EXPECT_THAT(found.effects, testing::ElementsAre("temperature"));
-  EXPECT_THAT(found.noise_source, HasSubstr("what one curve leaves of the table"));
+  EXPECT_THAT(found.answer.verdict, testing::AnyOf(Verdict::named, Verdict::partly));
+  EXPECT_THAT(found.answer.effects, testing::ElementsAre("temperature"));
+  EXPECT_THAT(found.gaps.noise_source, HasSubstr("what one curve leaves of the table"));
 }
 
 TEST(TableDiagnosis, ProposesARowThatIsNew) {
-  EXPECT_THAT(ofFrictionTable().next_experiment,
-              testing::AnyOf(HasSubstr("Measure a row at"), HasSubstr("Record a log")));
+  EXPECT_THAT(ofFrictionTable().next.text, testing::AnyOf(HasSubstr("Measure a row at"), HasSubstr("Record a log")));
   const Diagnosis none = checkedTable(without(kZener), Laboratory(1).table(without(kZener)));
-  EXPECT_THAT(none.next_experiment, HasSubstr("None is needed for what a table can show. Record a log"));
+  EXPECT_THAT(none.next.text, HasSubstr("None is needed for what a table can show. Record a log"));
 }
 
 TEST(TableDiagnosis, WritesTheReport) {

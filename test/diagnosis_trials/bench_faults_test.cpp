@@ -153,14 +153,14 @@ TEST_P(BenchFaults, LeaveGapFreeLogsAloneAndEffectsTheirNames) {
     const diagnosis::Diagnosis none = diagnoseBench(nothing, axis, size, 1);
     // Of all logs alike: values off by as much.
     const bool scaled = std::count(axis.faults.begin(), axis.faults.end(), gain) > 0;
-    EXPECT_TRUE(none.verdict == diagnosis::Verdict::none ||
-                (scaled && none.verdict == diagnosis::Verdict::parameter_error))
+    EXPECT_TRUE(none.answer.verdict == diagnosis::Verdict::none ||
+                (scaled && none.answer.verdict == diagnosis::Verdict::parameter_error))
         << none.sentence;
-    EXPECT_TRUE(none.effects.empty());
+    EXPECT_TRUE(none.answer.effects.empty());
     for (const auto& [effect, name] :
          {std::pair<RigEffect, std::string>{linearStop, "bump_stop"}, {asymmetric, "asymmetric_stiffness"}}) {
       const diagnosis::Diagnosis found = diagnoseBench(effect, axis, size, 2);
-      EXPECT_EQ(found.effects, std::vector<std::string>{name}) << found.sentence;
+      EXPECT_EQ(found.answer.effects, std::vector<std::string>{name}) << found.sentence;
     }
   }
 }

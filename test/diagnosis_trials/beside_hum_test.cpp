@@ -35,10 +35,10 @@ diagnosis::Diagnosis diagnosed(const std::function<RigEffect()>& effect) {
 
 TEST(BesideHum, NothingIsNamedWhereTheMotionCausesNothing) {
   const diagnosis::Diagnosis result = diagnosed([] { return [](double, double, double) { return 0.0; }; });
-  ASSERT_EQ(result.verdict, diagnosis::Verdict::unknown) << result.sentence;
+  ASSERT_EQ(result.answer.verdict, diagnosis::Verdict::unknown) << result.sentence;
   // A surrogate is on top of the augmented component.
   ASSERT_TRUE(result.surrogate);
-  const auto below = result.augmented.allElements();
+  const auto below = result.law.augmented.allElements();
   const auto elements = result.surrogate->component.allElements();
   ASSERT_EQ(elements.size(), below.size() + 1);
   for (std::size_t i = 0; i < below.size(); ++i) {

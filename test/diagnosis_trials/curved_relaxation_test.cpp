@@ -89,14 +89,15 @@ std::vector<std::string> sorted(std::vector<std::string> names) {
 
 TEST(CurvedRelaxation, IsRelaxationWhereHoldsAtTwoAmplitudesShowIt) {
   const diagnosis::Diagnosis found = diagnoseFilm(alongCurve(), 0.5);
-  EXPECT_EQ(found.effects, std::vector<std::string>{"relaxation"}) << found.sentence;
-  EXPECT_TRUE(hasTypeAdded(found.augmented, "maxwell_along_curve")) << io::toYaml({found.augmented});
+  EXPECT_EQ(found.answer.effects, std::vector<std::string>{"relaxation"}) << found.sentence;
+  EXPECT_TRUE(hasTypeAdded(found.law.augmented, "maxwell_along_curve")) << io::toYaml({found.law.augmented});
 }
 
 TEST(CurvedRelaxation, StaysLinearBesideACubicSpring) {
   const diagnosis::Diagnosis found = diagnoseFilm(linearBesideCubic(), 0.5);
-  EXPECT_EQ(sorted(found.effects), (std::vector<std::string>{"progressive_stiffness", "relaxation"})) << found.sentence;
-  EXPECT_FALSE(hasTypeAdded(found.augmented_full, "maxwell_along_curve")) << io::toYaml({found.augmented_full});
+  EXPECT_EQ(sorted(found.answer.effects), (std::vector<std::string>{"progressive_stiffness", "relaxation"}))
+      << found.sentence;
+  EXPECT_FALSE(hasTypeAdded(found.law.full, "maxwell_along_curve")) << io::toYaml({found.law.full});
 }
 
 }  // namespace

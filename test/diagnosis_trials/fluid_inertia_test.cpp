@@ -164,9 +164,9 @@ TEST(FluidInertia, IsNamedFirstWhereTheLawOfTheMountIsAnother) {
   int named = 0;
   for (int i = 0; i < kBenches; ++i) {
     const diagnosis::Diagnosis result = diagnosisOf(i, drawMount(i));
-    const bool first = !result.effects.empty() && result.effects.front() == "fluid_inertia";
+    const bool first = !result.answer.effects.empty() && result.answer.effects.front() == "fluid_inertia";
     named += first ? 1 : 0;
-    EXPECT_GT(result.gap.as_configured, 0.03) << i << ": there is something to be found";
+    EXPECT_GT(result.gaps.unseen.as_configured, 0.03) << i << ": there is something to be found";
     if (!first) {
       std::cout << i << ": " << result.sentence << std::endl;
     }
@@ -185,13 +185,13 @@ TEST(FluidInertia, OfQuadraticLossIsOneTrack) {
   }
   io::ComponentDescription component = rigComponent();
   const diagnosis::Diagnosis result = diagnosis::diagnose(component, logs, {});
-  ASSERT_EQ(result.effects, std::vector<std::string>{"fluid_inertia"}) << result.sentence;
-  EXPECT_EQ(result.verdict, diagnosis::Verdict::named) << result.sentence;
+  ASSERT_EQ(result.answer.effects, std::vector<std::string>{"fluid_inertia"}) << result.sentence;
+  EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::named) << result.sentence;
   EXPECT_NE(result.sentence.find("fluid_inertia (a fluid track, or a mass on a spring such as the fixture: "),
             std::string::npos)
       << result.sentence;
-  ASSERT_EQ(result.augmented.add.size(), 1U);
-  const element::ElementDescription& track = result.augmented.add.front();
+  ASSERT_EQ(result.law.augmented.add.size(), 1U);
+  const element::ElementDescription& track = result.law.augmented.add.front();
   ASSERT_EQ(track.type, "inertia_track");
   EXPECT_NEAR(track.value("mass") / mass, 1.0, 0.05);
   EXPECT_NEAR(track.value("stiffness") / orifice.stiffness, 1.0, 0.05);
@@ -207,7 +207,7 @@ TEST(FluidInertia, IsNamedOnHardlyABenchWithoutIt) {
   int named = 0;
   for (int i = 0; i < kBenches; ++i) {
     const diagnosis::Diagnosis result = diagnosisOf(100 + i, without(i));
-    if (std::count(result.effects.begin(), result.effects.end(), "fluid_inertia") > 0) {
+    if (std::count(result.answer.effects.begin(), result.answer.effects.end(), "fluid_inertia") > 0) {
       ++named;
       std::cout << i << ": " << result.sentence << std::endl;
     }

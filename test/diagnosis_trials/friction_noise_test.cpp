@@ -36,7 +36,7 @@ TEST(FrictionStarts, HideNoDrift) {
     logs.push_back(log);
   }
   const diagnosis::Diagnosis result = checkedDiagnosis(component, logs, {});
-  EXPECT_EQ(result.effects, std::vector<std::string>{"force_drift"}) << result.sentence;
+  EXPECT_EQ(result.answer.effects, std::vector<std::string>{"force_drift"}) << result.sentence;
 }
 
 }  // namespace

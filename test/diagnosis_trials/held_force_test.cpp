@@ -45,12 +45,12 @@ TEST(HeldForce, IsThatOfTheFileThatIsWritten) {
   const diagnosis::Diagnosis found =
       checkedDiagnosis(rigComponent(), {moved("one", 1), moved("two", 2), held("hold", 3, 2e-3, -1.5e-3)},
                        {held("held", 4, 1.6e-3, -1e-3)});
-  ASSERT_EQ(found.effects, std::vector<std::string>{"friction"}) << found.sentence;
+  ASSERT_EQ(found.answer.effects, std::vector<std::string>{"friction"}) << found.sentence;
   const component::Component written =
-      io::parseComponentFile(io::toYaml({found.augmented}), "augmented.yaml").front().makeComponent();
+      io::parseComponentFile(io::toYaml({found.law.augmented}), "augmented.yaml").front().makeComponent();
   // At the lower end of what is said to be closed of further logs.
-  const double most =
-      found.gap.re_estimated - found.closed_interval[0] * (found.gap.re_estimated - found.gap.noise_floor);
+  const double most = found.gaps.unseen.re_estimated -
+                      found.gaps.closed_interval[0] * (found.gaps.unseen.re_estimated - found.gaps.unseen.noise_floor);
   for (const log::Log& fresh : {held("fresh", 5, 1.8e-3, -1.2e-3), moved("moved", 6)}) {
     EXPECT_LT(gap::relativeGap(fresh.force, gap::simulateLog(written, fresh)), most) << fresh.name;
   }

@@ -65,10 +65,10 @@ TEST(HeldUnderLoad, LacksNothing) {
   const auto result = checkedDiagnosis(
       bush(), {recorded("up", 1, loadedMotion(1e-3, 1.0), kRise), recorded("down", 2, loadedMotion(-8e-4, 2.0), kRise)},
       {recorded("unseen", 3, loadedMotion(6e-4, 1.5), kRise)});
-  EXPECT_EQ(result.verdict, diagnosis::Verdict::none) << result.sentence;
+  EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::none) << result.sentence;
   // As if the component had rested where the log begins, it is off by 60 N for 8 s, and more slowly less.
   EXPECT_GT(result.gap_as_recorded.as_configured, 0.1);
-  EXPECT_LT(result.gap.as_configured, 1.5 * result.gap.noise_floor);
+  EXPECT_LT(result.gaps.unseen.as_configured, 1.5 * result.gaps.unseen.noise_floor);
 }
 
 // A zero of the force that wanders over the log [N], on another way in each log.

@@ -63,11 +63,11 @@ std::vector<log::Log> rampLogs(double side, const RigEffect& effect) {
 TEST(LiftOff, OfAStrapIsTold) {
   const std::vector<log::Log> logs = {unglued(runRig("one", 1, glued), 1.0), unglued(runRig("two", 2, glued), 1.0)};
   const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), logs, {});
-  ASSERT_THAT(result.effects, testing::ElementsAre("lift_off")) << result.sentence;
-  ASSERT_EQ(result.augmented.add.size(), 1U);
-  EXPECT_EQ(result.augmented.add.front().type, "lift_off");
-  EXPECT_EQ(result.augmented.add.front().value("side"), 1.0);
-  EXPECT_LT(result.gap.augmented, 1.2 * result.gap.noise_floor);
+  ASSERT_THAT(result.answer.effects, testing::ElementsAre("lift_off")) << result.sentence;
+  ASSERT_EQ(result.law.augmented.add.size(), 1U);
+  EXPECT_EQ(result.law.augmented.add.front().type, "lift_off");
+  EXPECT_EQ(result.law.augmented.add.front().value("side"), 1.0);
+  EXPECT_LT(result.gaps.unseen.augmented, 1.2 * result.gaps.unseen.noise_floor);
 }
 
 TEST(LiftOff, OnRampsIsToldWithTheSideThatItCarries) {
@@ -77,17 +77,17 @@ TEST(LiftOff, OnRampsIsToldWithTheSideThatItCarries) {
       log = unglued(std::move(log), side);
     }
     const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), logs, {});
-    EXPECT_THAT(result.effects, testing::ElementsAre("lift_off")) << result.sentence;
+    EXPECT_THAT(result.answer.effects, testing::ElementsAre("lift_off")) << result.sentence;
     EXPECT_THAT(result.sentence, testing::HasSubstr(std::string("carries ") + carries + " alone"));
-    EXPECT_LT(result.gap.augmented, 1.2 * result.gap.noise_floor) << result.sentence;
+    EXPECT_LT(result.gaps.unseen.augmented, 1.2 * result.gaps.unseen.noise_floor) << result.sentence;
   }
 }
 
 // On the same ramps, with force of one sign for the most part.
 TEST(LiftOff, IsNotToldOfFriction) {
   const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), rampLogs(1.0, rigFriction()), {});
-  EXPECT_THAT(result.effects, testing::Contains("friction")) << result.sentence;
-  EXPECT_THAT(result.effects, testing::Not(testing::Contains("lift_off"))) << result.sentence;
+  EXPECT_THAT(result.answer.effects, testing::Contains("friction")) << result.sentence;
+  EXPECT_THAT(result.answer.effects, testing::Not(testing::Contains("lift_off"))) << result.sentence;
 }
 
 // A stop of one side makes the forces of the other the smaller ones, as an open contact does.
@@ -98,7 +98,7 @@ TEST(LiftOff, IsNotToldOfAStopOfOneSide) {
                           [](double, double z, double) { return 3e6 * std::max(0.0, z - 5e-4); }));
   }
   const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), logs, {});
-  EXPECT_THAT(result.effects, testing::Not(testing::Contains("lift_off"))) << result.sentence;
+  EXPECT_THAT(result.answer.effects, testing::Not(testing::Contains("lift_off"))) << result.sentence;
 }
 
 }  // namespace

@@ -32,11 +32,12 @@ TEST(MeasuredBearing, LacksFrictionAndSoftening) {
   const diagnosis::Diagnosis result =
       checkedDiagnosis(io::parseComponentFile(kBearing, "bearing").front(), {log::readLog(path)}, {}, {});
   for (const char* effect : {"friction", "stress_softening"}) {
-    EXPECT_EQ(std::count(result.effects.begin(), result.effects.end(), effect), 1) << effect << ": " << result.sentence;
+    EXPECT_EQ(std::count(result.answer.effects.begin(), result.answer.effects.end(), effect), 1)
+        << effect << ": " << result.sentence;
   }
   // On blocks that took no part in the fit. A fit without physical meaning reaches 4.9 %, friction of one limit and
   // softening by a factor alone 7.9 %.
-  EXPECT_LT(result.gap.augmented, 0.055) << result.sentence;
+  EXPECT_LT(result.gaps.unseen.augmented, 0.055) << result.sentence;
 }
 
 }  // namespace

@@ -83,9 +83,9 @@ const diagnosis::Diagnosis& reference(const std::string& bench, const std::funct
 }
 
 std::map<std::string, double> probabilities(const diagnosis::Diagnosis& diagnosis) {
-  std::map<std::string, double> result{{"none", diagnosis.posterior.none},
-                                       {"parameter_error", diagnosis.posterior.parameter_error},
-                                       {"none of these", diagnosis.posterior.none_of_these}};
+  std::map<std::string, double> result{{"none", diagnosis.answer.posterior.none},
+                                       {"parameter_error", diagnosis.answer.posterior.parameter_error},
+                                       {"none of these", diagnosis.answer.posterior.none_of_these}};
   for (const diagnosis::CandidateResult& candidate : diagnosis.candidates) {
     result[candidate.effect] = candidate.probability;
   }
@@ -93,10 +93,10 @@ std::map<std::string, double> probabilities(const diagnosis::Diagnosis& diagnosi
 }
 
 void expectTheSame(const diagnosis::Diagnosis& one, const diagnosis::Diagnosis& other) {
-  EXPECT_EQ(one.verdict, other.verdict) << other.sentence;
-  EXPECT_EQ(one.effects, other.effects) << other.sentence;
-  EXPECT_NEAR(one.gap.as_configured, other.gap.as_configured, 0.01 * one.gap.as_configured);
-  EXPECT_NEAR(one.gap.noise_floor, other.gap.noise_floor, 0.05 * one.gap.noise_floor);
+  EXPECT_EQ(one.answer.verdict, other.answer.verdict) << other.sentence;
+  EXPECT_EQ(one.answer.effects, other.answer.effects) << other.sentence;
+  EXPECT_NEAR(one.gaps.unseen.as_configured, other.gaps.unseen.as_configured, 0.01 * one.gaps.unseen.as_configured);
+  EXPECT_NEAR(one.gaps.unseen.noise_floor, other.gaps.unseen.noise_floor, 0.05 * one.gaps.unseen.noise_floor);
   const auto expected = probabilities(one);
   const auto found = probabilities(other);
   ASSERT_EQ(expected.size(), found.size());
@@ -171,11 +171,11 @@ TEST_P(Metamorphic, LogsInTwoHalvesTellTheSame) {
   const diagnosis::Diagnosis& whole = reference(GetParam().name, GetParam().effect);
   const diagnosis::Diagnosis split =
       checkedDiagnosis(rigComponent(), halves, {runRig("unseen", 3, GetParam().effect())});
-  if (GetParam().name == "creep" && isHidden(split.gap)) {
+  if (GetParam().name == "creep" && isHidden(split.gaps.unseen)) {
     return;
   }
-  EXPECT_EQ(whole.verdict, split.verdict) << split.sentence;
-  EXPECT_EQ(whole.effects, split.effects) << split.sentence;
+  EXPECT_EQ(whole.answer.verdict, split.answer.verdict) << split.sentence;
+  EXPECT_EQ(whole.answer.effects, split.answer.effects) << split.sentence;
 }
 
 }  // namespace

@@ -31,13 +31,13 @@ log::Log hold(unsigned seed) {
 TEST(NoisyLog, HidesNothing) {
   const auto result = checkedDiagnosis(rigComponent(), {runRig("one", 1, rigFriction()), hold(5), hold(6)},
                                        {runRig("unseen", 3, rigFriction()), hold(7)});
-  EXPECT_EQ(result.verdict, diagnosis::Verdict::named) << result.sentence;
-  EXPECT_THAT(result.effects, ElementsAre("friction"));
+  EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::named) << result.sentence;
+  EXPECT_THAT(result.answer.effects, ElementsAre("friction"));
   // 20 N of a kN in the log that moves, and the holds add some per cent; alike they would come to 0.7.
-  EXPECT_LT(result.gap.noise_floor, 0.1);
-  const auto noisy = std::find_if(result.admission.begin(), result.admission.end(),
+  EXPECT_LT(result.gaps.unseen.noise_floor, 0.1);
+  const auto noisy = std::find_if(result.logs.admission.begin(), result.logs.admission.end(),
                                   [](const auto& admission) { return admission.log == "hold 5"; });
-  ASSERT_NE(noisy, result.admission.end());
+  ASSERT_NE(noisy, result.logs.admission.end());
   EXPECT_THAT(noisy->notes, ::testing::Contains(HasSubstr("times as much as other logs")));
 }
 

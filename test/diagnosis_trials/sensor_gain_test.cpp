@@ -35,9 +35,9 @@ TEST(SensorGain, IsToldBesideWrongValues) {
   for (const double gain : {0.5, -0.4, 0.06, -0.12}) {
     const diagnosis::Diagnosis result = diagnoseWithGain(gain);
     const std::vector<std::string> named = {"sensor_gain"};
-    const bool is_named = result.effects == named;
-    EXPECT_TRUE(is_named || result.verdict == diagnosis::Verdict::parameter_error) << result.sentence;
-    const bool is_alternative = std::any_of(result.alternatives.begin(), result.alternatives.end(),
+    const bool is_named = result.answer.effects == named;
+    EXPECT_TRUE(is_named || result.answer.verdict == diagnosis::Verdict::parameter_error) << result.sentence;
+    const bool is_alternative = std::any_of(result.answer.alternatives.begin(), result.answer.alternatives.end(),
                                             [&](const auto& other) { return other.effects == named; });
     EXPECT_TRUE(is_alternative ||
                 result.sentence.find("or all stiffnesses and damping of the model are off by as much") !=
@@ -56,7 +56,7 @@ TEST(SensorGain, IsNoneOfAnUnevenError) {
   estimation::Specification specification = wrong.specification();
   specification.set("static_stiffness", 0.85e6);
   wrong.specify(specification);
-  EXPECT_EQ(diagnoseWithGain(0.0, wrong).verdict, diagnosis::Verdict::parameter_error);
+  EXPECT_EQ(diagnoseWithGain(0.0, wrong).answer.verdict, diagnosis::Verdict::parameter_error);
 }
 
 TEST(SensorGain, WithinTheToleranceIsNoCause) {
@@ -64,7 +64,7 @@ TEST(SensorGain, WithinTheToleranceIsNoCause) {
   component.rig = io::RigTolerances{};
   component.rig->gain = {0.25, true};  // a standard deviation of its logarithm, which ln 1.2 is within
   const diagnosis::Diagnosis result = diagnoseWithGain(0.2, component);
-  EXPECT_TRUE(result.effects.empty()) << result.sentence;
+  EXPECT_TRUE(result.answer.effects.empty()) << result.sentence;
 }
 
 double gainFound(const diagnosis::Diagnosis& result, const std::string& log) {
@@ -79,9 +79,9 @@ TEST(SensorGain, IsNamedWhereItDiffersFromLogToLog) {
   const diagnosis::Diagnosis result =
       checkedDiagnosis(rigComponent(), {runWithGain("one", 1, 0.1), runWithGain("two", 2, -0.05)},
                        {runWithGain("unseen", 3, 0.1), runWithGain("other", 4, -0.05)});
-  EXPECT_EQ(result.verdict, diagnosis::Verdict::named) << result.sentence;
-  EXPECT_THAT(result.effects, ElementsAre("sensor_gain"));
-  EXPECT_LT(result.gap.augmented, 1.05 * result.gap.noise_floor);
+  EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::named) << result.sentence;
+  EXPECT_THAT(result.answer.effects, ElementsAre("sensor_gain"));
+  EXPECT_LT(result.gaps.unseen.augmented, 1.05 * result.gaps.unseen.noise_floor);
   EXPECT_NEAR((1.0 + gainFound(result, "one")) / (1.0 + gainFound(result, "two")), 1.1 / 0.95, 0.005);
   EXPECT_NEAR((1.0 + gainFound(result, "unseen")) / (1.0 + gainFound(result, "other")), 1.1 / 0.95, 0.005);
 }
@@ -96,7 +96,7 @@ TEST(SensorGain, MayStandBesideAnotherEffect) {
   };
   const diagnosis::Diagnosis result = checkedDiagnosis(
       rigComponent(), {run("one", 1, 0.15), run("two", 2, -0.15), run("three", 5, 0.15)}, {run("unseen", 3, -0.15)});
-  EXPECT_THAT(result.effects, ::testing::UnorderedElementsAre("friction", "sensor_gain")) << result.sentence;
+  EXPECT_THAT(result.answer.effects, ::testing::UnorderedElementsAre("friction", "sensor_gain")) << result.sentence;
 }
 
 // Gains of each log follow whatever depends on amplitude, too: stiffening by a fifth from the smallest log to the
@@ -112,7 +112,7 @@ TEST(SensorGain, IsNoneOfAnEffectThatDependsOnAmplitude) {
   };
   const diagnosis::Diagnosis result = checkedDiagnosis(
       rigComponent(), {run("small", 1, 0.5), run("middle", 2, 0.75), run("large", 5, 1.0)}, {run("unseen", 3, 0.9)});
-  EXPECT_THAT(result.effects, ElementsAre("progressive_stiffness")) << result.sentence;
+  EXPECT_THAT(result.answer.effects, ElementsAre("progressive_stiffness")) << result.sentence;
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ std::vector<log::Log> logsOf(const io::ComponentDescription& truth) {
 // The sets that may be, one after the other.
 std::vector<std::string> listed(const Diagnosis& diagnosis) {
   std::vector<std::string> effects;
-  for (const std::vector<std::string>& set : diagnosis.confounded) {
+  for (const std::vector<std::string>& set : diagnosis.answer.confounded) {
     effects.insert(effects.end(), set.begin(), set.end());
   }
   return effects;
@@ -50,8 +50,8 @@ std::vector<std::string> listed(const Diagnosis& diagnosis) {
 // Told, or among what else may be.
 bool mayBeValues(const Diagnosis& diagnosis) {
   const auto is = [](const Alternative& other) { return other.verdict == Verdict::parameter_error; };
-  return diagnosis.verdict == Verdict::parameter_error ||
-         std::any_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), is);
+  return diagnosis.answer.verdict == Verdict::parameter_error ||
+         std::any_of(diagnosis.answer.alternatives.begin(), diagnosis.answer.alternatives.end(), is);
 }
 
 struct Case {
@@ -69,9 +69,9 @@ TEST_P(BothShow, TheSameEffectInATableAndInLogs) {
   const Diagnosis by_logs = checkedDiagnosis(without(model), logsOf(truth), {});
   EXPECT_THAT(listed(by_table), Contains(effect)) << by_table.sentence;
   EXPECT_THAT(listed(by_logs), Contains(effect)) << by_logs.sentence;
-  EXPECT_EQ(by_table.effects.size(), 1U) << by_table.sentence;
+  EXPECT_EQ(by_table.answer.effects.size(), 1U) << by_table.sentence;
   // Most of the gap goes.
-  EXPECT_GT(by_table.closed, 0.8);
+  EXPECT_GT(by_table.gaps.closed, 0.8);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -98,8 +98,8 @@ TEST(TableDiagnosis, FindsNothingWhereNothingIsMissing) {
   for (const char* model : {kZener, kManyMaxwell}) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
       const Diagnosis found = checkedTable(without(model), Laboratory(seed).table(without(model)));
-      EXPECT_EQ(found.verdict, diagnosis::Verdict::none) << found.sentence;
-      EXPECT_THAT(found.effects, IsEmpty());
+      EXPECT_EQ(found.answer.verdict, diagnosis::Verdict::none) << found.sentence;
+      EXPECT_THAT(found.answer.effects, IsEmpty());
     }
   }
 }
@@ -107,9 +107,9 @@ TEST(TableDiagnosis, FindsNothingWhereNothingIsMissing) {
 TEST(TableDiagnosis, TellsWrongValuesFromEffects) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Diagnosis found = checkedTable(without(kZener), Laboratory(seed).table(without(kZenerOff)));
-    EXPECT_EQ(found.verdict, diagnosis::Verdict::parameter_error) << found.sentence;
+    EXPECT_EQ(found.answer.verdict, diagnosis::Verdict::parameter_error) << found.sentence;
     // To the noise of the table over the root of its rows, and a few times that.
-    for (const SizedValue& size : found.model_sizes) {
+    for (const SizedValue& size : found.law.model_sizes) {
       if (size.name == "static_stiffness") {
         EXPECT_NEAR(size.value, 1.1e6, 0.02 * 1.1e6);
       }
@@ -119,7 +119,7 @@ TEST(TableDiagnosis, TellsWrongValuesFromEffects) {
 
 TEST(TableDiagnosis, FindsFrictionBesideWrongValues) {
   const Diagnosis found = checkedTable(without(kZener), Laboratory(2).table(with(kZenerOff, kFriction)));
-  EXPECT_THAT(found.effects, ElementsAre("friction")) << found.sentence;
+  EXPECT_THAT(found.answer.effects, ElementsAre("friction")) << found.sentence;
 }
 
 // Half as much again of all forces is a gain, or values that are all off by as much.
@@ -129,7 +129,8 @@ TEST(TableDiagnosis, TellsAGainOrWrongValues) {
     point.stiffness *= 1.5;
   }
   const Diagnosis found = checkedTable(without(kZener), table);
-  EXPECT_TRUE(found.verdict == Verdict::parameter_error || found.effects == std::vector<std::string>{"sensor_gain"})
+  EXPECT_TRUE(found.answer.verdict == Verdict::parameter_error ||
+              found.answer.effects == std::vector<std::string>{"sensor_gain"})
       << found.sentence;
 }
 
@@ -158,7 +159,8 @@ TEST(TableDiagnosis, RefusesWhatIsNotInTheList) {
       checkedTable(without(kZener), multiplied([](double frequency) {
                      return 1.0 + 0.6 * std::exp(-0.5 * std::pow(std::log(frequency / 6.0) / 0.4, 2));
                    }));
-  EXPECT_THAT(found.verdict, testing::AnyOf(diagnosis::Verdict::unknown, diagnosis::Verdict::partly)) << found.sentence;
+  EXPECT_THAT(found.answer.verdict, testing::AnyOf(diagnosis::Verdict::unknown, diagnosis::Verdict::partly))
+      << found.sentence;
 }
 
 // About a preload the even part of a spring shows as well.
@@ -175,8 +177,8 @@ TEST(TableDiagnosis, TakesRowsAboutMeanDisplacements) {
   }
   const Diagnosis found = checkedTable(without(kZener), table);
   EXPECT_THAT(listed(found), Contains("progressive_stiffness")) << found.sentence;
-  EXPECT_GT(found.gap.as_configured, 0.3);
-  EXPECT_LT(found.gap.augmented, 0.03);
+  EXPECT_GT(found.gaps.unseen.as_configured, 0.3);
+  EXPECT_LT(found.gaps.unseen.augmented, 0.03);
 }
 
 TEST(TableDiagnosis, FollowsTheTemperatureOfRows) {
@@ -198,8 +200,8 @@ TEST(TableDiagnosis, FollowsTheTemperatureOfRows) {
     }
   }
   const Diagnosis found = checkedTable(bush(elements + "}"), table);
-  EXPECT_THAT(found.effects, ElementsAre("temperature")) << found.sentence;
-  EXPECT_LT(found.gap.augmented, 0.02);
+  EXPECT_THAT(found.answer.effects, ElementsAre("temperature")) << found.sentence;
+  EXPECT_LT(found.gaps.unseen.augmented, 0.02);
 }
 
 // No second and no newton has a meaning of its own.
@@ -213,11 +215,11 @@ TEST(TableDiagnosis, OfASlowerAndSofterComponentIsTheSame) {
   const Diagnosis other = checkedTable(
       without(slow),
       Laboratory(5).table(with(slow, "{type: friction, maximum_force: 0.2, displacement: 4.0e-4}"), kSlower));
-  EXPECT_EQ(one.effects, other.effects);
-  EXPECT_EQ(one.verdict, other.verdict);
-  EXPECT_NEAR(one.gap.augmented, other.gap.augmented, 1e-4);  // where an iteration ends
-  EXPECT_NEAR(one.model_sizes.back().value * kSofter, other.model_sizes.back().value,
-              1e-3 * other.model_sizes.back().value);
+  EXPECT_EQ(one.answer.effects, other.answer.effects);
+  EXPECT_EQ(one.answer.verdict, other.answer.verdict);
+  EXPECT_NEAR(one.gaps.unseen.augmented, other.gaps.unseen.augmented, 1e-4);  // where an iteration ends
+  EXPECT_NEAR(one.law.model_sizes.back().value * kSofter, other.law.model_sizes.back().value,
+              1e-3 * other.law.model_sizes.back().value);
 }
 
 }  // namespace

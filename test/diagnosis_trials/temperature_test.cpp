@@ -23,9 +23,9 @@ const diagnosis::CandidateResult& temperatureOf(const diagnosis::Diagnosis& resu
 
 TEST(TemperatureEffect, IsNamedWhereTheColumnExplainsTheGap) {
   const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), warmingLogs(), {unseenLog()});
-  ASSERT_FALSE(result.effects.empty()) << result.sentence;
-  EXPECT_EQ(result.effects.front(), "temperature") << result.sentence;
-  EXPECT_GT(result.closed, 0.9);
+  ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
+  EXPECT_EQ(result.answer.effects.front(), "temperature") << result.sentence;
+  EXPECT_GT(result.gaps.closed, 0.9);
   EXPECT_TRUE(temperatureOf(result).testable);
   // WLF's slope at 20 degC is ln(10) C_1/C_2 = 0.096/K, an activation energy of 69 kJ/mol; from 5 to 45 degC that falls
   // from 79 to 58, and the fit may lie at 50 to 90.
@@ -38,9 +38,10 @@ TEST(TemperatureEffect, IsNamedWhereTheColumnExplainsTheGap) {
   EXPECT_LT(energy, 90e3);
   // The node runs what was found: its replay has the gap of the report.
   const log::Log unseen = unseenLog();
-  const double replayed = gap::relativeGap(unseen.force, gap::replay(result.augmented.makeComponent(), unseen).force);
+  const double replayed =
+      gap::relativeGap(unseen.force, gap::replay(result.law.augmented.makeComponent(), unseen).force);
   EXPECT_NEAR(replayed, result.gap_as_recorded.augmented, 1e-3);
-  const auto read = io::parseComponentFile(io::toYaml({result.augmented}), "augmented").front();
+  const auto read = io::parseComponentFile(io::toYaml({result.law.augmented}), "augmented").front();
   EXPECT_TRUE(read.makeComponent().shiftsWithTemperature());
 }
 
@@ -52,9 +53,9 @@ TEST(TemperatureEffect, CannotBeTestedWithoutTheColumn) {
   const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), logs, {});
   EXPECT_FALSE(temperatureOf(result).testable);
   EXPECT_EQ(temperatureOf(result).probability, 0.0);
-  EXPECT_EQ(std::count(result.effects.begin(), result.effects.end(), "temperature"), 0);
+  EXPECT_EQ(std::count(result.answer.effects.begin(), result.answer.effects.end(), "temperature"), 0);
   EXPECT_TRUE(temperatureOf(result).add.empty());
-  for (const std::string& effect : result.effects) {
+  for (const std::string& effect : result.answer.effects) {
     if (effect == "self_heating" || effect == "stress_softening") {
       EXPECT_THAT(result.sentence, HasSubstr("temperature_degC"));
     }
@@ -66,7 +67,7 @@ TEST(TemperatureEffect, AComponentThatFollowsTheTemperatureHasNoGap) {
   component.temperature = {"wlf_shift",
                            {{"c1", {6.13}}, {"c2", {146.8}}, {"reference", {20.0}}, {"vertical", {1.0 / 293.15}}}};
   const diagnosis::Diagnosis result = checkedDiagnosis(component, warmingLogs(), {unseenLog()});
-  EXPECT_EQ(result.verdict, diagnosis::Verdict::none) << result.sentence;
+  EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::none) << result.sentence;
 }
 
 }  // namespace

@@ -69,14 +69,14 @@ diagnosis::Diagnosis diagnoseSheet(const io::ComponentDescription& component) {
 
 // A ladder that a fit held near its sheet would lack relaxation.
 TEST(WrongSheet, IsNoMissingEffect) {
-  const double true_sheet = diagnoseSheet(sheet(1.0, 1.0)).gap.as_configured;
+  const double true_sheet = diagnoseSheet(sheet(1.0, 1.0)).gaps.unseen.as_configured;
   for (const auto& [k_st, k_n] : {std::pair(1.12, 0.90), std::pair(0.93, 1.06)}) {
     const diagnosis::Diagnosis result = diagnoseSheet(sheet(k_st, k_n));
-    EXPECT_EQ(result.verdict, diagnosis::Verdict::parameter_error) << result.sentence;
-    EXPECT_LT(result.gap.re_estimated, 1.2 * true_sheet);
+    EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::parameter_error) << result.sentence;
+    EXPECT_LT(result.gaps.unseen.re_estimated, 1.2 * true_sheet);
     EXPECT_THAT(result.sentence, testing::HasSubstr("In tolerances of the data sheet: K_st")) << result.sentence;
-    ASSERT_FALSE(result.sheet_deviations.empty());
-    for (const diagnosis::SheetDeviation& number : result.sheet_deviations) {
+    ASSERT_FALSE(result.parameters.sheet_deviations.empty());
+    for (const diagnosis::SheetDeviation& number : result.parameters.sheet_deviations) {
       const double off = number.name == "static_stiffness"    ? -std::log(k_st)
                          : number.name == "dynamic_stiffness" ? -std::log(k_n)
                                                               : 0.0;
@@ -115,17 +115,17 @@ TEST(WrongSheet, OfAGuessIsFollowedAsFarAsAGuessMayBeOff) {
     log.force.push_back(kStiffness * z + kDamping * velocity + kMass * acceleration + noise(generator));
   }
   const diagnosis::Diagnosis result = checkedDiagnosis(guess.front(), {log}, {});
-  EXPECT_EQ(result.verdict, diagnosis::Verdict::named) << result.sentence;
-  EXPECT_THAT(result.effects, testing::ElementsAre("inertia")) << result.sentence;
-  ASSERT_FALSE(result.effect_sizes.empty());
-  EXPECT_NEAR(result.effect_sizes.front().value, kMass, 0.02 * kMass);
+  EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::named) << result.sentence;
+  EXPECT_THAT(result.answer.effects, testing::ElementsAre("inertia")) << result.sentence;
+  ASSERT_FALSE(result.law.effect_sizes.empty());
+  EXPECT_NEAR(result.law.effect_sizes.front().value, kMass, 0.02 * kMass);
 }
 
 // The same sheet as a guess: values are identified, right or wrong.
 TEST(WrongSheet, OfAGuessIsIdentified) {
   for (const auto& [k_st, k_n] : {std::pair(1.0, 1.0), std::pair(1.12, 0.90)}) {
     const diagnosis::Diagnosis result = diagnoseSheet(sheet(k_st, k_n, "guess"));
-    EXPECT_EQ(result.verdict, diagnosis::Verdict::parameter_error) << result.sentence;
+    EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::parameter_error) << result.sentence;
     EXPECT_THAT(result.sentence, testing::HasSubstr("Values identified: K_n 1.2")) << result.sentence;
   }
 }

@@ -47,9 +47,9 @@ TEST(AugmentedGap, IsWhatTheReportClaims) {
   const log::Log unseen = runRig("unseen", 3, dahlFriction());
   const diagnosis::Diagnosis result = diagnosis::diagnose(
       rigComponent(), {runRig("one", 1, dahlFriction()), runRig("two", 2, dahlFriction())}, {unseen});
-  ASSERT_FALSE(result.effects.empty()) << result.sentence;
-  EXPECT_EQ(result.effects.front(), "friction");
-  EXPECT_LT(result.gap.augmented, 0.5 * result.gap.re_estimated);
+  ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
+  EXPECT_EQ(result.answer.effects.front(), "friction");
+  EXPECT_LT(result.gaps.unseen.augmented, 0.5 * result.gaps.unseen.re_estimated);
 
   const std::string folder = testing::TempDir() + "augmented_gap";
   diagnosis::writeReport(result, folder);

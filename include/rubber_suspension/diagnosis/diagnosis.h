@@ -244,76 +244,109 @@ struct DiagnosedTable {
 struct BenchEvidence;  // what the report draws of logs that cannot be what they say
 struct Workings;       // what the report draws and lists besides: every hypothesis that was tried, the simulated forces
 
-/// The result of a diagnosis.
-struct Diagnosis {
-  std::string component;
-  bool turns = false;  ///< of a rotation: what is stated in m is in rad, and N is N m; units of values say it
+/// The answer of the judgement, with the names of effects.
+struct Answered {
   Verdict verdict = Verdict::none;
   double probability = 0.0;          ///< of the verdict; where effects are named, of their set
-  std::string sentence;              ///< the verdict for an engineer
-  std::string defect;                ///< invariants that are broken; empty but for Verdict::defect
   std::vector<std::string> effects;  ///< named, most important first
-  Gap gap;                           ///< what the rig did to each log taken out
-  double gap_of_values = 0.0;        ///< of the judged model's own values alone, without its effects
-  Gap gap_as_recorded;               ///< the same of the logs as they are, which `replay` gives; without a floor
+  /// Where effects are named: the sets of effects that make 90 % of all, the likeliest first.
+  std::vector<std::vector<std::string>> confounded;
+  std::vector<Alternative> alternatives;  ///< what else may be right, the likeliest first
+  std::vector<ExcludedEffect> excluded;   ///< what the component file or the options rule out
+  Posterior posterior;                    ///< of the answers; the verdict's is the largest
+};
+
+/// How far the gap falls.
+struct Gaps {
+  Gap unseen;           ///< what the rig did to each log taken out
+  double closed = 0.0;  ///< fraction of the closable gap
+  /// 95 %, of further logs of the same rig where effects are named.
+  std::array<double, 2> closed_interval{};
+  std::string noise_source;
+};
+
+/// The component that a diagnosis writes, and the law that was judged.
+struct WrittenLaw {
+  /// Re-estimated, with the simplest law of each effect named, rounded: as augmented.yaml has it.
+  io::ComponentDescription augmented;
+  io::ComponentDescription full;  ///< the same with the laws that were judged, all their numbers in full
+  double gap_of_full = 0.0;       ///< of that one, as Gaps::unseen.augmented is of the simplest law
+  /// Of each entry that `augmented` adds to the configured ones, the effect that it belongs to.
+  std::vector<std::string> added_for;
+  std::vector<SizedValue> numbers;       ///< of `augmented` in full, by their places (io::numberPlace)
+  std::vector<SizedValue> model_sizes;   ///< of the judged model's own parameters
+  std::vector<SizedValue> effect_sizes;  ///< of the effects named
+};
+
+/// Where a component is wrong.
+struct Where {
+  std::vector<gap::GapCell> before;  ///< as configured
+  std::vector<gap::GapCell> after;   ///< as augmented
+  CharacteristicErrors re_estimated;
+  CharacteristicErrors augmented;
+};
+
+/// The model's own parameters.
+struct OwnParameters {
+  ParameterRatios ratios;
+  std::vector<SheetDeviation> sheet_deviations;  ///< of the judged model, the farthest off first
+  std::vector<std::string> at_bounds;            ///< those of the judged model at a bound of the fit
+  bool guess = false;                            ///< the data sheet is a guess: its values are identified
+};
+
+/// The logs, and what was taken out of each.
+struct AdmittedLogs {
+  std::vector<Admission> admission;
+  std::vector<TakenOut> taken_out;  ///< log by log
+};
+
+/// What to do next.
+struct NextStep {
+  std::string text;
+  ProposedExperiment proposed;  ///< its displacement
+};
+
+/// How much of the logs a search took.
+struct Samples {
+  std::size_t searched = 0;
+  std::size_t recorded = 0;  ///< that the logs have; more than `searched` where it took excerpts
+};
+
+/// The result of a diagnosis: what each of its steps found.
+struct Diagnosis {
+  std::string component;
+  bool turns = false;    ///< of a rotation: what is stated in m is in rad, and N is N m; units of values say it
+  std::string sentence;  ///< the verdict for an engineer
+  std::string defect;    ///< invariants that are broken; empty but for Verdict::defect
+  Answered answer;
+  Gaps gaps;
+  Gap gap_as_recorded;  ///< of the logs as they are, which `replay` gives; without a floor
   /// Of the judged model: the values, then each effect. They add up to what is removed. Each is the mean over all
   /// orders in which values and effects may be put in (Shapley, 1953): what one removes depends on those that are
   /// there.
   std::vector<GapShare> shares;
-  std::string noise_source;
-  double closed = 0.0;  ///< fraction of the closable gap
-  /// 95 %, of further logs of the same rig where effects are named.
-  std::array<double, 2> closed_interval{};
-  /// Where effects are named: the sets of effects that make 90 % of all, the likeliest first.
-  std::vector<std::vector<std::string>> confounded;
-  std::vector<Alternative> alternatives;    ///< what else may be right, the likeliest first
-  std::vector<ExcludedEffect> excluded;     ///< what the component file or the options rule out
   std::vector<CandidateResult> candidates;  ///< most probable first
-  Posterior posterior;                      ///< of the answers; the verdict's is the largest
-  std::vector<gap::GapCell> where;          ///< where the component as configured is wrong
-  std::vector<gap::GapCell> where_after;    ///< and the augmented one
-  CouldShow could_show;                     ///< what these logs would have shown of each effect
-  std::string next_experiment;
-  ProposedExperiment proposed;  ///< its displacement
+  Where where;
+  CouldShow could_show;  ///< what these logs would have shown of each effect
+  NextStep next;
   io::ComponentDescription configured;
   io::ComponentDescription re_estimated;
-  /// Re-estimated, with the simplest law of each effect named, rounded: as augmented.yaml has it.
-  io::ComponentDescription augmented;
-  io::ComponentDescription augmented_full;  ///< the same with the laws that were judged, all their numbers in full
-  bool write_full_law = false;              ///< the report has augmented_full.yaml
-  double gap_of_full_law = 0.0;             ///< of that one, as `gap.augmented` is of the simplest law
-  /// Of each entry that `augmented` adds to the configured ones, the effect that it belongs to.
-  std::vector<std::string> added_for;
-  std::vector<SizedValue> written;  ///< numbers of `augmented` in full, by their places (io::numberPlace)
-
-  std::optional<Surrogate> surrogate;  ///< for the verdicts unknown and partly
-
-  std::optional<DiagnosedTable> table;  ///< empty where it was made from logs
-
+  WrittenLaw law;
+  bool write_full_law = false;                        ///< the report has augmented_full.yaml
+  std::optional<Surrogate> surrogate;                 ///< for the verdicts unknown and partly
+  std::optional<DiagnosedTable> table;                ///< empty where it was made from logs
   std::vector<measurement::RigFinding> rig_findings;  ///< what the rig did to each log
-
-  std::size_t samples = 0;           ///< that the search took
-  std::size_t recorded_samples = 0;  ///< that the logs have; more than `samples` where it took excerpts
-  std::vector<Admission> admission;
-  std::vector<TakenOut> taken_out;  ///< log by log
-  ParameterRatios parameter_ratios;
-  std::vector<SheetDeviation> sheet_deviations;  ///< of the judged model, the farthest off first
-  std::vector<std::string> at_bounds;            ///< parameters of the judged model at a bound of the fit
-  bool guess = false;                            ///< the data sheet is a guess: its values are identified
-  std::vector<SizedValue> model_sizes;           ///< of the judged model's own parameters
-  std::vector<SizedValue> effect_sizes;          ///< of the effects named
-  std::optional<WholeStiffness> whole;           ///< nothing where a component has no settled loop
-  CharacteristicErrors errors_re_estimated;
-  CharacteristicErrors errors_augmented;
-
+  Samples samples;
+  AdmittedLogs logs;
+  OwnParameters parameters;
+  std::optional<WholeStiffness> whole;  ///< nothing where a component has no settled loop
   RunRecord run;
   Comparison comparison;
-
   std::shared_ptr<const Workings> workings;             ///< none for the verdict check_bench
   std::shared_ptr<const BenchEvidence> bench_evidence;  ///< for the verdict check_bench alone
 };
 
-/// Whether a component file goes with it, Diagnosis::augmented: one was judged, and the report does not contradict
+/// Whether a component file goes with it, WrittenLaw::augmented: one was judged, and the report does not contradict
 /// itself.
 inline bool hasComponentFile(const Diagnosis& diagnosis) {
   return diagnosis.workings != nullptr && diagnosis.defect.empty();

@@ -182,13 +182,13 @@ class EffectRow {
 
 judge::Evidence evidenceOf(const Search& search, const Implant& implant, double size) {
   judge::Evidence evidence;
-  evidence.logs = {{search.noise, 0.0, 1.0, false, implant.blocks}};
+  evidence.logs = {{search.noise.floor, 0.0, 1.0, false, implant.blocks}};
   evidence.guess = search.guess;
-  evidence.hypotheses.push_back(evidenceOf(hypotheses::Leaves{}, search.noise, size));
-  evidence.hypotheses.push_back(evidenceOf(implant.model, search.noise, size));
+  evidence.hypotheses.push_back(evidenceOf(hypotheses::Leaves{}, search.noise.floor, size));
+  evidence.hypotheses.push_back(evidenceOf(implant.model, search.noise.floor, size));
   for (std::size_t c = 0; c < search.candidates.size(); ++c) {
     const fit::Candidate& candidate = search.candidates[c];
-    judge::HypothesisEvidence single = evidenceOf(implant.singles[c], search.noise, size);
+    judge::HypothesisEvidence single = evidenceOf(implant.singles[c], search.noise.floor, size);
     single.members = {static_cast<int>(c)};
     single.sizes = {{std::pow(size * implant.singles[c].added, 2)}};
     single.terms = candidate.terms.size();
@@ -209,7 +209,7 @@ CouldShow couldShow(const Search& search, double size, const std::string& why) {
   table.size = size;
   table.force = size * search.excitation.force;
   table.why = why;
-  table.noise = search.noise;
+  table.noise = search.noise.floor;
   for (std::size_t c = 0; c < search.candidates.size(); ++c) {
     table.effects.push_back(search.candidates[c].effect);
     table.implanted.push_back(EffectRow(search, static_cast<int>(c)).at(size));
@@ -220,8 +220,8 @@ CouldShow couldShow(const Search& search, double size, const std::string& why) {
 CouldShow couldShow(const Search& search) {
   constexpr double kOfGap = 1.0 / 3.0;
   constexpr double kOfForce = 0.1;
-  const double gap = gap::residualAboveFloor(search.configured_gap, search.noise);
-  return kOfGap * gap > std::max(judge::fittedNumbers().accepted, search.noise)
+  const double gap = gap::residualAboveFloor(search.configured_gap, search.noise.floor);
+  return kOfGap * gap > std::max(judge::fittedNumbers().accepted, search.noise.floor)
              ? couldShow(search, kOfGap * gap, "a third of the gap")
              : couldShow(search, kOfForce, "10 % of the force, since there is next to no gap");
 }

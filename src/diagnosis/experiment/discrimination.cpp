@@ -53,7 +53,7 @@ Discriminator::Discriminator(const fit::Fitter& fitter, const hypotheses::Search
     : fitter_(fitter),
       explanations_(explanations),
       candidates_(search.candidates),
-      noise_(search.noise),
+      noise_(search.noise.floor),
       force_(search.excitation.force),
       force_limit_(force_limit),
       threads_(threads),

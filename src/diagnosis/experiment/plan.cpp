@@ -81,10 +81,9 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   search.excitation = fit::summarise(fitter.records());
   search.candidates = hypotheses::candidate::candidates(search.excitation);
   fitter.prepare(search.candidates, options.threads);
-  search.noise = options.noise;
+  search.noise.floor = options.noise;
   search.re_estimated.fit.parameters = fitter.configured(search.re_estimated.hypothesis);
   const hypotheses::Screening screening(fitter, search.candidates, search.re_estimated, options.threads);
-  screening.measureVisibility(search.noise, search);
   search.implants = hypotheses::implantAll(fitter, screening, options.threads);
   Plan result;
   result.component = component.name;

@@ -10,6 +10,7 @@
 
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/hypotheses/octaves.h"
+#include "diagnosis/hypotheses/unseen_logs.h"
 #include "fit/free_in_log.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
@@ -53,20 +54,6 @@ std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::Fr
     sizes.push_back(std::isfinite(size) ? size : std::numeric_limits<double>::infinity());
   }
   return sizes;
-}
-
-// Mean squares by log of errors of parts, the first log being that of this place.
-void addErrors(const std::vector<gap::PartError>& parts, std::size_t first, std::vector<double>& errors) {
-  std::vector<double> sum(errors.size(), 0.0);
-  std::vector<double> weight(errors.size(), 0.0);
-  for (const gap::PartError& part : parts) {
-    const std::size_t log = first + static_cast<std::size_t>(part.log);
-    sum[log] += part.weight * part.error;
-    weight[log] += part.weight;
-  }
-  for (std::size_t log = first; log < errors.size(); ++log) {
-    errors[log] = weight[log] > 0.0 ? sum[log] / weight[log] : errors[log];
-  }
 }
 
 // The hypothesis that leaves least of the logs of the fit, but for those with trends, which take slow noise with them.
@@ -134,11 +121,11 @@ std::vector<double> whereCounted(const std::vector<double>& values, const std::v
 
 class LogTable {
  public:
-  LogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen, int threads,
-           judge::Evidence& evidence)
-      : prepared_(prepared), search_(search), unseen_(unseen), threads_(threads), evidence_(evidence) {}
+  LogTable(const PreparedCase& prepared, const Search& search, int threads)
+      : prepared_(prepared), search_(search), threads_(threads), evidence_(evidenceOf(search)) {}
 
-  void add() {
+  judge::Evidence run() {
+    predictUnseen();
     addLogs();
     fit::parallelFor(evidence_.hypotheses.size(), threads_, [&](std::size_t h) {
       addErrorsOf(static_cast<int>(h), evidence_.hypotheses[h]);
@@ -146,19 +133,28 @@ class LogTable {
       addSharesOf(static_cast<int>(h), evidence_.hypotheses[h]);
     });
     addOctaves();
+    return std::move(evidence_);
   }
 
  private:
+  void predictUnseen() {
+    unseen_.resize(prepared_.held_out.empty() ? 0 : evidence_.hypotheses.size());
+    fit::parallelFor(unseen_.size(), threads_, [&](std::size_t h) {
+      unseen_[h] =
+          unseenErrors(prepared_.model, search_.at(static_cast<int>(h)), prepared_.held_out, prepared_.zeros.held_out);
+    });
+  }
+
   void addLogs() {
     const FittedHypothesis& best = bestOf(search_);
     const gap::Forces forces = *prepared_.fitter.forces().at(best.hypothesis, best.fit.parameters);
-    addLogs(prepared_.training, forces, search_.record_noise, false);
+    addLogs(prepared_.training, forces, search_.noise.of_logs, false);
     if (!prepared_.held_out.empty()) {
       const gap::Forces unseen = predict(prepared_.model, best, prepared_.held_out);
       addLogs(
           prepared_.held_out, unseen,
           noiseFloors(augmentedDescription(prepared_.model, best).allElements(), freeOfNoise(best.hypothesis), unseen,
-                      prepared_.held_out, measurement::noiseLimit(search_.record_noise, prepared_.training)),
+                      prepared_.held_out, measurement::noiseLimit(search_.noise.of_logs, prepared_.training)),
           true);
     }
     countBlocks(search_.re_estimated.fit.blocks, 0);
@@ -184,11 +180,13 @@ class LogTable {
 
   void addErrorsOf(int place, judge::HypothesisEvidence& hypothesis) const {
     const FittedHypothesis& fitted = search_.at(place);
-    hypothesis.log_errors.assign(evidence_.logs.size(), fitted.fit.held_out * fitted.fit.held_out);
-    addErrors(place == judge::Evidence::kAsConfigured ? partsAsConfigured() : fitted.fit.blocks, 0,
-              hypothesis.log_errors);
+    const std::vector<double> of_all(evidence_.logs.size(), fitted.fit.held_out * fitted.fit.held_out);
+    hypothesis.log_errors =
+        errorsByLog(place == judge::Evidence::kAsConfigured ? partsAsConfigured() : fitted.fit.blocks, of_all);
     if (!unseen_.empty()) {
-      addErrors(unseen_[static_cast<std::size_t>(place)], prepared_.training.size(), hypothesis.log_errors);
+      const std::vector<double> unseen = errorsByLog(unseen_[static_cast<std::size_t>(place)], of_all);
+      std::copy_n(unseen.begin(), prepared_.held_out.size(),
+                  hypothesis.log_errors.end() - static_cast<std::ptrdiff_t>(prepared_.held_out.size()));
     }
   }
 
@@ -249,9 +247,9 @@ class LogTable {
 
   const PreparedCase& prepared_;
   const Search& search_;
-  const std::vector<UnseenErrors>& unseen_;
   int threads_;
-  judge::Evidence& evidence_;
+  std::vector<UnseenErrors> unseen_;  // of each hypothesis; empty without hold-outs
+  judge::Evidence evidence_;
 };
 
 }  // namespace
@@ -279,9 +277,8 @@ std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& 
   return sizes;
 }
 
-void addLogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen,
-                 int threads, judge::Evidence& evidence) {
-  LogTable(prepared, search, unseen, threads, evidence).add();
+judge::Evidence evidenceOfLogs(const PreparedCase& prepared, const Search& search, int threads) {
+  return LogTable(prepared, search, threads).run();
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

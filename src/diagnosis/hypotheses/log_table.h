@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/judge/evidence.h"
 #include "measurement/rig_noise.h"
@@ -22,9 +21,7 @@ fit::ParameterVector withoutMember(const FittedHypothesis& fitted, std::size_t m
 std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& candidates,
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted);
 
-/// Adds the logs of the fit and then the unseen ones to the evidence of a search: Evidence::logs, and log_errors and
-/// sizes of each hypothesis. `unseen`: errors of each on the unseen logs; empty where there are none.
-void addLogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen,
-                 int threads, judge::Evidence& evidence);
+/// The evidence of a search over the logs of the fit and then the unseen ones.
+judge::Evidence evidenceOfLogs(const PreparedCase& prepared, const Search& search, int threads);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

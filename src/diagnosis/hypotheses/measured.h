@@ -34,9 +34,9 @@ class Measured {
   /// The error of a model by the time steps of the simulation, as a gap.
   virtual double discretisationError(const FittedHypothesis& model) const = 0;
 
-  /// Sets the noise of the search by what the best hypothesis so far leaves; called again where a better one is found.
-  /// `result` has the re-estimated model.
-  virtual void estimateNoise(const FittedHypothesis& best, Search& result) const = 0;
+  /// The noise by what the best hypothesis so far leaves; found again where a better one is. `search` has the
+  /// re-estimated model and the noise found before.
+  virtual Noise estimateNoise(const FittedHypothesis& best, const Search& search) const = 0;
 };
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/hypotheses/shapes.h"
@@ -31,14 +32,10 @@ double leastLeft(const Search& search) {
 std::vector<double> leastLeftOfLogs(const Search& search, std::size_t logs) {
   std::vector<double> least(logs, std::numeric_limits<double>::infinity());
   for (const FittedHypothesis* fitted : search.withEffects()) {
-    std::vector<double> squares(logs, 0.0);
-    std::vector<double> weights(logs, 0.0);
-    for (const gap::PartError& block : fitted->fit.blocks) {
-      squares[static_cast<std::size_t>(block.log)] += block.weight * block.error;
-      weights[static_cast<std::size_t>(block.log)] += block.weight;
-    }
+    const std::vector<double> squares =
+        errorsByLog(fitted->fit.blocks, std::vector<double>(logs, std::numeric_limits<double>::infinity()));
     for (std::size_t r = 0; r < logs; ++r) {
-      least[r] = weights[r] > 0.0 ? std::min(least[r], std::sqrt(squares[r] / weights[r])) : least[r];
+      least[r] = std::min(least[r], std::sqrt(squares[r]));
     }
   }
   return least;
@@ -88,50 +85,49 @@ double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
 // what the noise of the displacement causes, which is no more than what any model leaves. A better model leaves less
 // that is not noise: of several, the least counts, log by log. All of it is no more than what any model leaves of all
 // logs.
-void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) const {
+Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& search) const {
   const std::vector<log::Record>& records = fitter_.records();
   const auto forces = *fitter_.forces().at(best.hypothesis, best.fit.parameters);
-  if (result.record_caused.empty()) {
-    const FittedHypothesis& model = result.re_estimated;
-    result.record_caused =
+  Noise noise;
+  noise.caused = search.noise.caused;
+  if (noise.caused.empty()) {
+    const FittedHypothesis& model = search.re_estimated;
+    noise.caused =
         measurement::frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
   }
+  noise.rest = search.noise.rest;
+  noise.rest.resize(records.size(), std::numeric_limits<double>::infinity());
   fit::FreeInLog free = freeOfNoise(best.hypothesis);
   free.by_factor = best.hypothesis.free_in_log.by_factor;
-  const std::vector<double> least = leastLeftOfLogs(result, records.size());
-  result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> rig;  // what its errors cost the best model
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd residual = records[r].force - forces[r];
     const double left = free.any() ? measurement::relativeFloor(free.addedTo(records[r], r, forces[r]), residual)
                                    : measurement::relativeFloor(records[r], residual);
-    result.record_rest[r] = std::min(result.record_rest[r], left);
+    noise.rest[r] = std::min(noise.rest[r], left);
+    rig.push_back(measurement::rigCost(records[r], residual));
   }
-  const measurement::NoiseLimit limit = measurement::noiseLimit(result.record_rest, records);
+  const std::vector<double> least = leastLeftOfLogs(search, records.size());
+  const measurement::NoiseLimit limit = measurement::noiseLimit(noise.rest, records);
   bool by_displacement = false;
-  result.record_noise.clear();
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const double left = std::min(result.record_rest[r], limit.of(records[r]));
-    const double caused = std::min(result.record_caused[r], least[r]);
+    const double left = std::min(noise.rest[r], limit.of(records[r]));
+    const double caused = std::min(noise.caused[r], least[r]);
     by_displacement = by_displacement || caused > left;
-    result.record_noise.push_back(std::max(left, caused));
+    noise.of_logs.push_back(std::max(left, caused));
   }
-  result.noise = commonFloor(result.record_noise, records);
-  const double too_much = result.noise / leastLeft(result);
+  noise.floor = commonFloor(noise.of_logs, records);
+  const double too_much = noise.floor / leastLeft(search);
   if (too_much > 1.0 && std::isfinite(too_much)) {  // never 0
-    for (double& noise : result.record_noise) {
-      noise /= too_much;
+    for (double& of_log : noise.of_logs) {
+      of_log /= too_much;
     }
-    result.noise /= too_much;
+    noise.floor /= too_much;
   }
-  result.record_rig.clear();
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    result.record_rig.push_back(measurement::rigCost(records[r], records[r].force - forces[r]));
-  }
-  result.least = std::hypot(result.noise, commonFloor(result.record_rig, records));
-  result.noise_source = by_displacement
-                            ? "spectrum of the residual outside the band of the excitation, and noise of the "
-                              "displacement through the model"
-                            : "spectrum of the residual outside the band of the excitation";
+  noise.least = std::hypot(noise.floor, commonFloor(rig, records));
+  noise.source = std::string("spectrum of the residual outside the band of the excitation") +
+                 (by_displacement ? ", and noise of the displacement through the model" : "");
+  return noise;
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

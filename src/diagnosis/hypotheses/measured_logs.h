@@ -24,7 +24,7 @@ class MeasuredLogs final : public Measured {
   std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, const FittedHypothesis& re_estimated,
                                          int threads) const override;
   double discretisationError(const FittedHypothesis& model) const override;
-  void estimateNoise(const FittedHypothesis& best, Search& result) const override;
+  Noise estimateNoise(const FittedHypothesis& best, const Search& search) const override;
 
  private:
   fit::Fitter& fitter_;

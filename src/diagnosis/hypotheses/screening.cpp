@@ -160,24 +160,23 @@ std::vector<Screened> Screening::pairs() const {
   return screenAll(sets);
 }
 
-void Screening::measureVisibility(double noise, Search& result) const {
+std::vector<Visibility> Screening::visibility(double noise) const {
+  std::vector<Visibility> result;
   const Eigen::MatrixXd total = blocks().sum - blocks().prior;
   const Eigen::MatrixXd base = total.topLeftCorner(model_size_, model_size_);
   for (const auto& columns : columns_of_) {
-    double share = 0.0;
-    bool testable = false;
+    Visibility& candidate = result.emplace_back();
     for (const Eigen::Index j : columns) {
       const Eigen::VectorXd cross = total.col(j).head(model_size_);
       const double whole = blocks().squares[j];
       const double rest = std::max(0.0, whole - cross.dot(numerics::solveLeastNorm(base, cross)));
       const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
-      share = std::max(share, visible);
+      candidate.share = std::max(candidate.share, visible);
       const double size = all_.terms[static_cast<std::size_t>(j - model_size_)].typical * std::sqrt(rest);
-      testable = testable || (visible >= kVisibleShare && size >= kVisibleSize * noise);
+      candidate.testable = candidate.testable || (visible >= kVisibleShare && size >= kVisibleSize * noise);
     }
-    result.visible_share.push_back(share);
-    result.testable.push_back(testable);
   }
+  return result;
 }
 
 // Best first: those that leave least of what they are fitted to, by what they leave of blocks held out.

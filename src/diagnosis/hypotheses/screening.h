@@ -50,7 +50,7 @@ class Screening {
 
   /// Part of each candidate's force that the model parameters cannot take over, and whether a typical size of it stands
   /// out of the noise.
-  void measureVisibility(double noise, Search& result) const;
+  std::vector<Visibility> visibility(double noise) const;
 
  private:
   /// Columns of a hypothesis among all, and how far each may move.

@@ -43,8 +43,15 @@ struct Planned {
 
 Odds oddsAt(const Search& search, double floor) {
   return {search.candidates, floor, search.re_estimated.fit.score(), search.re_estimated.fit.blocks.size(),
-          search.record_noise.size()};
+          search.noise.of_logs.size()};
 }
+
+// Another law of a hypothesis of a list, once it is fitted.
+struct OtherLaw {
+  FittedHypothesis* as_is;
+  int member = 0;  // of which it is the law along a curve
+  std::optional<FittedHypothesis> fitted = {};
+};
 
 class Searcher {
  public:
@@ -117,7 +124,7 @@ class Searcher {
                           [&](const Screened& screened) { return !singleOf(screened).hypothesis.isAdditive(); });
     fitSingles(screening, {others, order.end()});
     settle(result_.singles);
-    measured_.estimateNoise(*bestOfAll(), result_);
+    estimateNoise();
   }
 
   void fitSingles(const Screening& screening, const std::vector<Screened>& some) {
@@ -142,9 +149,11 @@ class Searcher {
     return result_.singles[static_cast<std::size_t>(screened.members.front())];
   }
 
+  void estimateNoise() { result_.noise = measured_.estimateNoise(*bestOfAll(), result_); }
+
   // The visible candidates, and the gap that a flexible fit could close.
   void look(const Screening& screening) {
-    screening.measureVisibility(result_.noise, result_);
+    result_.visibility = screening.visibility(result_.noise.floor);
     result_.implants = implantAll(fitter_, screening, threads_);
     std::vector<int> all;
     for (const FittedHypothesis& single : result_.singles) {
@@ -185,61 +194,59 @@ class Searcher {
 
   // Laws of members along a curve, in place of those of a list that are less likely.
   void tryCurve(std::vector<FittedHypothesis>& list) {
-    floor_ = result_.noise;
-    std::vector<std::pair<FittedHypothesis*, int>> straight;
+    floor_ = result_.noise.floor;
+    std::vector<OtherLaw> straight;
     for (FittedHypothesis& fitted : list) {
       for (const int member : fitted.hypothesis.members) {
         if (mayFollowCurve(fitted, member)) {
-          straight.emplace_back(&fitted, member);
+          straight.push_back({&fitted, member});
         }
       }
     }
     std::stable_sort(straight.begin(), straight.end(),
-                     [&](const auto& x, const auto& y) { return oddsOf(*x.first) > oddsOf(*y.first); });
-    if (straight.empty() || !findCurve(*straight.front().first, straight.front().second)) {
+                     [&](const auto& x, const auto& y) { return oddsOf(*x.as_is) > oddsOf(*y.as_is); });
+    if (straight.empty() || !findCurve(*straight.front().as_is, straight.front().member)) {
       return;
     }
-    std::vector<FittedHypothesis> curved(straight.size());
     const double reach = kHopeless * bestOfAll()->fit.gap;
-    fit::parallelFor(curved.size(), threads_, [&](std::size_t i) {
-      const auto& [fitted, member] = straight[i];
-      curved[i].hypothesis = alongCurve(fitted->hypothesis, member);
-      fitCurved(fitter_, *fitted, reach, curved[i]);
+    fit::parallelFor(straight.size(), threads_, [&](std::size_t i) {
+      OtherLaw& law = straight[i];
+      law.fitted = {alongCurve(law.as_is->hypothesis, law.member), {}};
+      fitCurved(fitter_, *law.as_is, reach, *law.fitted);
     });
-    bool better = false;
-    for (std::size_t i = 0; i < curved.size(); ++i) {
-      FittedHypothesis& as_is = *straight[i].first;
-      if (oddsOf(curved[i]) > oddsOf(as_is)) {
-        as_is = std::move(curved[i]);
-        better = true;
-      }
-    }
-    if (better) {
-      settle(list);
-      measured_.estimateNoise(*bestOfAll(), result_);
-    }
+    takeLikelier(straight, list);
   }
 
   // Friction with a factor of its own in each log, in place of those of a list that are less likely.
   void tryFactors(std::vector<FittedHypothesis>& list) {
-    floor_ = result_.noise;
-    std::vector<FittedHypothesis> with(list.size());
+    floor_ = result_.noise.floor;
+    std::vector<OtherLaw> with;
+    for (FittedHypothesis& fitted : list) {
+      if (mayHaveFactors(fitted)) {
+        with.push_back({&fitted});
+      }
+    }
     const double reach = kHopeless * bestOfAll()->fit.gap;
-    fit::parallelFor(list.size(), threads_, [&](std::size_t i) {
-      if (mayHaveFactors(list[i])) {
-        with[i] = withFactors(fitter_, list[i], reach);
+    fit::parallelFor(with.size(), threads_, [&](std::size_t i) {
+      FittedHypothesis fitted = withFactors(fitter_, *with[i].as_is, reach);
+      if (fitted.hypothesis.free_in_log.by_factor) {
+        with[i].fitted = std::move(fitted);
       }
     });
+    takeLikelier(with, list);
+  }
+
+  void takeLikelier(std::vector<OtherLaw>& others, std::vector<FittedHypothesis>& list) {
     bool better = false;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      if (with[i].hypothesis.free_in_log.by_factor && oddsOf(with[i]) > oddsOf(list[i])) {
-        list[i] = std::move(with[i]);
+    for (OtherLaw& other : others) {
+      if (other.fitted && oddsOf(*other.fitted) > oddsOf(*other.as_is)) {
+        *other.as_is = std::move(*other.fitted);
         better = true;
       }
     }
     if (better) {
       settle(list);
-      measured_.estimateNoise(*bestOfAll(), result_);
+      estimateNoise();
     }
   }
 
@@ -363,11 +370,11 @@ class Searcher {
   // they arrived at. None where it is not worth a fit. What the rig costs the best so far may be one more effect: the
   // floor is no higher than what one of them leaves.
   std::vector<Planned> plan(const Screening& about_model, std::size_t effects) {
-    floor_ = result_.noise;
+    floor_ = result_.noise.floor;
     if (!isWorthMore(effects)) {
       return {};
     }
-    floor_ = result_.least;
+    floor_ = result_.noise.least;
     std::map<std::vector<int>, Planned> best;  // of each set, by members
     const auto add = [&](const Screening& screening, const std::vector<Screened>& sets) {
       for (const Screened& set : sets) {
@@ -375,7 +382,7 @@ class Searcher {
         if (planned.hypothesis.members.empty() || set.error < planned.error) {
           planned = {screening.hypothesisOf(set.members), set.error, 0.0, screening.bestOf(set.members)};
         }
-        floor_ = std::max(std::min(floor_, set.error), result_.noise);
+        floor_ = std::max(std::min(floor_, set.error), result_.noise.floor);
       }
     };
     if (effects == 2) {
@@ -407,7 +414,7 @@ class Searcher {
       fitAll(some, list);
     }
     if (fitted > 0) {
-      measured_.estimateNoise(*bestOfAll(), result_);
+      estimateNoise();
       tryCurve(list);
       tryFactors(list);
     }
@@ -534,7 +541,7 @@ std::vector<const FittedHypothesis*> Search::withEffects() const {
 }
 
 const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) const {
-  const Odds odds = oddsAt(*this, least);
+  const Odds odds = oddsAt(*this, noise.least);
   const auto oddsOf = [&](const FittedHypothesis& fitted) {
     return odds.of(fitted.hypothesis, fitted.fit.parameters.scales, fitted.fit.score());
   };

@@ -19,6 +19,22 @@ struct FittedHypothesis {
   fit::Fit fit;
 };
 
+/// How small an error may be, in units of the force's standard deviation.
+struct Noise {
+  double floor = 0.0;           ///< of all logs
+  double least = 0.0;           ///< what no model leaves less than, of all logs: noise and the rig's errors
+  std::vector<double> of_logs;  ///< floor of each log
+  std::vector<double> rest;     ///< of each log, noise of the least that models leave
+  std::vector<double> caused;   ///< of each log, what the noise of the displacement causes in the model
+  std::string source;
+};
+
+/// Whether logs would show a candidate.
+struct Visibility {
+  double share = 0.0;     ///< part of its force that re-estimation does not hide [-]
+  bool testable = false;  ///< a typical size of it would show in these logs
+};
+
 /// Everything that was tried. Errors are root mean squares in units of the force's standard deviation.
 struct Search {
   fit::Excitation excitation;
@@ -32,18 +48,11 @@ struct Search {
   std::vector<FittedHypothesis> singles;  ///< one per candidate, in their order
   std::vector<FittedHypothesis> pairs;    ///< those that a screening of all found worth a full fit, best first
   std::vector<FittedHypothesis> triples;
-  double surrogate_gap = 0.0;         ///< held out, all candidates at once: what a flexible fit could close
-  double discretisation = 0.0;        ///< what dashpots of the model err by at the time steps of the logs
-  double noise = 0.0;                 ///< noise floor of all logs
-  std::vector<double> record_rest;    ///< of each log, noise of the least that models leave, in these units
-  std::vector<double> record_caused;  ///< of each log, what the noise of the displacement causes in the model
-  std::vector<double> record_noise;   ///< of each log, in units of its force's standard deviation
-  std::vector<double> record_rig;     ///< of each log, what the rig's errors cost the best model (rigCost())
-  double least = 0.0;                 ///< what no model leaves less than, of all logs: noise and the rig's errors
-  std::string noise_source;
-  std::vector<double> visible_share;  ///< per candidate: part of its force that re-estimation does not hide [-]
-  std::vector<Implant> implants;      ///< each candidate implanted into these logs; none into a table
-  std::vector<bool> testable;         ///< per candidate: a typical size of it would show in these logs
+  double surrogate_gap = 0.0;   ///< held out, all candidates at once: what a flexible fit could close
+  double discretisation = 0.0;  ///< what dashpots of the model err by at the time steps of the logs
+  Noise noise;
+  std::vector<Visibility> visibility;  ///< of each candidate
+  std::vector<Implant> implants;       ///< each candidate implanted into these logs; none into a table
 
   /// A hypothesis by its place in the evidence.
   const FittedHypothesis& at(int hypothesis) const;
@@ -55,8 +64,8 @@ struct Search {
   const FittedHypothesis& likeliestBeside(const FittedHypothesis& one) const;
 };
 
-/// The hypotheses of a search, each without what it leaves of logs and what its members add to them: of logs
-/// addLogTable() tells, of a table addRows().
+/// The hypotheses of a search, each without what it leaves of logs and what its members add to them: that is what
+/// logs tell (evidenceOfLogs()), or the rows of a table.
 judge::Evidence evidenceOf(const Search& search);
 
 /// Called with the stage's name and the fraction done.

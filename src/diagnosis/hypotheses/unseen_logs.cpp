@@ -69,6 +69,19 @@ std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, cons
   return gap::partErrors(records, simulated, own);
 }
 
+std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::vector<double> otherwise) {
+  std::vector<double> sum(otherwise.size(), 0.0);
+  std::vector<double> weight(otherwise.size(), 0.0);
+  for (const gap::PartError& part : parts) {
+    sum[static_cast<std::size_t>(part.log)] += part.weight * part.error;
+    weight[static_cast<std::size_t>(part.log)] += part.weight;
+  }
+  for (std::size_t log = 0; log < otherwise.size(); ++log) {
+    otherwise[log] = weight[log] > 0.0 ? sum[log] / weight[log] : otherwise[log];
+  }
+  return otherwise;
+}
+
 fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis) {
   return {false, hypothesis.free_in_log.offset, hypothesis.free_in_log.gain};
 }

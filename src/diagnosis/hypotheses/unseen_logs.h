@@ -40,6 +40,9 @@ fit::ForceColumn frictionOfEach(const std::vector<element::ElementDescription>& 
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
                                          const gap::Forces& simulated);
 
+/// The mean error of each log; `otherwise` where no part of a log has any weight.
+std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::vector<double> otherwise);
+
 /// The part of it that is free in a noise floor: zeros and gains, which are no noise. Trends take slow noise with them.
 fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
 

@@ -8,7 +8,6 @@
 
 #include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/judge/answer.h"
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
@@ -52,18 +51,22 @@ struct PreparedCase {
 
 namespace rubber_suspension::diagnosis {
 
+/// The logs with the forces that the component has on them [N].
+struct Simulated {
+  std::vector<log::Record> records;  ///< of the logs, then of the hold-outs
+  std::size_t training = 0;          ///< how many of them took part in the fit
+  gap::Forces configured;            ///< per record
+  gap::Forces re_estimated;
+  gap::Forces augmented;
+};
+
 /// Data that the report draws and lists besides the result; a type that a public header declares.
 struct Workings {
   hypotheses::Search search;
   judge::Evidence evidence;
-  bool write_evidence = false;  ///< the report is to have it, too
   judge::Answer answer;
-  std::vector<log::Record> records;  ///< of the logs, then of the hold-outs
-  std::size_t training = 0;          ///< how many of them took part in the fit
-  gap::Forces force_configured;      ///< per record [N]
-  gap::Forces force_re_estimated;
-  gap::Forces force_augmented;
-  std::vector<hypotheses::UnseenErrors> unseen;  ///< of each hypothesis of the evidence; empty without hold-outs
+  bool write_evidence = false;  ///< the report is to have the evidence, too
+  Simulated simulated;          ///< nothing of a table
 };
 
 }  // namespace rubber_suspension::diagnosis

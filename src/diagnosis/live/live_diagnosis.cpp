@@ -247,8 +247,8 @@ void LiveDiagnosis::look(const std::function<bool()>& stop) {
     const std::vector<log::Log> logs = windowLogs(begin);
     const Diagnosis diagnosis = diagnose(configured_, logs, {}, options);
     ++findings_.looks;
-    judgement_.addLook({diagnosis.verdict, diagnosis.effects});
-    if (diagnosis.effects.empty() && !judgement_.now().effects.empty()) {
+    judgement_.addLook({diagnosis.answer.verdict, diagnosis.answer.effects});
+    if (diagnosis.answer.effects.empty() && !judgement_.now().effects.empty()) {
       return;  // a look that has no effect does not take back the one that is named
     }
     findings_.stamp = last_look_;
@@ -272,30 +272,30 @@ std::unique_ptr<LiveDiagnosis::Model> LiveDiagnosis::warmedUp(const io::Componen
 }
 
 void LiveDiagnosis::takeUp(const Diagnosis& diagnosis) {
-  findings_.gap = diagnosis.gap;
-  findings_.where = diagnosis.verdict == Verdict::none ? "" : placeOf(diagnosis.where);
+  findings_.gap = diagnosis.gaps.unseen;
+  findings_.where = diagnosis.answer.verdict == Verdict::none ? "" : placeOf(diagnosis.where.before);
   findings_.sentence = diagnosis.sentence;
   findings_.rig_findings.clear();
   for (const measurement::RigFinding& finding : diagnosis.rig_findings) {
     findings_.rig_findings.push_back(finding.text);
   }
   findings_.probabilities.clear();
-  for (const std::string& effect : diagnosis.effects) {
+  for (const std::string& effect : diagnosis.answer.effects) {
     findings_.probabilities.push_back(probabilityOf(effect, diagnosis));
   }
   findings_.confounded.clear();
-  for (const std::vector<std::string>& set : diagnosis.confounded) {
+  for (const std::vector<std::string>& set : diagnosis.answer.confounded) {
     findings_.confounded.push_back(fmt::format("{}", fmt::join(set, " + ")));
   }
-  const bool has_effect = !diagnosis.effects.empty();
+  const bool has_effect = !diagnosis.answer.effects.empty();
   if (block_) {
     block_->whole = false;  // the look has seen its begin
   }
   re_estimated_model_ = has_effect ? warmedUp(diagnosis.re_estimated) : nullptr;
-  augmented_model_ = has_effect ? warmedUp(diagnosis.augmented) : nullptr;
+  augmented_model_ = has_effect ? warmedUp(diagnosis.law.augmented) : nullptr;
   candidate_.reset();
-  if (has_effect || diagnosis.verdict == Verdict::parameter_error) {
-    candidate_ = diagnosis.augmented;
+  if (has_effect || diagnosis.answer.verdict == Verdict::parameter_error) {
+    candidate_ = diagnosis.law.augmented;
   }
 }
 

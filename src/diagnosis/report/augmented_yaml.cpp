@@ -17,7 +17,7 @@ namespace {
 
 std::string logsOf(const Diagnosis& d) {
   std::vector<std::string> names;
-  for (const Admission& log : d.admission) {
+  for (const Admission& log : d.logs.admission) {
     names.push_back(log.log + (log.hold_out ? " (held out)" : ""));
   }
   return fmt::format("{}", fmt::join(names, ", "));
@@ -29,18 +29,19 @@ std::string originOf(const Diagnosis& d, double gap) {
   return fmt::format(
       "# Diagnosis of {}: {}{}.\n# Logs: {}.\n# Gap {} as configured, {} re-estimated, {} with this file; "
       "noise floor {}.\n",
-      d.component, by, toString(d.verdict), log::oneLine(logsOf(d)), words::percent(d.gap.as_configured),
-      words::percent(d.gap.re_estimated), words::percent(gap), words::percent(d.gap.noise_floor));
+      d.component, by, toString(d.answer.verdict), log::oneLine(logsOf(d)), words::percent(d.gaps.unseen.as_configured),
+      words::percent(d.gaps.unseen.re_estimated), words::percent(gap), words::percent(d.gaps.unseen.noise_floor));
 }
 
 }  // namespace
 
 io::YamlStyle augmentedStyle(const Diagnosis& d) {
-  io::YamlStyle style = results::styleOf(d.written);
+  io::YamlStyle style = results::styleOf(d.law.numbers);
   style.note = [&](const std::string& place) {
     const auto size =
-        std::find_if(d.written.begin(), d.written.end(), [&](const auto& one) { return one.name == place; });
-    return size == d.written.end() || size->value == size->configured || !(size->interval_95[0] < size->interval_95[1])
+        std::find_if(d.law.numbers.begin(), d.law.numbers.end(), [&](const auto& one) { return one.name == place; });
+    return size == d.law.numbers.end() || size->value == size->configured ||
+                   !(size->interval_95[0] < size->interval_95[1])
                ? ""
            : std::isfinite(size->configured) ? fmt::format("95 %: {}; was {}", words::intervalText(*size),
                                                            words::quantity(size->configured, size->unit))
@@ -51,15 +52,15 @@ io::YamlStyle augmentedStyle(const Diagnosis& d) {
 
 std::string augmentedYaml(const Diagnosis& d) {
   io::YamlStyle style = augmentedStyle(d);
-  style.head = originOf(d, d.gap.augmented);
+  style.head = originOf(d, d.gaps.unseen.augmented);
   style.head += d.turns ? "# A rotation as a component of one direction: m stands for rad, N for N m.\n" : "";
-  return io::toYaml({d.augmented}, style);
+  return io::toYaml({d.law.augmented}, style);
 }
 
 std::string fullYaml(const Diagnosis& d) {
   io::YamlStyle style;
-  style.head = originOf(d, d.gap_of_full_law);
-  return io::toYaml({d.augmented_full}, style);
+  style.head = originOf(d, d.law.gap_of_full);
+  return io::toYaml({d.law.full}, style);
 }
 
 }  // namespace rubber_suspension::diagnosis::report

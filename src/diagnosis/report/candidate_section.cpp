@@ -20,7 +20,9 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool isNamed(const Diagnosis& d, const CandidateResult& candidate) { return contains(d.effects, candidate.effect); }
+bool isNamed(const Diagnosis& d, const CandidateResult& candidate) {
+  return contains(d.answer.effects, candidate.effect);
+}
 
 std::string parametersText(const Diagnosis& d, const CandidateResult& candidate) {
   return element::joined(results::headlineValuesOf(candidate.add), ", ", [&](const results::HeadlineValue& value) {
@@ -69,11 +71,12 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
   if (c.interval[0] <= 0.0) {
     return "on further logs it may remove nothing";
   }
-  if (d.effects.empty()) {
-    return fmt::format("leaves {} of the {} that re-estimation leaves", percent(c.gap), percent(d.gap.re_estimated));
+  if (d.answer.effects.empty()) {
+    return fmt::format("leaves {} of the {} that re-estimation leaves", percent(c.gap),
+                       percent(d.gaps.unseen.re_estimated));
   }
-  return c.gap > d.gap.augmented
-             ? fmt::format("leaves {}, where what is named leaves {}", percent(c.gap), percent(d.gap.augmented))
+  return c.gap > d.gaps.unseen.augmented
+             ? fmt::format("leaves {}, where what is named leaves {}", percent(c.gap), percent(d.gaps.unseen.augmented))
              : fmt::format("leaves {}, no more than what is named, and is less probable", percent(c.gap));
 }
 
@@ -91,8 +94,8 @@ std::string candidateSection(const Diagnosis& d) {
       "<p>No gap: {} %. Wrong values of the model alone: {} %. None of these: {} %. All candidates at once, as a "
       "flexible fit without claim to a cause, "
       "would leave a gap of {} on parts of {} held out.</p>\n",
-      words::chance(d.posterior.none), words::chance(d.posterior.parameter_error),
-      words::chance(d.posterior.none_of_these), percent(d.workings->search.surrogate_gap), words::sourceOf(d));
+      words::chance(d.answer.posterior.none), words::chance(d.answer.posterior.parameter_error),
+      words::chance(d.answer.posterior.none_of_these), percent(d.workings->search.surrogate_gap), words::sourceOf(d));
   html += fmt::format("<p class=note>{}</p>\n<p>{}</p>\n", kProbability, words::escape(notTestable(d)));
   const std::string title = fmt::format("{} candidates below 1 %, and why they are out", rest.size());
   return rest.empty() ? html : html + words::folded(title, words::table(titles, rest));

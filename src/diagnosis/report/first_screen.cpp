@@ -51,9 +51,10 @@ std::string valueInWords(const Diagnosis& d, const SizedValue& size) {
 
 // The numbers of the law, then those of the model that differ.
 std::string lawTable(const Diagnosis& d) {
-  std::vector<words::Row> rows = element::each(d.effect_sizes, [&](const SizedValue& size) -> words::Row {
-    return {words::escape((d.effects.size() > 1 ? words::spoken(size.owner) + ", " : "") + words::sizeName(size)),
-            words::escape(valueInWords(d, size)), words::escape(words::intervalText(size))};
+  std::vector<words::Row> rows = element::each(d.law.effect_sizes, [&](const SizedValue& size) -> words::Row {
+    return {
+        words::escape((d.answer.effects.size() > 1 ? words::spoken(size.owner) + ", " : "") + words::sizeName(size)),
+        words::escape(valueInWords(d, size)), words::escape(words::intervalText(size))};
   });
   for (const SizedValue* size : words::changedValues(d)) {
     rows.push_back({words::escape(words::valueName(*size) + " of the model"),
@@ -70,7 +71,7 @@ std::string lawTable(const Diagnosis& d) {
          (whole.empty() ? "" : "<p class=note>" + whole + "</p>\n");
 }
 
-std::string takenOutHtml(const Diagnosis& d) { return lines(words::describeTakenOut(d.taken_out), words::escape); }
+std::string takenOutHtml(const Diagnosis& d) { return lines(words::describeTakenOut(d.logs.taken_out), words::escape); }
 
 std::string benchHtml(const Diagnosis& d) {
   const auto fatal = element::those(d.rig_findings, &measurement::RigFinding::fatal);
@@ -84,21 +85,21 @@ std::string benchHtml(const Diagnosis& d) {
 }  // namespace
 
 std::string howToPlay(const Diagnosis& d) {
-  if (d.proposed.displacement.empty()) {
+  if (d.next.proposed.displacement.empty()) {
     return "";
   }
   return fmt::format(
       "play <a href=\"next_experiment.csv\">next_experiment.csv</a> ({:.3g} s at {:.4g} Hz; from rest at 0 to rest at "
       "0; as a drive file of RPC III <a href=\"next_experiment.drv\">next_experiment.drv</a>)",
-      static_cast<double>(d.proposed.displacement.size() - 1) * d.proposed.dt, 1.0 / d.proposed.dt);
+      static_cast<double>(d.next.proposed.displacement.size() - 1) * d.next.proposed.dt, 1.0 / d.next.proposed.dt);
 }
 
 std::string firstScreen(const Diagnosis& d, const std::string& figures) {
   const std::string play = howToPlay(d);
   const std::string facts =
-      fact("Verdict", fmt::format("<b>{}</b>: {}", toString(d.verdict), meaningOf(d.verdict))) +
+      fact("Verdict", fmt::format("<b>{}</b>: {}", toString(d.answer.verdict), meaningOf(d.answer.verdict))) +
       fact("What is wrong", benchHtml(d)) + fact("Taken out before, in % of the force", takenOutHtml(d)) +
-      fact("Next experiment", words::escape(d.next_experiment) + (play.empty() ? "" : " To do so, " + play + "."));
+      fact("Next experiment", words::escape(d.next.text) + (play.empty() ? "" : " To do so, " + play + "."));
   const std::string dl = "<dl>\n" + facts + "</dl>\n";
   const std::string pictures = d.workings && d.defect.empty() ? "<div>" + whereMaps(d) + lawTable(d) + "</div>\n<div>" +
                                                                     gapBars(d) + probabilityBars(d) + dl + "</div>\n"

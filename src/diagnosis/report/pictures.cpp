@@ -69,15 +69,15 @@ struct Map {
   std::array<std::size_t, 2> largest{};
 
   explicit Map(const Diagnosis& d) {
-    const auto cells = mappedCells(d, d.where);
+    const auto cells = mappedCells(d, d.where.before);
     frequencies = bandsOf(cells, &gap::GapCell::frequency, 8);
     amplitudes = bandsOf(cells, &gap::GapCell::amplitude, 6);
     const std::vector<double> nothing(frequencies.size(), 0.0);
     before = after = std::vector<std::vector<double>>(amplitudes.size(), nothing);
     measured.assign(amplitudes.size(), std::vector<bool>(frequencies.size(), false));
     add(cells, before);
-    add(mappedCells(d, d.where_after), after);
-    for (const gap::GapCell& cell : d.where) {
+    add(mappedCells(d, d.where.after), after);
+    for (const gap::GapCell& cell : d.where.before) {
       elsewhere += cell.frequency[0] > 0.0 ? 0.0 : cell.squared;
     }
     for (std::size_t a = 0; a < amplitudes.size(); ++a) {
@@ -132,7 +132,7 @@ std::string mapTable(const Diagnosis& d, const Map& map, const std::vector<std::
 
 // "stiffness in sines": which quantity of which log has most of the framed cell.
 std::string mostOf(const Diagnosis& d, const Map& map) {
-  const auto cells = mappedCells(d, d.where);
+  const auto cells = mappedCells(d, d.where.before);
   const auto found =
       std::find_if(cells.begin(), cells.end(), [&](const gap::GapCell& cell) { return map.isAtLargest(cell); });
   return found == cells.end() ? "" : fmt::format(", most of it {} in {}", gap::toString(found->quantity), found->log);
@@ -170,16 +170,16 @@ std::string keyEntry(const std::string& pattern, const std::string& text) {
 
 // What values and effects remove of the gap as configured, and what is left of it.
 Bar configuredBar(const Diagnosis& d, std::string& key) {
-  Bar bar{"as configured", percent(d.gap.as_configured), {}};
+  Bar bar{"as configured", percent(d.gaps.unseen.as_configured), {}};
   double left = 1.0;
   for (std::size_t i = 0; i < d.shares.size(); ++i) {
     const GapShare& share = d.shares[i];
-    bar.parts.emplace_back(patternOf(i), share.share * d.gap.as_configured);
+    bar.parts.emplace_back(patternOf(i), share.share * d.gaps.unseen.as_configured);
     key += keyEntry(patternOf(i), fmt::format("{} {} %", i == 0 ? "other values" : escape(words::spoken(share.by)),
                                               words::wholePercent(share.share)));
     left -= share.share;
   }
-  bar.parts.emplace_back("rest", std::max(0.0, left) * d.gap.as_configured);
+  bar.parts.emplace_back("rest", std::max(0.0, left) * d.gaps.unseen.as_configured);
   key += keyEntry("rest", fmt::format("left {} %", words::wholePercent(std::max(0.0, left))));
   return bar;
 }
@@ -219,24 +219,25 @@ std::string whereMaps(const Diagnosis& d) {
 }
 
 std::string gapBars(const Diagnosis& d) {
-  const Gap& gap = d.gap;
+  const Gap& gap = d.gaps.unseen;
   const double whole = std::max({gap.as_configured, gap.re_estimated, gap.augmented, gap.noise_floor});
   std::string key;
   std::vector<Bar> bars = {configuredBar(d, key)};
   const double closable = gap.re_estimated - gap.noise_floor;
-  const bool interval = !d.effects.empty() && closable > 0.0;
+  const bool interval = !d.answer.effects.empty() && closable > 0.0;
   const auto at = [&](double closed) { return std::max(0.0, gap.re_estimated - std::min(1.0, closed) * closable); };
   bars.push_back({"re-estimated", percent(gap.re_estimated), {{"plain", gap.re_estimated}}});
   bars.push_back({"augmented", percent(gap.augmented), {{"rest", gap.augmented}}});
   if (interval) {
-    bars.back().whisker = {at(d.closed_interval[1]), at(d.closed_interval[0])};
+    bars.back().whisker = {at(d.gaps.closed_interval[1]), at(d.gaps.closed_interval[0])};
   }
   bars.push_back({"noise", percent(gap.noise_floor), {{"floor", gap.noise_floor}}});
   std::string caption = "Gap: RMS of the force difference over the standard deviation of the force.";
   if (interval) {
-    caption += fmt::format(" Of what other values leave above the noise, {} % is removed (95 %, whisker: {} to {} %).",
-                           words::wholePercent(d.closed), words::wholePercent(std::min(1.0, d.closed_interval[0])),
-                           words::wholePercent(std::min(1.0, d.closed_interval[1])));
+    caption +=
+        fmt::format(" Of what other values leave above the noise, {} % is removed (95 %, whisker: {} to {} %).",
+                    words::wholePercent(d.gaps.closed), words::wholePercent(std::min(1.0, d.gaps.closed_interval[0])),
+                    words::wholePercent(std::min(1.0, d.gaps.closed_interval[1])));
   }
   return figure("Which, and how far",
                 "<div class=bars>" + element::joined(bars, "", [&](const Bar& bar) { return barRow(bar, whole); }) +
@@ -245,8 +246,9 @@ std::string gapBars(const Diagnosis& d) {
 }
 
 std::string probabilityBars(const Diagnosis& d) {
-  std::vector<std::pair<std::string, double>> answers = {{answerName(d.verdict, d.effects), d.probability}};
-  for (const Alternative& other : d.alternatives) {
+  std::vector<std::pair<std::string, double>> answers = {
+      {answerName(d.answer.verdict, d.answer.effects), d.answer.probability}};
+  for (const Alternative& other : d.answer.alternatives) {
     answers.emplace_back(answerName(other.verdict, other.effects), other.probability);
   }
   constexpr std::size_t kMost = 5;

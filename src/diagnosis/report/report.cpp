@@ -172,9 +172,9 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   if (const std::string evidence = evidenceJson(diagnosis); !evidence.empty()) {
     report.write(kEvidence, evidence);
   }
-  if (!diagnosis.proposed.displacement.empty()) {
-    report.write(kExperiment, experimentCsv(diagnosis.proposed, diagnosis.turns));
-    report.write(kDrive, driveFile(diagnosis.proposed, diagnosis.turns));
+  if (!diagnosis.next.proposed.displacement.empty()) {
+    report.write(kExperiment, experimentCsv(diagnosis.next.proposed, diagnosis.turns));
+    report.write(kDrive, driveFile(diagnosis.next.proposed, diagnosis.turns));
   }
   const std::vector<report::ReportFigure> figures = report::reportFigures(diagnosis);
   for (const report::ReportFigure& figure : figures) {

@@ -34,16 +34,17 @@ std::vector<double> take(const Eigen::VectorXd& values, Eigen::Index first, Eige
 
 // The records where the re-estimated model is worst, hold-outs first where there are any.
 std::vector<std::size_t> worstRecords(const Diagnosis& diagnosis) {
-  std::vector<std::size_t> order(diagnosis.workings->records.size());
+  std::vector<std::size_t> order(diagnosis.workings->simulated.records.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  if (diagnosis.workings->training < order.size()) {
-    std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(diagnosis.workings->training), order.end());
+  if (diagnosis.workings->simulated.training < order.size()) {
+    std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(diagnosis.workings->simulated.training),
+                order.end());
   }
   const auto gap = [&](std::size_t r) {
-    const log::Record& record = diagnosis.workings->records[r];
-    return gap::gapOfResidual(record.force - diagnosis.workings->force_re_estimated[r], record.force_deviation);
+    const log::Record& record = diagnosis.workings->simulated.records[r];
+    return gap::gapOfResidual(record.force - diagnosis.workings->simulated.re_estimated[r], record.force_deviation);
   };
-  const auto first = order.begin() + static_cast<std::ptrdiff_t>(order.size() - diagnosis.workings->training);
+  const auto first = order.begin() + static_cast<std::ptrdiff_t>(order.size() - diagnosis.workings->simulated.training);
   std::sort(first == order.begin() ? order.begin() : first, order.end(),
             [&](std::size_t a, std::size_t b) { return gap(a) > gap(b); });
   order.resize(std::min(order.size(), kMostLoops));
@@ -89,14 +90,14 @@ io::Figure loops(const Diagnosis& diagnosis) {
   const Workings& w = *diagnosis.workings;
   io::Figure figure{"Force over displacement"};
   for (const std::size_t r : worstRecords(diagnosis)) {
-    const log::Record& record = w.records[r];
+    const log::Record& record = w.simulated.records[r];
     const Eigen::Index count = cyclesOf(record, kCyclesOfLoop);
     const Eigen::Index first = widestStretch(record, count);
-    io::Axes axes{fmt::format("{}{}, {:.4g} to {:.4g} s", record.name, r >= w.training ? " (held out)" : "",
+    io::Axes axes{fmt::format("{}{}, {:.4g} to {:.4g} s", record.name, r >= w.simulated.training ? " (held out)" : "",
                               static_cast<double>(first) * record.dt, static_cast<double>(first + count) * record.dt),
                   "displacement [mm]", "force [kN]"};
     addForces(axes, take(record.raw_displacement, first, count, 1e3), take(record.force, first, count, 1e-3),
-              take(w.force_configured[r], first, count, 1e-3), take(w.force_augmented[r], first, count, 1e-3));
+              take(w.simulated.configured[r], first, count, 1e-3), take(w.simulated.augmented[r], first, count, 1e-3));
     figure.axes.push_back(std::move(axes));
   }
   return figure;
@@ -127,7 +128,7 @@ io::Figure benchFigure(const Diagnosis& diagnosis) {
 // Frequencies that the logs excite [Hz].
 std::array<double, 2> excitedBand(const Workings& workings) {
   std::array<double, 2> band = {std::numeric_limits<double>::infinity(), 0.0};
-  for (const log::Record& record : workings.records) {
+  for (const log::Record& record : workings.simulated.records) {
     band[0] = std::min(band[0], record.lowest_frequency);
     band[1] = std::max(band[1], record.highest_frequency);
   }
@@ -140,7 +141,7 @@ bool isExcited(const gap::GapCell& cell, const std::array<double, 2>& band) {
 }
 
 io::Figure gapMapFigure(const Diagnosis& diagnosis) {
-  const auto cells = mappedCells(diagnosis, diagnosis.where);
+  const auto cells = mappedCells(diagnosis, diagnosis.where.before);
   std::vector<double> frequencies;
   std::vector<double> amplitudes;
   for (const gap::GapCell& cell : cells) {
@@ -178,10 +179,11 @@ io::Curve meanOver(const log::Record& record, const Eigen::VectorXd& residual, d
 io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
   io::Figure figure{"Mean residual over displacement"};
   for (const std::size_t r : worstRecords(diagnosis)) {
-    const log::Record& record = diagnosis.workings->records[r];
+    const log::Record& record = diagnosis.workings->simulated.records[r];
     io::Axes axes{record.name, "displacement [mm]", "measured less simulated [kN]"};
     for (const bool after : {false, true}) {
-      const auto& simulated = after ? diagnosis.workings->force_augmented : diagnosis.workings->force_configured;
+      const auto& simulated =
+          after ? diagnosis.workings->simulated.augmented : diagnosis.workings->simulated.configured;
       const Eigen::VectorXd residual = record.force - simulated[r];
       const std::string name = after ? "after, " : "before, ";
       axes.curves.push_back(meanOver(record, residual, 1.0, name + "rising", "-", after ? 2 : 1));
@@ -198,8 +200,8 @@ io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::Vec
   constexpr Eigen::Index kMostStretches = 60;  // of a log
   io::Curve curve{label, {}, {}, style, colour};
   double start = 0.0;
-  for (std::size_t r = 0; r < diagnosis.workings->records.size(); ++r) {
-    const log::Record& record = diagnosis.workings->records[r];
+  for (std::size_t r = 0; r < diagnosis.workings->simulated.records.size(); ++r) {
+    const log::Record& record = diagnosis.workings->simulated.records[r];
     const Eigen::Index step = std::max(cyclesOf(record, 1.0), record.size() / kMostStretches);
     for (Eigen::Index first = 0; first + step <= record.size(); first += step) {
       const double gap = gap::gapOfResidual((record.force - simulated[r]).segment(first, step), record.force_deviation);
@@ -216,14 +218,15 @@ io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::Vec
 io::Figure residualOverTime(const Diagnosis& diagnosis) {
   io::Figure figure{"Gap over time", {}, 1};
   io::Axes axes{"", "time [s]", "gap [-]", false, true};
-  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_configured, "as configured", "-", 1));
-  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_re_estimated, "re-estimated", "--", 3));
-  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_augmented, "augmented", "-", 2));
+  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->simulated.configured, "as configured", "-", 1));
+  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->simulated.re_estimated, "re-estimated", "--", 3));
+  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->simulated.augmented, "augmented", "-", 2));
   double end = 0.0;
-  for (const log::Record& record : diagnosis.workings->records) {
+  for (const log::Record& record : diagnosis.workings->simulated.records) {
     end += record.duration();
   }
-  axes.curves.push_back({"noise floor", {0.0, end}, {diagnosis.gap.noise_floor, diagnosis.gap.noise_floor}, ":", 7});
+  axes.curves.push_back(
+      {"noise floor", {0.0, end}, {diagnosis.gaps.unseen.noise_floor, diagnosis.gaps.unseen.noise_floor}, ":", 7});
   figure.axes.push_back(std::move(axes));
   return figure;
 }
@@ -334,8 +337,8 @@ std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
 }
 
 io::Figure overviewFigure(const Diagnosis& diagnosis) {
-  io::Figure overview{diagnosis.component + ": " + toString(diagnosis.verdict) +
-                      (diagnosis.effects.empty() ? "" : ": " + log::join(diagnosis.effects))};
+  io::Figure overview{diagnosis.component + ": " + toString(diagnosis.answer.verdict) +
+                      (diagnosis.answer.effects.empty() ? "" : ": " + log::join(diagnosis.answer.effects))};
   for (const ReportFigure& part : reportFigures(diagnosis)) {
     if (!part.figure.axes.empty()) {
       overview.axes.push_back(part.figure.axes.front());

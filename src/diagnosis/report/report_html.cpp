@@ -32,7 +32,7 @@ std::string errorTable(const Diagnosis& d) {
             percent(e.energy)};
   };
   return words::table({"model", "#stiffness off by", "#loss angle off by", "#energy per cycle off by"},
-                      {row("re-estimated", d.errors_re_estimated), row("augmented", d.errors_augmented)});
+                      {row("re-estimated", d.where.re_estimated), row("augmented", d.where.augmented)});
 }
 
 std::string howFar(const Diagnosis& d) {
@@ -44,13 +44,14 @@ std::string howFar(const Diagnosis& d) {
               : "A gap is the RMS of measured minus simulated force over the standard deviation of the measured "
                 "force. It is that of data to which no number was fitted, but which helped to choose between the "
                 "effects. What the rig did to a log is taken out before.") +
-         " Noise floor: " + escape(d.noise_source) + ".</p>\n";
+         " Noise floor: " + escape(d.gaps.noise_source) + ".</p>\n";
 }
 
 std::string whereTable(const Diagnosis& d) {
   constexpr std::size_t kMost = 6;
   const std::vector<gap::GapCell> largest(
-      d.where.begin(), d.where.begin() + static_cast<std::ptrdiff_t>(std::min(kMost, d.where.size())));
+      d.where.before.begin(),
+      d.where.before.begin() + static_cast<std::ptrdiff_t>(std::min(kMost, d.where.before.size())));
   return words::table(
       {d.table ? "table" : "log", "#frequency [Hz]", words::inUnits(d, "#amplitude [mm]"), "what is wrong",
        "#share of squared gap", "#times the noise"},
@@ -193,7 +194,7 @@ std::string takenOut(const Diagnosis& d) {
   constexpr double kShown = 5e-4;
   const auto row = [&](const Admission& log) -> Row {
     std::string parts;
-    for (const TakenOut& part : d.taken_out) {
+    for (const TakenOut& part : d.logs.taken_out) {
       if (part.log == log.log && std::abs(part.share) > kShown) {
         parts +=
             fmt::format("{}{} {:.2g}", parts.empty() ? "" : ", ", escape(words::spoken(part.kind)), 100.0 * part.share);
@@ -204,11 +205,11 @@ std::string takenOut(const Diagnosis& d) {
   return "<p>What the rig did is taken out of each log before it is compared with the model. Squares add up: the gap "
          "as "
          "recorded less what is taken out is the gap. A negative number made the gap larger.</p>\n" +
-         words::table({"log", "#gap as recorded", "taken out, in % of the force", "#gap"}, d.admission, row);
+         words::table({"log", "#gap as recorded", "taken out, in % of the force", "#gap"}, d.logs.admission, row);
 }
 
 std::string excerptsTaken(const Diagnosis& d) {
-  if (d.samples == d.recorded_samples) {
+  if (d.samples.searched == d.samples.recorded) {
     return "";
   }
   return fmt::format(
@@ -216,13 +217,14 @@ std::string excerptsTaken(const Diagnosis& d) {
       "in "
       "its name. What lies between them moved the component, and was compared with nothing. The gap of the whole logs "
       "as they were recorded: {} as configured, {} after.</p>\n",
-      d.samples, d.recorded_samples, percent(d.gap_as_recorded.as_configured), percent(d.gap_as_recorded.augmented));
+      d.samples.searched, d.samples.recorded, percent(d.gap_as_recorded.as_configured),
+      percent(d.gap_as_recorded.augmented));
 }
 
 std::string ratingTable(const Diagnosis& d) {
   std::vector<Row> rows;
   bool any_repeats = false;
-  for (const Admission& log : d.admission) {
+  for (const Admission& log : d.logs.admission) {
     if (!log.rating) {
       continue;
     }
@@ -250,7 +252,7 @@ std::string admission(const Diagnosis& d) {
   return heading("The logs") + excerptsTaken(d) +
          words::table({"log", "#length [s]", "#rate [Hz]", words::inUnits(d, "#largest |z| [mm]"),
                        "#excited up to [Hz]", "#noise floor", "#repeats", "notes"},
-                      d.admission, [](const Admission& log) -> Row {
+                      d.logs.admission, [](const Admission& log) -> Row {
                         return {escape(log.log) + (log.hold_out ? " (held out)" : ""),
                                 fmt::format("{:.1f}", log.duration),
                                 fmt::format("{:.4g}", 1.0 / log.dt),
@@ -275,10 +277,10 @@ std::string runRecord(const Diagnosis& d) {
 }
 
 std::string nextExperiment(const Diagnosis& d) {
-  if (d.proposed.displacement.empty()) {
+  if (d.next.proposed.displacement.empty()) {
     return "";
   }
-  return heading("Next experiment") + "<p>" + escape(d.next_experiment) + "</p>\n<p class=note>It stays within the " +
+  return heading("Next experiment") + "<p>" + escape(d.next.text) + "</p>\n<p class=note>It stays within the " +
          "limits given, and where none is, within the strokes, speeds, forces and duration of the logs of the fit. "
          "To " +
          report::howToPlay(d) + " on the bench, or through the node:</p>\n<pre>" +

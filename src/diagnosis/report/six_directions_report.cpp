@@ -55,14 +55,14 @@ ordered_json directionJson(const DirectionDiagnosis& found) {
   const Diagnosis& d = found.diagnosis;
   return {{"direction", toString(found.direction)},
           {"report", std::string(toString(found.direction)) + "/report.json"},
-          {"verdict", toString(d.verdict)},
-          {"effects", d.effects},
+          {"verdict", toString(d.answer.verdict)},
+          {"effects", d.answer.effects},
           {"sentence", d.sentence},
           {"gap",
-           {{"as_configured", d.gap.as_configured},
-            {"re_estimated", d.gap.re_estimated},
-            {"augmented", d.gap.augmented},
-            {"noise_floor", d.gap.noise_floor}}}};
+           {{"as_configured", d.gaps.unseen.as_configured},
+            {"re_estimated", d.gaps.unseen.re_estimated},
+            {"augmented", d.gaps.unseen.augmented},
+            {"noise_floor", d.gaps.unseen.noise_floor}}}};
 }
 
 // What is not a number is written as null.
@@ -79,10 +79,10 @@ std::string directionTable(const SixDirectionsDiagnosis& diagnosis) {
                       diagnosis.directions, [](const DirectionDiagnosis& found) -> words::Row {
                         const Diagnosis& d = found.diagnosis;
                         return {fmt::format("<a href=\"{0}/report.html\">{0}</a>", toString(found.direction)),
-                                toString(d.verdict),
-                                percent(d.gap.as_configured),
-                                percent(d.gap.augmented),
-                                percent(d.gap.noise_floor),
+                                toString(d.answer.verdict),
+                                percent(d.gaps.unseen.as_configured),
+                                percent(d.gaps.unseen.augmented),
+                                percent(d.gaps.unseen.noise_floor),
                                 escape(d.sentence)};
                       });
 }
@@ -123,8 +123,8 @@ std::string componentText(const SixDirectionsDiagnosis& diagnosis) {
                            diagnosis.component);
   for (const auto& [direction, d] : diagnosis.directions) {
     style.head += fmt::format("# {}: {}. Gap {} as configured, {} with this file; noise floor {}.\n",
-                              toString(direction), toString(d.verdict), percent(d.gap.as_configured),
-                              percent(d.gap.augmented), percent(d.gap.noise_floor));
+                              toString(direction), toString(d.answer.verdict), percent(d.gaps.unseen.as_configured),
+                              percent(d.gaps.unseen.augmented), percent(d.gaps.unseen.noise_floor));
   }
   return io::toYaml({diagnosis.augmented}, style);
 }

@@ -107,8 +107,9 @@ std::vector<double> edgesAbout(std::vector<double> values) {
 // All preloads and temperatures together.
 io::Figure mapFigure(const Diagnosis& diagnosis) {
   const auto lower_end = [](auto band) { return [band](const gap::GapCell& cell) { return (cell.*band)[0]; }; };
-  return shareMap(diagnosis.where, edgesAbout(element::each(diagnosis.where, lower_end(&gap::GapCell::frequency))),
-                  edgesAbout(element::each(diagnosis.where, lower_end(&gap::GapCell::amplitude))));
+  return shareMap(diagnosis.where.before,
+                  edgesAbout(element::each(diagnosis.where.before, lower_end(&gap::GapCell::frequency))),
+                  edgesAbout(element::each(diagnosis.where.before, lower_end(&gap::GapCell::amplitude))));
 }
 
 constexpr double kDegrees = 180.0 / element::kPi;

@@ -32,7 +32,7 @@ double repeatsOf(const log::Record& record) {
 
 }  // namespace
 
-Admission admit(const log::Record& record, bool hold_out, double noise) {
+Admission admit(const log::Record& record, bool hold_out, double noise, const LogAccount& account) {
   Admission admission;
   admission.log = record.name;
   admission.hold_out = hold_out;
@@ -42,6 +42,8 @@ Admission admit(const log::Record& record, bool hold_out, double noise) {
   admission.highest_frequency = record.highest_frequency;
   admission.noise = noise;
   admission.repeats = repeatsOf(record);
+  admission.recorded = std::sqrt(account.recorded());
+  admission.left = std::sqrt(account.left());
   admission.notes = record.notes;
   return admission;
 }

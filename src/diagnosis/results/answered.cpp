@@ -6,22 +6,21 @@
 #include <bitset>
 #include <boost/math/special_functions/factorials.hpp>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/results/headline.h"
 #include "diagnosis/results/predictive.h"
+#include "element/each.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-double closedBy(const Diagnosis& diagnosis, double gap) {
-  return std::min(1.0, gap::closedFraction(diagnosis.gap.re_estimated, gap, diagnosis.gap.noise_floor));
+double closedBy(double left, const Gap& gap) {
+  return std::min(1.0, gap::closedFraction(gap.re_estimated, left, gap.noise_floor));
 }
 
 // Predicted of further logs; those that the gap is of are further logs, too.
@@ -31,9 +30,10 @@ std::array<double, 2> holding(double closed, const Closing& closing, const judge
   return {std::min(interval[0], closed), std::max(interval[1], closed)};
 }
 
-CandidateResult candidateResult(const Workings& workings, const DiagnosisOptions& options, const Diagnosis& diagnosis,
-                                std::size_t candidate, double gap) {
+CandidateResult candidateResult(std::size_t candidate, double left, const Gaps& gaps, const Workings& workings,
+                                const DiagnosisOptions& options) {
   const hypotheses::Search& search = workings.search;
+  const hypotheses::Visibility& visibility = search.visibility[candidate];
   const std::vector<int>& named = workings.answer.effects;
   const int hypothesis = judge::Evidence::kFirstSingle + static_cast<int>(candidate);
   CandidateResult result;
@@ -41,14 +41,13 @@ CandidateResult candidateResult(const Workings& workings, const DiagnosisOptions
   result.documentation = search.candidates[candidate].documentation;
   result.on_rig = search.candidates[candidate].on_rig;
   result.probability = workings.answer.candidates[candidate];
-  result.gap = gap;
-  result.closed = closedBy(diagnosis, gap);
+  result.gap = left;
+  result.closed = closedBy(left, gaps.unseen);
   result.interval = hypothesis == workings.answer.model
-                        ? diagnosis.closed_interval
+                        ? gaps.closed_interval
                         : holding(result.closed, {hypothesis}, workings.evidence, options);
-  result.visible_share = search.visible_share[candidate];
-  result.testable =
-      search.testable[candidate] || std::count(named.begin(), named.end(), static_cast<int>(candidate)) > 0;
+  result.visible_share = visibility.share;
+  result.testable = visibility.testable || std::count(named.begin(), named.end(), static_cast<int>(candidate)) > 0;
   result.add = hypotheses::entriesOf(search.singles[candidate]);
   result.parameters = headlineOf(result.add);
   return result;
@@ -62,61 +61,66 @@ double ordersWith(std::size_t before, std::size_t parts) {
 }
 
 // The same judgement with nothing excluded.
-void addExcluded(const judge::Evidence& evidence, Diagnosis& diagnosis) {
+std::vector<ExcludedEffect> excludedOf(const judge::Evidence& evidence) {
   judge::Evidence nothing_excluded = evidence;
   nothing_excluded.excluded.clear();
   const std::vector<double> otherwise = judge::answer(nothing_excluded).candidates;
+  std::vector<ExcludedEffect> excluded;
   for (std::size_t e = 0; e < evidence.excluded.size(); ++e) {
     if (evidence.excluded[e]) {
-      diagnosis.excluded.push_back({evidence.effects[e], otherwise[e]});
+      excluded.push_back({evidence.effects[e], otherwise[e]});
     }
   }
+  return excluded;
 }
 
 }  // namespace
 
-void addAnswer(const judge::Answer& answer, const judge::Evidence& evidence, Diagnosis& diagnosis) {
+Answered answered(const judge::Answer& answer, const judge::Evidence& evidence) {
   const auto names = [&](const std::vector<int>& effects) {
-    std::vector<std::string> result;
-    std::transform(effects.begin(), effects.end(), std::back_inserter(result),
-                   [&](int effect) { return evidence.effects[static_cast<std::size_t>(effect)]; });
-    return result;
+    return element::each(effects, [&](int effect) { return evidence.effects[static_cast<std::size_t>(effect)]; });
   };
-  diagnosis.verdict = answer.verdict;
-  diagnosis.probability = answer.probability;
-  diagnosis.effects = names(answer.effects);
-  diagnosis.posterior = answer.posterior;
-  std::transform(answer.confounded.begin(), answer.confounded.end(), std::back_inserter(diagnosis.confounded), names);
-  for (const judge::Explained& other : answer.alternatives) {
-    diagnosis.alternatives.push_back({other.verdict, names(other.effects), other.probability});
-  }
-  addExcluded(evidence, diagnosis);
+  const auto alternative = [&](const judge::Explained& other) {
+    return Alternative{other.verdict, names(other.effects), other.probability};
+  };
+  return {answer.verdict,
+          answer.probability,
+          names(answer.effects),
+          element::each(answer.confounded, names),
+          element::each(answer.alternatives, alternative),
+          excludedOf(evidence),
+          answer.posterior};
 }
 
-void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alone, const judge::Evidence& evidence,
-            const Workings& workings, const DiagnosisOptions& options, Diagnosis& diagnosis) {
-  std::vector<double> gaps;
-  std::transform(alone.begin(), alone.end(), std::back_inserter(gaps), gap::gapOfParts);
-  diagnosis.gap = gap;
-  double& floor = diagnosis.gap.noise_floor;
-  floor = std::min({floor, gap.as_configured, gap.re_estimated, gap.augmented, diagnosis.gap_of_full_law});
-  floor = std::accumulate(gaps.begin(), gaps.end(), floor, [](double a, double b) { return std::min(a, b); });
-  const double closed = closedBy(diagnosis, gap.augmented);
-  diagnosis.closed = closed;
-  diagnosis.closed_interval = workings.answer.effects.empty()
-                                  ? std::array{closed, closed}
-                                  : holding(closed, closingOf(workings.answer), evidence, options);
-  std::vector<CandidateResult>& candidates = diagnosis.candidates;
-  candidates.resize(gaps.size());
-  fit::parallelFor(gaps.size(), options.threads,
-                   [&](std::size_t c) { candidates[c] = candidateResult(workings, options, diagnosis, c, gaps[c]); });
+Gaps gapsOf(const Left& left, const Workings& workings, const DiagnosisOptions& options) {
+  Gaps gaps;
+  gaps.noise_source = workings.search.noise.source;
+  gaps.unseen = left.gap;
+  double& floor = gaps.unseen.noise_floor;
+  floor = std::min({floor, left.gap.as_configured, left.gap.re_estimated, left.gap.augmented, left.full_law});
+  floor =
+      std::accumulate(left.alone.begin(), left.alone.end(), floor, [](double a, double b) { return std::min(a, b); });
+  gaps.closed = closedBy(left.gap.augmented, gaps.unseen);
+  gaps.closed_interval = workings.answer.effects.empty()
+                             ? std::array{gaps.closed, gaps.closed}
+                             : holding(gaps.closed, closingOf(workings.answer), left.evidence, options);
+  return gaps;
+}
+
+std::vector<CandidateResult> candidateResults(const Left& left, const Gaps& gaps, const Workings& workings,
+                                              const DiagnosisOptions& options) {
+  std::vector<CandidateResult> candidates(left.alone.size());
+  fit::parallelFor(candidates.size(), options.threads,
+                   [&](std::size_t c) { candidates[c] = candidateResult(c, left.alone[c], gaps, workings, options); });
   std::stable_sort(candidates.begin(), candidates.end(), [](const CandidateResult& a, const CandidateResult& b) {
     return a.probability != b.probability ? a.probability > b.probability : a.closed > b.closed;
   });
+  return candidates;
 }
 
-void addShares(const GapWith& gap_with, int threads, Diagnosis& diagnosis) {
-  const std::size_t parts = 1 + diagnosis.effects.size();
+std::vector<GapShare> sharesOf(const std::vector<std::string>& effects, const Gap& gap, const GapWith& gap_with,
+                               int threads) {
+  const std::size_t parts = 1 + effects.size();
   const std::size_t all = (std::size_t{1} << parts) - 1;
   std::vector<double> gaps(all + 1);  // by the parts that are in, a bit each
   fit::parallelFor(gaps.size(), threads, [&](std::size_t in) {
@@ -124,10 +128,9 @@ void addShares(const GapWith& gap_with, int threads, Diagnosis& diagnosis) {
     for (std::size_t part = 0; part < parts; ++part) {
       which.push_back((in >> part & 1U) != 0);
     }
-    gaps[in] = in == 0 ? diagnosis.gap.as_configured : in == all ? diagnosis.gap.augmented : gap_with(which);
+    gaps[in] = in == 0 ? gap.as_configured : in == all ? gap.augmented : gap_with(which);
   });
-  diagnosis.gap_of_values = gaps[1];
-  diagnosis.shares.clear();
+  std::vector<GapShare> shares;
   for (std::size_t part = 0; part < parts; ++part) {
     double removed = 0.0;
     for (std::size_t in = 0; in <= all; ++in) {
@@ -135,41 +138,47 @@ void addShares(const GapWith& gap_with, int threads, Diagnosis& diagnosis) {
         removed += ordersWith(std::bitset<32>(in).count(), parts) * (gaps[in] - gaps[in | std::size_t{1} << part]);
       }
     }
-    diagnosis.shares.push_back({part == 0 ? "values" : diagnosis.effects[part - 1],
-                                removed / std::max(diagnosis.gap.as_configured, std::numeric_limits<double>::min())});
+    shares.push_back({part == 0 ? "values" : effects[part - 1],
+                      removed / std::max(gap.as_configured, std::numeric_limits<double>::min())});
   }
+  return shares;
 }
 
-io::ComponentDescription withSome(const Diagnosis& diagnosis, const std::vector<bool>& in) {
-  io::ComponentDescription result = in[0] ? diagnosis.augmented : diagnosis.configured;
-  const auto& all = diagnosis.augmented.add;
-  const auto configured = static_cast<std::ptrdiff_t>(all.size() - diagnosis.added_for.size());
-  result.add.assign((in[0] ? all : diagnosis.configured.add).begin(),
-                    (in[0] ? all : diagnosis.configured.add).begin() + configured);
-  for (std::size_t i = 0; i < diagnosis.added_for.size(); ++i) {
-    const auto effect = std::find(diagnosis.effects.begin(), diagnosis.effects.end(), diagnosis.added_for[i]);
-    if (effect != diagnosis.effects.end() && in[1 + static_cast<std::size_t>(effect - diagnosis.effects.begin())]) {
-      result.add.push_back(all[static_cast<std::size_t>(configured) + i]);
+io::ComponentDescription withSome(const io::ComponentDescription& configured, const WrittenLaw& law,
+                                  const std::vector<std::string>& effects, const std::vector<bool>& in) {
+  io::ComponentDescription result = in[0] ? law.augmented : configured;
+  const auto& all = law.augmented.add;
+  const auto own = static_cast<std::ptrdiff_t>(all.size() - law.added_for.size());
+  result.add.assign((in[0] ? all : configured.add).begin(), (in[0] ? all : configured.add).begin() + own);
+  for (std::size_t i = 0; i < law.added_for.size(); ++i) {
+    const auto effect = std::find(effects.begin(), effects.end(), law.added_for[i]);
+    if (effect != effects.end() && in[1 + static_cast<std::size_t>(effect - effects.begin())]) {
+      result.add.push_back(all[static_cast<std::size_t>(own) + i]);
     }
   }
   return result;
 }
 
-void addDepartures(const fit::ModelParameters& model, const Eigen::VectorXd& judged, Diagnosis& diagnosis) {
+OwnParameters ownParameters(const fit::ModelParameters& model, const Eigen::VectorXd& re_estimated,
+                            const Eigen::VectorXd& judged) {
   constexpr double kAtBound = 1e-6;
+  OwnParameters own;
+  own.ratios = model.ratios(re_estimated);
+  own.guess = model.isGuess();
   const Eigen::VectorXd departures = model.departures(judged);
   for (std::size_t i = 0; i < model.known().size(); ++i) {
     if (model.known()[i].of_sheet) {
-      diagnosis.sheet_deviations.push_back({model.known()[i].name, departures[static_cast<Eigen::Index>(i)]});
+      own.sheet_deviations.push_back({model.known()[i].name, departures[static_cast<Eigen::Index>(i)]});
     }
   }
-  std::stable_sort(diagnosis.sheet_deviations.begin(), diagnosis.sheet_deviations.end(),
+  std::stable_sort(own.sheet_deviations.begin(), own.sheet_deviations.end(),
                    [](const auto& a, const auto& b) { return std::abs(a.tolerances) > std::abs(b.tolerances); });
   for (Eigen::Index i = 0; i < model.size(); ++i) {
     if (model.bounds()[i] - std::abs(judged[i]) < kAtBound) {
-      diagnosis.at_bounds.push_back(model.names()[static_cast<std::size_t>(i)]);
+      own.at_bounds.push_back(model.names()[static_cast<std::size_t>(i)]);
     }
   }
+  return own;
 }
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -7,30 +7,41 @@
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/judge/answer.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Sets verdict and effects, the sets that cannot be told apart, the alternatives and the posterior of a diagnosis.
-void addAnswer(const judge::Answer& answer, const judge::Evidence& evidence, Diagnosis& diagnosis);
+/// The answer with the names of effects.
+Answered answered(const judge::Answer& answer, const judge::Evidence& evidence);
 
-/// Sets the gap, of which noise is no more than what any of the models leaves, and the fraction of it that the answer
-/// closes, with its interval on further logs; and each effect alone, which leaves these errors, the likeliest first.
-/// `evidence`: with the errors of what is written. The gap of the full law is known.
-void addGap(const Gap& gap, const std::vector<std::vector<gap::PartError>>& alone, const judge::Evidence& evidence,
-            const Workings& workings, const DiagnosisOptions& options, Diagnosis& diagnosis);
+/// What is left of the logs: by the models, by the law that was judged, and with each effect alone.
+struct Left {
+  Gap gap;
+  double full_law = 0.0;      ///< gap
+  std::vector<double> alone;  ///< gaps, by candidate
+  judge::Evidence evidence;   ///< with the errors of what is written
+};
+
+/// The gap, of which noise is no more than what any of the models leaves, and the fraction of it that the answer
+/// closes, with its interval on further logs.
+Gaps gapsOf(const Left& left, const Workings& workings, const DiagnosisOptions& options);
+
+/// Each effect alone, the likeliest first.
+std::vector<CandidateResult> candidateResults(const Left& left, const Gaps& gaps, const Workings& workings,
+                                              const DiagnosisOptions& options);
 
 /// The gap with some of what an answer changes: first whether its values are in, then each of its effects.
 using GapWith = std::function<double(const std::vector<bool>& in)>;
 
-/// Sets what values and each effect remove of the gap as configured, and the gap of the values alone; verdict, effects
-/// and gap are known.
-void addShares(const GapWith& gap_with, int threads, Diagnosis& diagnosis);
+/// What values and each effect remove of the gap as configured.
+std::vector<GapShare> sharesOf(const std::vector<std::string>& effects, const Gap& gap, const GapWith& gap_with,
+                               int threads);
 
-/// The component with some of what the augmented one changes.
-io::ComponentDescription withSome(const Diagnosis& diagnosis, const std::vector<bool>& in);
+/// A component with some of what the augmented one changes, which has these effects.
+io::ComponentDescription withSome(const io::ComponentDescription& configured, const WrittenLaw& law,
+                                  const std::vector<std::string>& effects, const std::vector<bool>& in);
 
-/// Sets how far a judged model is from the data sheet, and which of its parameters are at a bound.
-void addDepartures(const fit::ModelParameters& model, const Eigen::VectorXd& judged, Diagnosis& diagnosis);
+/// How far a model that was fitted, and one that was judged, are from the data sheet.
+OwnParameters ownParameters(const fit::ModelParameters& model, const Eigen::VectorXd& re_estimated,
+                            const Eigen::VectorXd& judged);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
-#include <limits>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "diagnosis/hypotheses/fitted_component.h"
@@ -32,42 +32,60 @@ constexpr double kHidesTheRig = 0.1;  // of the force: a rest in which what rigs
 
 class Describer {
  public:
-  Describer(const hypotheses::PreparedCase& prepared, std::shared_ptr<Workings> workings,
+  Describer(const hypotheses::PreparedCase& prepared, Workings workings,
             const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
-            std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options)
+            const DiagnosisOptions& options)
       : prepared_(prepared),
         recorded_(recorded),
         raw_(raw),
         options_(options),
         workings_(std::move(workings)),
-        search_(workings_->search),
-        answer_(workings_->answer),
-        judged_(search_.at(answer_.model)) {
-    result_.rig_findings = std::move(findings);
+        search_(workings_.search),
+        answer_(workings_.answer),
+        judged_(search_.at(answer_.model)),
+        re_estimated_(prepared_.model.apply(search_.re_estimated.fit.parameters.model)),
+        before_(replayed(prepared_.fitter, fullLaw(search_.re_estimated), re_estimated_.allElements(), held_out_)),
+        written_(writtenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_.unseen()), options_)),
+        law_(written_.law),
+        floors_(floorsOfUnseen()) {
+    workings_.simulated = simulateAll();
   }
 
-  Diagnosis run() {
-    result_.component = prepared_.component.name;
-    result_.configured = prepared_.component;
-    result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
-    before_ = replayed(prepared_.fitter, fullLaw(search_.re_estimated), result_.re_estimated.allElements(), held_out_);
-    written_ =
-        addWrittenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_.unseen()), options_, result_);
-    simulateAll();
-    measureGap();
-    mapGap();
-    describeRig();
-    describeLogs();
-    accountForTheRig();
-    describeParameters();
-    describeAnswer();
-    describeSurrogate();
-    measureRecorded();
-    result_.workings = std::move(workings_);
-    return std::move(result_);
+  Diagnosis run(std::vector<measurement::RigFinding> findings) {
+    const Left left = leftOfLogs();
+    Diagnosis result;
+    result.component = prepared_.component.name;
+    result.configured = prepared_.component;
+    result.re_estimated = re_estimated_;
+    result.answer = answered(answer_, workings_.evidence);
+    result.gaps = gapsOf(left, workings_, options_);
+    const Gap& gap = result.gaps.unseen;
+    result.candidates = candidateResults(left, result.gaps, workings_, options_);
+    result.shares = sharesOf(
+        result.answer.effects, gap, [&](const auto& in) { return gapWith(result.answer.effects, in); },
+        options_.threads);
+    result.where = where();
+    result.rig_findings = std::move(findings);
+    const std::vector<measurement::RigFinding> of_rig = leavesMoreThanItExplains(gap) ? Findings() : findingsOfRig();
+    result.rig_findings.insert(result.rig_findings.end(), of_rig.begin(), of_rig.end());
+    result.logs = admittedLogs();
+    result.parameters =
+        ownParameters(prepared_.model, search_.re_estimated.fit.parameters.model, judged_.fit.parameters.model);
+    result.whole = wholeStiffness(prepared_.component, law_.augmented, prepared_.training);
+    result.surrogate = leavesRest(answer_.verdict) ? std::optional(surrogateOf(gap.noise_floor)) : std::nullopt;
+    const std::vector<double> recorded = gapsAsRecorded(result.surrogate);
+    result.gap_as_recorded = {recorded[0], recorded[1], recorded[2]};
+    if (result.surrogate) {
+      result.surrogate->gap = recorded[3];
+    }
+    result.law = std::move(written_.law);
+    result.workings = std::make_shared<const Workings>(std::move(workings_));
+    return result;
   }
 
  private:
+  using Findings = std::vector<measurement::RigFinding>;
+
   bool hasUnseenLogs() const { return !prepared_.held_out.empty(); }
 
   // The logs of the fit, then those held out.
@@ -79,78 +97,88 @@ class Describer {
     return forces;
   }
 
-  void simulateAll() {
-    Workings& w = *workings_;
-    w.records = prepared_.training;
-    w.records.insert(w.records.end(), prepared_.held_out.begin(), prepared_.held_out.end());
-    w.training = prepared_.training.size();
+  Simulated simulateAll() const {
+    Simulated simulated;
+    simulated.records = prepared_.training;
+    simulated.records.insert(simulated.records.end(), prepared_.held_out.begin(), prepared_.held_out.end());
+    simulated.training = prepared_.training.size();
     const std::array<std::pair<const io::ComponentDescription*, gap::Forces*>, 3> models = {
-        {{&prepared_.component, &w.force_configured},
-         {&result_.re_estimated, &w.force_re_estimated},
-         {&result_.augmented, &w.force_augmented}}};
+        {{&prepared_.component, &simulated.configured},
+         {&re_estimated_, &simulated.re_estimated},
+         {&law_.augmented, &simulated.augmented}}};
     fit::parallelFor(models.size(), options_.threads,
                      [&](std::size_t i) { *models[i].second = simulate(*models[i].first); });
+    return simulated;
   }
 
-  // The forces of the logs that took no part in the fit.
-  gap::Forces unseen(const gap::Forces& forces) const {
-    return {forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size()), forces.end()};
+  gap::Forces ofTraining(const gap::Forces& forces) const {
+    return {forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size())};
   }
 
-  // Errors with each effect alone, on the data that the gap is of.
-  std::vector<std::vector<gap::PartError>> errorsAlone() const {
-    std::vector<std::vector<gap::PartError>> errors(search_.singles.size());
-    fit::parallelFor(errors.size(), options_.threads, [&](std::size_t c) {
+  // The logs that gaps are of, and forces on these.
+  const std::vector<log::Record>& recordsOfGap() const {
+    return hasUnseenLogs() ? prepared_.held_out : prepared_.training;
+  }
+  gap::Forces ofGap(const gap::Forces& forces) const {
+    return hasUnseenLogs()
+               ? gap::Forces(forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size()), forces.end())
+               : forces;
+  }
+
+  // Gaps with each effect alone, on the data that the gap is of.
+  std::vector<double> gapsAlone() const {
+    std::vector<double> gaps(search_.singles.size());
+    fit::parallelFor(gaps.size(), options_.threads, [&](std::size_t c) {
       FittedLaw alone = fullLaw(search_.singles[c]);
       if (hasUnseenLogs() && &search_.singles[c] != &judged_) {
         // Where it is not named, a drift or a gain is what a simulation predicts of it: what is free in a log would
         // take slow noise, or a law's error, with it.
         alone.law.about.free_in_log = {};
       }
-      errors[c] = unseenErrors(prepared_.fitter, alone, elementsOf(prepared_.model, alone), held_out_);
+      gaps[c] = gap::gapOfParts(unseenErrors(prepared_.fitter, alone, elementsOf(prepared_.model, alone), held_out_));
     });
-    return errors;
-  }
-
-  double gapAsConfigured() const {
-    const gap::Forces& forces = workings_->force_configured;
-    return gap::gapOfParts(hasUnseenLogs() ? gap::partErrors(prepared_.held_out, unseen(forces))
-                                           : gap::partErrors(prepared_.training, forces));
+    return gaps;
   }
 
   // The errors of the component that is written, and of the re-estimated one, as `replay` has them.
   judge::Evidence evidenceOfTheFile() const {
-    judge::Evidence evidence = workings_->evidence;
+    judge::Evidence evidence = workings_.evidence;
     const auto set = [&](int hypothesis, const Replayed& errors) {
+      const auto byLog = [](const std::vector<gap::PartError>& parts, const std::vector<log::Record>& logs) {
+        return hypotheses::errorsByLog(parts, std::vector<double>(logs.size(), 0.0));
+      };
       std::vector<double>& by_log = evidence.hypotheses[static_cast<std::size_t>(hypothesis)].log_errors;
-      by_log = errorsByLog(errors.of_the_fit, prepared_.training.size());
-      const std::vector<double> of_held_out = errorsByLog(errors.held_out, prepared_.held_out.size());
+      by_log = byLog(errors.of_the_fit, prepared_.training);
+      const std::vector<double> of_held_out = byLog(errors.held_out, prepared_.held_out);
       by_log.insert(by_log.end(), of_held_out.begin(), of_held_out.end());
     };
     set(judge::Evidence::kReEstimated, before_);
-    set(answer_.model, written_);
+    set(answer_.model, written_.errors);
     return evidence;
   }
 
-  void measureGap() {
-    noise_ = search_.record_noise;
-    result_.noise_source = search_.noise_source;
-    Gap gap = {gapAsConfigured(), gap::gapOfParts(before_.unseen()), gap::gapOfParts(written_.unseen()), search_.noise};
-    if (hasUnseenLogs()) {
-      const std::vector<double> floors =
-          hypotheses::noiseFloors(result_.augmented_full.allElements(), hypotheses::freeOfNoise(judged_.hypothesis),
-                                  hypotheses::predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
-                                  measurement::noiseLimit(search_.record_noise, prepared_.training));
-      noise_.insert(noise_.end(), floors.begin(), floors.end());
-      gap.noise_floor = hypotheses::commonFloor(floors, prepared_.held_out);
-    }
-    addGap(gap, errorsAlone(), evidenceOfTheFile(), *workings_, options_, result_);
+  // Noise floor of each log held out.
+  std::vector<double> floorsOfUnseen() const {
+    return hasUnseenLogs() ? hypotheses::noiseFloors(
+                                 law_.full.allElements(), hypotheses::freeOfNoise(judged_.hypothesis),
+                                 hypotheses::predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
+                                 measurement::noiseLimit(search_.noise.of_logs, prepared_.training))
+                           : std::vector<double>();
+  }
+
+  Left leftOfLogs() const {
+    const double configured = gap::gapOfParts(gap::partErrors(recordsOfGap(), ofGap(workings_.simulated.configured)));
+    const double floor = hasUnseenLogs() ? hypotheses::commonFloor(floors_, prepared_.held_out) : search_.noise.floor;
+    return {{configured, gap::gapOfParts(before_.unseen()), gap::gapOfParts(written_.errors.unseen()), floor},
+            law_.gap_of_full,
+            gapsAlone(),
+            evidenceOfTheFile()};
   }
 
   // With some of the values and effects. In sample where there are no unseen logs.
-  double gapWith(const std::vector<bool>& in) const {
-    const auto elements = withSome(result_, in).allElements();
-    const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
+  double gapWith(const std::vector<std::string>& effects, const std::vector<bool>& in) const {
+    const auto elements = withSome(prepared_.component, law_, effects, in).allElements();
+    const std::vector<log::Record>& records = recordsOfGap();
     fit::Hypothesis freed;  // what the effects that are in have free in each log
     bool has_friction = false;
     for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
@@ -168,137 +196,115 @@ class Describer {
         hasUnseenLogs() ? gap::simulateEach(elements, records) : gap::simulate(elements, records, gap::asRecorded)));
   }
 
-  // Gaps of the whole logs with all that the rig did to them.
-  void measureRecorded() {
-    std::vector<std::vector<element::ElementDescription>> models;
-    for (const auto& description : {prepared_.component, result_.re_estimated, result_.augmented}) {
-      models.push_back(description.allElements());
-    }
-    if (result_.surrogate) {
-      models.push_back(result_.surrogate->component.allElements());
+  // Gaps of the whole logs with all that the rig did to them: as configured, re-estimated, augmented, with a surrogate.
+  std::vector<double> gapsAsRecorded(const std::optional<Surrogate>& surrogate) const {
+    std::vector<std::vector<element::ElementDescription>> models = {
+        prepared_.component.allElements(), re_estimated_.allElements(), law_.augmented.allElements()};
+    if (surrogate) {
+      models.push_back(surrogate->component.allElements());
     }
     const Recorded recorded = hasUnseenLogs() ? Recorded::each_on_a_new_one : Recorded::on_one_component;
-    const std::vector<double> gaps = recordedGaps(models, recorded_, recorded, options_.threads);
-    result_.gap_as_recorded = {gaps[0], gaps[1], gaps[2]};
-    if (result_.surrogate) {
-      result_.surrogate->gap = gaps[3];
-    }
+    return recordedGaps(models, recorded_, recorded, options_.threads);
   }
 
-  // Errors over frequency, amplitude and time, on the logs that the gap is of; where the configured model is wrong.
-  void mapGap() {
-    const Workings& w = *workings_;
-    const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
-    const auto of = [&](const gap::Forces& forces) { return hasUnseenLogs() ? unseen(forces) : forces; };
-    const auto mapOf = [&](const gap::Forces& forces) {
-      gap::Forces residual;
-      for (std::size_t r = 0; r < prepared_.training.size(); ++r) {
-        const log::Record& record = prepared_.training[r];
-        residual.push_back(record.withoutRig(record.force - forces[r]));
-      }
-      return gap::gapMap(prepared_.training, residual, search_.record_noise);
-    };
+  std::vector<gap::GapCell> mapOf(const gap::Forces& forces) const {
+    gap::Forces residual;
+    for (std::size_t r = 0; r < prepared_.training.size(); ++r) {
+      const log::Record& record = prepared_.training[r];
+      residual.push_back(record.withoutRig(record.force - forces[r]));
+    }
+    return gap::gapMap(prepared_.training, residual, search_.noise.of_logs);
+  }
+
+  // Errors over frequency, amplitude and time, on the logs that the gap is of; where the models are wrong.
+  Where where() const {
+    const Simulated& s = workings_.simulated;
+    Where where;
     const std::array<std::function<void()>, 4> tasks = {
-        [&] { result_.errors_re_estimated = characteristicErrors(records, of(w.force_re_estimated)); },
-        [&] { result_.errors_augmented = characteristicErrors(records, of(w.force_augmented)); },
-        [&] { result_.where = mapOf(w.force_configured); }, [&] { result_.where_after = mapOf(w.force_augmented); }};
+        [&] { where.re_estimated = characteristicErrors(recordsOfGap(), ofGap(s.re_estimated)); },
+        [&] { where.augmented = characteristicErrors(recordsOfGap(), ofGap(s.augmented)); },
+        [&] { where.before = mapOf(s.configured); }, [&] { where.after = mapOf(s.augmented); }};
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
+    return where;
   }
 
-  // Faults of the rig in each log, by what the judged model and the next likely one leave of it; of a model that leaves
-  // more than it explains it is the model's.
-  void describeRig() {
-    if (leavesMoreThanItExplains()) {
-      return;
-    }
+  // Faults of the rig in each log, by what the judged model and the next likely one leave of it.
+  Findings findingsOfRig() const {
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
-    const auto elements = result_.augmented_full.allElements();
+    const auto elements = law_.full.allElements();
     const auto rival =
         hypotheses::augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
+    Findings findings;
     for (const bool held_out : {false, true}) {
       const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
                                      held_out ? prepared_.zeros.held_out : prepared_.zeros.training,
                                      judged_.hypothesis.free_in_log, options_.threads);
-      result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
+      findings.insert(findings.end(), found.begin(), found.end());
     }
+    return findings;
   }
 
-  bool leavesMoreThanItExplains() const {
-    const auto squared = [](double gap) { return gap * gap; };
-    const double left = squared(result_.gap.augmented) - squared(result_.gap.noise_floor);
-    const double noise = std::max(kHidesTheRig, result_.gap.noise_floor);
-    return left > squared(result_.gap.as_configured) - squared(result_.gap.augmented) && left > squared(noise);
+  // Then it is the model's, and no fault of the rig.
+  static bool leavesMoreThanItExplains(const Gap& gap) {
+    const auto squared = [](double value) { return value * value; };
+    const double left = squared(gap.augmented) - squared(gap.noise_floor);
+    const double noise = std::max(kHidesTheRig, gap.noise_floor);
+    return left > squared(gap.as_configured) - squared(gap.augmented) && left > squared(noise);
   }
 
-  void describeLogs() {
-    result_.admission.resize(noise_.size());
-    fit::parallelFor(noise_.size(), options_.threads, [&](std::size_t r) {
-      const Workings& w = *workings_;
-      result_.admission[r] = admit(w.records[r], r >= prepared_.training.size(), noise_[r]);
-      result_.admission[r].rating = {gap::rateIso18571(w.records[r].force, w.force_configured[r]),
-                                     gap::rateIso18571(w.records[r].force, w.force_augmented[r])};
-    });
-  }
-
-  void accountForTheRig() {
+  AdmittedLogs admittedLogs() const {
     const std::vector<LogAccount> accounts =
-        accountsOf(result_.augmented.allElements(), prepared_.training, prepared_.held_out, raw_,
+        accountsOf(law_.augmented.allElements(), prepared_.training, prepared_.held_out, raw_,
                    judged_.hypothesis.free_in_log, prepared_.zeros);
-    for (std::size_t r = 0; r < accounts.size(); ++r) {
-      result_.admission[r].recorded = std::sqrt(accounts[r].recorded());
-      result_.admission[r].left = std::sqrt(accounts[r].left());
-      const std::vector<TakenOut> entries = accounts[r].entries();
-      result_.taken_out.insert(result_.taken_out.end(), entries.begin(), entries.end());
+    const std::size_t training = prepared_.training.size();
+    AdmittedLogs logs;
+    logs.admission.resize(accounts.size());
+    fit::parallelFor(accounts.size(), options_.threads, [&](std::size_t r) {
+      const double noise = r < training ? search_.noise.of_logs[r] : floors_[r - training];
+      const Simulated& s = workings_.simulated;
+      logs.admission[r] = admit(s.records[r], r >= training, noise, accounts[r]);
+      logs.admission[r].rating = {gap::rateIso18571(s.records[r].force, s.configured[r]),
+                                  gap::rateIso18571(s.records[r].force, s.augmented[r])};
+    });
+    for (const LogAccount& account : accounts) {
+      const std::vector<TakenOut> entries = account.entries();
+      logs.taken_out.insert(logs.taken_out.end(), entries.begin(), entries.end());
     }
-  }
-
-  void describeParameters() {
-    result_.parameter_ratios = prepared_.model.ratios(search_.re_estimated.fit.parameters.model);
-    result_.guess = search_.guess;
-    addDepartures(prepared_.model, judged_.fit.parameters.model, result_);
-    result_.whole = wholeStiffness(prepared_.component, result_.augmented, prepared_.training);
-  }
-
-  void describeAnswer() {
-    addAnswer(answer_, workings_->evidence, result_);
-    addShares([&](const std::vector<bool>& in) { return gapWith(in); }, options_.threads, result_);
+    return logs;
   }
 
   // A gap that no effect explains is closed all the same.
-  void describeSurrogate() {
-    if (!leavesRest(answer_.verdict)) {
-      return;
-    }
-    Workings& w = *workings_;
-    const gap::Forces of_training(w.force_augmented.begin(),
-                                  w.force_augmented.begin() + static_cast<std::ptrdiff_t>(w.training));
-    Surrogate surrogate = fitSurrogate(result_.augmented, {prepared_.training, of_training, prepared_.held_out},
-                                       result_.gap.noise_floor, options_.threads);
-    surrogate.missing = missingForce(w.records, w.force_augmented, simulate(surrogate.component));
-    result_.surrogate = std::move(surrogate);
+  Surrogate surrogateOf(double noise_floor) const {
+    const Simulated& s = workings_.simulated;
+    Surrogate surrogate =
+        fitSurrogate(law_.augmented, {prepared_.training, ofTraining(s.augmented), prepared_.held_out}, noise_floor,
+                     options_.threads);
+    surrogate.missing = missingForce(s.records, s.augmented, simulate(surrogate.component));
+    return surrogate;
   }
 
   const hypotheses::PreparedCase& prepared_;
   const std::vector<prepare::LogSurvey>& recorded_;
   const std::vector<prepare::RawChannels>& raw_;
   const DiagnosisOptions& options_;
-  std::shared_ptr<Workings> workings_;
+  Workings workings_;
   const hypotheses::Search& search_;
   const judge::Answer& answer_;
   const hypotheses::FittedHypothesis& judged_;
-  std::vector<double> noise_;  // floor of each record
   const HeldOut held_out_{prepared_.held_out, prepared_.zeros.held_out};
-  Replayed before_;
-  Replayed written_;
-  Diagnosis result_;
+  const io::ComponentDescription re_estimated_;
+  const Replayed before_;
+  MeasuredLaw written_;
+  const WrittenLaw& law_;
+  const std::vector<double> floors_;
 };
 
 }  // namespace
 
-Diagnosis describe(const hypotheses::PreparedCase& prepared, std::shared_ptr<Workings> workings,
+Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings workings,
                    const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options) {
-  return Describer(prepared, std::move(workings), recorded, raw, std::move(findings), options).run();
+  return Describer(prepared, std::move(workings), recorded, raw, options).run(std::move(findings));
 }
 
 }  // namespace rubber_suspension::diagnosis::results

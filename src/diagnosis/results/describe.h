@@ -2,8 +2,6 @@
 // once.
 #pragma once
 
-#include <memory>
-
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/prepare/log_survey.h"
 #include "diagnosis/results/taken_out.h"
@@ -11,10 +9,10 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Fills in the records and forces of the workings, which have search and judgement. `recorded`: the logs that the gaps
-/// are of with all that the rig did to them; `raw`: of each record; `findings`: what single samples of the logs
-/// told.
-Diagnosis describe(const hypotheses::PreparedCase& prepared, std::shared_ptr<Workings> workings,
+/// The numbers of a search and its judgement; words and the next experiment are still to be found. `recorded`: the logs
+/// that the gaps are of with all that the rig did to them; `raw`: of each record; `findings`: what single samples of
+/// the logs told.
+Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings workings,
                    const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options);
 

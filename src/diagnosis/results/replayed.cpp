@@ -24,14 +24,15 @@ std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const Fitt
   const std::vector<log::Record>& records = fitter.records();
   const fit::Hypothesis hypothesis = fitted.law.hypothesis();
   // Zeros of the displacement are those of the component that is replayed.
-  const std::vector<double> replay =
-      errorsByLog(hypotheses::unseenErrors(hypothesis, elements, gap::simulate(elements, records, gap::asRecorded),
-                                           records, fitter.zeros()),
-                  records.size());
+  const std::vector<double> none(records.size(), 0.0);
+  const std::vector<double> replay = hypotheses::errorsByLog(
+      hypotheses::unseenErrors(hypothesis, elements, gap::simulate(elements, records, gap::asRecorded), records,
+                               fitter.zeros()),
+      none);
   const gap::Forces fit = *LawForces(fitter.sharedRecords(), fitter.model(), fitted.law).at(fitted.fit.parameters);
-  const std::vector<double> of_fit = errorsByLog(hypotheses::partErrorsOf(hypothesis, records, fit), records.size());
+  const std::vector<double> of_fit = hypotheses::errorsByLog(hypotheses::partErrorsOf(hypothesis, records, fit), none);
   std::vector<gap::PartError> blocks = fitted.fit.blocks;
-  const std::vector<double> unseen = errorsByLog(blocks, records.size());
+  const std::vector<double> unseen = hypotheses::errorsByLog(blocks, none);
   for (gap::PartError& block : blocks) {
     const auto log = static_cast<std::size_t>(block.log);
     const double error = block.error + replay[log] - std::min(of_fit[log], unseen[log]);
@@ -61,19 +62,6 @@ std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const Fitted
                                          const HeldOut& held_out) {
   return held_out.records.empty() ? errorsOfTheFit(fitter, fitted, elements)
                                   : heldOutErrors(fitted.law.hypothesis(), elements, held_out);
-}
-
-std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::size_t logs) {
-  std::vector<double> sum(logs, 0.0);
-  std::vector<double> weight(logs, 0.0);
-  for (const gap::PartError& part : parts) {
-    sum[static_cast<std::size_t>(part.log)] += part.weight * part.error;
-    weight[static_cast<std::size_t>(part.log)] += part.weight;
-  }
-  for (std::size_t log = 0; log < logs; ++log) {
-    sum[log] = weight[log] > 0.0 ? sum[log] / weight[log] : 0.0;
-  }
-  return sum;
 }
 
 }  // namespace rubber_suspension::diagnosis::results

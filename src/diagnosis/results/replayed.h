@@ -36,7 +36,4 @@ Replayed replayed(const fit::Fitter& fitter, const FittedLaw& fitted, const Entr
 std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
                                          const HeldOut& held_out);
 
-/// The mean error of each of so many logs.
-std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::size_t logs);
-
 }  // namespace rubber_suspension::diagnosis::results

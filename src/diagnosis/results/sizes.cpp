@@ -21,13 +21,6 @@ using Key = std::pair<std::string, std::string>;  // owner and name
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// The sizes of one parameter vector.
-struct Sizes {
-  std::vector<SizedValue> model;
-  std::vector<SizedValue> effects;
-  std::vector<SizedValue> written;
-};
-
 std::string unitOf(const std::vector<element::ParameterInfo>& table, const std::string& name) {
   const element::ParameterInfo* const info = element::findParameter(table, name);
   return info == nullptr ? "1" : info->unit;
@@ -282,16 +275,13 @@ class Resampling {
 
 }  // namespace
 
-void addSizes(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
-              const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options, Diagnosis& diagnosis) {
+Sizes sizesOf(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
+              const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options) {
   Resampling first(laws.front(), form_error, candidates, options);
   for (std::size_t l = 1; l < laws.size(); ++l) {
     first.add(Resampling(laws[l], form_error, candidates, options));
   }
-  Sizes sizes = first.sizes();
-  diagnosis.model_sizes = std::move(sizes.model);
-  diagnosis.effect_sizes = std::move(sizes.effects);
-  diagnosis.written = std::move(sizes.written);
+  return first.sizes();
 }
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -15,13 +15,19 @@ struct SizedLaw {
   FittedLaw fitted;
 };
 
-/// Sets the sizes of the first of several laws in a diagnosis, between which no gap decides: those of the model,
-/// headline numbers of each member of the law in their order, and every number of its component by its place there
-/// (io::numberPlace). Intervals are percentiles over resampled blocks of the logs: each resample moves the fit by one
-/// step of its own normal equations, within the bounds of the fit, what is known of the model beforehand by its own
-/// deviations, and the numbers of each member by what its form error may be mistaken for. Those of the model and of
-/// headline numbers are over all laws that have them, alike; a number of one element is the total of a law of several.
-void addSizes(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
-              const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options, Diagnosis& diagnosis);
+/// Numbers of a law.
+struct Sizes {
+  std::vector<SizedValue> model;    ///< its own parameters
+  std::vector<SizedValue> effects;  ///< headline numbers of each member in their order
+  std::vector<SizedValue> written;  ///< every number of its component by its place there (io::numberPlace)
+};
+
+/// The sizes of the first of several laws, between which no gap decides. Intervals are percentiles over resampled
+/// blocks of the logs: each resample moves the fit by one step of its own normal equations, within the bounds of the
+/// fit, what is known of the model beforehand by its own deviations, and the numbers of each member by what its form
+/// error may be mistaken for. Those of the model and of headline numbers are over all laws that have them, alike; a
+/// number of one element is the total of a law of several.
+Sizes sizesOf(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
+              const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis::results

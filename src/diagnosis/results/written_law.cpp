@@ -69,9 +69,8 @@ std::vector<std::string> ownersOf(const FittedLaw& fitted, const std::vector<fit
 
 }  // namespace
 
-Replayed addWrittenLaw(const hypotheses::PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
-                       const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options,
-                       Diagnosis& diagnosis) {
+MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
+                       const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options) {
   const HeldOut held_out{prepared.held_out, prepared.zeros.held_out};
   const SimplestLaw chosen = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
   const FittedLaw& simple = chosen.fitted;
@@ -83,15 +82,14 @@ Replayed addWrittenLaw(const hypotheses::PreparedCase& prepared, const std::vect
   };
   addLaw(simple);
   std::for_each(chosen.others.begin(), chosen.others.end(), addLaw);
-  addSizes(laws, chosen.form_error, candidates, options, diagnosis);
-  diagnosis.added_for = ownersOf(simple, candidates);
-  diagnosis.augmented_full = componentOf(prepared, full);
-  diagnosis.gap_of_full_law =
-      gap::gapOfParts(unseenErrors(prepared.fitter, full, diagnosis.augmented_full.allElements(), held_out));
-  Rounded result = roundTo(componentOf(prepared, simple), prepared.training, diagnosis.written);
-  diagnosis.augmented = std::move(result.component);
-  diagnosis.written = std::move(result.written);
-  return replayed(prepared.fitter, simple, diagnosis.augmented.allElements(), held_out);
+  Sizes sizes = sizesOf(laws, chosen.form_error, candidates, options);
+  Rounded rounded = roundTo(componentOf(prepared, simple), prepared.training, sizes.written);
+  Replayed errors = replayed(prepared.fitter, simple, rounded.component.allElements(), held_out);
+  io::ComponentDescription of_full = componentOf(prepared, full);
+  const double gap_of_full = gap::gapOfParts(unseenErrors(prepared.fitter, full, of_full.allElements(), held_out));
+  return {{std::move(rounded.component), std::move(of_full), gap_of_full, ownersOf(simple, candidates),
+           std::move(rounded.written), std::move(sizes.model), std::move(sizes.effects)},
+          std::move(errors)};
 }
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -9,10 +9,14 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Sets the component that a diagnosis writes, the full law of the hypothesis that was judged, their sizes and the gap
-/// of the full law; returns the errors of that component. `before`: gap of the re-estimated model.
-Replayed addWrittenLaw(const hypotheses::PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
-                       const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options,
-                       Diagnosis& diagnosis);
+/// The component of a hypothesis that was judged, as it is written, and the errors of that component.
+struct MeasuredLaw {
+  WrittenLaw law;
+  Replayed errors;
+};
+
+/// `before`: gap of the re-estimated model.
+MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
+                       const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "diagnosis/experiment/confusion.h"
@@ -18,6 +17,7 @@
 #include "diagnosis/results/sizes.h"
 #include "diagnosis/words/sentence.h"
 #include "diagnosis/words/text.h"
+#include "element/each.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/response/sweep.h"
 
@@ -105,8 +105,7 @@ Difference largestDifference(const std::vector<fit::TablePoint>& menu, const Mea
 }
 
 std::string recordALog() {
-  std::vector<std::string> names;
-  std::transform(neverShownByTables().begin(), neverShownByTables().end(), std::back_inserter(names), words::spoken);
+  const std::vector<std::string> names = element::each(neverShownByTables(), words::spoken);
   return "Record a log: it also shows " + words::enumerated(names) + ", which no table does.";
 }
 
@@ -128,13 +127,13 @@ std::string nextRow(const MeasuredRows& measured, const Workings& workings) {
       continue;
     }
     const Difference best = largestDifference(menu, measured, explanations);
-    if (best.size >= kLeastFloors * search.noise) {
+    if (best.size >= kLeastFloors * search.noise.floor) {
       return fmt::format(
           "Measure a row at {:.3g} Hz and {}{}: {} and {} differ there by {} of K*, {:.1f} times the noise floor.",
           best.row.frequency, words::quantity(best.row.amplitude, "m"),
           beyond > 1.0 ? ", beyond what the table covers" : "", names,
           experiment::nameOf(search, *explanations[best.rival].fitted), words::percent(best.size),
-          best.size / search.noise);
+          best.size / search.noise.floor);
     }
   }
   return fmt::format("No row up to twice the range of the table tells {} from {}. {}", names,
@@ -160,7 +159,8 @@ CharacteristicErrors errorsOf(const std::vector<fit::TablePoint>& points, const 
 class TableDescriber {
  public:
   TableDescriber(const io::ComponentDescription& component, const fit::MeasuredTable& table,
-                 const MeasuredRows& measured, std::shared_ptr<Workings> workings, const DiagnosisOptions& options)
+                 const MeasuredRows& measured, std::shared_ptr<const Workings> workings,
+                 const DiagnosisOptions& options)
       : component_(component),
         table_(table),
         measured_(measured),
@@ -168,21 +168,37 @@ class TableDescriber {
         workings_(std::move(workings)),
         search_(workings_->search),
         answer_(workings_->answer),
-        judged_(search_.at(answer_.model)) {}
+        judged_(search_.at(answer_.model)),
+        re_estimated_(measured_.model().apply(search_.re_estimated.fit.parameters.model)),
+        augmented_(hypotheses::augmentedDescription(measured_.model(), judged_)),
+        rows_(rows()) {}
 
   Diagnosis run() {
-    result_.component = component_.name;
-    result_.configured = component_;
-    result_.re_estimated = measured_.model().apply(search_.re_estimated.fit.parameters.model);
-    result_.augmented = hypotheses::augmentedDescription(measured_.model(), judged_);
-    result_.augmented_full = result_.augmented;
-    describeRows();
-    measureGap();
-    mapGap();
-    describeParameters();
-    describeAnswer();
-    result_.workings = std::move(workings_);
-    return std::move(result_);
+    Diagnosis result;
+    result.component = component_.name;
+    result.configured = component_;
+    result.re_estimated = re_estimated_;
+    result.law = law();
+    result.table = DiagnosedTable{table_.name, rows_, neverShownByTables(), table_.notes};
+    result.gap_as_recorded = {fit::gapOfTable(table_.points, of(&DiagnosedRow::as_configured)),
+                              fit::gapOfTable(table_.points, of(&DiagnosedRow::re_estimated)),
+                              fit::gapOfTable(table_.points, of(&DiagnosedRow::augmented)), 0.0};
+    result.answer = results::answered(answer_, workings_->evidence);
+    const results::Left left = leftOfRows();
+    result.gaps = results::gapsOf(left, *workings_, options_);
+    result.candidates = results::candidateResults(left, result.gaps, *workings_, options_);
+    result.shares = results::sharesOf(
+        result.answer.effects, result.gaps.unseen, [&](const auto& in) { return gapWith(in); }, options_.threads);
+    result.where = {mapOf(&DiagnosedRow::as_configured), mapOf(&DiagnosedRow::augmented),
+                    errorsOf(table_.points, of(&DiagnosedRow::re_estimated)),
+                    errorsOf(table_.points, of(&DiagnosedRow::augmented))};
+    result.parameters = results::ownParameters(measured_.model(), search_.re_estimated.fit.parameters.model,
+                                               judged_.fit.parameters.model);
+    result.next.text = nextRow(measured_, *workings_);
+    result.sentence = words::sentence(result) + words::excludedNote(result);
+    result.could_show = experiment::couldShow(search_);
+    result.workings = workings_;
+    return result;
   }
 
  private:
@@ -210,44 +226,35 @@ class TableDescriber {
     return gapOf(hypotheses::augmentedDescription(measured_.model(), some));
   }
 
-  void describeRows() {
-    DiagnosedTable table;
-    table.name = table_.name;
-    table.notes = table_.notes;
-    table.never_shown = neverShownByTables();
+  std::vector<DiagnosedRow> rows() const {
     const std::vector<Complex> configured = stiffnessOf(component_);
-    const std::vector<Complex> re_estimated = stiffnessOf(result_.re_estimated);
-    const std::vector<Complex> augmented = stiffnessOf(result_.augmented);
+    const std::vector<Complex> re_estimated = stiffnessOf(re_estimated_);
+    const std::vector<Complex> augmented = stiffnessOf(augmented_);
+    std::vector<DiagnosedRow> rows;
     for (std::size_t r = 0; r < table_.points.size(); ++r) {
-      table.rows.push_back({table_.points[r], configured[r], re_estimated[r], augmented[r]});
+      rows.push_back({table_.points[r], configured[r], re_estimated[r], augmented[r]});
     }
-    result_.gap_as_recorded = {fit::gapOfTable(table_.points, configured), fit::gapOfTable(table_.points, re_estimated),
-                               fit::gapOfTable(table_.points, augmented), 0.0};
-    result_.errors_re_estimated = errorsOf(table_.points, re_estimated);
-    result_.errors_augmented = errorsOf(table_.points, augmented);
-    result_.table = std::move(table);
+    return rows;
   }
 
+  std::vector<Complex> of(Complex DiagnosedRow::*model) const { return element::each(rows_, model); }
+
   // On rows that took no part in the fit.
-  void measureGap() {
+  results::Left leftOfRows() const {
     Gap gap = {search_.configured_gap, gap::gapOfParts(search_.re_estimated.fit.blocks),
-               gap::gapOfParts(judged_.fit.blocks), search_.noise};
+               gap::gapOfParts(judged_.fit.blocks), search_.noise.floor};
     if (answer_.model == judge::Evidence::kAsConfigured) {
       gap.augmented = gap.as_configured;
     }
-    std::vector<std::vector<gap::PartError>> alone;
-    std::transform(search_.singles.begin(), search_.singles.end(), std::back_inserter(alone),
-                   [](const hypotheses::FittedHypothesis& single) { return single.fit.blocks; });
-    result_.noise_source = search_.noise_source;
-    result_.gap_of_full_law = gap.augmented;
-    results::addGap(gap, alone, workings_->evidence, *workings_, options_, result_);
+    const auto gapAlone = [](const hypotheses::FittedHypothesis& one) { return gap::gapOfParts(one.fit.blocks); };
+    return {gap, gap.augmented, element::each(search_.singles, gapAlone), workings_->evidence};
   }
 
   // Where a model is wrong: two cells for each row.
   std::vector<gap::GapCell> mapOf(Complex DiagnosedRow::*model) const {
     double sum = 0.0;
     std::vector<gap::GapCell> cells;
-    for (const DiagnosedRow& row : result_.table->rows) {
+    for (const DiagnosedRow& row : rows_) {
       const Complex measured = row.measured.complexStiffness();
       const Complex rest = (measured - row.*model) / std::abs(measured);
       sum += std::norm(rest);
@@ -256,7 +263,7 @@ class TableDescriber {
       for (const auto& [quantity, size] : parts) {
         const double f = row.measured.frequency;
         const double a = row.measured.amplitude;
-        const double noise = search_.noise / std::sqrt(2.0);
+        const double noise = search_.noise.floor / std::sqrt(2.0);
         const double squared = size * size / static_cast<double>(table_.points.size());
         cells.push_back({table_.name, {f, f}, {a, a}, quantity, size * size, std::abs(size) / noise, squared});
       }
@@ -269,42 +276,35 @@ class TableDescriber {
     return cells;
   }
 
-  void mapGap() {
-    result_.where = mapOf(&DiagnosedRow::as_configured);
-    result_.where_after = mapOf(&DiagnosedRow::augmented);
-  }
-
-  void describeParameters() {
-    result_.parameter_ratios = measured_.model().ratios(search_.re_estimated.fit.parameters.model);
-    result_.guess = search_.guess;
-    results::addDepartures(measured_.model(), judged_.fit.parameters.model, result_);
-    results::addSizes({{measured_.fitter(), results::fullLaw(judged_)}}, {}, search_.candidates, options_, result_);
-    result_.written = results::rounded(std::move(result_.written), result_.augmented, 0);
-  }
-
-  void describeAnswer() {
-    results::addAnswer(answer_, workings_->evidence, result_);
-    results::addShares([&](const std::vector<bool>& in) { return gapWith(in); }, options_.threads, result_);
-    result_.next_experiment = nextRow(measured_, *workings_);
-    result_.sentence = words::sentence(result_) + words::excludedNote(result_);
-    result_.could_show = experiment::couldShow(search_);
+  WrittenLaw law() const {
+    results::Sizes sizes =
+        results::sizesOf({{measured_.fitter(), results::fullLaw(judged_)}}, {}, search_.candidates, options_);
+    WrittenLaw law;
+    law.augmented = law.full = augmented_;
+    law.gap_of_full = leftOfRows().full_law;
+    law.numbers = results::rounded(std::move(sizes.written), augmented_, 0);
+    law.model_sizes = std::move(sizes.model);
+    law.effect_sizes = std::move(sizes.effects);
+    return law;
   }
 
   const io::ComponentDescription& component_;
   const fit::MeasuredTable& table_;
   const MeasuredRows& measured_;
   const DiagnosisOptions& options_;
-  std::shared_ptr<Workings> workings_;
+  std::shared_ptr<const Workings> workings_;
   const hypotheses::Search& search_;
   const judge::Answer& answer_;
   const hypotheses::FittedHypothesis& judged_;
-  Diagnosis result_;
+  const io::ComponentDescription re_estimated_;
+  const io::ComponentDescription augmented_;
+  const std::vector<DiagnosedRow> rows_;
 };
 
 }  // namespace
 
 Diagnosis describeTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
-                        const MeasuredRows& measured, std::shared_ptr<Workings> workings,
+                        const MeasuredRows& measured, std::shared_ptr<const Workings> workings,
                         const DiagnosisOptions& options) {
   return TableDescriber(component, table, measured, std::move(workings), options).run();
 }

@@ -10,7 +10,7 @@
 namespace rubber_suspension::diagnosis::table {
 
 Diagnosis describeTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
-                        const MeasuredRows& measured, std::shared_ptr<Workings> workings,
+                        const MeasuredRows& measured, std::shared_ptr<const Workings> workings,
                         const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis::table

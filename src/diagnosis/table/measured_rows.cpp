@@ -77,11 +77,13 @@ double MeasuredRows::discretisationError(const hypotheses::FittedHypothesis& mod
   return fit::gapOfTable(points, lagging);
 }
 
-void MeasuredRows::estimateNoise(const hypotheses::FittedHypothesis& best, hypotheses::Search& result) const {
-  result.noise = std::min(scatter_.level, best.fit.held_out);
-  result.noise_source = scatter_.source + (result.noise < scatter_.level ? ", no more than what a model leaves" : "");
-  result.record_noise.assign(loops_->points().size(), result.noise);
-  result.least = result.noise;
+hypotheses::Noise MeasuredRows::estimateNoise(const hypotheses::FittedHypothesis& best,
+                                              const hypotheses::Search& /*search*/) const {
+  hypotheses::Noise noise;
+  noise.floor = noise.least = std::min(scatter_.level, best.fit.held_out);
+  noise.of_logs.assign(loops_->points().size(), noise.floor);
+  noise.source = scatter_.source + (noise.floor < scatter_.level ? ", no more than what a model leaves" : "");
+  return noise;
 }
 
 }  // namespace rubber_suspension::diagnosis::table

@@ -27,7 +27,8 @@ class MeasuredRows final : public hypotheses::Measured {
   std::vector<fit::Candidate> candidates(const fit::Excitation& excitation,
                                          const hypotheses::FittedHypothesis& re_estimated, int threads) const override;
   double discretisationError(const hypotheses::FittedHypothesis& model) const override;
-  void estimateNoise(const hypotheses::FittedHypothesis& best, hypotheses::Search& result) const override;
+  hypotheses::Noise estimateNoise(const hypotheses::FittedHypothesis& best,
+                                  const hypotheses::Search& search) const override;
 
  private:
   Scatter scatter_;

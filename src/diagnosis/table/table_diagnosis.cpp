@@ -64,16 +64,18 @@ std::vector<std::vector<double>> sizesOf(const MeasuredRows& measured, const hyp
   return sizes;
 }
 
-// Adds the rows of a table to the evidence of a search, each as a log under one sine: Evidence::logs, and log_errors
-// and sizes of each hypothesis, squares of differences of K* over |K*|.
-void addRows(const MeasuredRows& measured, const hypotheses::Search& search, int threads, judge::Evidence& evidence) {
-  evidence.logs.assign(measured.loops().points().size(), {search.noise, 0.0, 1.0, false, 1});
+// The evidence of a search over the rows of a table, each as a log under one sine: log_errors and sizes of each
+// hypothesis are squares of differences of K* over |K*|.
+judge::Evidence evidenceOfRows(const MeasuredRows& measured, const hypotheses::Search& search, int threads) {
+  judge::Evidence evidence = hypotheses::evidenceOf(search);
+  evidence.logs.assign(measured.loops().points().size(), {search.noise.floor, 0.0, 1.0, false, 1});
   fit::parallelFor(evidence.hypotheses.size(), threads, [&](std::size_t h) {
     const hypotheses::FittedHypothesis& fitted = search.at(static_cast<int>(h));
     evidence.hypotheses[h].log_errors =
         h == judge::Evidence::kAsConfigured ? errorsAsConfigured(measured, fitted) : heldOutErrors(fitted.fit);
     evidence.hypotheses[h].sizes = sizesOf(measured, fitted);
   });
+  return evidence;
 }
 
 void checkRows(const io::ComponentDescription& component, const fit::MeasuredTable& table) {
@@ -137,13 +139,12 @@ Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::Me
     result.table = DiagnosedTable{table.name, {}, table::neverShownByTables(), table.notes};
     return result;
   }
-  auto workings = std::make_shared<Workings>();
-  workings->search =
+  hypotheses::Search search =
       hypotheses::search(measured, hypotheses::excludedEffects(component, options), options.threads, options.progress);
-  workings->evidence = hypotheses::evidenceOf(workings->search);
-  addRows(measured, workings->search, options.threads, workings->evidence);
-  workings->write_evidence = options.evidence;
-  workings->answer = judge::answer(workings->evidence);
+  judge::Evidence evidence = evidenceOfRows(measured, search, options.threads);
+  judge::Answer answer = judge::answer(evidence);
+  auto workings = std::make_shared<const Workings>(
+      Workings{std::move(search), std::move(evidence), std::move(answer), options.evidence, {}});
   return heldToInvariants(table::describeTable(component, table, measured, std::move(workings), options));
 }
 

@@ -59,7 +59,7 @@ std::string experimentText(const Diagnosis& d, const NextExperiment& next) {
     case Proposal::agrees:
       return "None is needed: the model agrees with the measurement as far as these logs can show.";
     case Proposal::sure:
-      return fmt::format("None is needed: the verdict stands at {} %.", chance(d.probability));
+      return fmt::format("None is needed: the verdict stands at {} %.", chance(d.answer.probability));
     case Proposal::no_rival:
       return "None: no second explanation was fitted.";
     case Proposal::same_effects:

@@ -30,7 +30,7 @@ bool isBand(const SizedValue& size) { return size.name == "high_frequency" || si
 
 // Where the effects follow the temperature, all values hold at their reference.
 std::string referenceText(const Diagnosis& d) {
-  const auto& added = d.augmented.add;
+  const auto& added = d.law.augmented.add;
   const auto found = std::find_if(added.begin(), added.end(), [](const element::ElementDescription& entry) {
     return entry.values.count("reference") != 0;
   });
@@ -62,7 +62,7 @@ bool isAtBound(const SizedValue& size) {
 
 std::vector<const SizedValue*> changedValues(const Diagnosis& d) {
   std::vector<const SizedValue*> changed;
-  for (const SizedValue& size : d.model_sizes) {
+  for (const SizedValue& size : d.law.model_sizes) {
     if (isChanged(size)) {
       changed.push_back(&size);
     }
@@ -108,7 +108,7 @@ std::string besideText(const SizedValue& size) {
 
 std::string componentChanges(const Diagnosis& d) {
   std::vector<Row> rows;
-  for (const SizedValue& size : d.model_sizes) {
+  for (const SizedValue& size : d.law.model_sizes) {
     if (size.value != size.configured) {
       rows.push_back({escape(valueName(size)), "<del>" + quantity(size.configured, size.unit) + "</del>",
                       "<ins>" + quantity(size.value, size.unit) + "</ins>", intervalText(size),
@@ -118,8 +118,8 @@ std::string componentChanges(const Diagnosis& d) {
   std::string html = rows.empty() ? "<p>The model's own values stay.</p>\n"
                                   : table({"value", "#before", "#after", "#95 % interval", "#change"}, rows);
   std::map<std::string, std::vector<element::ElementDescription>> added;
-  for (std::size_t i = d.configured.add.size(); i < d.augmented.add.size(); ++i) {
-    added[d.augmented.add[i].type].push_back(d.augmented.add[i]);
+  for (std::size_t i = d.configured.add.size(); i < d.law.augmented.add.size(); ++i) {
+    added[d.law.augmented.add[i].type].push_back(d.law.augmented.add[i]);
   }
   for (const auto& [type, entries] : added) {
     html += "<p><ins>+ " + escape(addedText(d, entries)) + "</ins></p>\n";

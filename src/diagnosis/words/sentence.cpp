@@ -27,7 +27,7 @@ std::string setsText(const std::vector<std::vector<std::string>>& sets) {
 // Other answers that may be right, where there are any.
 std::string otherwise(const Diagnosis& diagnosis) {
   std::vector<std::string> texts;
-  for (const Alternative& other : diagnosis.alternatives) {
+  for (const Alternative& other : diagnosis.answer.alternatives) {
     const std::string what = other.verdict == Verdict::none              ? "no gap"
                              : other.verdict == Verdict::parameter_error ? "wrong values of the model alone"
                              : other.verdict == Verdict::unknown         ? "something that is not in the list"
@@ -56,7 +56,7 @@ struct ChangeTexts {
 
 // The sign of force that a contact carries; of other effects nothing.
 std::vector<std::string> carriedText(const Diagnosis& diagnosis, const std::string& effect) {
-  const auto& added = diagnosis.augmented.add;
+  const auto& added = diagnosis.law.augmented.add;
   const auto contact = std::find_if(added.begin(), added.end(), [&](const element::ElementDescription& entry) {
     return entry.type == "lift_off" && entry.type == effect;
   });
@@ -72,11 +72,11 @@ std::vector<std::string> carriedText(const Diagnosis& diagnosis, const std::stri
 std::string effectsText(const Diagnosis& diagnosis) {
   constexpr std::size_t kMost = 4;  // a gap and a stiffness of each of two stops
   std::vector<std::string> texts;
-  for (const std::string& effect : diagnosis.effects) {
+  for (const std::string& effect : diagnosis.answer.effects) {
     const bool either = effect == "fluid_inertia" && !diagnosis.configured.holds_fluid;
     const char* const readings = either ? "a fluid track, or a mass on a spring such as the fixture" : "";
     std::vector<std::string> sizes = carriedText(diagnosis, effect);
-    for (const SizedValue& size : diagnosis.effect_sizes) {
+    for (const SizedValue& size : diagnosis.law.effect_sizes) {
       const bool tells = size.unit != "1" || sizes.empty();
       if (size.owner == effect && tells && !isAtBound(size) && sizes.size() < kMost) {
         sizes.push_back(sizeName(size) + " " + quantity(size.value, size.unit));
@@ -128,12 +128,12 @@ std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects
 std::string deviationsText(const Diagnosis& diagnosis) {
   constexpr double kWorthSaying = 0.5;
   std::vector<std::string> texts;
-  for (const SheetDeviation& number : diagnosis.sheet_deviations) {
+  for (const SheetDeviation& number : diagnosis.parameters.sheet_deviations) {
     if (std::abs(number.tolerances) >= kWorthSaying) {
       texts.push_back(fmt::format("{} {:+.1f}", symbolOf(number.name), number.tolerances));
     }
   }
-  return texts.empty() || diagnosis.guess
+  return texts.empty() || diagnosis.parameters.guess
              ? ""
              : fmt::format(" In tolerances of the data sheet: {}.", fmt::join(texts, ", "));
 }
@@ -141,16 +141,16 @@ std::string deviationsText(const Diagnosis& diagnosis) {
 // What a fit would have moved on, and what a guess has become.
 std::string identifiedText(const Diagnosis& diagnosis) {
   std::string text;
-  if (diagnosis.guess) {
+  if (diagnosis.parameters.guess) {
     std::vector<std::string> values;
-    for (const SizedValue& size : diagnosis.model_sizes) {
+    for (const SizedValue& size : diagnosis.law.model_sizes) {
       if (size.owner == "specification" && estimation::isOfSheet(size.name)) {
         values.push_back(symbolOf(size.name) + " " + quantity(size.value, size.unit));
       }
     }
     text += fmt::format(" Values identified: {}.", fmt::join(values, ", "));
   }
-  for (const std::string& name : diagnosis.at_bounds) {
+  for (const std::string& name : diagnosis.parameters.at_bounds) {
     text += fmt::format(" {} is at a bound of the fit: these logs do not tell it.", capitalised(spoken(name)));
   }
   return text;
@@ -160,7 +160,7 @@ std::string identifiedText(const Diagnosis& diagnosis) {
 std::string gainText(const Diagnosis& diagnosis) {
   for (const CandidateResult& candidate : diagnosis.candidates) {
     const auto gain = candidate.parameters.find("gain");
-    if (gain != candidate.parameters.end() && candidate.effect == diagnosis.effects.front()) {
+    if (gain != candidate.parameters.end() && candidate.effect == diagnosis.answer.effects.front()) {
       return fmt::format(
           " The force channel reads {:.1f} % too {}, or all stiffnesses and damping of the model are off by as much: a "
           "known weight on the load cell tells.",
@@ -172,15 +172,15 @@ std::string gainText(const Diagnosis& diagnosis) {
 
 // The other reading of values that are all off by one factor.
 std::string weightText(const Diagnosis& diagnosis) {
-  const bool gain = std::any_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), [](const auto& other) {
-    return other.effects == std::vector<std::string>{"sensor_gain"};
-  });
+  const bool gain =
+      std::any_of(diagnosis.answer.alternatives.begin(), diagnosis.answer.alternatives.end(),
+                  [](const auto& other) { return other.effects == std::vector<std::string>{"sensor_gain"}; });
   return gain ? " A known weight on the load cell tells." : "";
 }
 
 // Gaps are those of the logs held out, where there are any.
 std::string ofUnseenLogs(const Diagnosis& diagnosis) {
-  const bool any = std::any_of(diagnosis.admission.begin(), diagnosis.admission.end(),
+  const bool any = std::any_of(diagnosis.logs.admission.begin(), diagnosis.logs.admission.end(),
                                [](const Admission& log) { return log.hold_out; });
   return any ? " of the unseen logs" : "";
 }
@@ -196,29 +196,29 @@ bool mayBeTemperature(const std::string& effect) { return effect == "self_heatin
 }  // namespace
 
 std::string sentence(const Diagnosis& diagnosis) {
-  const Gap& gap = diagnosis.gap;
+  const Gap& gap = diagnosis.gaps.unseen;
   const std::string lacks = "the model lacks " + effectsText(diagnosis);
   const ChangeTexts closed(gap.re_estimated, gap.augmented, gap.noise_floor);
   const ChangeTexts moved(gap.as_configured, gap.re_estimated, gap.noise_floor);
   const std::string closes = fmt::format(
       " Adding {} removes {} % of the error that other parameter values cannot remove: gap {} to {}, noise {}.",
-      diagnosis.effects.size() == 1 ? "it" : "them", wholePercent(diagnosis.closed), closed.before, closed.after,
-      closed.noise);
+      diagnosis.answer.effects.size() == 1 ? "it" : "them", wholePercent(diagnosis.gaps.closed), closed.before,
+      closed.after, closed.noise);
   const std::string values = deviationsText(diagnosis) + identifiedText(diagnosis);
-  switch (diagnosis.verdict) {
+  switch (diagnosis.answer.verdict) {
     case Verdict::none:
       return agreement(gap);
     case Verdict::parameter_error:
       return fmt::format("{}: other values remove {} % of the gap as configured, from {} to {} (noise {}).{}{}",
-                         diagnosis.guess ? "The data sheet is a guess" : ownValuesText(diagnosis),
+                         diagnosis.parameters.guess ? "The data sheet is a guess" : ownValuesText(diagnosis),
                          wholePercent(shareOfValues(diagnosis)), moved.before, moved.after, moved.noise, values,
                          otherwise(diagnosis) + weightText(diagnosis));
     case Verdict::named:
       return withOwnValues(diagnosis, lacks) + "." + closes + values + gainText(diagnosis);
     case Verdict::confounded:
       return withOwnValues(diagnosis, "most probably " + lacks) + "." + closes + " " +
-             capitalised(sourceOf(diagnosis)) + " cannot tell apart: " + setsText(diagnosis.confounded) + "." + values +
-             gainText(diagnosis);
+             capitalised(sourceOf(diagnosis)) + " cannot tell apart: " + setsText(diagnosis.answer.confounded) + "." +
+             values + gainText(diagnosis);
     case Verdict::partly:
       return withOwnValues(diagnosis, lacks + ", and something else") + "." + closes + values +
              " No effect of the list explains the rest.";
@@ -230,20 +230,20 @@ std::string sentence(const Diagnosis& diagnosis) {
 }
 
 std::string headline(const Diagnosis& diagnosis) {
-  const Gap& gap = diagnosis.gap;
+  const Gap& gap = diagnosis.gaps.unseen;
   std::vector<std::string> names;
-  std::transform(diagnosis.effects.begin(), diagnosis.effects.end(), std::back_inserter(names), spoken);
+  std::transform(diagnosis.answer.effects.begin(), diagnosis.answer.effects.end(), std::back_inserter(names), spoken);
   const std::string effects = enumerated(names);
   const ChangeTexts closed(gap.re_estimated, gap.augmented, gap.noise_floor);
   const std::string falls = fmt::format(": gap {} to {}.", closed.before, closed.after);
-  switch (diagnosis.verdict) {
+  switch (diagnosis.answer.verdict) {
     case Verdict::none:
       return agreement(gap);
     case Verdict::parameter_error: {
       const ChangeTexts moved(gap.as_configured, gap.re_estimated, gap.noise_floor);
       return fmt::format("{}: others lower the gap from {} to {}, noise {}.",
-                         diagnosis.guess ? "The data sheet is a guess" : "Values of the model are wrong", moved.before,
-                         moved.after, moved.noise);
+                         diagnosis.parameters.guess ? "The data sheet is a guess" : "Values of the model are wrong",
+                         moved.before, moved.after, moved.noise);
     }
     case Verdict::named:
       return (headlineValue(diagnosis) == nullptr ? "The model lacks " : "Besides wrong values, the model lacks ") +
@@ -309,7 +309,7 @@ std::string excludedNote(const Diagnosis& diagnosis) {
   std::string note;
   for (const bool by_file : {true, false}) {
     std::vector<std::string> texts;
-    for (const ExcludedEffect& one : diagnosis.excluded) {
+    for (const ExcludedEffect& one : diagnosis.answer.excluded) {
       const auto& of_file = diagnosis.configured.excluded_effects;
       const bool in_file = std::find(of_file.begin(), of_file.end(), one.effect) != of_file.end();
       if (in_file == by_file && one.probability_otherwise >= kWorthSaying) {
