@@ -132,12 +132,18 @@ class SafeOutput : std::streambuf {
 };
 
 // malloc reserves 64 MiB of addresses for each thread, far more than it takes. Where addresses are limited, all threads
-// share one reserve.
-void reserveNoAddresses() {
+// share one reserve. Elsewhere what a column of samples took is kept for the next one: the system clears each page that
+// it gives anew, which is a quarter of the time of a fit of some 10,000 samples.
+void setUpMemory() {
+  constexpr int kLargestKept = 32 << 20;  // [bytes] as malloc allows
+  constexpr int kKept = 256 << 20;
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
     mallopt(M_ARENA_MAX, 1);
+    return;
   }
+  mallopt(M_MMAP_THRESHOLD, kLargestKept);
+  mallopt(M_TRIM_THRESHOLD, kKept);
 }
 
 }  // namespace
@@ -175,7 +181,7 @@ double quantityOf(const std::string& option, const std::string& text, const Quan
 
 int runCommand(int argc, char** argv, const Command& command, const OptionTable& table,
                const std::function<int()>& body) {
-  reserveNoAddresses();
+  setUpMemory();
   const SafeOutput output;
   try {
     const int status = runAsked(argc, argv, command, table, body);
