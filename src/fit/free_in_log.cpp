@@ -35,8 +35,11 @@ Eigen::MatrixXd FreeInLog::columns(const log::Record& record, std::size_t place,
   if (trend) {
     const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(record.size(), 0.0, 1.0);
     columns.col(0) = time - 0.5;
-    for (Eigen::Index k = 1; k < kTrendsPerLog; ++k) {
-      columns.col(k) = (time * element::kPi * static_cast<double>(k)).cos();
+    const Eigen::ArrayXd once = (element::kPi * time).cos();
+    columns.col(1) = once;
+    columns.col(2) = 2.0 * once.square() - 1.0;
+    for (Eigen::Index k = 3; k < kTrendsPerLog; ++k) {  // Chebyshev: cos(k a) from the two before
+      columns.col(k) = 2.0 * once * columns.col(k - 1).array() - columns.col(k - 2).array();
     }
     columns.leftCols(kTrendsPerLog) *= record.force_deviation;
   }
