@@ -150,6 +150,11 @@ struct Evidence {
   // The simulated force with the other sign, of whatever size: the stiffness may be a guess, or its unit a wrong one.
   bool isMirrored() const { return force_correlation < -0.9; }
 
+  // The simulated force with the other sign, of next to no loss.
+  bool fallsWithoutWork() const { return falls() && !takesEnergy() && isMirrored(); }
+  // Too soft by less than a power of ten.
+  bool asSoftAsByMass() const { return ratio > 0.1 && ratio < 1.0; }
+
   // By which the measured force is too large, if nothing else is wrong: of a damper by hundreds alone.
   std::optional<double> scale() const {
     if (isElastic()) {
@@ -157,6 +162,28 @@ struct Evidence {
     }
     return force_correlation > 0.8 && isLarge(force_ratio) ? std::optional(force_ratio) : std::nullopt;
   }
+};
+
+// Effects that look like a finding: a delay turns the phase alone, a mass in fast motion lowers or turns the
+// stiffness. Both are effects, where most logs of a bench are right.
+enum class LooksLike { nothing_else, delay, mass };
+
+struct Suspicion {
+  Suspicion(RigFinding named, LooksLike other = LooksLike::nothing_else)
+      : finding(std::move(named)), looks_like(other) {}
+
+  RigFinding finding;
+  LooksLike looks_like;
+};
+
+// A log beside the component, and what is wrong with it.
+struct Examined {
+  const component::Component& component;
+  const log::Record& record;
+  const SheetFactor& sheet;
+  VectorXd simulated = {};
+  std::optional<Evidence> evidence = std::nullopt;  // where its channels measured something
+  std::optional<Suspicion> suspicion = std::nullopt;
 };
 
 RigFinding fatal(const std::string& log, const char* finding, double value, std::string text) {
@@ -255,16 +282,22 @@ bool looksSwapped(const component::Component& component, const log::Record& reco
   return e.work.forward <= 3.0 * e.work.deviation && unitsOfSwap(component, record, e.sheet);
 }
 
-// The loops give energy or run backwards: which of sign, swap and delay has the phases that were measured.
-std::optional<RigFinding> energyFinding(const component::Component& component, const log::Record& record,
-                                        const VectorXd& simulated, const Evidence& e) {
+// The loops give energy or run backwards, at a stiffness that is right: which of sign, swap and delay has the phases
+// that were measured.
+std::optional<Suspicion> energySuspicion(const Examined& log) {
+  const log::Record& record = log.record;
+  const Evidence& e = *log.evidence;
+  if (e.falls() || !e.givesEnergy() || (e.scale() && !e.sheet.plausible(*e.scale()))) {
+    return std::nullopt;
+  }
+  const LooksLike looks_like = e.isElastic() && e.sheet.plausible(e.ratio) ? LooksLike::delay : LooksLike::nothing_else;
   // Friction or damping far beyond the configured component: its phase says nothing about this one's; reversed, it is
   // the only force that gives energy.
   if (!e.isElastic() && !e.sheet.plausible(e.force_ratio)) {
-    return signFinding(record, e);
+    return Suspicion{signFinding(record, e), looks_like};
   }
   const std::vector<Octave> measured = CrossSpectrum(record.displacement, record.force).octaves();
-  const std::vector<Octave> expected = CrossSpectrum(record.displacement, simulated).octaves();
+  const std::vector<Octave> expected = CrossSpectrum(record.displacement, log.simulated).octaves();
   const double sign = phaseDistance(measured, expected, [](double phase, double) { return phase + element::kPi; });
   const double swap = phaseDistance(measured, expected, [](double phase, double) { return -phase; });
   // As stiff as configured, and not with the columns exchanged: nothing but a delay, however short. What the effect
@@ -273,31 +306,49 @@ std::optional<RigFinding> energyFinding(const component::Component& component, c
   constexpr double kLongestBehind = 0.03;  // [s], whichever is longer
   constexpr double kMostAhead = 4.0;       // samples
   constexpr double kClearlyLate = 0.124;   // of a period, where the sign or the columns may be wrong as well
-  const bool only_delay = e.isElastic() && e.sheet.plausible(e.ratio) && !looksSwapped(component, record, e);
+  const bool only_delay = looks_like == LooksLike::delay && !looksSwapped(log.component, record, e);
   const auto [delay, late] = bestDelay(measured, expected, e.period, only_delay ? 0.0 : kClearlyLate);
   if (only_delay && delay <= std::max(kMostBehind, kLongestBehind / record.dt) && delay >= -kMostAhead) {
     return std::nullopt;
   }
   // A delay has a free number; it has to be better than both by half a right angle's worth (1 - cos 45 deg).
   if (only_delay || late + 0.3 < std::min(sign, swap)) {
-    return fatal(
-        record.name, finding::kDelay, delay * record.dt,
-        fmt::format("the loops give energy: the force is {:.3g} s {} the displacement, {:.2g} of a cycle: bring "
-                    "both channels to one time",
-                    std::abs(delay * record.dt), delay > 0.0 ? "behind" : "ahead of", std::abs(delay) / e.period));
+    const std::string text = fmt::format(
+        "the loops give energy: the force is {:.3g} s {} the displacement, {:.2g} of a cycle: bring both "
+        "channels to one time",
+        std::abs(delay * record.dt), delay > 0.0 ? "behind" : "ahead of", std::abs(delay) / e.period);
+    return Suspicion{fatal(record.name, finding::kDelay, delay * record.dt, text), LooksLike::delay};
   }
-  return sign < swap ? signFinding(record, e) : swapFinding(record, e);
+  return Suspicion{sign < swap ? signFinding(record, e) : swapFinding(record, e), looks_like};
+}
+
+// The force falls where the displacement rises.
+std::optional<Suspicion> signSuspicion(const Examined& log) {
+  const Evidence& e = *log.evidence;
+  return e.falls() && e.surelyGivesEnergy() ? std::optional(Suspicion{signFinding(log.record, e), LooksLike::mass})
+                                            : std::nullopt;
+}
+
+// The unit of a channel, where nobody named it.
+std::optional<Suspicion> unitSuspicion(const Examined& log) {
+  const Evidence& e = *log.evidence;
+  const auto scale = e.scale();
+  const bool ask = log.record.units == log::UnitsAre::assumed && scale && !log.sheet.plausible(*scale);
+  const auto unit = ask ? assumedFactorOf(*scale) : std::nullopt;
+  return unit ? std::optional(Suspicion{unitFinding(log.record.name, *scale, *unit),
+                                        e.asSoftAsByMass() ? LooksLike::mass : LooksLike::nothing_else})
+              : std::nullopt;
 }
 
 // Columns of exchanged size.
-std::optional<RigFinding> exchangeFinding(const component::Component& component, const log::Record& record,
-                                          const Evidence& e) {
+std::optional<Suspicion> exchangeSuspicion(const Examined& log) {
+  const Evidence& e = *log.evidence;
   if (!e.rises() || e.configured.stiffness <= 0.0 || e.sheet.plausible(e.ratio)) {
     return std::nullopt;
   }
   // A factor may be both; what gives no energy is the simpler one.
-  const bool exchanged = (!assumedFactorOf(e.ratio) || e.givesEnergy()) && looksSwapped(component, record, e);
-  return exchanged ? std::optional(swapFinding(record, e)) : std::nullopt;
+  const bool exchanged = (!assumedFactorOf(e.ratio) || e.givesEnergy()) && looksSwapped(log.component, log.record, e);
+  return exchanged ? std::optional(Suspicion{swapFinding(log.record, e)}) : std::nullopt;
 }
 
 Evidence evidenceOf(const log::Record& record, const VectorXd& simulated, const SheetFactor& sheet) {
@@ -344,7 +395,8 @@ bool isOfASlackContact(const log::Record& record, const DeadPart& dead) {
 }
 
 // A channel that measured nothing, all along or in a part of the log.
-std::optional<RigFinding> constantFinding(const log::Record& record) {
+std::optional<Suspicion> constantSuspicion(const Examined& log) {
+  const log::Record& record = log.record;
   constexpr double kAsMuch = 0.5;   // of the force's deviation in the rest
   constexpr double kFarther = 0.8;  // of the displacement's: less may be within a free play
   for (const bool is_force : {false, true}) {
@@ -378,7 +430,9 @@ VectorXd wayOver(const VectorXd& displacement, Index samples) {
 
 // Noise alone, of next to nothing, neither with the displacement nor with its direction as friction is, where the
 // component has a force.
-std::optional<RigFinding> silenceFinding(const log::Record& record, const Evidence& e) {
+std::optional<Suspicion> silenceSuspicion(const Examined& log) {
+  const log::Record& record = log.record;
+  const Evidence& e = *log.evidence;
   constexpr double kNothing = 0.05;    // of the simulated force
   constexpr double kUnrelated = 0.15;  // correlation
   const VectorXd way = wayOver(record.displacement, std::max<Index>(1, std::lround(e.period / 8.0)));
@@ -387,20 +441,23 @@ std::optional<RigFinding> silenceFinding(const log::Record& record, const Eviden
                        std::abs(correlationOf(record.displacement, record.force)) > kUnrelated ||
                        std::abs(correlationOf(way, force)) > kUnrelated ||
                        std::abs(correlationOf(way.cwiseSign(), force)) > kUnrelated;
-  if (related || e.force_ratio > kNothing) {
+  if (related || e.force_ratio > kNothing || record.units == log::UnitsAre::accepted) {
     return std::nullopt;
   }
-  return fatal(record.name, finding::kConstant, e.force_ratio,
-               fmt::format("the force does not answer to the displacement: it scatters by {:.3g} N, {:.2g} % of what "
-                           "the component gives: check the clamps and the channel's cable",
-                           record.force_deviation, 100.0 * e.force_ratio));
+  return fatal(
+      record.name, finding::kConstant, e.force_ratio,
+      fmt::format("the force does not answer to the displacement: it scatters by {:.3g} N, {:.2g} % of what the "
+                  "component gives: check the clamps and the channel's cable",
+                  record.force_deviation, 100.0 * e.force_ratio));
 }
 
 // A channel without its sign follows the magnitude of the other, and not the other.
-std::optional<RigFinding> rectifiedFinding(const log::Record& record, const VectorXd& simulated, const Evidence& e) {
+std::optional<Suspicion> rectifiedSuspicion(const Examined& log) {
+  const log::Record& record = log.record;
+  const Evidence& e = *log.evidence;
   constexpr double kFollows = 0.7;   // correlation
   constexpr double kClearly = 0.35;  // of the variance: more than by the signal itself
-  const double of_force = correlationOf(record.force, simulated.cwiseAbs());
+  const double of_force = correlationOf(record.force, log.simulated.cwiseAbs());
   const VectorXd magnitude = (record.force.array() - record.force.mean()).abs();
   const double of_displacement = correlationOf(record.displacement, magnitude);
   const double as_recorded = std::max(std::pow(e.force_correlation, 2), std::pow(e.measured.correlation, 2));
@@ -415,7 +472,8 @@ std::optional<RigFinding> rectifiedFinding(const log::Record& record, const Vect
   return std::nullopt;
 }
 
-std::optional<RigFinding> lengthFinding(const log::Record& record) {
+std::optional<Suspicion> lengthSuspicion(const Examined& log) {
+  const log::Record& record = log.record;
   const Index count = record.size();
   const VectorXd step = (record.displacement.tail(count - 1) - record.displacement.head(count - 1)).cwiseAbs();
   const Index moving = (step.array() > 0.01 * rmsOf(step)).count();
@@ -433,112 +491,90 @@ std::optional<RigFinding> lengthFinding(const log::Record& record) {
   return std::nullopt;
 }
 
-// Why a record cannot be right, and whether nothing but the phase says so: it gives energy, and is as stiff as
-// configured or only late; or nothing but stiffness that is too low by less than a power of ten, or negative, as a mass
-// makes it in fast motion.
-struct Checked {
-  std::optional<RigFinding> finding;
-  bool by_phase = false;
-  bool as_by_mass = false;
-  std::optional<Evidence> evidence = std::nullopt;  // where its channels measured something
-  bool falls_without_work = false;                  // and is the simulated force with the other sign
-};
+// The checks of one log: each asks one question, and the first that is answered names what is wrong. First of the
+// channels as they were recorded, then of the force beside the simulated one; and last of loops: columns of exchanged
+// size before units and energy, since their loops give energy, too.
+using Check = std::optional<Suspicion> (*)(const Examined& log);
+constexpr Check kOfChannels[] = {constantSuspicion, lengthSuspicion};
+constexpr Check kOfForces[] = {rectifiedSuspicion, silenceSuspicion};
+constexpr Check kOfLoops[] = {signSuspicion, exchangeSuspicion, unitSuspicion, energySuspicion};
 
-bool asByMass(const Evidence& e) { return e.ratio > 0.1 && e.ratio < 1.0; }
+template <std::size_t count>
+bool findsFault(const Check (&checks)[count], Examined& log) {
+  return std::any_of(checks, checks + count, [&](Check check) {
+    log.suspicion = check(log);
+    return log.suspicion.has_value();
+  });
+}
 
-Checked checkRecord(const component::Component& component, const log::Record& record, const SheetFactor& sheet) {
-  if (auto constant = constantFinding(record)) {
-    return {constant};
+Examined examine(const component::Component& component, const log::Record& record, const SheetFactor& sheet) {
+  Examined log{component, record, sheet};
+  if (findsFault(kOfChannels, log)) {
+    return log;
   }
-  if (auto too_short = lengthFinding(record)) {
-    return {too_short};
+  log.simulated = simulate(component, record.displacement, record);
+  if (!log.simulated.allFinite()) {
+    return log;
   }
-  const VectorXd simulated = simulate(component, record.displacement, record);
-  if (!simulated.allFinite()) {
-    return {};
+  log.evidence = evidenceOf(record, log.simulated, sheet);
+  if (findsFault(kOfForces, log)) {
+    log.evidence.reset();
+  } else {
+    findsFault(kOfLoops, log);
   }
-  const Evidence e = evidenceOf(record, simulated, sheet);
-  if (auto rectified = rectifiedFinding(record, simulated, e)) {
-    return {rectified};
-  }
-  if (auto silent = record.units == log::UnitsAre::accepted ? std::nullopt : silenceFinding(record, e)) {
-    return {silent};
-  }
-  Checked checked;
-  checked.evidence = e;
-  if (e.falls()) {
-    checked.falls_without_work = !e.takesEnergy() && e.isMirrored();
-    if (e.surelyGivesEnergy()) {
-      checked.finding = signFinding(record, e);
-      checked.as_by_mass = true;
-    }
-    return checked;
-  }
-  // Columns of exchanged size first: their loops give energy, too.
-  if ((checked.finding = exchangeFinding(component, record, e))) {
-    return checked;
-  }
-  const auto assumed = record.units == log::UnitsAre::assumed && e.scale() && !sheet.plausible(*e.scale())
-                           ? assumedFactorOf(*e.scale())
-                           : std::nullopt;
-  if (assumed) {
-    checked.finding = unitFinding(record.name, *e.scale(), *assumed);
-    checked.as_by_mass = asByMass(e);
-  } else if (e.givesEnergy() && (!e.scale() || sheet.plausible(*e.scale()))) {
-    checked.finding = energyFinding(component, record, simulated, e);
-    const bool late = checked.finding && checked.finding->finding == finding::kDelay;
-    checked.by_phase = late || (e.isElastic() && e.sheet.plausible(e.ratio));
-  }
-  return checked;
+  return log;
 }
 
 // A sign that is reversed, columns that are exchanged or a unit are so in all logs of a bench. Where fewer than half of
 // them give energy, or are faster than most and less stiff, a delay or a mass has done it: that is found among the
 // effects.
-void leaveFastLogsToEffects(const std::vector<log::Record>& records, std::vector<Checked>& checked) {
+void leaveFastLogsToEffects(std::vector<Examined>& logs) {
   std::vector<double> frequencies;
-  std::transform(records.begin(), records.end(), std::back_inserter(frequencies),
-                 [](const log::Record& record) { return record.mean_frequency; });
+  std::transform(logs.begin(), logs.end(), std::back_inserter(frequencies),
+                 [](const Examined& log) { return log.record.mean_frequency; });
   const double typical = medianOf(frequencies);
-  const auto such = std::count_if(checked.begin(), checked.end(),
-                                  [](const Checked& one) { return one.finding && (one.by_phase || one.as_by_mass); });
-  if (2 * such >= static_cast<std::ptrdiff_t>(checked.size())) {
+  const auto looksLikeAnEffect = [](const Examined& log) {
+    return log.suspicion && log.suspicion->looks_like != LooksLike::nothing_else;
+  };
+  if (2 * std::count_if(logs.begin(), logs.end(), looksLikeAnEffect) >= static_cast<std::ptrdiff_t>(logs.size())) {
     return;
   }
-  for (std::size_t i = 0; i < checked.size(); ++i) {
-    if (checked[i].by_phase || (checked[i].as_by_mass && records[i].mean_frequency > typical)) {
-      checked[i].finding.reset();
+  for (Examined& log : logs) {
+    const bool fast = log.record.mean_frequency > typical;
+    if (looksLikeAnEffect(log) && (fast || log.suspicion->looks_like == LooksLike::delay)) {
+      log.suspicion.reset();
     }
   }
 }
 
 // A spring with next to no loss tells nothing by its work. Its force with the other sign is that of a reversed channel,
 // where no log that is slower has the right one: a mass would turn the fast logs first.
-void nameReversedSprings(const std::vector<log::Record>& records, std::vector<Checked>& checked) {
+void nameReversedSprings(std::vector<Examined>& logs) {
   double slowest_right = HUGE_VAL;  // [Hz]
-  for (std::size_t i = 0; i < checked.size(); ++i) {
-    const bool right = checked[i].evidence && (checked[i].evidence->rises() || checked[i].evidence->takesEnergy());
-    slowest_right = right ? std::min(slowest_right, records[i].mean_frequency) : slowest_right;
+  for (const Examined& log : logs) {
+    const bool right = log.evidence && (log.evidence->rises() || log.evidence->takesEnergy());
+    slowest_right = right ? std::min(slowest_right, log.record.mean_frequency) : slowest_right;
   }
-  for (std::size_t i = 0; i < checked.size(); ++i) {
-    if (checked[i].falls_without_work && !checked[i].finding && records[i].mean_frequency < slowest_right) {
-      checked[i].finding = signFinding(records[i], *checked[i].evidence);
+  for (Examined& log : logs) {
+    if (log.evidence && log.evidence->fallsWithoutWork() && !log.suspicion &&
+        log.record.mean_frequency < slowest_right) {
+      log.suspicion = signFinding(log.record, *log.evidence);
     }
   }
 }
 
 // The scale of a log whose units the file or the user named.
 struct Scaled {
-  std::size_t log;
+  Examined* log;
   double scale;
 };
 
-std::vector<Scaled> scalesOf(const std::vector<log::Record>& records, const std::vector<Checked>& checked) {
+std::vector<Scaled> scalesOf(std::vector<Examined>& logs) {
   std::vector<Scaled> scales;
-  for (std::size_t i = 0; i < checked.size(); ++i) {
-    const auto scale = checked[i].evidence && !checked[i].finding ? checked[i].evidence->scale() : std::nullopt;
-    if (scale && records[i].units != log::UnitsAre::accepted) {
-      scales.push_back({i, *scale});
+  for (Examined& log : logs) {
+    const auto scale = log.evidence && !log.suspicion ? log.evidence->scale() : std::nullopt;
+    if (scale && log.record.units != log::UnitsAre::accepted) {
+      scales.push_back({&log, *scale});
     }
   }
   return scales;
@@ -556,43 +592,41 @@ bool isAboutTwo(double ratio) {
 }
 
 // One factor in all logs, which leaves the force like the configured one in all else.
-void nameCommonScale(const std::vector<Scaled>& scales, const std::vector<log::Record>& records,
-                     const SheetFactor& sheet, std::vector<Checked>& checked) {
+void nameCommonScale(const std::vector<Scaled>& scales, const SheetFactor& sheet) {
   constexpr double kOne = 1.5;         // between two logs: what frequency and amplitude make of it
   constexpr double kLike = 0.8;        // correlation
   constexpr double kJustLike = 0.995;  // for a factor that a wrong specification may make as well
   const double common = medianScale(scales);
-  const auto all = [&](const auto& holds) { return std::all_of(scales.begin(), scales.end(), holds); };
-  const auto likeness = [&](const Scaled& s) { return checked[s.log].evidence->force_correlation; };
+  const auto isOfAll = [&](double likeness, const auto& holds) {
+    return std::all_of(scales.begin(), scales.end(), [&](const Scaled& s) {
+      return holds(s.scale) && std::abs(std::log(s.scale / common)) < std::log(kOne) &&
+             s.log->evidence->force_correlation > likeness;
+    });
+  };
   const auto unit = sheet.exactFactorOf(common);
-  const bool one = all([&](const Scaled& s) {
-    return !sheet.plausible(s.scale) && std::abs(std::log(s.scale / common)) < std::log(kOne) && likeness(s) > kLike;
-  });
-  const bool two = !sheet.mayBe(kPeakToPeak) && all([&](const Scaled& s) {
-    return isAboutTwo(s.scale) && std::abs(std::log(s.scale / common)) < std::log(kOne) && likeness(s) > kJustLike;
-  });
+  const bool one = isOfAll(kLike, [&](double scale) { return !sheet.plausible(scale); });
+  const bool two = !sheet.mayBe(kPeakToPeak) && isOfAll(kJustLike, isAboutTwo) && isAboutTwo(common);
   const std::string logs = scales.size() == 1 ? "" : fmt::format(", in all {} logs alike", scales.size());
   for (const Scaled& s : scales) {
-    const std::string& name = records[s.log].name;
+    const std::string& name = s.log->record.name;
     if (one) {
-      checked[s.log].finding = unit ? unitFinding(name, s.scale, *unit) : componentFinding(name, s.scale, sheet, logs);
-    } else if (two && isAboutTwo(common)) {
-      checked[s.log].finding = peakToPeakFinding(
+      s.log->suspicion = unit ? unitFinding(name, s.scale, *unit) : componentFinding(name, s.scale, sheet, logs);
+    } else if (two) {
+      s.log->suspicion = peakToPeakFinding(
           name, s.scale, fmt::format("--columns {}=0.5*NAME", common > 1.0 ? "force" : "displacement"));
     }
   }
 }
 
 // A log among others that are plausible, off by hundreds: no effect does that.
-void nameOddScales(const std::vector<Scaled>& scales, const std::vector<log::Record>& records, const SheetFactor& sheet,
-                   std::vector<Checked>& checked) {
+void nameOddScales(const std::vector<Scaled>& scales, const SheetFactor& sheet) {
   std::vector<Scaled> right;
   std::copy_if(scales.begin(), scales.end(), std::back_inserter(right),
                [&](const Scaled& s) { return sheet.plausible(s.scale); });
   for (const Scaled& s : scales) {
     const auto unit = right.empty() ? std::nullopt : kUsualSheet.exactFactorOf(s.scale / medianScale(right));
     if (unit && isLarge(unit->factor)) {
-      checked[s.log].finding = unitFinding(records[s.log].name, s.scale, *unit);
+      s.log->suspicion = unitFinding(s.log->record.name, s.scale, *unit);
     }
   }
 }
@@ -671,19 +705,19 @@ std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription
                                    const std::vector<log::Record>& records, double tolerance) {
   const component::Component component(elements);
   const SheetFactor sheet(tolerance);
-  std::vector<Checked> checked;
-  std::transform(records.begin(), records.end(), std::back_inserter(checked),
-                 [&](const log::Record& record) { return checkRecord(component, record, sheet); });
-  leaveFastLogsToEffects(records, checked);
-  nameReversedSprings(records, checked);
-  if (const std::vector<Scaled> scales = scalesOf(records, checked); !scales.empty()) {
-    nameCommonScale(scales, records, sheet, checked);
-    nameOddScales(scales, records, sheet, checked);
+  std::vector<Examined> logs;
+  std::transform(records.begin(), records.end(), std::back_inserter(logs),
+                 [&](const log::Record& record) { return examine(component, record, sheet); });
+  leaveFastLogsToEffects(logs);
+  nameReversedSprings(logs);
+  if (const std::vector<Scaled> scales = scalesOf(logs); !scales.empty()) {
+    nameCommonScale(scales, sheet);
+    nameOddScales(scales, sheet);
   }
   std::vector<RigFinding> findings;
-  for (const Checked& one : checked) {
-    if (one.finding) {
-      findings.push_back(*one.finding);
+  for (const Examined& log : logs) {
+    if (log.suspicion) {
+      findings.push_back(log.suspicion->finding);
     }
   }
   return findings;
