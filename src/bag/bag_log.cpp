@@ -462,7 +462,7 @@ bool namesColumns(const log::LogFormat& format) {
   return std::any_of(format.of.begin(), format.of.end(), [](const auto& channel) { return !channel.column.empty(); });
 }
 
-// What `read` gives of the bag.
+// Result of `read` for the bag.
 template <class Read>
 auto ofBag(const std::string& path, Read read) {
   try {

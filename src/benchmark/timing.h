@@ -12,7 +12,7 @@ namespace rubber_suspension::benchmark {
 /// Seconds of the calling thread, so that other programs on the machine do not count, or of the wall.
 enum class Clock { thread, wall };
 
-/// What a run takes by the clock [s].
+/// Time of a run by the clock [s].
 double secondsOf(const std::function<void()>& run, Clock clock);
 
 /// Median and quartiles of repeated measurements, linear between the ranks. The list must not be empty.

@@ -71,8 +71,8 @@ ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
   return values;
 }
 
-// Of logs that cannot be what they say nothing is known, what no model explains bends the values, and those that go
-// with an effect depend on its form, unless other values would do as well.
+// Of logs with a wrong sign, unit, column or component nothing is known; what no model explains bends the values; those
+// that go with an effect depend on its form, unless other values would do as well.
 bool hasValuesOfItsOwn(const diagnosis::Diagnosis& d) {
   const bool other_values_do =
       std::any_of(d.answer.alternatives.begin(), d.answer.alternatives.end(), [](const diagnosis::Alternative& other) {

@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::campaign {
 
-/// What works a job off and writes its report and its record; what fails is the record's error. It keeps the files that
+/// Works a job off and writes its report and its record; a failure is the record's error. It keeps the files that
 /// it read last. The manifest has to live as long. Throws std::runtime_error where no record can be written.
 std::function<Record(const Job&)> executorOf(const std::string& folder, const Manifest& manifest,
                                              const LogReader& read_log);

@@ -1,4 +1,4 @@
-// What a fleet shows that a single component cannot.
+// Findings of a fleet that a single component cannot show.
 #include "campaign/fleet.h"
 
 #include <algorithm>

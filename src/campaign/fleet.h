@@ -1,4 +1,4 @@
-// What is left of a campaign at its end: its results as one table, in the order of the manifest, and what a fleet shows
+// Results of a campaign at its end: one table, in the order of the manifest, and what a fleet shows
 // that a single component cannot: how often a verdict or an effect occurs, and how values scatter.
 #pragma once
 
@@ -34,7 +34,7 @@ struct Distribution {
 /// Of one value at least.
 Distribution distributionOf(std::vector<double> values);
 
-/// What is known of one component by its own logs.
+/// One component as its own logs show it.
 struct FleetComponent {
   std::string id;  ///< of its job
   std::string name;

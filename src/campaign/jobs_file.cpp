@@ -32,7 +32,7 @@ constexpr std::size_t kMaximumSize = 1024 * 1024;  // bytes; a jobs file is some
 
 using Keys = std::vector<std::string>;
 
-// What every entry of `jobs:` may say besides the options, which `settings:` says for all of them.
+// Keys of every entry of `jobs:` besides the options, which `settings:` gives for all of them.
 const Keys kGroupKeys = {"command",  "folders", "config",   "component",       "type",
                          "test_rig", "log",     "hold_out", "one_job_per_log", "monte_carlo"};
 
@@ -66,7 +66,7 @@ class Entry {
 
   void refuse(const std::string& problem) const { (*tell_)(line_, path_, problem); }
 
-  // What stands there, and what is accepted.
+  // The value given, and the values accepted.
   void refuseContent(const std::string& accepted) const {
     std::string content = "missing";
     if (given()) {

@@ -32,9 +32,9 @@ namespace fs = std::filesystem;
 // A folder's own name is no pattern, whatever letters it has.
 std::string escaped(const std::string& text) { return std::regex_replace(text, std::regex(R"([*?[\\])"), R"(\$&)"); }
 
-// What `pattern` of the shell (*, ?, [...]) names, relative to `folder` unless it begins with a slash: absolute paths
-// without symbolic links resolved, sorted byte by byte, so that the order is that of no locale. Empty where nothing
-// matches.
+// Files that `pattern` of the shell (*, ?, [...]) names, relative to `folder` unless it begins with a slash: absolute
+// paths without symbolic links resolved, sorted byte by byte, so that the order is that of no locale. Empty where
+// nothing matches.
 std::vector<std::string> matchPattern(const std::string& folder, const std::string& pattern) {
   const std::string base = fs::absolute(folder.empty() ? "." : folder).lexically_normal().string();
   glob_t matches{};
@@ -62,7 +62,7 @@ struct Reading {
   Job job;
 };
 
-// What one folder of a group holds.
+// Contents of one folder of a group.
 struct Place {
   std::string name;  // relative to the folder of the jobs file, as users know it
   std::string config;

@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::campaign {
 
-/// What a job does; each is the command of that name.
+/// Task of a job; each is the command of that name.
 enum class Command {
   diagnose,  ///< diagnose
   estimate,  ///< estimate --from-log
@@ -100,7 +100,7 @@ struct Job {
   JobOptions options;
 };
 
-/// What a user calls it: its entry in the jobs file, test piece, and the beginning of its id.
+/// Its name for a user: its entry in the jobs file, test piece, and the beginning of its id.
 std::string nameOf(const Job& job);
 
 /// The id of a job: the same wherever its files lie, as long as their contents, the names of its logs (which stand in

@@ -67,7 +67,7 @@ bool holdsItsDigest(const std::string& text) {
   return at != std::string::npos && withDigest(text.substr(0, at) + "}") == text;
 }
 
-// What stands where a record should and is no regular file; nothing where there is nothing.
+// Kind of the entry in a record's place that is no regular file; nothing where there is none.
 std::string otherKind(const std::string& path) {
   std::error_code unknown;  // reading it says why
   switch (std::filesystem::status(path, unknown).type()) {

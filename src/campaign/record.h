@@ -1,4 +1,4 @@
-// What a job leaves: a record of what it found or why it failed, and the files of its report.
+// Files of a finished job: a record of its findings or its error, and the files of its report.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace rubber_suspension::campaign {
 
-/// What the statistics of a fleet take of one job.
+/// Part of one job in the statistics of a fleet.
 struct Findings {
   std::optional<diagnosis::Verdict> verdict;  ///< of diagnose
   std::vector<std::string> effects;           ///< that are named
@@ -40,7 +40,7 @@ std::string reportPath(const Record& record);
 /// std::runtime_error.
 void writeRecord(const Record& record, const std::string& folder);
 
-/// What stands where the record of a job should; nothing of both where there is none.
+/// The entry in the place of a job's record; neither where there is none.
 struct FoundRecord {
   std::optional<Record> record;  ///< of this job, and all files of its report are there
   std::string problem;  ///< of one that is cut off or changed, of another version or job, or with a damaged report

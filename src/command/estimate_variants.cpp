@@ -121,7 +121,7 @@ std::vector<std::string> eachOf(const std::vector<std::string>& models) {
   return result;
 }
 
-// What other models ask for and the specification lacks, from what it has: the loss angle of the component, a break
+// Inputs of other models that the specification lacks, from those that it has: the loss angle of the component, a break
 // frequency by that of M2 (the paper has nearly the same in M6), and the end of the range of frequencies that is drawn.
 Specification completed(const io::ComponentDescription& description, const WantedModel& wanted,
                         std::vector<std::string>& added) {

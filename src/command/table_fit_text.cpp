@@ -1,4 +1,4 @@
-// What `estimate --from-table` shows of a fit to a table.
+// The text of `estimate --from-table` on a fit to a table.
 #include "command/table_fit_text.h"
 
 #include <fmt/format.h>

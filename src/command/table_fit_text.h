@@ -1,4 +1,4 @@
-// What `estimate --from-table` refuses to fit, and what it shows of a fit.
+// Tables that `estimate --from-table` refuses to fit, and its text on a fit.
 #pragma once
 
 #include <string>

@@ -75,7 +75,7 @@ element::ComponentForce stepOf(Laws first, Laws last, const element::Motion& mot
   return sum;
 }
 
-// What a step of dt [s] of linear laws adds to their forces for each metre.
+// Force that a step of dt [s] of linear laws adds for each metre.
 template <class Laws>
 element::ComponentForce slopeOf(Laws first, Laws last, double dt, double* memory) {
   element::ComponentForce sum;

@@ -24,7 +24,7 @@ class RadialLaw {
   double curveEnergy(double r) const;
   double energy(double r) const;  ///< of all [J]
 
-  /// What the radius has not of a displacement along the direction alone [N].
+  /// Force of a displacement along the direction alone, without that of the radius [N].
   double own(double displacement) const;
 
   /// Stiffness or damping in proportion to the slope of the curve: their ratio. Throws std::invalid_argument where the

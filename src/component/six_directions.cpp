@@ -123,7 +123,7 @@ SixDirections::SixDirections(SixDirectionsLaws laws)
   }
 }
 
-// What acts by the radius goes into a coupling, and the directions keep what acts along them.
+// Elements that act by the radius go into a coupling; the directions keep those that act along them.
 void SixDirections::couple(std::vector<Direction> directions, SixElements& elements) {
   const auto given = std::count_if(directions.begin(), directions.end(),
                                    [&](Direction direction) { return !elements[direction].empty(); });
@@ -151,7 +151,7 @@ void SixDirections::addCoupling(std::vector<Direction> directions, SixElements& 
   coupled_size_ += couplings_.back()->memorySize();
 }
 
-// What two directions across the axis have by their radius though they are rectangular else.
+// Elements by the radius of two directions across the axis that are rectangular else.
 void SixDirections::coupleRadial(Direction first, SixElements& elements) {
   const std::vector<Direction> across = coupledDirections(first, Coupling::cylindrical, laws_.axis);
   SixElements radial;

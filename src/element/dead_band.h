@@ -5,7 +5,7 @@
 
 namespace rubber_suspension::element {
 
-/// What the parameter of that name is for.
+/// Purpose of the parameter of that name.
 constexpr const char* kDeadBand = "ten standard deviations of the displacement's noise; 0 for simulated ones";
 
 /// The displacement [m] behind play of this width: it follows only what moves on beyond a dead band [m].

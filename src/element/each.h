@@ -12,7 +12,7 @@
 
 namespace rubber_suspension::element {
 
-/// What a function or a member gives of each entry of a list.
+/// Values of a function or a member for each entry of a list.
 template <class List, class Function>
 auto each(const List& list, const Function& of) {
   std::vector<std::decay_t<decltype(std::invoke(of, *std::begin(list)))>> result;

@@ -53,7 +53,7 @@ class Fitter final : public HypothesisFitter {
     return blocks_->normalEquations(base, forces_.columns(hypothesis, parameters, how.active, base, how.threads),
                                     how.free, how.kept, how.threads);
   }
-  /// What is free in a log, by its residual, and of the squares of that the part that it takes.
+  /// Numbers free in a log, by its residual, and the part of its squares that they take.
   struct Own {
     Eigen::VectorXd values;
     double taken = 0.0;

@@ -32,7 +32,7 @@ struct FreeInLog {
   ForceColumn by_factor = nullptr;
 
   bool any() const { return trend || offset || gain || by_zero || by_factor; }
-  /// What terms have in common for all logs, too.
+  /// Common parts of the terms for all logs, too.
   bool ofTerms() const { return offset || gain; }
   Eigen::Index count() const {
     return (trend ? kTrendsPerLog : 0) + (by_zero ? 1 : 0) + (by_factor ? 1 : 0) + (offset ? 1 : 0) + (gain ? 1 : 0);

@@ -57,8 +57,8 @@ struct Candidate {
   bool one_form = false;       ///< its law has one form, as that of a mass; others stand for the rubber's or the rig's
   bool constant = false;       ///< adds a constant force, whose form is never wrong
   bool is_friction = false;    ///< may have a factor of its own in each log
-  /// What its terms do, all of the model's parameters do together: beside right ones it is another reading of wrong
-  /// ones, beside other effects it takes part only for gains that differ from log to log.
+  /// Equivalent to scaling all model parameters: alone it is another reading of wrong ones; beside other effects it
+  /// competes only if gains differ between logs.
   bool like_parameters = false;
 
   /// The terms at a value of a number that the force is not linear in, which lies between these; null: there is none.

@@ -21,7 +21,7 @@ double meanLeft(const Eigen::VectorXd& of_columns, const Eigen::VectorXd& unknow
   return of_columns[last] - of_columns.head(last).dot(unknowns);
 }
 
-// What the zeros of the force, or gains, of all logs have in common is that of the term, where there is one.
+// The common part of all logs' zeros of the force, or gains, is that of the term, where there is one.
 void takeCommon(const Hypothesis& hypothesis, const BlockGrams& blocks, const Eigen::VectorXd& unknowns,
                 ParameterVector& parameters) {
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
@@ -144,7 +144,7 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
       return std::sqrt(std::max(0.0, squaresLeft(blocks.sum, taken)));
     };
     const double promise = promiseOf(step);
-    // What one step may not reach, several may.
+    // Several steps may reach what one may not.
     const bool hopeless =
         iteration > 0 && promise > limits.reach && !(promiseOf(solve(blocks.sum, all)) <= limits.reach);
     const bool too_slow = place.cost - promise < kSlow * (place.cost - limits.needed);

@@ -293,7 +293,7 @@ void describeResiduals(Identification& result, const Eigen::VectorXd& residual, 
   }
 }
 
-// What the best fit knows of the parameters.
+// Values and uncertainties of the parameters by the best fit.
 void describeFit(Identification& result, const ForceModel& model, const ModelFit& fit, const Eigen::MatrixXd& jacobian,
                  const std::vector<Eigen::Index>& runs) {
   const Autoregression noise = fitAutoregression(fit.residual, runs);

@@ -53,7 +53,7 @@ struct MasterCurve {
 /// Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
 MasterCurve masterCurve(const std::vector<TablePoint>& points, double reference /* T_0 [degC] */);
 
-/// What superposition leaves of rows.
+/// Residuals of rows after superposition.
 struct SuperpositionRest {
   double squares = 0.0;  ///< sum of |K* - K*_series|^2/|K*|^2
   int free = 0;          ///< complex numbers of the rows, less those that shifts and series take
@@ -69,7 +69,7 @@ double middleTemperature(const std::vector<TablePoint>& points);
 /// The rows as they would be at the reference of the law: frequency times a_T, K* over b_T.
 std::vector<TablePoint> reducedBy(const element::ElementDescription& law, std::vector<TablePoint> points);
 
-/// What a series takes to fit rows of one temperature.
+/// Elements of a series that is fitted to rows of one temperature.
 enum class Series {
   prony,      ///< a spring and a Maxwell element for each decade, where its stiffness is not 0
   springpot,  ///< a spring and a springpot

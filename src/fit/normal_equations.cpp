@@ -107,7 +107,7 @@ BlockGrams BlockGrams::of(const std::vector<Eigen::Index>& unknowns) const {
   return result;
 }
 
-// What is to be multiplied.
+// Factors of the products.
 struct LogBlocks::Request {
   const gap::Forces& base;
   const std::vector<ForceColumn>& columns;

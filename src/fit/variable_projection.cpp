@@ -50,7 +50,7 @@ numerics::SumOfSquares::Slope VariableProjection::slope() {
   const Eigen::VectorXd scale = products.diagonal().head(basis).array().max(1e-300).rsqrt();
   const Eigen::MatrixXd of_basis = scale.asDiagonal() * products.topLeftCorner(basis, basis) * scale.asDiagonal();
   const Eigen::MatrixXd shared = products.topRightCorner(basis, unknowns);
-  // What the basis takes of the derivatives, in its coefficients.
+  // Part of the derivatives within the basis, in its coefficients.
   const Eigen::MatrixXd shares =
       scale.asDiagonal() * numerics::solveLeastNorm(of_basis, Eigen::MatrixXd(scale.asDiagonal() * shared));
   return {shares.transpose() * moments.head(basis) - moments.tail(unknowns),

@@ -1,4 +1,4 @@
-// What is known of the displacement's zero in each log before any fit.
+// Prior of the displacement's zero in each log, before any fit.
 #pragma once
 
 #include <vector>

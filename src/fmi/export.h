@@ -28,7 +28,7 @@ struct FmuParts {
 /// Those that were built with the program that calls this: they lie beside it, that for Windows where there is one.
 FmuParts installedParts();
 
-/// What an FMU says of a component: its elements complete, and a GUID that follows from it and the version of the
+/// Description of a component in an FMU: its elements complete, and a GUID that follows from it and the version of the
 /// package.
 ComponentData dataOf(const io::ComponentDescription& description);
 

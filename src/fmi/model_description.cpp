@@ -49,7 +49,7 @@ Attributes valueAttributes(const Variable& variable) {
           {variable.start ? "start" : "", number(variable.start.value_or(0.0))}};
 }
 
-// What symbols stand for; base units for themselves.
+// Units behind symbols; base units stand for themselves.
 const std::map<std::string, std::string> kSymbols = {
     {"kg", ""}, {"m", ""},     {"s", ""},         {"A", ""},       {"K", ""},    {"rad", ""},  {"mol", ""},
     {"1", "1"}, {"Hz", "1/s"}, {"N", "kg m/s^2"}, {"Pa", "N/m^2"}, {"J", "N m"}, {"W", "J/s"}, {"degC", "K"}};

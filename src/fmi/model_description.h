@@ -21,7 +21,7 @@ using BaseUnit = std::map<std::string, int>;
 /// for degC. Throws std::invalid_argument on a symbol that it does not know.
 BaseUnit baseUnitOf(const std::string& unit);
 
-/// What is added to a value in this unit for one in its base units.
+/// Offset from a value in this unit to one in its base units.
 double offsetOf(const std::string& unit);
 
 }  // namespace rubber_suspension::fmi

@@ -348,7 +348,7 @@ class Loader {
     return *component::directionFromString(key.Scalar());
   }
 
-  // What loads a number of what a row of the specification is, a list of numbers, one of some words as its place.
+  // Loads a row of the specification: a number, a list of numbers, or one of some words as its place.
   static auto as(const char* row) {
     return [row](Loader& loader, const Entry& entry) {
       return loader.loadNumber(entry, *element::findParameter(estimation::specificationParameters(), row));
@@ -438,7 +438,7 @@ class Loader {
     return description;
   }
 
-  // What is the same of all directions, beside what each has of its own.
+  // Keys common to all directions, beside those of each.
   void loadOfAll(const Entry& entry, SixDirectionsDescription& six) {
     const Entry temperature = entry["temperature"];
     const Entry effects = entry["excluded_effects"];

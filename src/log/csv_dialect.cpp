@@ -18,7 +18,7 @@
 namespace rubber_suspension::log {
 namespace {
 
-// What a separator is called, and its characters, one or two.
+// Name of a separator, and its characters, one or two.
 struct SeparatorInfo {
   const char* name;
   std::string_view marks;

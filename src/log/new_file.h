@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::log {
 
-/// What is written goes to writingPath(), in the same folder; commit() gives it the name wanted. Without commit() it is
+/// Text goes to writingPath(), in the same folder; commit() gives it the name wanted. Without commit() it is
 /// removed, also where a signal ends the process (SIGINT, SIGTERM, SIGHUP), so that an older file of that name stays
 /// whole whatever happens. A symbolic link is followed: the file that it points to is replaced. What is no regular file
 /// (/dev/stdout, a pipe) is written at once.

@@ -436,7 +436,7 @@ void Signals::refuseGaps() const {
   throw RowError(too_long ? longest_place_ : first, reason + "; accepted: a finite number" + advice());
 }
 
-// What is advised leaves out a tenth of the rows at most.
+// Advice leaves out a tenth of the rows at most.
 std::string Signals::advice() const {
   if (lost_rows_ * kFewestPerAdvised > rows_ || !signals_[kMotion].there) {
     return signals_[kMotion].there ? fmt::format(" in nine of ten rows, for {} of {} lack one", lost_rows_, rows_) : "";

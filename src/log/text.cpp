@@ -105,7 +105,7 @@ std::string join(const std::vector<std::string>& names) { return fmt::format("{}
 
 void refuseNamedPipe(const std::string& path) {
   struct stat status {};
-  // What a shell puts in the place of a command, <(...), is open already.
+  // A shell opens the file that it puts in the place of a command, <(...).
   const bool is_open = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
   element::refuseIf<std::runtime_error>(!is_open && stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode),
                                         "is a pipe; accepted: a regular file, or what a command writes, as <(COMMAND)");

@@ -211,7 +211,7 @@ Solution withoutColumn(const NormalEquations& equations, const VectorXd& priors,
   return solveWithPriors(equations.gram, equations.moment, tight);
 }
 
-// What a nuisance is called, in which unit it is told, and how large it may be: a tolerance that may be a share of
+// Name of a nuisance, the unit in which it is told, and how large it may be: a tolerance that may be a share of
 // something in the record.
 struct NuisanceInfo {
   const char* finding;

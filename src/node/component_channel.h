@@ -34,7 +34,7 @@ struct SavedPromotion : SavedStream {
   double weight = 0.0;  ///< of its force in the published one
 };
 
-/// What tells a model from others: its elements, or of six directions the SHA-256 of the description in YAML.
+/// Identity of a model: its elements, or of six directions the SHA-256 of the description in YAML.
 struct ModelIdentity {
   std::vector<element::ElementDescription> elements;
   std::string sha256;

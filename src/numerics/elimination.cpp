@@ -30,7 +30,7 @@ MatrixXd sharesOf(const MatrixXd& products, const VectorXd& penalty) {
   return Cholesky(gram).solve(MatrixXd(products.bottomLeftCorner(own, products.cols() - own)));
 }
 
-// What the best unknowns leave, their penalty included.
+// Residual at the best unknowns, their penalty included.
 MatrixXd leftBy(const MatrixXd& products, const MatrixXd& shares) {
   const Index width = shares.cols();
   return products.topLeftCorner(width, width) - products.topRightCorner(width, shares.rows()) * shares;

@@ -112,7 +112,7 @@ bool LogPlayer::isConnected(double patience) {
          hearsMeasured(patience);
 }
 
-// What answers displacements with forces need not want measured ones, but where it does the first are not to be lost.
+// A node that answers displacements need not want measured forces, but where it does the first are not to be lost.
 bool LogPlayer::hearsMeasured(double patience) {
   constexpr double kUnasked = 2.0;  // [s]; the node subscribes to it right behind the displacement
   const bool needed = options_.record_gap || options_.listeners > 0;

@@ -88,8 +88,9 @@ void leave(RosCommandLine& line) {
   }
 }
 
-// What one more node needs, at least: for each component a connection of its displacements and one of its forces, the
-// same for bundles, and some for the master, services and files. Throws std::runtime_error where the process has fewer.
+// Open files that one more node needs, at least: for each component a connection of its displacements and one of its
+// forces, the same for bundles, and some for the master, services and files. Throws std::runtime_error where the
+// process has fewer.
 void requireOpenFiles(std::size_t components) {
   constexpr std::size_t kBeside = 24;
   std::error_code unknown;
@@ -180,7 +181,7 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
     startServing();
     advertiseServices();
   } catch (const XmlRpc::XmlRpcException& error) {
-    throw std::runtime_error(fmt::format("the master answers what no master should: {}", error.getMessage()));
+    throw std::runtime_error(fmt::format("invalid reply from the ROS master: {}", error.getMessage()));
   }
 }
 

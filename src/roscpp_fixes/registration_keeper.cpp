@@ -97,7 +97,7 @@ void RegistrationKeeper::run() {
     try {
       check();
     } catch (const XmlRpc::XmlRpcException& error) {
-      ROS_WARN_THROTTLE(60.0, "the master answers what no master should: %s", error.getMessage().c_str());
+      ROS_WARN_THROTTLE(60.0, "invalid reply from the ROS master: %s", error.getMessage().c_str());
     }
   }
 }

@@ -36,7 +36,7 @@ void tellOnce(std::once_flag& told, const std::string& what) {
   std::call_once(told, [&] { fmt::print(stderr, "{}; said once\n", what); });
 }
 
-// What XmlRpcpp keeps from all but its own heirs.
+// Members that XmlRpcpp opens to derived classes alone.
 struct ClientAccess : XmlRpcClient {
   static constexpr auto state() { return &ClientAccess::_connectionState; }
   static constexpr auto kHeader = READ_HEADER;

@@ -1,4 +1,4 @@
-// The figure of a report about logs that cannot be what they say: as they are, and with the correction.
+// The figure of a report about logs with a wrong sign, unit, column or component: as they are, and with the correction.
 #include "diagnosis/prepare/bench_evidence.h"
 
 #include <gmock/gmock.h>

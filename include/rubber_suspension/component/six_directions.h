@@ -48,7 +48,7 @@ struct Twist {
   Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
 };
 
-/// What a component of six directions consists of.
+/// Parts of a component of six directions.
 struct SixDirectionsLaws {
   /// Elements of each direction, rotations in rad and N m; none: the direction is free. Of directions that are coupled,
   /// one that is given alone stands for all.
@@ -62,14 +62,14 @@ struct SixDirectionsLaws {
   Eigen::Isometry3d on_b = Eigen::Isometry3d::Identity();  ///< where it sits on body B: its frame in B
 };
 
-/// What a step gives.
+/// Result of a step.
 struct BushForce {
   Wrench wrench;  ///< to be applied to B, at B's origin, to hold the pose; in A's axes
   /// Generalised forces [N, N m] of the directions, in the bush's axes on A, with their parts.
   std::array<element::ComponentForce, kDirections> direction;
 };
 
-/// What the bush exerts on the bodies, in A's axes.
+/// Wrenches of the bush on the bodies, in A's axes.
 struct Reactions {
   Wrench on_a;  ///< about A's origin: (F, M + d x F)
   Wrench on_b;  ///< about B's origin: (-F, -M)
@@ -165,7 +165,7 @@ class SixDirections {
   /// does with those of the elements.
   SixNumbers directionForces(const Eigen::Isometry3d& pose, const Wrench& wrench) const;
 
-  /// What the bodies feel of a wrench that step() gave at a pose.
+  /// Wrenches on the bodies by one that step() gave at a pose.
   static Reactions reactions(const Eigen::Isometry3d& pose, const Wrench& wrench);
 
   /// Whether a temperature does anything; at which [degC] it does; that of the steps that follow. As Component has it,

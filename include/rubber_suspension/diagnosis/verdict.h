@@ -13,7 +13,7 @@ enum class Verdict {
   confounded,       ///< likewise, and the logs cannot tell which
   unknown,          ///< something is missing, and it is not in the list
   partly,           ///< effects of the list are missing, and something else
-  check_bench,      ///< a log cannot be what it says
+  check_bench,      ///< a log has a wrong sign, unit, column or component
   defect            ///< the report would contradict itself, and tells nothing
 };
 

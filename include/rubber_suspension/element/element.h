@@ -65,7 +65,7 @@ class Element {
   virtual bool linear() const = 0;
 
   /// True where, from rest on, it never gives back more energy than it was given, by itself or on a passive test piece.
-  /// What is active: faults of a measuring chain, which have forces of their own or shift them in time; a part of a
+  /// Active are: faults of a measuring chain, which have forces of their own or shift them in time; a part of a
   /// characteristic that needs a spring beside it; a test piece that is loaded cold and unloaded hot.
   virtual bool passive() const { return true; }
 };

@@ -27,7 +27,7 @@ class RadialStiffness final : public ParallelElement {
   double alongRadius(double r) const { return r * secant(r); }
   double energy(double r) const { return r * r * r * (quadratic_ / 3.0 + r * (cubic_ / 4.0 + r * r * quintic_ / 6.0)); }
 
-  /// What a displacement has of the law along its direction alone, and the radius has not [N].
+  /// Force of a displacement by the law along its direction alone, without that of the radius [N].
   double own(double displacement) const { return (1.0 - alone_) * displacement * secant(std::abs(displacement)); }
 
   double force(double displacement, double across) const {

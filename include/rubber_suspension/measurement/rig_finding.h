@@ -37,7 +37,7 @@ struct RigFinding {
   double value = 0.0;                              ///< how much, in `unit`
   std::array<double, 2> interval_95 = {0.0, 0.0};  ///< of the value; both ends equal where it was counted
   std::string unit;                                ///< "1" for shares, factors and counts
-  bool fatal = false;             ///< the log cannot be what it says: verdict check_bench, no effect is named
+  bool fatal = false;             ///< a wrong sign, unit, column or component: verdict check_bench, no effect is named
   bool beyond_tolerance = false;  ///< more than 2 standard deviations of what the rig's tolerances allow
   std::string text;               ///< one sentence: evidence and correction
 };

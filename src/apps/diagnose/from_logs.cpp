@@ -81,7 +81,7 @@ class OpenedLogs {
 
   log::LogSources sources() const { return {logs_.begin(), logs_.end()}; }
 
-  /// What was found in the logs once they were read.
+  /// Findings in the logs once they were read.
   void tell(const io::ComponentDescription& component) const {
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       logs_[i]->tell(paths_[i], component);
@@ -127,7 +127,7 @@ diagnosis::ExperimentLimits limitsOf(const std::vector<std::string>& assignments
   return limits;
 }
 
-// What a search is told.
+// Settings of a search.
 diagnosis::DiagnosisOptions settingsOf(const DiagnoseOptions& options) {
   diagnosis::DiagnosisOptions settings;
   settings.limits = limitsOf(options.limits);

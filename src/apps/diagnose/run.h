@@ -54,7 +54,7 @@ diagnosis::RunRecord runRecord(const DiagnoseOptions& options);
 /// Those of --rig.
 void setTolerances(const std::vector<std::string>& assignments, io::ComponentDescription& component);
 
-/// What the terminal says of excerpts; empty where all samples were searched.
+/// The line on excerpts for the terminal; empty where all samples were searched.
 std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis);
 
 std::optional<diagnosis::report::EarlierReport> earlierReport(const DiagnoseOptions& options);

@@ -69,7 +69,7 @@ class RoundTripMeter {
   std::uint64_t next_ = 0;  // number of the next sample
 };
 
-/// What is run: an echo node, or `simulate` without or with ~diagnose.
+/// The program to run: an echo node, or `simulate` without or with ~diagnose.
 enum class NodeKind { echo, plain, diagnosing };
 
 /// A node in a namespace of its own, and what drives it. Needs a master.

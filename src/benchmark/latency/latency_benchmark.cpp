@@ -79,7 +79,7 @@ LatencyRow measureRow(int components, bool bundled, const BenchmarkOptions& opti
   return row;
 }
 
-// What axes of the figure show of each row.
+// Values of each row for an axis of the figure.
 struct Series {
   std::string label;
   std::function<io::Spread(const LatencyRow&)> value;

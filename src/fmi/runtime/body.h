@@ -1,4 +1,4 @@
-// What an instance moves: a component of one direction or of six, behind the same calls.
+// The body that an instance moves: a component of one direction or of six, behind the same calls.
 #pragma once
 
 #include <cmath>

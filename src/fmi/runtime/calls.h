@@ -21,7 +21,7 @@ FMI_PLAIN(void*, fmi3InstantiateScheduledExecution,
            fmi3Callback, fmi3Callback, fmi3Callback),
           instantiate(nullptr, false, "scheduled execution", environment, callback))
 
-// What is alike in both versions.
+// Calls that are alike in both versions.
 #define FMI_ALIKE(V, Boolean, State, Deserialize, Byte)                                                     \
   FMI_PLAIN(void, fmi##V##FreeInstance, (void* c), delete static_cast<Instance*>(c))                        \
   FMI_CALL(V, SetDebugLogging, (void* c, Boolean on, std::size_t count, const fmiString categories[]),      \
@@ -110,7 +110,7 @@ FMI_NO_SIMPLE(3, Clock, bool)
 #undef FMI_NO_SIMPLE
 #undef FMI_NO_TYPE
 
-// What this package offers in neither version; in FMI 3.0 by the parameters of the calls.
+// Calls that this package offers in neither version; in FMI 3.0 by the parameters of the calls.
 #define FMI_DERIVATIVE FMI_LIST, const fmiReference[], std::size_t, const double[]
 #define FMI_REFUSE(r, parameters, name) FMI_CALL(3, name, parameters, refuse(BOOST_PP_STRINGIZE(name)))
 #define FMI_REFUSED(parameters, names) BOOST_PP_SEQ_FOR_EACH(FMI_REFUSE, parameters, names)

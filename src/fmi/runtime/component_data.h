@@ -1,4 +1,4 @@
-// What an FMU carries of its component: the specification or the elements, and what was added; written by the exporter,
+// The component within an FMU: the specification or the elements, and what was added; written by the exporter,
 // read by the binary.
 #pragma once
 

@@ -110,7 +110,7 @@ void* instantiate(const char* token, bool logging_on, const char* refused, Logge
   return nullptr;
 }
 
-// What a pointer of the importer points to. Throws for none, which becomes an error.
+// Target of a pointer of the importer. Throws for none, which becomes an error.
 template <class Value>
 Value& at(Value* pointer, const char* call) {
   return pointer != nullptr ? *pointer : throw std::invalid_argument(std::string(call) + ": a null pointer");

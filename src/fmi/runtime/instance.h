@@ -16,7 +16,7 @@
 
 namespace rubber_suspension::fmi {
 
-/// What a call came to; the numbers are those of fmi2Status and fmi3Status.
+/// Result of a call; the numbers are those of fmi2Status and fmi3Status.
 enum class Status : int { ok = 0, discard = 2, error = 3 };
 
 /// Thrown by a call that is refused where nothing has happened and the importer may go on with something else. Whatever

@@ -24,7 +24,7 @@ constexpr double kNoStop = std::numeric_limits<double>::max();
 /// [m, rad] and a wrench [N, N m].
 using Numbers = std::array<double, 6>;
 
-/// What calls change of an instance, apart from its component.
+/// State of an instance that calls change, apart from its component.
 struct Standing {
   Phase phase = Phase::instantiated;
   double time = 0.0;           ///< [s]
