@@ -17,6 +17,7 @@
 #include "bag/header_stamp.h"
 #include "io/temporary_file.h"
 #include "rubber_suspension/gap/pose_replay.h"
+#include "support/files.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -38,13 +39,9 @@ class BagLog : public testing::Test {
   std::string path(const std::string& name) const { return folder_.folder() + "/" + name; }
 
   std::string refusal(const std::string& file, const std::string& component = "") const {
-    try {
-      bag::readBagLog(file, component);
-    } catch (const log::LogError& error) {
-      return error.what();
-    }
-    ADD_FAILURE() << file << " was not refused";
-    return {};
+    const std::string error = messageOf<log::LogError>([&] { bag::readBagLog(file, component); });
+    EXPECT_NE(error, "") << file << " was not refused";
+    return error;
   }
 
   TemporaryFile folder_{"keep", ""};
@@ -308,8 +305,7 @@ TEST_F(BagLog, RefusesWhatIsNoBag) {
 // Truncated anywhere, or with a byte changed anywhere in what rosbag trusts, a bag is read or refused, never worse.
 TEST_F(BagLog, SurvivesDamage) {
   bag::writeBagLog(path("a.bag"), "bush", log());
-  std::ifstream file(path("a.bag"), std::ios::binary);
-  const std::string whole((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::string whole = contentOf(path("a.bag"));
   const auto attempt = [&](const std::string& bytes) {
     std::ofstream(path("damaged.bag"), std::ios::binary) << bytes;
     try {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/files.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -27,11 +28,6 @@ std::string refusal(const std::string& text) {
   return messageOf<std::invalid_argument>([&] { command::componentFileFromDataSheetText(text, "sheet.yaml"); });
 }
 
-std::string replaced(const std::string& from, const std::string& to) {
-  std::string text = kSheet;
-  return text.replace(text.find(from), from.size(), to);
-}
-
 TEST(DataSheetFile, BecomesAComponentFile) {
   const std::string file = command::componentFileFromDataSheetText(kSheet, "sheet.yaml");
   EXPECT_THAT(file, HasSubstr("# static_stiffness"));
@@ -48,14 +44,14 @@ TEST(DataSheetFile, RefusesInOneLine) {
   const std::pair<std::string, std::string> rows[] = {
       {refusal("data_sheet: ["), "not YAML"},
       {refusal("components: {}"), "data_sheet"},
-      {refusal(replaced("component: bush", "component: 9 lives")), "9 lives"},
-      {refusal(replaced("  component: bush\n", "")), "component"},
-      {refusal(replaced("load: compression", "load: torsion")), "torsion"},
-      {refusal(replaced("  load: compression\n", "")), "load"},
-      {refusal(replaced("shore_a: 60", "shore_a: [60]")), "one number"},
-      {refusal(replaced("shore_a: 60", "shore: 60")), "shore: unknown key"},
-      {refusal(replaced("20 mm", "20 s")), "layer_thickness"},
-      {refusal(replaced("nominal_frequency: 4 Hz", "model: rubber")), "rubber"},
+      {refusal(replaced(kSheet, "component: bush", "component: 9 lives")), "9 lives"},
+      {refusal(replaced(kSheet, "  component: bush\n", "")), "component"},
+      {refusal(replaced(kSheet, "load: compression", "load: torsion")), "torsion"},
+      {refusal(replaced(kSheet, "  load: compression\n", "")), "load"},
+      {refusal(replaced(kSheet, "shore_a: 60", "shore_a: [60]")), "one number"},
+      {refusal(replaced(kSheet, "shore_a: 60", "shore: 60")), "shore: unknown key"},
+      {refusal(replaced(kSheet, "20 mm", "20 s")), "layer_thickness"},
+      {refusal(replaced(kSheet, "nominal_frequency: 4 Hz", "model: rubber")), "rubber"},
       {refusal(kSheet + "  shore_a: 61\n"), "twice"},
   };
   for (const auto& [message, part] : rows) {

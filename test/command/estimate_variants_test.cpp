@@ -12,6 +12,7 @@
 #include "command/linear_part.h"
 #include "command/measured_table.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::command {
 namespace {
@@ -21,7 +22,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 io::ComponentDescription load(const std::string& content) {
-  return io::parseComponentFile("components:\n  bush:\n" + content, "file.yaml").at(0);
+  return componentOf("components:\n  bush:\n" + content, "file.yaml");
 }
 
 io::ComponentDescription berg() {

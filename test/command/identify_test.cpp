@@ -13,6 +13,7 @@
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
+#include "support/kit.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -28,17 +29,14 @@ components:
                     high_frequency: 25, maxwell_elements: 3}
 )";
 
-io::ComponentDescription description() { return io::parseComponentFile(kFile, "test").at(0); }
+io::ComponentDescription description() { return componentOf(kFile); }
 
 // A specimen that is a fifth stiffer than specified.
 log::Log measuredLog() {
-  log::Log log;
-  log.name = "sweep";
-  for (int i = 0; i < 2000; ++i) {
+  log::Log log = logOf("sweep", 2000, 5000000, [](int i) {
     const double t = i * 0.005;
-    log.stamp.push_back(static_cast<std::int64_t>(i) * 5000000);
-    log.displacement.push_back(1e-3 * std::sin(2.0 * element::kPi * (0.2 + 0.5 * t) * t));
-  }
+    return 1e-3 * std::sin(2.0 * element::kPi * (0.2 + 0.5 * t) * t);
+  });
   log.force = gap::simulateLog(description().makeComponent(), log);
   for (double& force : log.force) {
     force *= 1.2;
@@ -144,23 +142,19 @@ log::Log benchLog(const std::string& name, unsigned seed, double zero) {
   constexpr int kBefore = 900;
   constexpr int kSamples = 3000;
   constexpr double kNoise = 5.0;
-  log::Log all;
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal(0.0, kNoise);
-  for (int i = 0; i < kBefore + kSamples; ++i) {
+  const log::Log all = logOf("all", kBefore + kSamples, 5000000, [&](int i) {
     const double t = i * 0.005;
-    all.stamp.push_back(static_cast<std::int64_t>(i) * 5000000);
-    all.displacement.push_back(1e-3 * std::sin(2.0 * element::kPi * (2.0 + 0.1 * seed) * t) +
-                               1e-3 * std::sin(2.0 * element::kPi * 0.31 * t + seed));
-  }
-  all.force = gap::simulateLog(description().makeComponent(), all);
-  log::Log log;
-  log.name = name;
-  for (int i = 0; i < kSamples; ++i) {
-    log.stamp.push_back(all.stamp[static_cast<std::size_t>(i)]);
-    log.displacement.push_back(all.displacement[static_cast<std::size_t>(kBefore + i)]);
-    log.force.push_back(1.2 * all.force[static_cast<std::size_t>(kBefore + i)] + zero + normal(generator));
-  }
+    return 1e-3 * std::sin(2.0 * element::kPi * (2.0 + 0.1 * seed) * t) +
+           1e-3 * std::sin(2.0 * element::kPi * 0.31 * t + seed);
+  });
+  const std::vector<double> force = gap::simulateLog(description().makeComponent(), all);
+  log::Log log = logOf(
+      name, kSamples, 5000000, [&](int i) { return all.displacement[static_cast<std::size_t>(kBefore + i)]; },
+      [&](int i, double /*z*/) {
+        return 1.2 * force[static_cast<std::size_t>(kBefore + i)] + zero + normal(generator);
+      });
   log.force[1500] += 9000.0;
   return log;
 }

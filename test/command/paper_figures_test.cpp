@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "rubber_suspension/element/constants.h"
+#include "support/files.h"
 
 namespace rubber_suspension {
 namespace {
@@ -211,13 +212,6 @@ TEST(PaperFigures, Figure8Curves) {
       EXPECT_NEAR(degrees(point.characteristics.loss_angle), known, known >= 10.0 ? 0.05 : 0.005);
     }
   }
-}
-
-std::string firstLine(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  return line;
 }
 
 TEST(PaperFigures, AreWritten) {

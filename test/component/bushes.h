@@ -9,10 +9,9 @@
 
 #include "rubber_suspension/component/six_directions.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
-
-inline element::ElementDescription spring(double stiffness) { return {"spring", {{"stiffness", {stiffness}}}}; }
 
 inline Eigen::Isometry3d poseAt(const Eigen::Vector3d& position, const Eigen::Vector3d& rotation) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

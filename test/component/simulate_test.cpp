@@ -10,21 +10,13 @@
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/processor/instructions.h"
 #include "support/allocation_counter.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::test {
 namespace {
 
 constexpr double kStep = 1e-3;                  // [s]
 constexpr std::int64_t kNanoseconds = 1000000;  // of a step
-
-element::ElementDescription maxwell(double stiffness, double break_frequency) {
-  return {"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {break_frequency}}}};
-}
-
-element::ElementDescription friction(double maximum_force, double displacement, double dead_band) {
-  return {"friction",
-          {{"maximum_force", {maximum_force}}, {"displacement", {displacement}}, {"dead_band", {dead_band}}}};
-}
 
 /// Random numbers of laws that are stepped by short ways: up to 20 Maxwell elements, up to 2 of friction.
 std::vector<element::ElementDescription> randomLaws(std::mt19937& random) {

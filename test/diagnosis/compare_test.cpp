@@ -9,6 +9,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "support/message_of.h"
+
 namespace rubber_suspension {
 namespace {
 
@@ -104,13 +106,9 @@ TEST_F(Compare, RefusesWhatIsNoReport) {
         "{\"schema\": \"rubber_suspension/gap_report/1\", \"component\": \"a\", \"verdict\": \"none\", "
         "\"effects\": [], \"gap\": 0.1, \"where\": []}"}) {
     write(text);
-    try {
-      diagnosis::report::EarlierReport report(path_);
-      FAIL() << text;
-    } catch (const std::runtime_error& error) {
-      EXPECT_THAT(error.what(), testing::StartsWith(path_ + ": ")) << text;
-      EXPECT_THAT(error.what(), Not(HasSubstr("\n"))) << text;
-    }
+    const std::string error = messageOf<std::runtime_error>([&] { diagnosis::report::EarlierReport report(path_); });
+    EXPECT_THAT(error, testing::StartsWith(path_ + ": ")) << text;
+    EXPECT_THAT(error, Not(HasSubstr("\n"))) << text;
   }
   std::remove(path_.c_str());
   EXPECT_THROW(diagnosis::report::EarlierReport{path_}, std::runtime_error) << "missing";

@@ -14,6 +14,7 @@
 #include "gap/simulate.h"
 #include "rig.h"
 #include "rubber_suspension/diagnosis/plan.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -21,14 +22,7 @@ namespace {
 using diagnosis::ImplantedEffect;
 
 log::Log programme(const std::function<double(double)>& law) {
-  log::Log log;
-  log.name = "programme";
-  for (int i = 0; i < 5000; ++i) {
-    const double t = 0.004 * i;
-    log.stamp.push_back(static_cast<std::int64_t>(i) * 4000000);
-    log.displacement.push_back(std::min(1.0, t) * law(t));
-  }
-  return log;
+  return logOf("programme", 5000, 4000000, [&](int i) { return std::min(1.0, 0.004 * i) * law(0.004 * i); });
 }
 
 log::Log sine() {

@@ -14,6 +14,7 @@
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 #include "shared_runs.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -24,16 +25,13 @@ constexpr std::int64_t kNanoseconds = 10000000;  // [ns]
 
 // A sine of 1 Hz at 100 Hz whose amplitude [mm] changes every so many seconds.
 log::Log stairs(const std::vector<double>& amplitudes, double seconds) {
-  log::Log log;
-  log.name = "stairs";
   const auto each = static_cast<std::size_t>(seconds * 100.0);
-  for (std::size_t i = 0; i < each * amplitudes.size(); ++i) {
-    log.stamp.push_back(static_cast<std::int64_t>(i) * kNanoseconds);
-    log.displacement.push_back(1e-3 * amplitudes[i / each] *
-                               std::sin(2.0 * element::kPi * 0.01 * static_cast<double>(i)));
-    log.force.push_back(1e6 * log.displacement.back());
-  }
-  return log;
+  return logOf(
+      "stairs", static_cast<int>(each * amplitudes.size()), kNanoseconds,
+      [&](int i) {
+        return 1e-3 * amplitudes[static_cast<std::size_t>(i) / each] * std::sin(2.0 * element::kPi * 0.01 * i);
+      },
+      [](int /*i*/, double z) { return 1e6 * z; });
 }
 
 Excerpts makeExcerpts(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out, std::size_t most) {

@@ -14,6 +14,7 @@
 #include "diagnosis/words/experiment_text.h"
 #include "rig.h"
 #include "rubber_suspension/diagnosis/experiment_limits.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -85,12 +86,7 @@ TEST(Experiments, MultisinesAreOddOrEven) {
 
 std::string refusal(const std::string& assignment) {
   diagnosis::ExperimentLimits limits;
-  try {
-    diagnosis::setExperimentLimit(limits, assignment);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return messageOf<std::invalid_argument>([&] { diagnosis::setExperimentLimit(limits, assignment); });
 }
 
 TEST(ExperimentLimits, AreReadWithTheirUnits) {

@@ -11,13 +11,14 @@
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/response/sweep.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::diagnosis {
 
 constexpr double kNoise = 0.01;  // of K*: what a good laboratory states
 
 inline io::ComponentDescription bush(const std::string& model, const std::string& more = "") {
-  return io::parseComponentFile("components:\n  bush:\n    " + model + "\n" + more, "test").front();
+  return componentOf("components:\n  bush:\n    " + model + "\n" + more);
 }
 
 inline const char* const kZener =

@@ -13,6 +13,7 @@
 #include "log/samples.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -121,16 +122,11 @@ TEST(LeadIn, OfAStandstillIsTheMean) {
   EXPECT_GT(amplitudeOf(leadIn(3200, 20.0, 16, 1e-4)), 1e-3);
 }
 
-log::Log recording(std::size_t samples, double amplitude) {
-  log::Log log;
-  log.name = "recording";
-  for (std::size_t i = 0; i < samples; ++i) {
-    const double phase = 2.0 * element::kPi * static_cast<double>(i) / 200.0;
-    log.stamp.push_back(static_cast<std::int64_t>(i) * 1000000);
-    log.displacement.push_back(amplitude * std::sin(phase));
-    log.force.push_back(1.1e6 * log.displacement.back() + 5.0 * std::cos(phase));
-  }
-  return log;
+log::Log recording(int samples, double amplitude) {
+  const auto phase = [](int i) { return 2.0 * element::kPi * i / 200.0; };
+  return logOf(
+      "recording", samples, 1000000, [&](int i) { return amplitude * std::sin(phase(i)); },
+      [&](int i, double z) { return 1.1e6 * z + 5.0 * std::cos(phase(i)); });
 }
 
 std::vector<LogSurvey> surveysOf(const std::vector<log::Log>& logs) {

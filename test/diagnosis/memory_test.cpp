@@ -5,6 +5,7 @@
 
 #include "rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -14,12 +15,7 @@ constexpr std::uint64_t kGibibyte = std::uint64_t{1} << 30U;
 constexpr std::size_t kRecorded = 20000000;
 
 std::string refusal(std::size_t samples, std::uint64_t available) {
-  try {
-    diagnosis::prepare::requireMemory({samples, 5}, kRecorded, 2, available);
-  } catch (const log::LogError& error) {
-    return error.what();
-  }
-  return "";
+  return messageOf<log::LogError>([&] { diagnosis::prepare::requireMemory({samples, 5}, kRecorded, 2, available); });
 }
 
 TEST(MemoryOfADiagnosis, IsRefusedOnceItIsMoreThanThereIs) {

@@ -18,17 +18,16 @@
 #include "measurement/friction_noise.h"
 #include "rig.h"
 #include "rubber_suspension/log/record.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
 
 io::ComponentDescription fiveInputs() {
-  return io::parseComponentFile(
-             "components:\n  bush:\n    model: multi_maxwell\n    specification:\n      static_stiffness: 3.0e6\n"
-             "      dynamic_stiffness: 4.2e6\n      nominal_frequency: 4.0\n      maximum_stiffness: 4.9e6\n"
-             "      high_frequency: 25.0\n",
-             "five inputs")
-      .front();
+  return componentOf(
+      "components:\n  bush:\n    model: multi_maxwell\n    specification:\n      static_stiffness: 3.0e6\n"
+      "      dynamic_stiffness: 4.2e6\n      nominal_frequency: 4.0\n      maximum_stiffness: 4.9e6\n"
+      "      high_frequency: 25.0\n");
 }
 
 TEST(ModelParameters, LeaveTheConfiguredModelAsItIs) {

@@ -11,6 +11,7 @@
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 
@@ -18,11 +19,9 @@ constexpr double kOneDeviation = 0.002;  ///< of a data sheet, as a gap
 
 /// The component of all test rigs: M2 with K_st = 1e6 N/m, K_n = 1.3e6 N/m at 4 Hz, f_b = 3 Hz.
 inline io::ComponentDescription rigComponent() {
-  return io::parseComponentFile(
-             "components:\n  bush:\n    model: maxwell\n    specification:\n      static_stiffness: 1.0e6\n"
-             "      dynamic_stiffness: 1.3e6\n      nominal_frequency: 4.0\n      break_frequency: 3.0\n",
-             "rig")
-      .front();
+  return componentOf(
+      "components:\n  bush:\n    model: maxwell\n    specification:\n      static_stiffness: 1.0e6\n"
+      "      dynamic_stiffness: 1.3e6\n      nominal_frequency: 4.0\n      break_frequency: 3.0\n");
 }
 
 /// What a rig does besides the component's own force; [N] of time [s], displacement [m] and rate [m/s].

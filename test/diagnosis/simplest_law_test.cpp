@@ -15,6 +15,7 @@
 #include "fit/fitter.h"
 #include "gap/simulate.h"
 #include "rig.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -136,11 +137,9 @@ diagnosis::SizedValue written(const std::string& place, const std::string& unit,
 }
 
 io::ComponentDescription inUnits() {
-  return io::parseComponentFile(
-             "components:\n  bush:\n    model: maxwell\n    specification:\n      static_stiffness: 0.9 kN/mm\n"
-             "      dynamic_stiffness: 1.3 kN/mm\n      nominal_frequency: 4\n      break_frequency: 3\n",
-             "test")
-      .front();
+  return componentOf(
+      "components:\n  bush:\n    model: maxwell\n    specification:\n      static_stiffness: 0.9 kN/mm\n"
+      "      dynamic_stiffness: 1.3 kN/mm\n      nominal_frequency: 4\n      break_frequency: 3\n");
 }
 
 TEST(WrittenComponent, HasNumbersThatAreKnown) {
@@ -162,7 +161,7 @@ TEST(WrittenComponent, HasNumbersThatAreKnown) {
   const std::string text = diagnosis::report::augmentedYaml(d);
   EXPECT_THAT(text, HasSubstr("static_stiffness: 0.896 kN/mm  # 95 %: 0.886 to 0.906 kN/mm; was 0.9 kN/mm"));
   EXPECT_THAT(text, HasSubstr("# maximum_force: 95 %: 195 to 240 N"));
-  const auto read = io::parseComponentFile(text, "augmented.yaml").front();
+  const auto read = componentOf(text);
   EXPECT_EQ(io::toYaml({read}), io::toYaml({d.law.augmented})) << "the file is the component, to the last bit";
 }
 

@@ -12,6 +12,8 @@
 #include "diagnosis/words/text.h"
 #include "gap/simulate.h"
 #include "io/rotational_unit.h"
+#include "support/kit.h"
+#include "support/message_of.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -109,18 +111,12 @@ TEST(RadialStiffness, OfARecordIsThatOfTheBush) {
 }
 
 std::string refusal(const std::string& coupling, const std::vector<component::Direction>& directions) {
-  const auto component = io::parseComponentFile(
-                             "components:\n  bush:\n    directions: {x: &e {model: elements, elements: [{type: spring, "
-                             "stiffness: 1 kN/mm}]}, y: *e, z: *e}\n    coupling: " +
-                                 coupling + "\n",
-                             "bush.yaml")
-                             .front();
-  try {
-    requireDirections(component, directions);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  const auto component = componentOf(
+      "components:\n  bush:\n    directions: {x: &e {model: elements, elements: [{type: spring, stiffness: 1 kN/mm}]}, "
+      "y: "
+      "*e, z: *e}\n    coupling: " +
+      coupling + "\n");
+  return messageOf<std::invalid_argument>([&] { requireDirections(component, directions); });
 }
 
 TEST(RequiredDirections, ErrorsNameDirectionAndWhatIsAccepted) {

@@ -8,6 +8,7 @@
 #include "diagnosis/words/sentence.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/record.h"
+#include "support/message_of.h"
 #include "warm_rig.h"
 
 namespace rubber_suspension {
@@ -22,12 +23,8 @@ TEST(TemperatureEffect, RefusesATemperatureAtWhichTheShiftDoesNotHold) {
   component.temperature = {"wlf_shift", {{"c1", {17.44}}, {"c2", {51.6}}, {"reference", {20.0}}}};
   std::vector<log::Log> logs = warmingLogs();
   logs[1].temperature[17] = -60.0;
-  try {
-    diagnosis::diagnose(component, logs, {});
-    FAIL() << "accepted";
-  } catch (const log::LogError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("warm: sample 18: temperature -60 degC is out of range; accepted: at least"));
-  }
+  EXPECT_THAT(messageOf<log::LogError>([&] { diagnosis::diagnose(component, logs, {}); }),
+              HasSubstr("warm: sample 18: temperature -60 degC is out of range; accepted: at least"));
 }
 
 std::size_t termsFor(const std::vector<log::Log>& logs) {

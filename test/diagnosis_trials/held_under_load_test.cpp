@@ -11,6 +11,7 @@
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/io/component_file.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -19,11 +20,9 @@ constexpr double kSampleStep = 0.004;  // [s]
 constexpr double kBushNoise = 3.0;     // [N]
 
 io::ComponentDescription bush() {
-  return io::parseComponentFile(
-             "components:\n  bush:\n    model: elements\n    elements:\n      - {type: spring, stiffness: 4.0e5}\n"
-             "      - {type: friction, maximum_force: 60.0, displacement: 1.0e-4}\n",
-             "bush")
-      .front();
+  return componentOf(
+      "components:\n  bush:\n    model: elements\n    elements:\n      - {type: spring, stiffness: 4.0e5}\n"
+      "      - {type: friction, maximum_force: 60.0, displacement: 1.0e-4}\n");
 }
 
 // A rise to the load in a second, a hold, then motions about it that grow until friction has forgotten the rise.

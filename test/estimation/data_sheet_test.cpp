@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <complex>
-#include <map>
 
+#include "estimation/values.h"
 #include "rubber_suspension/component/component.h"
 #include "support/message_of.h"
 
@@ -15,7 +15,6 @@ namespace rubber_suspension {
 namespace {
 
 using ::testing::HasSubstr;
-using Values = std::map<std::string, double>;
 
 const Values kBlock = {{"shore_a", 60.0},
                        {"loaded_area", 0.01},
@@ -27,16 +26,6 @@ const Values kBlock = {{"shore_a", 60.0},
 
 std::string refusal(std::optional<estimation::Model> model, estimation::LoadDirection direction, const Values& values) {
   return messageOf<std::invalid_argument>([&] { estimation::specificationFromDataSheet(model, direction, values); });
-}
-
-Values with(Values values, const std::string& key, double value) {
-  values[key] = value;
-  return values;
-}
-
-Values without(Values values, const std::string& key) {
-  values.erase(key);
-  return values;
 }
 
 TEST(ShoreHardness, GivesGentsModulus) {

@@ -4,27 +4,16 @@
 
 #include <cmath>
 #include <complex>
-#include <map>
 #include <regex>
 
+#include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
-#include "rubber_suspension/estimation/specification.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
 
 using ::testing::HasSubstr;
-
-using Values = std::map<std::string, double>;
-
-estimation::Specification specificationOf(const Values& values) {
-  estimation::Specification specification;
-  for (const auto& [key, value] : values) {
-    specification.set(key, value);
-  }
-  return specification;
-}
 
 const Values kFiveInputs = {{"static_stiffness", 3e6},
                             {"dynamic_stiffness", 4.2e6},
@@ -40,21 +29,12 @@ const Values kMaxwell = {
     {"static_stiffness", 3e6}, {"dynamic_stiffness", 4.2e6}, {"nominal_frequency", 4.0}, {"loss_angle", 0.1}};
 const Values kKelvinVoigt = {{"dynamic_stiffness", 4.2e6}, {"nominal_frequency", 4.0}, {"loss_angle", 0.1}};
 
-Values with(Values values, const std::string& key, double value) {
-  values[key] = value;
-  return values;
-}
-
-Values without(Values values, const std::string& key) {
-  values.erase(key);
-  return values;
-}
-
 const Values kBerg = with(kFriction, "break_frequency", 1.45);
 const Values kMaxwellDashpot = with(kMaxwell, "break_frequency", 0.5);
 
 std::string refusal(estimation::Model model, const Values& values) {
-  return messageOf<std::invalid_argument>([&] { estimation::estimate(model, specificationOf(values)); });
+  return messageOf<std::invalid_argument>(
+      [&] { estimation::estimate(model, specificationOf(values, estimation::Describes::unsaid)); });
 }
 
 bool solvable(estimation::Model model, const Values& values) { return refusal(model, values) == ""; }

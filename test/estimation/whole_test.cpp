@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"
 #include "support/message_of.h"
@@ -26,17 +27,7 @@ const bool kSeeded = setenv("RC_PARAMS", "seed=20150817 max_success=50", 0) == 0
 
 constexpr double kDegree = element::kPi / 180.0;
 
-estimation::Specification specificationOf(const std::map<std::string, double>& values,
-                                          estimation::Describes describes = estimation::Describes::component) {
-  estimation::Specification specification;
-  for (const auto& [key, value] : values) {
-    specification.set(key, value);
-  }
-  specification.describe(describes);
-  return specification;
-}
-
-std::map<std::string, double> fiveInputs(double dynamic_stiffness, double amplitude) {
+Values fiveInputs(double dynamic_stiffness, double amplitude) {
   return {{"static_stiffness", 3e6},  {"dynamic_stiffness", dynamic_stiffness},
           {"nominal_frequency", 4.0}, {"maximum_stiffness", 4.9e6},
           {"high_frequency", 25.0},   {"nominal_amplitude", amplitude}};

@@ -9,6 +9,7 @@
 #include "fit/force_model.h"
 #include "fit/model_parameters.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -17,13 +18,9 @@ using testing::ElementsAre;
 using testing::IsSupersetOf;
 
 log::Log recorded() {
-  log::Log result;
-  for (int i = 0; i < 200; ++i) {
-    result.stamp.push_back(i * 5000000LL);
-    result.displacement.push_back(1e-3 * std::sin(2.0 * element::kPi * 0.02 * i));
-    result.force.push_back(3e3 * result.displacement.back());
-  }
-  return result;
+  return logOf(
+      "", 200, 5000000, [](int i) { return 1e-3 * std::sin(2.0 * element::kPi * 0.02 * i); },
+      [](int /*i*/, double z) { return 3e3 * z; });
 }
 
 std::set<std::string> freeInEstimate(const std::vector<element::ElementDescription>& elements) {

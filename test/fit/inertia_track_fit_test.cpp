@@ -9,6 +9,7 @@
 #include "rubber_suspension/fit/identification.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/response/sweep.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -22,15 +23,12 @@ const Entries kGiven = {{"spring", {{"stiffness", {3e5}}}},
 
 /// A sweep from 1 to 30 Hz of 1 mm, at 500 Hz, with 1 % of noise on the force.
 log::Log sweep() {
-  log::Log log;
-  log.name = "sweep";
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0.0, 3.0);
-  for (int i = 0; i < 10000; ++i) {
+  log::Log log = logOf("sweep", 10000, 2000000, [](int i) {
     const double t = 0.002 * i;
-    log.stamp.push_back(2000000LL * i);
-    log.displacement.push_back(1e-3 * std::sin(2.0 * element::kPi * (1.0 + 0.725 * t) * t));
-  }
+    return 1e-3 * std::sin(2.0 * element::kPi * (1.0 + 0.725 * t) * t);
+  });
   log.force = gap::simulateLog(component::Component(kTruth), log);
   for (double& force : log.force) {
     force += noise(random);

@@ -10,6 +10,7 @@
 #include "rubber_suspension/fit/identification.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/response/sweep.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -67,14 +68,10 @@ TEST(TableFit, FindsTheParametersThatMadeTheTable) {
 
 // A table and a log of one component lead to the same elements.
 TEST(TableFit, AgreesWithTheFitToALog) {
-  log::Log log;
-  log.name = "sines";
-  for (int i = 0; i < 20000; ++i) {
+  log::Log log = logOf("sines", 20000, 1000000, [](int i) {
     const double time = 1e-3 * i;
-    log.stamp.push_back(1000000LL * i);
-    log.displacement.push_back(2e-3 * std::sin(3.0 * time) + 5e-4 * std::sin(31.0 * time) +
-                               1e-4 * std::sin(200.0 * time));
-  }
+    return 2e-3 * std::sin(3.0 * time) + 5e-4 * std::sin(31.0 * time) + 1e-4 * std::sin(200.0 * time);
+  });
   log.force = gap::simulateLog(truth().makeComponent(), log);
   IdentificationOptions options;
   options.starts = 2;

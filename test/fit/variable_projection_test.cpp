@@ -10,22 +10,10 @@
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/fit/identification.h"
 #include "rubber_suspension/processor/instructions.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
-
-element::ElementDescription spring(double stiffness) { return {"spring", {{"stiffness", {stiffness}}}}; }
-
-element::ElementDescription dashpot(double damping) { return {"dashpot", {{"damping", {damping}}}}; }
-
-element::ElementDescription maxwell(double stiffness, double break_frequency) {
-  return {"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {break_frequency}}}};
-}
-
-element::ElementDescription friction(double maximum_force, double displacement, double dead_band) {
-  return {"friction",
-          {{"maximum_force", {maximum_force}}, {"displacement", {displacement}}, {"dead_band", {dead_band}}}};
-}
 
 // A log of sines of growing amplitude at a constant rate, its stamps rounded to microseconds, with a gap in the middle.
 log::Log motion(std::size_t samples, std::int64_t step, double phase, std::int64_t gap = 0) {

@@ -7,6 +7,7 @@
 
 #include "fmi/description_check.h"
 #include "fmi/importer.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::fmi::test {
 namespace {
@@ -27,7 +28,7 @@ components:
       rz: {model: elements, elements: [{type: spring, stiffness: 900 N m/rad}, {type: dashpot, damping: 4 N m s/rad}]}
 )";
 
-io::ComponentDescription bush() { return io::parseComponentFile(kBush, "test").front(); }
+io::ComponentDescription bush() { return componentOf(kBush); }
 
 component::SixNumbers inputsAt(int sample) {
   component::SixNumbers inputs;

@@ -10,6 +10,7 @@
 #include "fmi/importer.h"
 #include "fmi/malloc_counter.h"
 #include "rubber_suspension/gap/replay.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::fmi::test {
 namespace {
@@ -23,15 +24,7 @@ double displacementAt(std::size_t sample) {
   return sample / 100 % 4 == 3 ? 1e-3 : 2e-3 * std::sin(20.0 * time) + 3e-4 * std::sin(311.0 * time);
 }
 
-log::Log makeLog(std::size_t samples) {
-  log::Log log;
-  log.name = "log";
-  for (std::size_t i = 0; i < samples; ++i) {
-    log.stamp.push_back(static_cast<std::int64_t>(i) * 1000000);
-    log.displacement.push_back(displacementAt(i));
-  }
-  return log;
-}
+log::Log makeLog(std::size_t samples) { return logOf("log", static_cast<int>(samples), 1000000, displacementAt); }
 
 double stepOf(const log::Log& log, std::size_t i) { return static_cast<double>(log.stamp[i] - log.stamp[i - 1]) / 1e9; }
 

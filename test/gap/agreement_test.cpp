@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "rubber_suspension/element/constants.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -19,15 +20,10 @@ constexpr double kForce = 2000.0;    // [N]
 
 // Ten cycles of 10 Hz at 1 kHz, the force ahead of the displacement by an angle.
 log::Log sine(double angle) {
-  log::Log log;
-  log.name = "sine";
-  for (int i = 0; i <= 1000; ++i) {
-    const double phase = 2.0 * element::kPi * 0.01 * i;
-    log.stamp.push_back(i * 1000000LL);
-    log.displacement.push_back(kAmplitude * std::sin(phase));
-    log.force.push_back(kForce * std::sin(phase + angle));
-  }
-  return log;
+  const auto phase = [](int i) { return 2.0 * element::kPi * 0.01 * i; };
+  return logOf(
+      "sine", 1001, 1000000, [&](int i) { return kAmplitude * std::sin(phase(i)); },
+      [&](int i, double /*z*/) { return kForce * std::sin(phase(i) + angle); });
 }
 
 // Energy per cycle: pi times both amplitudes times the sine of the angle; chords of a hundredth of a cycle are short of

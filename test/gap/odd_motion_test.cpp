@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "support/kit.h"
+
 namespace rubber_suspension {
 namespace {
 
@@ -13,22 +15,16 @@ using ::testing::HasSubstr;
 constexpr double kStiffness = 3e6;
 
 log::Log sine(double amplitude, double stiffness) {
-  log::Log log;
-  for (int i = 0; i < 100; ++i) {
-    log.stamp.push_back(i * 1000000LL);
-    log.displacement.push_back(amplitude * std::sin(0.1 * i));
-    if (stiffness > 0.0) {
-      log.force.push_back(stiffness * log.displacement.back());
-    }
-  }
-  return log;
+  const auto motion = [&](int i) { return amplitude * std::sin(0.1 * i); };
+  return stiffness > 0.0 ? logOf("", 100, 1000000, motion, [&](int /*i*/, double z) { return stiffness * z; })
+                         : logOf("", 100, 1000000, motion);
 }
 
 io::ComponentDescription plain() { return {"plain", {{"spring", {{"stiffness", {kStiffness}}}}}}; }
 
 io::ComponentDescription withFriction() {
   io::ComponentDescription description = plain();
-  description.add = {{"friction", {{"maximum_force", {1500.0}}, {"displacement", {2e-3}}}}};
+  description.add = {friction(1500.0, 2e-3)};
   return description;
 }
 

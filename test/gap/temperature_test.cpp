@@ -6,6 +6,7 @@
 
 #include "gap/simulate.h"
 #include "rubber_suspension/gap/replay.h"
+#include "support/kit.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -20,12 +21,10 @@ const std::vector<element::ElementDescription> kElements = {
 
 // More samples than a portion of the replay has.
 log::Log warmingLog() {
-  log::Log log;
-  log.name = "warming";
+  log::Log log = logOf(
+      "warming", 6000, 2000000, [](int i) { return 1e-3 * std::sin(0.05 * i) + 2e-4 * std::sin(0.4 * i); },
+      [](int /*i*/, double z) { return 3e6 * z; });
   for (int i = 0; i < 6000; ++i) {
-    log.stamp.push_back(i * 2000000LL);
-    log.displacement.push_back(1e-3 * std::sin(0.05 * i) + 2e-4 * std::sin(0.4 * i));
-    log.force.push_back(3e6 * log.displacement.back());
     log.temperature.push_back(10.0 + 0.01 * (i / 10));
   }
   return log;

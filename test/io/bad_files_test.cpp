@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rubber_suspension/io/component_file.h"
+#include "support/files.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -18,26 +19,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-std::vector<std::string> filesIn(const std::string& folder, const std::string& extension) {
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(TEST_DIR "/io/" + folder)) {
-    if (entry.path().extension() == extension) {
-      files.push_back(entry.path().string());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 std::string nameOf(const ::testing::TestParamInfo<std::string>& info) {
   return std::filesystem::path(info.param).stem().string();
-}
-
-std::string firstLine(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  return line;
 }
 
 void expectError(const std::string& error, const std::string& path, const std::string& expected) {
@@ -58,9 +41,10 @@ TEST_P(BadComponentFile, IsRefusedWithItsError) {
               line.substr(mark.size()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, BadComponentFile, ::testing::ValuesIn(filesIn("bad_component_files", ".yaml")), nameOf);
+INSTANTIATE_TEST_SUITE_P(Files, BadComponentFile, ::testing::ValuesIn(filesIn("io/bad_component_files", ".yaml")),
+                         nameOf);
 
-TEST(BadFiles, AreAllThere) { EXPECT_GE(filesIn("bad_component_files", ".yaml").size(), 95u); }
+TEST(BadFiles, AreAllThere) { EXPECT_GE(filesIn("io/bad_component_files", ".yaml").size(), 95u); }
 
 }  // namespace
 }  // namespace rubber_suspension

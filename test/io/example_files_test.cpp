@@ -9,6 +9,7 @@
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -30,12 +31,8 @@ std::vector<io::ComponentDescription> directionsOf(const io::ComponentDescriptio
 }
 
 TEST(ExampleFiles, AllLoadAndGiveFiniteForces) {
-  log::Log sine;
-  sine.name = "sine";
-  for (int i = 0; i < 2000; ++i) {
-    sine.stamp.push_back(i * 1000000LL);
-    sine.displacement.push_back(0.002 * std::sin(2.0 * element::kPi * 4.0 * 1e-3 * i));
-  }
+  const log::Log sine =
+      logOf("sine", 2000, 1000000, [](int i) { return 0.002 * std::sin(2.0 * element::kPi * 4.0 * 1e-3 * i); });
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
     if (entry.path().extension() != ".yaml") {

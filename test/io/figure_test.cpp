@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "io/temporary_file.h"
+#include "support/files.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -33,12 +34,6 @@ io::Figure exampleFigure() {
   figure.title = "example";
   figure.axes = {curves, map};
   return figure;
-}
-
-std::string contentOf(const std::string& path) {
-  std::ostringstream content;
-  content << std::ifstream(path, std::ios::binary).rdbuf();
-  return content.str();
 }
 
 TEST(DrawFigure, SvgFollowsLightAndDark) {

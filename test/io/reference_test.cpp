@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "rubber_suspension/element/catalogue.h"
-#include "support/reference_page.h"
+#include "support/files.h"
 
 namespace rubber_suspension {
 namespace {

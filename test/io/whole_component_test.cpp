@@ -8,6 +8,7 @@
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/response/sweep.h"
+#include "support/kit.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -16,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 
 io::ComponentDescription load(const std::string& content) {
-  return io::parseComponentFile("components:\n  bush:\n" + content, "file.yaml").at(0);
+  return componentOf("components:\n  bush:\n" + content, "file.yaml");
 }
 
 std::string refusalOf(const std::string& content) {
@@ -31,13 +32,10 @@ response::Characteristics at(const io::ComponentDescription& component, double f
 }
 
 std::vector<double> forcesOf(const io::ComponentDescription& component) {
-  log::Log sine;
-  sine.name = "sine";
-  for (int i = 0; i < 3000; ++i) {
-    sine.stamp.push_back(i * 1000000LL);
-    sine.displacement.push_back(0.002 * std::sin(2.0 * element::kPi * 4.0e-3 * i) + 1e-3 * std::sin(0.07 * i));
-  }
-  return gap::simulateLog(component.makeComponent(), sine);
+  const log::Log sines = logOf("sines", 3000, 1000000, [](int i) {
+    return 0.002 * std::sin(2.0 * element::kPi * 4.0e-3 * i) + 1e-3 * std::sin(0.07 * i);
+  });
+  return gap::simulateLog(component.makeComponent(), sines);
 }
 
 const char* const kWhole = R"(    model: multi_maxwell

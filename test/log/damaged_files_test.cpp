@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <numeric>
 #include <random>
 #include <string>
@@ -373,56 +374,46 @@ TEST(Hdf5File, OfACompoundDatasetHasItsMembersAsColumns) {
   EXPECT_EQ(log.force[7], channel(500.0)[7]);
 }
 
-TEST(Hdf5File, IsRefusedWhereItsDataLieInAnotherFile) {
-  const TemporaryFile secret("secret.txt", std::string(8 * kRows, 's'));
+// Of a log whose force is a dataset of these properties, without data of its own.
+std::string refusalWhereTheForceHas(const std::function<void(hid_t)>& properties) {
   const TemporaryFile file("log.h5", "");
   {
     const Hdf5Writer writer(file.path());
     writer.dataset("time_s", times());
     writer.dataset("displacement_mm", channel(1.0));
-    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
-    H5Pset_external(properties, secret.path().c_str(), 0, 8 * kRows);
-    writer.dataset("force_N", {}, properties);
-    H5Pclose(properties);
+    const hid_t list = H5Pcreate(H5P_DATASET_CREATE);
+    properties(list);
+    writer.dataset("force_N", {}, list);
+    H5Pclose(list);
   }
-  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("'force_N': its data lie in other files"));
+  return refusalOfHdf5(file.path());
+}
+
+TEST(Hdf5File, IsRefusedWhereItsDataLieInAnotherFile) {
+  const TemporaryFile secret("secret.txt", std::string(8 * kRows, 's'));
+  const auto elsewhere = [&](hid_t force) { H5Pset_external(force, secret.path().c_str(), 0, 8 * kRows); };
+  EXPECT_THAT(refusalWhereTheForceHas(elsewhere), HasSubstr("'force_N': its data lie in other files"));
 }
 
 TEST(Hdf5File, IsRefusedWhereADatasetIsAViewOfOthers) {
   const TemporaryFile source("source.h5", "");
   { Hdf5Writer(source.path()).log(""); }
-  const TemporaryFile file("log.h5", "");
-  {
-    const Hdf5Writer writer(file.path());
-    writer.dataset("time_s", times());
-    writer.dataset("displacement_mm", channel(1.0));
+  const auto view = [&](hid_t force) {
     const hsize_t size = kRows;
     const hid_t space = H5Screate_simple(1, &size, nullptr);
-    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
-    H5Pset_virtual(properties, space, source.path().c_str(), "force_N", space);
-    writer.dataset("force_N", {}, properties);
-    H5Pclose(properties);
+    H5Pset_virtual(force, space, source.path().c_str(), "force_N", space);
     H5Sclose(space);
-  }
-  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("'force_N': its data lie in other files"));
+  };
+  EXPECT_THAT(refusalWhereTheForceHas(view), HasSubstr("'force_N': its data lie in other files"));
 }
 
 TEST(Hdf5File, IsRefusedWhereDataWereNeverWritten) {
-  for (const bool chunked : {false, true}) {
-    const TemporaryFile file("log.h5", "");
-    {
-      const Hdf5Writer writer(file.path());
-      writer.dataset("time_s", times());
-      writer.dataset("displacement_mm", channel(1.0));
-      const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
-      const hsize_t chunk = 30;
-      if (chunked) {
-        H5Pset_chunk(properties, 1, &chunk);
-      }
-      writer.dataset("force_N", {}, properties);
-      H5Pclose(properties);
-    }
-    EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("'force_N': data that were never written"));
+  const auto chunked = [](hid_t force) {
+    const hsize_t chunk = 30;
+    H5Pset_chunk(force, 1, &chunk);
+  };
+  for (const auto& layout : {std::function<void(hid_t)>(chunked), std::function<void(hid_t)>([](hid_t /*force*/) {})}) {
+    EXPECT_THAT(refusalWhereTheForceHas(layout), HasSubstr("'force_N': data that were never written"));
   }
 }
 

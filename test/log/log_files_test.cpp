@@ -14,6 +14,7 @@
 #include "io/temporary_file.h"
 #include "log/text.h"
 #include "rubber_suspension/log/log.h"
+#include "support/files.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -21,17 +22,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-std::vector<std::string> filesIn(const std::string& folder, const std::string& extension) {
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(TEST_DIR "/log/" + folder)) {
-    if (entry.path().extension() == extension) {
-      files.push_back(entry.path().string());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 std::string nameOf(const ::testing::TestParamInfo<std::string>& info) {
   std::string name = std::filesystem::path(info.param).stem().string();
@@ -116,7 +106,7 @@ TEST_P(GoodLog, GivesItsNumbersAndSaysWhatItTookForWhat) {
   EXPECT_NO_THROW(log::checkLog(log));
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, GoodLog, ::testing::ValuesIn(filesIn("good_logs", ".expected")), nameOf);
+INSTANTIATE_TEST_SUITE_P(Files, GoodLog, ::testing::ValuesIn(filesIn("log/good_logs", ".expected")), nameOf);
 
 class BadLog : public ::testing::TestWithParam<std::string> {};
 
@@ -135,11 +125,11 @@ TEST_P(BadLog, IsRefusedWithItsError) {
   EXPECT_EQ(log::oneLine(text), text);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, BadLog, ::testing::ValuesIn(filesIn("bad_logs", ".csv")), nameOf);
+INSTANTIATE_TEST_SUITE_P(Files, BadLog, ::testing::ValuesIn(filesIn("log/bad_logs", ".csv")), nameOf);
 
 TEST(LogFiles, AreAllThere) {
-  EXPECT_GE(filesIn("good_logs", ".expected").size(), 40u);
-  EXPECT_GE(filesIn("bad_logs", ".csv").size(), 46u);
+  EXPECT_GE(filesIn("log/good_logs", ".expected").size(), 40u);
+  EXPECT_GE(filesIn("log/bad_logs", ".csv").size(), 46u);
 }
 
 TEST(LogFiles, APipeWhoseOtherEndNobodyOpensIsRefused) {

@@ -16,6 +16,8 @@
 
 #include "io/temporary_file.h"
 #include "rubber_suspension/log/log.h"
+#include "support/files.h"
+#include "support/kit.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -25,12 +27,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 namespace fs = std::filesystem;
-
-std::string contentOf(const fs::path& path) {
-  std::ostringstream content;
-  content << std::ifstream(path, std::ios::binary).rdbuf();
-  return content.str();
-}
 
 std::vector<std::string> namesIn(const std::string& folder) {
   std::vector<std::string> names;
@@ -144,12 +140,7 @@ TEST_P(NewFileOnSignal, IsRemovedAndTheOlderStays) {
 INSTANTIATE_TEST_SUITE_P(Signals, NewFileOnSignal, ::testing::Values(SIGINT, SIGTERM, SIGHUP));
 
 log::Log longLog() {
-  log::Log log;
-  for (int i = 0; i < 20000; ++i) {
-    log.stamp.push_back(i * 1000000LL);
-    log.displacement.push_back(1e-3 / 3.0 * i);
-  }
-  return log;
+  return logOf("", 20000, 1000000, [](int i) { return 1e-3 / 3.0 * i; });
 }
 
 // A limit of the size of files ends the writing in its middle, as a full disk does.

@@ -12,6 +12,7 @@
 
 #include "measurement/examine.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -102,14 +103,10 @@ TEST(BenchCheck, LeavesShortDelaysInSlowMotionToTheEffects) {
   const Elements spring = {{"spring", {{"stiffness", {2.3e5}}}}};
   const auto late = [](double delay) {
     constexpr double kFrequency = 3.2;  // [Hz]
-    log::Log log;
-    for (int i = 0; i < 8000; ++i) {
-      const double time = 0.0005 * i;
-      log.stamp.push_back(static_cast<std::int64_t>(i) * 500000);
-      log.displacement.push_back(1e-3 * std::sin(2.0 * element::kPi * kFrequency * time));
-      log.force.push_back(230.0 * std::sin(2.0 * element::kPi * kFrequency * (time - delay)));
-    }
-    return log::makeRecord(log);
+    const auto at = [](double time) { return std::sin(2.0 * element::kPi * kFrequency * time); };
+    return log::makeRecord(logOf(
+        "", 8000, 500000, [&](int i) { return 1e-3 * at(0.0005 * i); },
+        [&](int i, double /*z*/) { return 230.0 * at(0.0005 * i - delay); }));
   };
   for (const double delay : {0.0025, 0.012, 0.02}) {
     EXPECT_TRUE(checkBench(spring, {late(delay), late(delay)}).empty()) << delay;
@@ -144,15 +141,11 @@ TEST(BenchCheck, LeavesThePhaseOfFewLogsToTheEffects) {
 
 // A sine on a law of stiffness and phase.
 log::Record sine(double frequency, double stiffness, double phase = 0.0, log::UnitsAre units = log::UnitsAre::named) {
-  log::Log log;
-  log.name = "sine";
+  const auto turn = [&](int i) { return 2.0 * element::kPi * frequency * 0.002 * i; };
+  log::Log log = logOf(
+      "sine", 4000, 2000000, [&](int i) { return 1e-3 * std::sin(turn(i)); },
+      [&](int i, double /*z*/) { return stiffness * 1e-3 * std::sin(turn(i) + phase); });
   log.units = units;
-  for (int i = 0; i < 4000; ++i) {
-    const double turn = 2.0 * element::kPi * frequency * 0.002 * i;
-    log.stamp.push_back(static_cast<std::int64_t>(i) * 2000000);
-    log.displacement.push_back(1e-3 * std::sin(turn));
-    log.force.push_back(stiffness * 1e-3 * std::sin(turn + phase));
-  }
   return log::makeRecord(log);
 }
 

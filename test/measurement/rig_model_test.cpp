@@ -8,6 +8,7 @@
 
 #include "measurement/examine.h"
 #include "rubber_suspension/measurement/prepared_log.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -183,15 +184,9 @@ TEST(InitialStates, AreNoneOfALogThatStartsAtRest) {
 
 // A ramp from the first sample on, as a relaxation test has it: it moves at once, but from rest and without force.
 TEST(RigModel, ARampFromRestDoesNotStartInMotion) {
-  log::Log log;
-  log.name = "ramp";
-  for (int i = 0; i < 4000; ++i) {
-    const double z = 1e-3 * std::min(1.0, i / 200.0);
-    const double relaxing = 0.3 * std::exp(-std::max(0, i - 200) / 500.0);
-    log.stamp.push_back(static_cast<std::int64_t>(i) * 2000000);
-    log.displacement.push_back(z);
-    log.force.push_back(1e6 * z * (1.0 + relaxing));
-  }
+  log::Log log = logOf(
+      "ramp", 4000, 2000000, [](int i) { return 1e-3 * std::min(1.0, i / 200.0); },
+      [](int i, double z) { return 1e6 * z * (1.0 + 0.3 * std::exp(-std::max(0, i - 200) / 500.0)); });
   EXPECT_FALSE(startsInMotion(log::makeRecord(log)));
   for (double& force : log.force) {
     force += 300.0;  // a motion before may have left it
@@ -203,16 +198,10 @@ TEST(RigModel, ARampFromRestDoesNotStartInMotion) {
 TEST(PrepareLog, ScalesByTheForceOfTheStartToo) {
   std::mt19937 generator(3);
   std::normal_distribution<double> noise(0.0, 20.0);
-  log::Log log;
-  log.name = "hold";
-  Eigen::VectorXd force(5000);
-  for (int i = 0; i < 5000; ++i) {
-    const double z = i < 250 ? 1e-3 * (1.0 - i / 250.0) : 0.0;
-    force[i] = 1e6 * z + noise(generator);
-    log.stamp.push_back(static_cast<std::int64_t>(i) * 4000000);
-    log.displacement.push_back(z);
-    log.force.push_back(force[i]);
-  }
+  log::Log log = logOf(
+      "hold", 5000, 4000000, [](int i) { return i < 250 ? 1e-3 * (1.0 - i / 250.0) : 0.0; },
+      [&](int /*i*/, double z) { return 1e6 * z + noise(generator); });
+  const Eigen::Map<const Eigen::VectorXd> force(log.force.data(), 5000);
   const log::Record record = prepareLog(log).record;
   ASSERT_GT(record.counts.size(), 0) << "starts in motion";
   EXPECT_EQ(record.counts[0], 0.0);

@@ -14,6 +14,7 @@
 #include <iterator>
 #include <limits>
 
+#include "support/files.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -34,12 +35,6 @@ std::vector<node::SavedState> states() {
   other.started = false;
   other.stamp = 0;
   return {state, other};
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t place = text.find(from);
-  EXPECT_NE(place, std::string::npos) << from;
-  return text.replace(place, from.size(), to);
 }
 
 void expectRefusal(const std::string& text, const std::string& word) {

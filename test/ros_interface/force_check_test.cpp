@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "rubber_suspension/element/constants.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -15,14 +16,9 @@ namespace {
 constexpr double kOffset = 30.0;  // [N]
 
 log::Log sineLog() {
-  log::Log log;
-  log.name = "sine";
-  for (int i = 0; i < 1000; ++i) {
-    log.stamp.push_back(5000000000LL + i * 1000000LL);
-    log.displacement.push_back(1e-3 * std::sin(0.02 * element::kPi * i));
-    log.force.push_back(2e6 * log.displacement.back());
-  }
-  return log;
+  return logOf(
+      "sine", 1000, 1000000, [](int i) { return 1e-3 * std::sin(0.02 * element::kPi * i); },
+      [](int /*i*/, double z) { return 2e6 * z; });
 }
 
 ros_interface::PlayResult answered(const log::Log& log, double offset) {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/reference_page.h"
+#include "support/files.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,0 +1,33 @@
+// Values of specifications by their keys, with and without some.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "rubber_suspension/estimation/specification.h"
+
+namespace rubber_suspension {
+
+using Values = std::map<std::string, double>;
+
+inline Values with(Values values, const std::string& key, double value) {
+  values[key] = value;
+  return values;
+}
+
+inline Values without(Values values, const std::string& key) {
+  values.erase(key);
+  return values;
+}
+
+inline estimation::Specification specificationOf(const Values& values,
+                                                 estimation::Describes describes = estimation::Describes::component) {
+  estimation::Specification specification;
+  for (const auto& [key, value] : values) {
+    specification.set(key, value);
+  }
+  specification.describe(describes);
+  return specification;
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,49 @@
+// Texts and files of tests: as a whole, by their first line, with a part replaced.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension {
+
+/// The bytes of a file; none where it cannot be read.
+inline std::string contentOf(const std::filesystem::path& path) {
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+inline std::string firstLine(const std::filesystem::path& path) {
+  const std::string text = contentOf(path);
+  return text.substr(0, text.find('\n'));
+}
+
+/// The text of docs/`name`.md.
+inline std::string pageInDocs(const std::string& name) { return contentOf(TEST_DIR "/../docs/" + name + ".md"); }
+
+/// Files of this folder of test/ that end so, by name.
+inline std::vector<std::string> filesIn(const std::string& folder, const std::string& extension) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(TEST_DIR "/" + folder)) {
+    if (entry.path().extension() == extension) {
+      files.push_back(entry.path().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// The text with one part, which it has to have, replaced at its first place.
+inline std::string replaced(std::string text, const std::string& part, const std::string& by) {
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return at == std::string::npos ? text : text.replace(at, part.size(), by);
+}
+
+}  // namespace rubber_suspension
