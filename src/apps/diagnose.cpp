@@ -61,8 +61,15 @@ Files reportFiles(const DiagnoseOptions& options) {
   return files;
 }
 
+// Of the first few logs: the report lists them all.
 std::string takenOut(const diagnosis::Diagnosis& diagnosis) {
-  const std::vector<std::string> phrases = diagnosis::words::describeTakenOut(diagnosis.logs.taken_out);
+  constexpr std::size_t kMostLogs = 8;
+  std::vector<std::string> phrases = diagnosis::words::describeTakenOut(diagnosis.logs.taken_out);
+  if (phrases.size() > kMostLogs) {
+    const std::size_t more = phrases.size() - kMostLogs;
+    phrases.resize(kMostLogs);
+    phrases.push_back(fmt::format("{} more, in the report", more));
+  }
   return phrases.empty() ? "" : log::oneLine(fmt::format("taken out of the logs: {}", fmt::join(phrases, "; "))) + "\n";
 }
 
