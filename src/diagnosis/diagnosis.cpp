@@ -23,7 +23,6 @@
 #include "diagnosis/prepare/rig.h"
 #include "diagnosis/refused.h"
 #include "diagnosis/results/describe.h"
-#include "diagnosis/words/experiment_text.h"
 #include "diagnosis/words/sentence.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
@@ -184,11 +183,8 @@ Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSour
 
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
                    const std::vector<log::Log>& hold_out, const DiagnosisOptions& options) {
-  const auto sources = [](const std::vector<log::Log>& list) {
-    log::LogSources result;
-    std::transform(list.begin(), list.end(), std::back_inserter(result),
-                   [](const log::Log& log) { return log::sourceOf(log); });
-    return result;
+  const auto sources = [](const std::vector<log::Log>& list) -> log::LogSources {
+    return element::each(list, [](const log::Log& log) { return log::sourceOf(log); });
   };
   return diagnose(component, sources(logs), sources(hold_out), options);
 }

@@ -11,7 +11,7 @@
 #include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/words/experiment_text.h"
+#include "diagnosis/words/sentence.h"
 #include "rig.h"
 #include "rubber_suspension/diagnosis/experiment_limits.h"
 #include "support/message_of.h"

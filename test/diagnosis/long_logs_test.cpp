@@ -7,7 +7,6 @@
 
 #include "diagnosis/prepare/lead_in.h"
 #include "diagnosis/prepare/log_survey.h"
-#include "diagnosis/prepare/motion_survey.h"
 #include "diagnosis/results/recorded_gap.h"
 #include "gap/simulate.h"
 #include "log/samples.h"

@@ -254,12 +254,6 @@ TEST(ModelValues, AreTheFactWhereTheLogsContradictThem) {
             "K_n is 19 % too low in the component file (3.4 kN/mm instead of 4.2 kN/mm)");
 }
 
-TEST(ModelValues, MakeRoomForEffects) {
-  const auto d = withSizes({{"specification", "dynamic_stiffness", "N/m", 4.2e6, 3.4e6, {3.3e6, 3.5e6}}});
-  EXPECT_EQ(diagnosis::words::besideText(d.law.model_sizes[0]),
-            "K_n becomes 3.4 kN/mm (4.2 kN/mm in the component file)");
-}
-
 TEST(Candidates, AreOutForAReason) {
   diagnosis::Diagnosis d;
   d.answer.effects = {"friction"};

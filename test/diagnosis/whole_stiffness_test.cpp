@@ -1,9 +1,9 @@
 // Stiffness and loss angle of the whole component, before and after.
-#include "diagnosis/results/whole_stiffness.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "diagnosis/results/characteristics.h"
 
 namespace rubber_suspension {
 namespace {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "diagnosis/judge/answer.h"
+#include "element/each.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis::experiment {
@@ -143,10 +144,7 @@ class EffectRow {
       }
     }
     std::sort(order.begin(), order.end());
-    std::vector<std::string> names;
-    std::transform(order.begin(), order.end(), std::back_inserter(names),
-                   [&](const auto& entry) { return name(entry.second); });
-    return names;
+    return element::each(order, [&](const auto& entry) { return name(entry.second); });
   }
 
   bool halfIsFound(double size) const {

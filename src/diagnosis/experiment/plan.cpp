@@ -15,6 +15,7 @@
 #include "diagnosis/hypotheses/screening.h"
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/prepare/rig.h"
+#include "element/each.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/gap/gap.h"
@@ -87,7 +88,7 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   search.implants = hypotheses::implantAll(fitter, screening, options.threads);
   Plan result;
   result.component = component.name;
-  std::transform(records.begin(), records.end(), std::back_inserter(result.logs), plannedLog);
+  result.logs = element::each(records, plannedLog);
   result.could_show = experiment::couldShow(search, options.size, "as given");
   return result;
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "element/each.h"
 #include "io/cancellation.h"
 #include "log/even_blocks.h"
 #include "rubber_suspension/component/sample_stream.h"
@@ -275,18 +276,11 @@ void LiveDiagnosis::takeUp(const Diagnosis& diagnosis) {
   findings_.gap = diagnosis.gaps.unseen;
   findings_.where = diagnosis.answer.verdict == Verdict::none ? "" : placeOf(diagnosis.where.before);
   findings_.sentence = diagnosis.sentence;
-  findings_.rig_findings.clear();
-  for (const measurement::RigFinding& finding : diagnosis.rig_findings) {
-    findings_.rig_findings.push_back(finding.text);
-  }
-  findings_.probabilities.clear();
-  for (const std::string& effect : diagnosis.answer.effects) {
-    findings_.probabilities.push_back(probabilityOf(effect, diagnosis));
-  }
-  findings_.confounded.clear();
-  for (const std::vector<std::string>& set : diagnosis.answer.confounded) {
-    findings_.confounded.push_back(fmt::format("{}", fmt::join(set, " + ")));
-  }
+  findings_.rig_findings = element::each(diagnosis.rig_findings, &measurement::RigFinding::text);
+  findings_.probabilities =
+      element::each(diagnosis.answer.effects, [&](const auto& effect) { return probabilityOf(effect, diagnosis); });
+  findings_.confounded = element::each(diagnosis.answer.confounded,
+                                       [](const auto& set) { return fmt::format("{}", fmt::join(set, " + ")); });
   const bool has_effect = !diagnosis.answer.effects.empty();
   if (block_) {
     block_->whole = false;  // the look has seen its begin

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "diagnosis/live/onset.h"
+#include "element/each.h"
 
 namespace rubber_suspension::diagnosis::live {
 namespace {
@@ -65,13 +66,7 @@ void LiveJudgement::addLook(const Look& look) {
   }
 }
 
-std::vector<double> LiveJudgement::logErrors() const {
-  std::vector<double> errors;
-  errors.reserve(points_.size());
-  std::transform(points_.begin(), points_.end(), std::back_inserter(errors),
-                 [](const Point& point) { return point.log_error; });
-  return errors;
-}
+std::vector<double> LiveJudgement::logErrors() const { return element::each(points_, &Point::log_error); }
 
 std::optional<std::int64_t> LiveJudgement::regimeBegin() const {
   const auto change = lastChange(logErrors());

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
+#include "element/each.h"
 #include "log/samples.h"
 #include "rubber_suspension/log/record.h"
 
@@ -44,10 +44,7 @@ std::size_t largestMotion(const LogSurvey& log, const std::vector<Window>& windo
 }
 
 std::vector<double> motionOf(const LogSurvey& log, const std::vector<Window>& windows) {
-  std::vector<double> motion;
-  std::transform(windows.begin(), windows.end(), std::back_inserter(motion),
-                 [&](const Window& window) { return log.motion.deviation(window.first, window.last); });
-  return motion;
+  return element::each(windows, [&](const Window& window) { return log.motion.deviation(window.first, window.last); });
 }
 
 // A motion of less counts as standing still.
@@ -275,8 +272,9 @@ Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogS
   Excerpts result;
   std::vector<std::size_t> sizes;
   for (const auto* list : {&logs, &hold_out}) {
-    std::transform(list->begin(), list->end(), std::back_inserter(sizes),
-                   [](const LogSurvey& log) { return log.samples(); });
+    for (const LogSurvey& log : *list) {
+      sizes.push_back(log.samples());
+    }
   }
   result.of = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   const std::size_t share = fairShare(sizes, most);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "element/each.h"
@@ -184,10 +183,7 @@ Noise noiseOf(const std::vector<element::ElementDescription>& elements, const st
 
 std::vector<double> oneDeviations(const measurement::ErrorScale& scale, const std::vector<double>& floors,
                                   std::size_t logs) {
-  std::vector<double> result;
-  std::transform(floors.begin(), floors.end(), std::back_inserter(result),
-                 [&](double floor) { return scale.oneDeviation(floor, logs); });
-  return result;
+  return element::each(floors, [&](double floor) { return scale.oneDeviation(floor, logs); });
 }
 
 // An excerpt is of a log whose zero others of it have, too: there, none is free.

@@ -239,9 +239,7 @@ io::Axes missingAxes(const MissingForce& map, const std::vector<double>& force, 
   io::HeatMap heat;
   heat.label = "force [kN]";
   const auto scaled = [](const std::vector<double>& values, double factor) {
-    std::vector<double> result(values.size());
-    std::transform(values.begin(), values.end(), result.begin(), [&](double value) { return factor * value; });
-    return result;
+    return element::each(values, [&](double value) { return factor * value; });
   };
   heat.x_edges = scaled(map.displacement, 1e3);
   heat.y_edges = scaled(map.velocity, 1e3);

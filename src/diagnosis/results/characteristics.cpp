@@ -1,10 +1,14 @@
-// Errors of stiffness, loss angle and energy per cycle.
+// Loops of windows of logs, and of the whole component at its nominal point.
 #include "diagnosis/results/characteristics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
+#include "element/each.h"
 #include "numerics/fourier.h"
+#include "numerics/median.h"
+#include "rubber_suspension/response/sweep.h"
 
 namespace rubber_suspension::diagnosis::results {
 namespace {
@@ -19,21 +23,14 @@ struct Loop {
   double energy_scale = 0.0;  // pi/4 (Fmax - Fmin)(zmax - zmin) per radian of the window's motion
 };
 
-// About the mean and filled with zeros to a power of two: fast at any length.
-std::vector<double> padded(const Eigen::VectorXd& values) {
-  std::size_t length = 2;
-  while (length < static_cast<std::size_t>(values.size())) {
-    length *= 2;
-  }
-  std::vector<double> result(length, 0.0);
-  Eigen::Map<Eigen::VectorXd>(result.data(), values.size()) = values.array() - values.mean();
-  return result;
+std::vector<std::complex<double>> spectrumAboutMean(const Eigen::VectorXd& values) {
+  const Eigen::VectorXd about_mean = values.array() - values.mean();
+  return numerics::paddedSpectrum({about_mean.begin(), about_mean.end()});
 }
 
 Loop loopOf(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force) {
-  numerics::Fourier fourier;
-  const std::vector<std::complex<double>> z = fourier.halfSpectrum(padded(displacement));
-  const std::vector<std::complex<double>> f = fourier.halfSpectrum(padded(force));
+  const std::vector<std::complex<double>> z = spectrumAboutMean(displacement);
+  const std::vector<std::complex<double>> f = spectrumAboutMean(force);
   std::complex<double> cross = 0.0;
   double power = 0.0;
   for (std::size_t i = 1; i < z.size() - 1; ++i) {
@@ -47,6 +44,37 @@ Loop loopOf(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force) {
   loop.energy = 0.5 * travel.dot(force.tail(steps) + force.head(steps));
   loop.energy_scale = travel.cwiseAbs().dot((force.tail(steps).array() - force.mean()).abs().matrix());
   return loop;
+}
+
+double amplitudeOf(const log::Record& record) {
+  const Eigen::ArrayXd z = record.displacement.array() - record.displacement.mean();
+  return std::sqrt(2.0 * z.square().mean());
+}
+
+double medianAmplitude(const std::vector<log::Record>& logs, double frequency) {
+  std::vector<double> near;
+  std::vector<double> all;
+  for (const log::Record& record : logs) {
+    all.push_back(amplitudeOf(record));
+    if (std::abs(std::log2(record.mean_frequency / frequency)) <= 1.0) {
+      near.push_back(all.back());
+    }
+  }
+  return numerics::medianOf(near.empty() ? all : near);
+}
+
+// As a test machine measures it: heat and drift go on for minutes after these cycles.
+std::optional<response::Characteristics> measuredAt(const io::ComponentDescription& component, double frequency,
+                                                    double amplitude) {
+  response::LoopOptions options;
+  options.maximum_cycles = 20;
+  try {
+    const auto point =
+        response::characteristicsAt(component.withoutRig().makeComponent(), frequency, amplitude, options);
+    return std::isfinite(point.characteristics.stiffness) ? std::optional(point.characteristics) : std::nullopt;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -84,6 +112,27 @@ CharacteristicErrors characteristicErrors(const std::vector<log::Record>& record
     sum.energy = std::sqrt(sum.energy / std::max(1e-300, energy_reference));
   }
   return sum;
+}
+
+std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& before,
+                                             const io::ComponentDescription& after,
+                                             const std::vector<log::Record>& logs) {
+  const std::vector<double> frequencies = element::each(logs, &log::Record::mean_frequency);
+  const auto& specification = before.specification();
+  WholeStiffness whole;
+  whole.frequency =
+      specification.has("nominal_frequency") ? specification.at("nominal_frequency") : numerics::medianOf(frequencies);
+  whole.nominal_amplitude = specification.has("nominal_amplitude");
+  whole.amplitude =
+      whole.nominal_amplitude ? specification.at("nominal_amplitude") : medianAmplitude(logs, whole.frequency);
+  const auto was = measuredAt(before, whole.frequency, whole.amplitude);
+  const auto is = measuredAt(after, whole.frequency, whole.amplitude);
+  if (!was || !is) {
+    return std::nullopt;
+  }
+  whole.stiffness = {was->stiffness, is->stiffness};
+  whole.loss_angle = {was->loss_angle, is->loss_angle};
+  return whole;
 }
 
 }  // namespace rubber_suspension::diagnosis::results

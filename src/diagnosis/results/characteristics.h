@@ -1,7 +1,10 @@
-// Errors of stiffness, loss angle and energy per cycle between measured and simulated force.
+// Stiffness, loss angle and energy per cycle: their errors over logs, and those of the whole component at one point.
 #pragma once
 
+#include <vector>
+
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::results {
 
@@ -10,5 +13,13 @@ namespace rubber_suspension::diagnosis::results {
 /// that is coherent with the displacement, the energy from the integral of force over displacement.
 CharacteristicErrors characteristicErrors(const std::vector<log::Record>& records,
                                           const std::vector<Eigen::VectorXd>& simulated);
+
+/// Of the rubber, without what belongs to the rig. At the nominal frequency and amplitude of `before`. Without such a
+/// frequency it is the median of the mean frequencies of the logs; without such an amplitude the median amplitude of
+/// the logs within an octave of the frequency, or of all where there is none. The loop is that of cycle 20, or an
+/// earlier one on which it has settled.
+std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& before,
+                                             const io::ComponentDescription& after,
+                                             const std::vector<log::Record>& logs);
 
 }  // namespace rubber_suspension::diagnosis::results

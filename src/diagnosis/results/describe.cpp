@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,17 +11,14 @@
 
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
-#include "diagnosis/results/admission.h"
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/characteristics.h"
-#include "diagnosis/results/missing_force.h"
 #include "diagnosis/results/recorded_gap.h"
 #include "diagnosis/results/replayed.h"
 #include "diagnosis/results/rig_findings.h"
 #include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/surrogate.h"
 #include "diagnosis/results/taken_out.h"
-#include "diagnosis/results/whole_stiffness.h"
 #include "diagnosis/results/written_law.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
@@ -29,6 +27,46 @@ namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr double kHidesTheRig = 0.1;  // of the force: a rest in which what rigs do gets lost
+
+// Share of a log whose displacement repeats what it did one period before, the period being where the displacement
+// resembles itself best; repeats let noise be told from error without a model.
+double repeatsOf(const log::Record& record) {
+  constexpr double kSame = 0.05;  // difference over standard deviation that counts as a repeat
+  constexpr Eigen::Index kCoarse = 1024;
+  const Eigen::Index stride = std::max<Eigen::Index>(1, record.size() / kCoarse);
+  const Eigen::Index count = record.size() / stride;
+  Eigen::VectorXd z(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    z[i] = record.displacement[i * stride];
+  }
+  z.array() -= z.mean();
+  const double standard_deviation = std::sqrt(z.squaredNorm() / static_cast<double>(count));
+  double best = 0.0;
+  for (Eigen::Index lag = 4; lag < count / 2; ++lag) {
+    const Eigen::Index rest = count - lag;
+    const Eigen::ArrayXd difference = (z.tail(rest) - z.head(rest)).array().abs();
+    const auto same = (difference < kSame * standard_deviation).count();
+    best = std::max(best, static_cast<double>(same) / static_cast<double>(count));
+  }
+  return best;
+}
+
+// `noise`: its floor in units of the force's standard deviation; `account`: of what was taken out of it.
+Admission admit(const log::Record& record, bool hold_out, double noise, const LogAccount& account) {
+  Admission admission;
+  admission.log = record.name;
+  admission.hold_out = hold_out;
+  admission.duration = record.duration();
+  admission.dt = record.dt;
+  admission.largest_displacement = record.displacement.cwiseAbs().maxCoeff();
+  admission.highest_frequency = record.highest_frequency;
+  admission.noise = noise;
+  admission.repeats = repeatsOf(record);
+  admission.recorded = std::sqrt(account.recorded());
+  admission.left = std::sqrt(account.left());
+  admission.notes = record.notes;
+  return admission;
+}
 
 class Describer {
  public:

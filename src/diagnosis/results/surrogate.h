@@ -1,4 +1,5 @@
-// The unexplained rest: whether it is a function of the motion, and a component that closes it all the same.
+// The unexplained rest: whether it is a function of the motion, a component that closes it all the same, and a map of
+// the force that a model lacks over displacement and velocity.
 #pragma once
 
 #include <vector>
@@ -6,6 +7,7 @@
 #include "fit/surrogate.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::results {
 
@@ -25,5 +27,10 @@ Surrogate fitSurrogate(const io::ComponentDescription& component, const Surrogat
 /// Whether blocks that took no part in the fit show the rest to be a function of the motion, and the share of the
 /// squared rest beyond the noise that is. `count_logs`: blocks of one log count as one.
 void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, bool count_logs, Surrogate& surrogate);
+
+/// Of records and the forces on each of them of the augmented component, and of that with a surrogate [N]. Samples that
+/// did not count in the fit do not count here.
+MissingForce missingForce(const std::vector<log::Record>& records, const gap::Forces& augmented,
+                          const gap::Forces& surrogate);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "diagnosis/hypotheses/unseen_logs.h"
+#include "element/each.h"
 #include "fit/free_in_log.h"
 #include "gap/drive.h"
 #include "numerics/gram.h"
@@ -90,7 +90,9 @@ KindColumns kindColumns(const log::Record& record, const VectorXd& simulated) {
       measurement::RigModel({record}, {}, io::RigTolerances{}).columns({simulated}, {}).front();
   const Eigen::MatrixXd drift = driftColumns(record.size());
   KindColumns result;
-  std::transform(rig.nuisances.begin(), rig.nuisances.end(), std::back_inserter(result.kinds), kindOf);
+  for (const measurement::Nuisance nuisance : rig.nuisances) {
+    result.kinds.emplace_back(kindOf(nuisance));
+  }
   result.kinds.insert(result.kinds.end(), static_cast<std::size_t>(drift.cols()), taken_out::kDrift);
   result.columns.resize(record.size(), rig.columns.cols() + drift.cols());
   result.columns << rig.columns, drift;
@@ -205,10 +207,8 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
                                    const std::vector<prepare::RawChannels>& raw, fit::FreeInLog free,
                                    const fit::ZeroPriors& zeros) {
-  Displacements recorded;
+  const Displacements recorded = element::each(raw, &prepare::RawChannels::displacement);
   Displacements bridged;
-  std::transform(raw.begin(), raw.end(), std::back_inserter(recorded),
-                 [](const prepare::RawChannels& channels) { return channels.displacement; });
   for (const auto* list : {&of_the_fit, &held_out}) {
     for (const log::Record& record : *list) {
       bridged.push_back(record.raw_displacement);

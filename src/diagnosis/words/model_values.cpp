@@ -101,11 +101,6 @@ std::string offText(const SizedValue& size) {
                      quantity(size.value, size.unit), boundText(size));
 }
 
-std::string besideText(const SizedValue& size) {
-  return fmt::format("{} becomes {} ({} in the component file){}", valueName(size), quantity(size.value, size.unit),
-                     quantity(size.configured, size.unit), boundText(size));
-}
-
 std::string componentChanges(const Diagnosis& d) {
   std::vector<Row> rows;
   for (const SizedValue& size : d.law.model_sizes) {

@@ -29,10 +29,6 @@ std::string valueName(const SizedValue& size);
 /// "K_n is 19 % too low in the component file (3.4 kN/mm instead of 4.2 kN/mm)".
 std::string offText(const SizedValue& size);
 
-/// The same where effects are added, which take over part of what the value stood for: "K_n becomes 3.4 kN/mm (4.2
-/// kN/mm in the component file)".
-std::string besideText(const SizedValue& size);
-
 /// The component file before and after: values that differ, and entries added. HTML.
 std::string componentChanges(const Diagnosis& diagnosis);
 

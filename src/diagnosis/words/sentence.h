@@ -1,9 +1,10 @@
-// The judgement in words.
+// The judgement and the proposed experiment in words.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "diagnosis/experiment/next_experiment.h"
 #include "fit/excitation.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
@@ -26,5 +27,9 @@ std::string restNote(const Surrogate& surrogate);
 
 /// " Friction differs between the logs, ...", from the factor on it in each log; empty where there are none.
 std::string factorNote(const std::vector<double>& factors);
+
+/// What to play next and what it decides; or why nothing, and what it would take. The verdict of the diagnosis is
+/// known.
+std::string experimentText(const Diagnosis& diagnosis, const experiment::NextExperiment& next);
 
 }  // namespace rubber_suspension::diagnosis::words

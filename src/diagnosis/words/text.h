@@ -1,12 +1,11 @@
 // Numbers and text as the report's page has them.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <iterator>
 #include <string>
 #include <vector>
 
+#include "element/each.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis::words {
@@ -76,9 +75,7 @@ std::string table(const Row& titles, const std::vector<Row>& rows);
 /// The same of a list, of which `row` makes a row of each entry.
 template <class List, class Function>
 std::string table(const Row& titles, const List& list, Function row) {
-  std::vector<Row> rows;
-  std::transform(list.begin(), list.end(), std::back_inserter(rows), row);
-  return table(titles, rows);
+  return table(titles, element::each(list, row));
 }
 
 /// A part that is closed until it is clicked at, and not printed.
