@@ -133,7 +133,7 @@ class SafeOutput : std::streambuf {
 
 // malloc reserves 64 MiB of addresses for each thread, far more than it takes. Where addresses are limited, all threads
 // share one reserve. Elsewhere what a column of samples took is kept for the next one: the system clears each page that
-// it gives anew, which is a quarter of the time of a fit of some 10,000 samples.
+// it gives again, which is a quarter of the time of a fit of some 10,000 samples.
 void setUpMemory() {
   constexpr int kLargestKept = 32 << 20;  // [bytes] as malloc allows
   constexpr int kKept = 256 << 20;
