@@ -49,6 +49,8 @@ int main(int argc, char** argv) {
        "Measures how long the library takes on this machine for forces, an estimation and a diagnosis, and prints a "
        "Markdown table. The component is a spring, five Maxwell elements and friction, at 1 kHz. Times are CPU times "
        "of the thread, so that other programs matter little; for the diagnosis they are wall times.",
-       {{"In a few seconds", "--quick"}, {"Time and memory for a log of an hour", "--long-log 3600"}}},
+       {{"In a few seconds", "--quick"},
+        {"Time and memory for a log of five minutes, which is searched whole", "--long-log 300"},
+        {"For a log of an hour, of which excerpts are searched", "--long-log 3600"}}},
       run);
 }
