@@ -7,7 +7,7 @@
 
 #include "diagnosis/prepare/lead_in.h"
 #include "diagnosis/prepare/log_survey.h"
-#include "diagnosis/results/recorded_gap.h"
+#include "diagnosis/results/replayed.h"
 #include "gap/simulate.h"
 #include "log/samples.h"
 #include "rubber_suspension/element/constants.h"

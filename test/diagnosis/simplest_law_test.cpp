@@ -11,7 +11,7 @@
 #include "diagnosis/judge/numbers.h"
 #include "diagnosis/report/augmented_yaml.h"
 #include "diagnosis/results/headline.h"
-#include "diagnosis/results/rounding.h"
+#include "diagnosis/results/written_law.h"
 #include "fit/fitter.h"
 #include "gap/simulate.h"
 #include "rig.h"

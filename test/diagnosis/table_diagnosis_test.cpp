@@ -14,7 +14,7 @@
 
 #include "diagnosis/laboratory.h"
 #include "diagnosis/report/page.h"
-#include "diagnosis/table/scatter.h"
+#include "diagnosis/table/measured_rows.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {

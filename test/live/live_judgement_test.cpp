@@ -9,9 +9,6 @@
 #include <random>
 #include <vector>
 
-#include "diagnosis/live/onset.h"
-#include "diagnosis/live/sequential_evidence.h"
-
 namespace rubber_suspension {
 namespace {
 

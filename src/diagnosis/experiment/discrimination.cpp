@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "diagnosis/judge/numbers.h"
+#include "element/each.h"
 #include "fit/hypothesis_forces.h"
 #include "fit/parallel.h"
 #include "numerics/bounded_least_squares.h"
@@ -233,10 +234,7 @@ std::vector<Eigen::MatrixXd> Discriminator::derivatives(std::size_t explanation,
 // What an explanation, were it wrong, would be fitted to: the columns themselves are too many to be kept.
 void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& motions) {
   Says& said = says_[wrong];
-  std::vector<Eigen::VectorXd> whole;
-  for (const std::size_t motion : motions) {
-    whole.push_back(said.force[motion]);
-  }
+  const auto whole = element::each(motions, [&](std::size_t motion) { return said.force[motion]; });
   const std::vector<Eigen::MatrixXd> columns = derivatives(wrong, whole);
   for (std::size_t m = 0; m < motions.size(); ++m) {
     OnMotion& on_motion = said.on_motion[motions[m]];
@@ -327,11 +325,7 @@ void Discriminator::setNearest(const std::vector<Refitted>& refitted, Discrimina
 
 Discrimination Discriminator::best(const std::vector<Experiment>& menu) {
   const auto play = [&](const std::vector<std::size_t>& places) {
-    std::vector<const Experiment*> motions;
-    for (const std::size_t place : places) {
-      motions.push_back(&menu[place]);
-    }
-    played_.play(std::move(motions));
+    played_.play(element::each(places, [&](std::size_t place) { return &menu[place]; }));
   };
   std::vector<std::size_t> all(menu.size());
   std::iota(all.begin(), all.end(), std::size_t{0});

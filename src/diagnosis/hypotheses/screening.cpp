@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "element/each.h"
 #include "fit/parallel.h"
 #include "numerics/least_squares.h"
 
@@ -75,11 +76,9 @@ fit::Hypothesis Screening::hypothesisOf(const std::vector<int>& members) const {
 }
 
 std::vector<Eigen::Index> Screening::columnsOf(const fit::Hypothesis& hypothesis) const {
-  std::vector<Eigen::Index> columns;
-  for (const fit::TermPlace& place : hypothesis.places) {
-    columns.push_back(model_size_ + (std::find(all_.places.begin(), all_.places.end(), place) - all_.places.begin()));
-  }
-  return columns;
+  return element::each(hypothesis.places, [&](const fit::TermPlace& place) {
+    return model_size_ + (std::find(all_.places.begin(), all_.places.end(), place) - all_.places.begin());
+  });
 }
 
 Screening::Part Screening::partOf(const std::vector<int>& members) const {

@@ -15,6 +15,7 @@
 #include "diagnosis/hypotheses/screening.h"
 #include "diagnosis/hypotheses/shapes.h"
 #include "diagnosis/hypotheses/starts.h"
+#include "element/each.h"
 #include "fit/parallel.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
@@ -428,10 +429,7 @@ class Searcher {
       list.push_back({set.hypothesis, {}});
       least = std::min(least, set.error);
     }
-    std::vector<const FittedHypothesis*> from;
-    for (const Planned& set : planned) {
-      from.push_back(&bestFitted(set.hypothesis.members));
-    }
+    const auto from = element::each(planned, [&](const Planned& set) { return &bestFitted(set.hypothesis.members); });
     fit::parallelFor(planned.size(), threads_, [&](std::size_t i) {
       fitFurther(fitter_, *from[i], planned[i].start, kHopeless * least, list[first + i]);
     });

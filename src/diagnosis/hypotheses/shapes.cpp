@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "diagnosis/hypotheses/screening.h"
+#include "element/each.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
@@ -47,11 +48,8 @@ void lookAt(const std::vector<std::pair<Shape*, double>>& looks, const fit::Hypo
 
 // The first, the last and one between.
 std::vector<fit::BasisTerm> threeOf(const std::vector<fit::BasisTerm>& terms) {
-  std::vector<fit::BasisTerm> three;
-  for (const std::size_t place : std::set<std::size_t>{0, terms.size() / 2, terms.size() - 1}) {
-    three.push_back(terms[place]);
-  }
-  return three;
+  return element::each(std::set<std::size_t>{0, terms.size() / 2, terms.size() - 1},
+                       [&](std::size_t place) { return terms[place]; });
 }
 
 // A fitted hypothesis without the terms of a member's own law.

@@ -2,25 +2,22 @@
 #include "diagnosis/report/augmented_yaml.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "diagnosis/results/rounding.h"
+#include "diagnosis/results/written_law.h"
 #include "diagnosis/words/text.h"
+#include "element/each.h"
 #include "log/text.h"
 
 namespace rubber_suspension::diagnosis::report {
 namespace {
 
 std::string logsOf(const Diagnosis& d) {
-  std::vector<std::string> names;
-  for (const Admission& log : d.logs.admission) {
-    names.push_back(log.log + (log.hold_out ? " (held out)" : ""));
-  }
-  return fmt::format("{}", fmt::join(names, ", "));
+  return element::joined(d.logs.admission, ", ",
+                         [](const Admission& log) { return log.log + (log.hold_out ? " (held out)" : ""); });
 }
 
 std::string originOf(const Diagnosis& d, double gap) {

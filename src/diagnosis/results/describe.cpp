@@ -13,7 +13,6 @@
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/characteristics.h"
-#include "diagnosis/results/recorded_gap.h"
 #include "diagnosis/results/replayed.h"
 #include "diagnosis/results/rig_findings.h"
 #include "diagnosis/results/simplest_law.h"

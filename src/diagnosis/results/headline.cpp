@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "element/each.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/iwan.h"
 
@@ -150,12 +151,10 @@ std::vector<HeadlineValue> compliancesOf(const std::vector<element::ElementDescr
 
 // The side on which a contact is slack says as much as what holds it there, mostly nothing.
 std::vector<HeadlineValue> contactsOf(const std::vector<element::ElementDescription>& group) {
-  std::vector<HeadlineValue> result;
-  for (const element::ElementDescription& entry : group) {
-    result.push_back({entry.value("side") > 0.0 ? "slack_stiffness_in_compression" : "slack_stiffness_in_tension",
-                      "N/m", valueOr(entry, "slack_stiffness", 0.0), false});
-  }
-  return result;
+  return element::each(group, [](const element::ElementDescription& entry) -> HeadlineValue {
+    return {entry.value("side") > 0.0 ? "slack_stiffness_in_compression" : "slack_stiffness_in_tension", "N/m",
+            valueOr(entry, "slack_stiffness", 0.0), false};
+  });
 }
 
 }  // namespace

@@ -4,9 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "diagnosis/hypotheses/unseen_logs.h"
+#include "fit/parallel.h"
 #include "gap/simulate.h"
+#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/element/radial_stiffness.h"
+#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::results {
 namespace {
@@ -41,6 +46,112 @@ std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const Fitt
   return blocks;
 }
 
+using Piece = log::EvenBlocks::Piece;
+
+bool isCounted(const Piece& piece, std::size_t i) { return piece.counts == nullptr || piece.counts[i] > 0.0; }
+
+// The squared deviation of a force from its mean, piece by piece: about the first force, so that no digits are lost.
+class Deviation {
+ public:
+  void add(const Piece& piece) {
+    for (std::size_t i = 0; i < piece.samples; ++i) {
+      if (!isCounted(piece, i)) {
+        continue;
+      }
+      offset_ = count_ == 0.0 ? piece.force[i] : offset_;
+      const double force = piece.force[i] - offset_;
+      sum_ += force;
+      squares_ += force * force;
+      count_ += 1.0;
+    }
+  }
+
+  double sumOfSquares() const { return squares_ - sum_ * sum_ / count_; }
+
+ private:
+  double offset_ = 0.0;
+  double sum_ = 0.0;
+  double squares_ = 0.0;
+  double count_ = 0.0;
+};
+
+// A component that is driven by one log after the other.
+class Driven {
+ public:
+  explicit Driven(const std::vector<element::ElementDescription>& elements)
+      : component_(elements), radial_(element::radialLaws(elements)), state_(component_.makeState()) {}
+
+  void beginLog(bool as_new) {
+    as_new_ = as_new;
+    rests_ = true;
+    squares_ = 0.0;
+  }
+
+  void add(const Piece& piece, double dt) {
+    if (piece.samples == 0) {
+      return;
+    }
+    force_.resize(piece.samples);
+    std::size_t done = 0;
+    if (rests_) {
+      force_[done++] = rest(piece);
+      rests_ = false;
+    }
+    if (piece.gap > 0.0) {
+      force_[done++] = bridge(piece);
+    }
+    if (followsTemperature(piece)) {
+      component_.simulate(state_, dt, piece.displacement + done, piece.temperature + done, piece.samples - done,
+                          force_.data() + done);
+    } else {
+      component_.simulate(state_, dt, piece.displacement + done, piece.samples - done, force_.data() + done);
+    }
+    if (piece.across != nullptr) {
+      element::addAcross(radial_, piece.displacement, piece.across, piece.samples, force_.data());
+    }
+    for (std::size_t i = 0; i < piece.samples; ++i) {
+      if (!isCounted(piece, i)) {
+        continue;
+      }
+      squares_ += (piece.force[i] - force_[i]) * (piece.force[i] - force_[i]);
+    }
+  }
+
+  // Of the residuals since the log began.
+  double sumOfSquares() const { return squares_; }
+
+ private:
+  bool followsTemperature(const Piece& piece) const {
+    return component_.shiftsWithTemperature() && piece.temperature != nullptr;
+  }
+
+  // One step, as `replay` and the node take it.
+  double bridge(const Piece& piece) {
+    if (followsTemperature(piece)) {
+      component_.setTemperature(state_, piece.temperature[0]);
+    }
+    return component_.step(state_, piece.gap, piece.displacement[0]).total;
+  }
+
+  double rest(const Piece& piece) {
+    if (followsTemperature(piece)) {
+      component_.setTemperature(state_, piece.temperature[0]);
+    } else {
+      component_.forgetTemperature(state_);
+    }
+    const double z = piece.displacement[0];
+    return (as_new_ ? component_.initialise(state_, z) : component_.relax(state_, z)).total;
+  }
+
+  component::Component component_;
+  std::vector<element::RadialStiffness> radial_;
+  component::ComponentState state_;
+  bool as_new_ = true;
+  bool rests_ = true;
+  double squares_ = 0.0;
+  std::vector<double> force_;
+};
+
 }  // namespace
 
 Entries elementsOf(const fit::ModelParameters& model, const FittedLaw& fitted) {
@@ -62,6 +173,37 @@ std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const Fitted
                                          const HeldOut& held_out) {
   return held_out.records.empty() ? errorsOfTheFit(fitter, fitted, elements)
                                   : heldOutErrors(fitted.law.hypothesis(), elements, held_out);
+}
+
+std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementDescription>>& models,
+                                 const std::vector<prepare::LogSurvey>& logs, Recorded recorded, int threads) {
+  std::vector<Driven> driven(models.begin(), models.end());
+  std::vector<double> squared_gaps(models.size(), 0.0);
+  for (std::size_t l = 0; l < logs.size(); ++l) {
+    const log::EvenSteps steps = logs[l].steps.evenSteps();
+    log::EvenBlocks even(steps);
+    Deviation deviation;
+    for (Driven& component : driven) {
+      component.beginLog(l == 0 || recorded == Recorded::each_on_a_new_one);
+    }
+    const auto add = [&](const Piece& piece) {
+      deviation.add(piece);
+      fit::parallelFor(driven.size(), threads, [&](std::size_t m) { driven[m].add(piece, steps.dt); });
+    };
+    prepare::readAgain(logs[l], [&](const log::Log& block, std::size_t) {
+      log::requireForce(block);
+      even.add(block, add);
+      return true;
+    });
+    even.finish(add);
+    for (std::size_t m = 0; m < models.size(); ++m) {
+      squared_gaps[m] += driven[m].sumOfSquares() / deviation.sumOfSquares() / static_cast<double>(logs.size());
+    }
+  }
+  for (double& gap : squared_gaps) {
+    gap = std::sqrt(gap);
+  }
+  return squared_gaps;
 }
 
 }  // namespace rubber_suspension::diagnosis::results

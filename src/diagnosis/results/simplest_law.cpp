@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "diagnosis/judge/numbers.h"
+#include "element/each.h"
 #include "numerics/bounded_least_squares.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -230,11 +231,8 @@ class Chooser {
         free.push_back(j);
       }
     }
-    std::vector<fit::BasisTerm> terms;
-    for (const Eigen::Index t : pool_[m]) {
-      terms.push_back(termAt(t));
-    }
-    return Subsets(blocks_.sum, std::move(terms), of_candidate_[m], pool_[m], free, moment, square).best();
+    const auto terms = element::each(pool_[m], [&](Eigen::Index t) { return termAt(t); });
+    return Subsets(blocks_.sum, terms, of_candidate_[m], pool_[m], free, moment, square).best();
   }
 
   // A law that leaves little enough.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "diagnosis/results/headline.h"
+#include "element/each.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"
 
@@ -76,11 +77,8 @@ std::vector<SizedValue> writtenValues(const io::ComponentDescription& descriptio
 }
 
 std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candidate>& candidates) {
-  std::vector<std::string> effects;
-  for (const MemberLaw& member : law.members) {
-    effects.push_back(candidates[static_cast<std::size_t>(member.member)].effect);
-  }
-  return effects;
+  return element::each(
+      law.members, [&](const MemberLaw& member) { return candidates[static_cast<std::size_t>(member.member)].effect; });
 }
 
 class Resampling {

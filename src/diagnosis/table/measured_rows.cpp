@@ -1,16 +1,149 @@
 // Excitation, candidates and noise of a table.
 #include "diagnosis/table/measured_rows.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/hypotheses/measured_logs.h"
 #include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/shapes.h"
 #include "fit/master_curve.h"
+#include "numerics/least_squares.h"
 
 namespace rubber_suspension::diagnosis::table {
+namespace {
+
+using Points = std::vector<fit::TablePoint>;
+
+constexpr double kAssumed = 0.01;    // of K*: what laboratories state for bushings
+constexpr double kMostRough = 0.03;  // of K*: a table that is rougher may show what no law of the list does
+constexpr int kFewestFree = 3;       // complex numbers left to estimate a level from
+constexpr int kHighestDegree = 7;    // of a polynomial: all that up to eight levels allow
+constexpr double kMostUsed = 0.67;   // of the rows, by coefficients
+
+// Sum of squared relative errors, and the complex numbers that are free.
+struct Rest {
+  double squares = 0.0;
+  int free = 0;
+};
+
+double upperEnd(const Rest& rest) {
+  constexpr double kLower = 0.16;
+  const double freedom = 2.0 * rest.free;  // real numbers
+  const double quantile = boost::math::quantile(boost::math::chi_squared(freedom), kLower);
+  return std::sqrt(rest.squares / rest.free * freedom / quantile);
+}
+
+// Rounded, so that what a laboratory set to the same value is the same.
+long long rounded(double value, double unit) { return std::llround(value / unit); }
+
+using Condition = std::tuple<long long, long long>;
+using Place = std::tuple<long long, long long, Condition>;
+
+// Mean displacements and temperatures are measured: they are the same within a tenth of the smallest amplitude and half
+// a kelvin.
+Condition conditionOf(const Points& points, const fit::TablePoint& point) {
+  const auto smaller = [](const fit::TablePoint& x, const fit::TablePoint& y) { return x.amplitude < y.amplitude; };
+  const double length = 0.1 * std::min_element(points.begin(), points.end(), smaller)->amplitude;
+  return {rounded(point.mean, length), rounded(point.temperature.value_or(0.0), 0.5)};
+}
+
+Place placeOf(const Points& points, const fit::TablePoint& point) {
+  return {rounded(std::log(point.frequency), 1e-3), rounded(std::log(point.amplitude), 1e-3),
+          conditionOf(points, point)};
+}
+
+Rest repeats(const Points& points) {
+  std::map<Place, Points> places;
+  for (const fit::TablePoint& point : points) {
+    places[placeOf(points, point)].push_back(point);
+  }
+  Rest rest;
+  for (const auto& [place, rows] : places) {
+    std::complex<double> mean = 0.0;
+    for (const fit::TablePoint& row : rows) {
+      mean += row.complexStiffness() / static_cast<double>(rows.size());
+    }
+    for (const fit::TablePoint& row : rows) {
+      rest.squares += std::norm(row.complexStiffness() / mean - 1.0);
+    }
+    rest.free += static_cast<int>(rows.size()) - 1;
+  }
+  return rest;
+}
+
+std::size_t levelsOf(const Points& points, double (*value)(const fit::TablePoint&)) {
+  std::set<long long> levels;
+  for (const fit::TablePoint& point : points) {
+    levels.insert(rounded(std::log(value(point)), 1e-3));
+  }
+  return levels.size();
+}
+
+// The rest of ln K* that a polynomial of these degrees leaves.
+Rest leftBy(const Points& points, int in_frequency, int in_amplitude) {
+  const auto rows = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd basis(rows, (in_frequency + 1) * (in_amplitude + 1));
+  Eigen::MatrixXd values(rows, 2);
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    const fit::TablePoint& point = points[static_cast<std::size_t>(r)];
+    const double x = std::log(point.frequency / points.front().frequency);
+    const double y = std::log(point.amplitude / points.front().amplitude);
+    for (int p = 0; p <= in_frequency; ++p) {
+      for (int q = 0; q <= in_amplitude; ++q) {
+        basis(r, p * (in_amplitude + 1) + q) = std::pow(x, p) * std::pow(y, q);
+      }
+    }
+    values(r, 0) = std::log(point.stiffness / points.front().stiffness);
+    values(r, 1) = point.loss_angle;
+  }
+  const numerics::Remainder left = numerics::remainder(basis, values);
+  return {left.values.squaredNorm(), static_cast<int>(rows - left.rank)};
+}
+
+// Of one preload and temperature, the surface that leaves least for each number that is free.
+Rest smoothRest(const Points& points) {
+  const auto frequencies = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.frequency; }));
+  const auto amplitudes = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.amplitude; }));
+  Rest best;
+  for (int p = 0; p <= std::min(kHighestDegree, frequencies - 1); ++p) {
+    for (int q = 0; q <= std::min(kHighestDegree, amplitudes - 1); ++q) {
+      if ((p + 1) * (q + 1) > kMostUsed * static_cast<double>(points.size())) {
+        continue;
+      }
+      const Rest rest = leftBy(points, p, q);
+      if (rest.free > 0 && (best.free == 0 || rest.squares * best.free < best.squares * rest.free)) {
+        best = rest;
+      }
+    }
+  }
+  return best;
+}
+
+Rest smoothness(const Points& points) {
+  std::map<Condition, Points> conditions;
+  for (const fit::TablePoint& point : points) {
+    conditions[conditionOf(points, point)].push_back(point);
+  }
+  Rest sum;
+  for (const auto& [condition, rows] : conditions) {
+    const Rest rest = smoothRest(rows);
+    sum.squares += rest.squares;
+    sum.free += rest.free;
+  }
+  return sum;
+}
+
+}  // namespace
 
 // Softening and heat are over before a loop has settled; what creeps has crept; a constant force and a trend are no
 // part of a loop.
@@ -84,6 +217,26 @@ hypotheses::Noise MeasuredRows::estimateNoise(const hypotheses::FittedHypothesis
   noise.of_logs.assign(loops_->points().size(), noise.floor);
   noise.source = scatter_.source + (noise.floor < scatter_.level ? ", no more than what a model leaves" : "");
   return noise;
+}
+
+Scatter scatterOf(const Points& points, std::optional<double> stated) {
+  if (stated) {
+    return {*stated, "as stated by the laboratory"};
+  }
+  if (const Rest rest = repeats(points); rest.free >= kFewestFree) {
+    return {upperEnd(rest), "repeated rows of the table"};
+  }
+  if (const auto left = fit::leftBySuperposition(points); left && left->free >= kFewestFree) {
+    return {std::min(upperEnd({left->squares, left->free}), kMostRough),
+            fmt::format("what one curve leaves of the table, its temperatures shifted, {:g} % at most",
+                        100.0 * kMostRough)};
+  }
+  if (const Rest rest = smoothness(points); rest.free >= kFewestFree) {
+    return {std::min(upperEnd(rest), kMostRough),
+            fmt::format("what a smooth surface over frequency and amplitude leaves of the table, {:g} % at most",
+                        100.0 * kMostRough)};
+  }
+  return {kAssumed, fmt::format("assumed, since the table has too few rows to tell ({:g} %)", 100.0 * kAssumed)};
 }
 
 }  // namespace rubber_suspension::diagnosis::table

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "element/each.h"
+
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
@@ -33,11 +35,7 @@ std::vector<Entry> inOrder() {
 CandidateEntry::CandidateEntry(int place, CandidateFactory factory) { entries().emplace_back(place, factory); }
 
 std::vector<fit::Candidate> candidates(const fit::Excitation& excitation) {
-  std::vector<fit::Candidate> result;
-  for (const Entry& entry : inOrder()) {
-    result.push_back(entry.second(excitation));
-  }
-  return result;
+  return element::each(inOrder(), [&](const Entry& entry) { return entry.second(excitation); });
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate
