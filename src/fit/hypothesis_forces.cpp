@@ -82,9 +82,11 @@ void HypothesisForces::add(const std::vector<element::ElementDescription>& eleme
   }
 }
 
-HypothesisForces::Interaction HypothesisForces::interactionOf(const Hypothesis& hypothesis,
-                                                              const ParameterVector& parameters) const {
+HypothesisForces::Interaction HypothesisForces::interactionOf(
+    const Hypothesis& hypothesis, const ParameterVector& parameters,
+    const std::vector<element::ElementDescription>& further) const {
   Interaction interaction = of_model_;
+  add(further, interaction);
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
     const BasisTerm& term = hypothesis.terms[t];
     const bool at_work = scaleOf(parameters, t) != 0.0;
@@ -106,8 +108,7 @@ bool HypothesisForces::isKnown(const BasisTerm& term, const Interaction& interac
 std::optional<gap::Forces> HypothesisForces::at(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                                 const std::vector<element::ElementDescription>& further) const {
   // Terms known by their unit effect are added or multiplied; the others have to be simulated.
-  Interaction interaction = interactionOf(hypothesis, parameters);
-  add(further, interaction);
+  const Interaction interaction = interactionOf(hypothesis, parameters, further);
   ParameterVector rest = parameters;
   ParameterVector known = parameters;
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
@@ -129,7 +130,7 @@ std::optional<gap::Forces> HypothesisForces::at(const Hypothesis& hypothesis, co
 
 gap::Forces HypothesisForces::moreThanWith(const Eigen::VectorXd& scales, const Hypothesis& hypothesis,
                                            const ParameterVector& parameters) const {
-  const Interaction interaction = interactionOf(hypothesis, parameters);
+  const Interaction interaction = interactionOf(hypothesis, parameters, {});
   ParameterVector added = parameters;
   added.scales -= scales;
   bool linear = !interaction.softens;
@@ -157,46 +158,45 @@ gap::Forces HypothesisForces::moreThanWith(const Eigen::VectorXd& scales, const 
   return forces;
 }
 
-ForceColumn HypothesisForces::modelColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                          Eigen::Index parameter, const gap::Forces& base) const {
-  ParameterVector moved = parameters;
+ForceColumn HypothesisForces::modelColumn(const Place& place, Eigen::Index parameter) const {
+  ParameterVector moved = place.parameters;
   double step = kModelStep;
   moved.model[parameter] += step;
-  auto column = at(hypothesis, moved);
+  auto column = at(place.hypothesis, moved, place.further);
   if (!column) {
     step = -kModelStep;
-    moved.model[parameter] = parameters.model[parameter] + step;
-    column = at(hypothesis, moved);
+    moved.model[parameter] = place.parameters.model[parameter] + step;
+    column = at(place.hypothesis, moved, place.further);
   }
   // Without a model on either side the parameter cannot move.
-  return quotient(std::move(column).value_or(base), base, step);
+  return quotient(std::move(column).value_or(place.base), place.base, step);
 }
 
-ForceColumn HypothesisForces::termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                         std::size_t term, const gap::Forces& base) const {
-  const BasisTerm& basis_term = hypothesis.terms[term];
-  const double scale = scaleOf(parameters, term);
-  const bool exact = isKnown(basis_term, interactionOf(hypothesis, parameters));
-  if (exact || (basis_term.unit_effect && scale == 0.0)) {
-    return knownColumn(hypothesis, parameters, term, base);
+ForceColumn HypothesisForces::termColumn(const Place& place, std::size_t term) const {
+  const BasisTerm& basis_term = place.hypothesis.terms[term];
+  const double scale = scaleOf(place.parameters, term);
+  if (isKnown(basis_term, place.interaction) || (basis_term.unit_effect && scale == 0.0)) {
+    return knownColumn(place, term);
   }
   const double direction = scale + basis_term.typical > basis_term.upper ? -1.0 : 1.0;
   const double step = (scale == 0.0 ? 1.0 : kTermStep) * basis_term.typical * direction;
-  ParameterVector moved = parameters;
+  ParameterVector moved = place.parameters;
   moved.scales[static_cast<Eigen::Index>(term)] += step;
-  return quotient(*at(hypothesis, moved), base, step);
+  return quotient(*at(place.hypothesis, moved, place.further), place.base, step);
 }
 
 std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                                    const std::vector<bool>& active, const gap::Forces& base,
-                                                   int threads) const {
+                                                   int threads,
+                                                   const std::vector<element::ElementDescription>& further) const {
+  const Place place{hypothesis, parameters, further, base, interactionOf(hypothesis, parameters, further)};
   const auto size = static_cast<std::size_t>(model().size());
   std::vector<ForceColumn> columns(size + hypothesis.terms.size());
   parallelFor(columns.size(), threads, [&](std::size_t j) {
     if (j < size) {
-      columns[j] = modelColumn(hypothesis, parameters, static_cast<Eigen::Index>(j), base);
+      columns[j] = modelColumn(place, static_cast<Eigen::Index>(j));
     } else if (active.empty() || active[j - size]) {
-      columns[j] = termColumn(hypothesis, parameters, j - size, base);
+      columns[j] = termColumn(place, j - size);
     }
   });
   return columns;
@@ -204,22 +204,21 @@ std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis,
 
 // Where a term's effect is known the force is linear in its scale. Where others displace the component, that is about
 // so, and enough to tell whether a term at nothing is worth a step.
-ForceColumn HypothesisForces::knownColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                          std::size_t term, const gap::Forces& base) const {
-  const BasisTerm& basis_term = hypothesis.terms[term];
-  if (basis_term.on_rig || !(basis_term.softening || interactionOf(hypothesis, parameters).softens)) {
+ForceColumn HypothesisForces::knownColumn(const Place& place, std::size_t term) {
+  const BasisTerm& basis_term = place.hypothesis.terms[term];
+  if (basis_term.on_rig || !(basis_term.softening || place.interaction.softens)) {
     return basis_term.unit_effect;
   }
   gap::Forces column = *basis_term.unit_effect;
-  ParameterVector others = parameters;
+  ParameterVector others = place.parameters;
   others.scales = -others.scales;
-  for (std::size_t r = 0; r < base.size(); ++r) {
+  for (std::size_t r = 0; r < place.base.size(); ++r) {
     if (basis_term.softening) {
-      Eigen::VectorXd without_rig = base[r];
-      addForces(hypothesis, others, true, r, without_rig);
-      column[r].array() *= -without_rig.array() / (1.0 - scaleOf(parameters, term) * column[r].array());
+      Eigen::VectorXd without_rig = place.base[r];
+      addForces(place.hypothesis, others, true, r, without_rig);
+      column[r].array() *= -without_rig.array() / (1.0 - scaleOf(place.parameters, term) * column[r].array());
     } else {
-      soften(hypothesis, parameters, r, column[r]);
+      soften(place.hypothesis, place.parameters, r, column[r]);
     }
   }
   return columnOf(std::move(column));

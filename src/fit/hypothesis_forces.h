@@ -44,9 +44,10 @@ class HypothesisForces {
                            const ParameterVector& parameters) const;
 
   /// Derivatives by all model parameters, then by all terms; null for terms that are not `active`, which all are where
-  /// the list is empty.
+  /// the list is empty. `base`: the forces there, with further elements.
   std::vector<ForceColumn> columns(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                   const std::vector<bool>& active, const gap::Forces& base, int threads) const;
+                                   const std::vector<bool>& active, const gap::Forces& base, int threads,
+                                   const std::vector<element::ElementDescription>& further = {}) const;
 
  private:
   /// Effects at work besides elements of the component that add up.
@@ -56,20 +57,26 @@ class HypothesisForces {
     bool softens = false;    ///< softening terms
     bool on_rig = false;     ///< elements of the model that sit on the rig
   };
+  /// Where derivatives are taken.
+  struct Place {
+    const Hypothesis& hypothesis;
+    const ParameterVector& parameters;
+    const std::vector<element::ElementDescription>& further;
+    const gap::Forces& base;
+    Interaction interaction;
+  };
   static void add(const std::vector<element::ElementDescription>& elements, Interaction& interaction);
-  Interaction interactionOf(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
+  Interaction interactionOf(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                            const std::vector<element::ElementDescription>& further) const;
 
   /// True where the effect of a term on the force follows from its unit effect, without simulation.
   static bool isKnown(const BasisTerm& term, const Interaction& interaction);
 
-  /// Derivative by the logarithm of a model parameter, `base` being the forces there.
-  ForceColumn modelColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, Eigen::Index parameter,
-                          const gap::Forces& base) const;
+  /// Derivative by the logarithm of a model parameter.
+  ForceColumn modelColumn(const Place& place, Eigen::Index parameter) const;
   /// Derivative by the scale of a basis term; about, where it is at nothing and others displace the component.
-  ForceColumn termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t term,
-                         const gap::Forces& base) const;
-  ForceColumn knownColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t term,
-                          const gap::Forces& base) const;
+  ForceColumn termColumn(const Place& place, std::size_t term) const;
+  static ForceColumn knownColumn(const Place& place, std::size_t term);
 
   std::shared_ptr<const std::vector<log::Record>> records_;
   const ModelParameters& model_;

@@ -15,8 +15,6 @@ namespace {
 
 constexpr double kFarthest = 5.0;     // logarithm of a number over its start: a factor of 150
 constexpr double kNumberStep = 1e-3;  // of such a logarithm, for difference quotients
-constexpr double kModelStep = 1e-4;
-constexpr double kTermStep = 0.02;  // of the typical scale
 
 const element::ParameterInfo& infoOf(const element::ElementDescription& entry, const std::string& key) {
   return *element::findParameter(element::findElementType(entry.type)->parameters, key);
@@ -145,14 +143,14 @@ std::optional<gap::Forces> LawForces::at(const fit::ParameterVector& parameters)
   return canBeMade(entries) ? forces_.at(terms_, ofTerms(parameters), entries) : std::nullopt;
 }
 
-fit::ForceColumn LawForces::difference(const fit::ParameterVector& parameters, const gap::Forces& base,
-                                       Eigen::Index unknown, double step) const {
-  const Eigen::Index of_model = parameters.model.size();
+fit::ForceColumn LawForces::byNumber(const fit::ParameterVector& parameters, const gap::Forces& base,
+                                     const fit::BasisTerm& number, Eigen::Index t) const {
+  const double step = parameters.scales[t] + kNumberStep > number.upper ? -kNumberStep : kNumberStep;
   fit::ParameterVector moved = parameters;
-  (unknown < of_model ? moved.model[unknown] : moved.scales[unknown - of_model]) += step;
+  moved.scales[t] += step;
   auto forces = at(moved);
   if (!forces) {
-    forces = base;  // no model there: the parameter cannot move
+    forces = base;  // no law there: the number cannot move
   }
   for (std::size_t r = 0; r < base.size(); ++r) {
     (*forces)[r] = ((*forces)[r] - base[r]) / step;
@@ -160,24 +158,20 @@ fit::ForceColumn LawForces::difference(const fit::ParameterVector& parameters, c
   return fit::columnOf(std::move(*forces));
 }
 
-double LawForces::stepOf(const fit::ParameterVector& parameters, const fit::BasisTerm& unknown, Eigen::Index t) const {
-  double step = kNumberStep;
-  if (std::find(places_.begin(), places_.end(), t) != places_.end()) {
-    step = (parameters.scales[t] == 0.0 ? 1.0 : kTermStep) * unknown.typical;
-  }
-  return parameters.scales[t] + step > unknown.upper ? -step : step;
-}
-
 std::vector<fit::ForceColumn> LawForces::columns(const fit::ParameterVector& parameters, const gap::Forces& base,
                                                  int threads) const {
-  const Eigen::Index of_model = parameters.model.size();
+  const auto of_model = static_cast<std::size_t>(parameters.model.size());
+  std::vector<fit::ForceColumn> known =
+      forces_.columns(terms_, ofTerms(parameters), {}, base, threads, entriesAt(parameters.scales));
+  std::vector<fit::ForceColumn> columns(of_model + static_cast<std::size_t>(parameters.scales.size()));
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    columns[i < of_model ? i : of_model + static_cast<std::size_t>(places_[i - of_model])] = std::move(known[i]);
+  }
   const fit::Hypothesis all = law_.hypothesis();
-  std::vector<fit::ForceColumn> columns(static_cast<std::size_t>(of_model + parameters.scales.size()));
-  fit::parallelFor(columns.size(), threads, [&](std::size_t j) {
-    const auto unknown = static_cast<Eigen::Index>(j);
-    const Eigen::Index t = unknown - of_model;
-    const double step = t < 0 ? kModelStep : stepOf(parameters, all.terms[static_cast<std::size_t>(t)], t);
-    columns[j] = difference(parameters, base, unknown, step);
+  fit::parallelFor(all.terms.size(), threads, [&](std::size_t t) {
+    if (!columns[of_model + t]) {
+      columns[of_model + t] = byNumber(parameters, base, all.terms[t], static_cast<Eigen::Index>(t));
+    }
   });
   return columns;
 }

@@ -78,9 +78,9 @@ class LawForces {
   // Scales of the members that have terms, in the order of terms_.
   fit::ParameterVector ofTerms(const fit::ParameterVector& parameters) const;
   Entries entriesAt(const Eigen::VectorXd& scales) const;
-  double stepOf(const fit::ParameterVector& parameters, const fit::BasisTerm& unknown, Eigen::Index t) const;
-  fit::ForceColumn difference(const fit::ParameterVector& parameters, const gap::Forces& base, Eigen::Index unknown,
-                              double step) const;
+  // Derivative by a number of entries, the unknown at this place among all scales.
+  fit::ForceColumn byNumber(const fit::ParameterVector& parameters, const gap::Forces& base,
+                            const fit::BasisTerm& number, Eigen::Index t) const;
 
   fit::HypothesisForces forces_;
   Law law_;
