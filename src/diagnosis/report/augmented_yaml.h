@@ -7,14 +7,14 @@
 
 namespace rubber_suspension::diagnosis::report {
 
-/// How Diagnosis::augmented is written: each number as it was rounded, its interval as a comment. Refers to the
+/// How WrittenLaw::augmented is written: each number as it was rounded, its interval as a comment. Refers to the
 /// diagnosis.
 io::YamlStyle augmentedStyle(const Diagnosis& diagnosis);
 
-/// Text of Diagnosis::augmented, which reads back to it, with comments: origin, gaps, interval of each number.
+/// Text of WrittenLaw::augmented, which reads back to it, with comments: origin, gaps, interval of each number.
 std::string augmentedYaml(const Diagnosis& diagnosis);
 
-/// Text of Diagnosis::augmented_full, with its origin.
+/// Text of WrittenLaw::full, with its origin.
 std::string fullYaml(const Diagnosis& diagnosis);
 
 }  // namespace rubber_suspension::diagnosis::report
