@@ -451,12 +451,13 @@ std::optional<Suspicion> silenceSuspicion(const Examined& log) {
                   record.force_deviation, 100.0 * e.force_ratio));
 }
 
+constexpr double kFollows = 0.7;   // correlation of a force with what it is taken for
+constexpr double kClearly = 0.35;  // of the variance: more than what it should follow explains
+
 // A channel without its sign follows the magnitude of the other, and not the other.
 std::optional<Suspicion> rectifiedSuspicion(const Examined& log) {
   const log::Record& record = log.record;
   const Evidence& e = *log.evidence;
-  constexpr double kFollows = 0.7;   // correlation
-  constexpr double kClearly = 0.35;  // of the variance: more than by the signal itself
   const double of_force = correlationOf(record.force, log.simulated.cwiseAbs());
   const VectorXd magnitude = (record.force.array() - record.force.mean()).abs();
   const double of_displacement = correlationOf(record.displacement, magnitude);
@@ -650,6 +651,35 @@ void exchangeColumns(double units, log::Record& record) {
   record.displacement = record.raw_displacement = displacement;
 }
 
+// The component with its contacts on the other side; nothing without any.
+std::optional<component::Component> withContactsTurned(std::vector<element::ElementDescription> elements) {
+  bool has_any = false;
+  for (element::ElementDescription& element : elements) {
+    if (element.type == "lift_off") {
+      element.values["side"] = {-element.value("side")};
+      has_any = true;
+    }
+  }
+  return has_any ? std::optional(component::Component(elements)) : std::nullopt;
+}
+
+// The force is that of the component whose contact carries the other sign, whatever the log seems to be then: as
+// configured the contact is open where the log has a force.
+void nameTurnedContact(const component::Component& turned, Examined& log) {
+  const log::Record& record = log.record;
+  const double as_configured =
+      std::max(0.0, correlationOf(record.force, simulate(log.component, record.displacement, record)));
+  const double as_turned = correlationOf(record.force, simulate(turned, record.displacement, record));
+  if (as_turned > kFollows && as_turned * as_turned > as_configured * as_configured + kClearly) {
+    log.suspicion =
+        fatal(record.name, finding::kContactSide, as_turned,
+              fmt::format("the contact `lift_off` of the component is open where this log has a force, which follows "
+                          "the component with `side` of the other sign (correlation {:.2f}, as configured {:.2f}): "
+                          "correct `side`, or the signs of displacement and force",
+                          as_turned, as_configured));
+  }
+}
+
 }  // namespace
 
 std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
@@ -713,6 +743,9 @@ std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription
   if (const std::vector<Scaled> scales = scalesOf(logs); !scales.empty()) {
     nameCommonScale(scales, sheet);
     nameOddScales(scales, sheet);
+  }
+  if (const auto turned = withContactsTurned(elements)) {
+    std::for_each(logs.begin(), logs.end(), [&](Examined& log) { nameTurnedContact(*turned, log); });
   }
   std::vector<RigFinding> findings;
   for (const Examined& log : logs) {

@@ -276,6 +276,25 @@ TEST(BenchCheck, LeavesASpringThatLiftsOffToTheEffects) {
   EXPECT_TRUE(checkBench(kSpring, {record}).empty());
 }
 
+// Whether the logs are on both sides of the contact or on the one where the file has it open throughout.
+TEST(BenchCheck, NamesAContactOfTheOtherSide) {
+  for (const double side : {1.0, -1.0}) {
+    for (const double mean : {0.0, 1.2e-3}) {
+      log::Record record = sine(2.0, 1e6);
+      record.displacement = record.raw_displacement.array() + side * mean;
+      record.raw_displacement = record.displacement;
+      record.force = 1e6 * side * (side * record.displacement).cwiseMax(0.0);
+      std::vector<element::ElementDescription> elements = kSpring;
+      elements.push_back({"lift_off", {{"side", {-side}}}});
+      const std::vector<RigFinding> findings = checkBench(elements, {record});
+      ASSERT_THAT(namesOf(findings), ElementsAre(finding::kContactSide)) << side << mean;
+      EXPECT_THAT(findings[0].text, HasSubstr("correct `side`"));
+      elements.back().values["side"] = {side};
+      EXPECT_TRUE(checkBench(elements, {record}).empty()) << side << mean;
+    }
+  }
+}
+
 // Held slack, and moved while slack: the force is dead where the displacement is beyond all that carry any.
 TEST(BenchCheck, TakesNoLongSlackForADeadChannel) {
   for (const double side : {1.0, -1.0}) {

@@ -24,6 +24,7 @@ inline constexpr const char* kUnitFactor = "unit_factor";
 inline constexpr const char* kSwappedColumns = "swapped_columns";
 inline constexpr const char* kOtherComponent = "other_component";
 inline constexpr const char* kRectified = "rectified";
+inline constexpr const char* kContactSide = "contact_side";
 inline constexpr const char* kConstant = "constant";
 inline constexpr const char* kPeakToPeak = "peak_to_peak";
 inline constexpr const char* kDrift = "drift";
