@@ -99,6 +99,17 @@ TEST_F(SimplestLaw, OfASymmetricStopIsOneEntry) {
   EXPECT_NEAR(found()[0].value("stiffness"), 2e6, 4e4);
 }
 
+// The full law leaves no more, but each of its numbers costs probability: next to nothing of the interval is its.
+TEST_F(SimplestLaw, OfAStopIsLikelierThanTheFullOne) {
+  fit("bump_stop", {{"bump_stop", {{"stiffness", {2e6}}, {"gap", {1.32e-3}}, {"exponent", {1.3}}}}});
+  ASSERT_FALSE(simple_.others.empty());
+  for (const diagnosis::results::OtherLaw& other : simple_.others) {
+    const std::size_t beyond = other.fitted.law.members.at(0).size();
+    EXPECT_LT(other.odds, beyond > 6 ? 0.1 : 100.0) << beyond << " numbers";
+    EXPECT_GT(other.odds, 0.0);
+  }
+}
+
 // Iwan's sliders forget nothing under the noise of a sensor; Berg's friction has a dead band against it.
 TEST_F(SimplestLaw, OfFrictionMayBeIwans) {
   fit("friction", {{"iwan", {{"maximum_force", {800.0}}, {"displacement", {1e-4}}}}});
@@ -183,6 +194,14 @@ TEST(Headline, TellsStopsBySide) {
   EXPECT_DOUBLE_EQ(values.at("stiffness_in_tension"), 3e6);
   EXPECT_DOUBLE_EQ(values.at("gap_in_compression"), 1e-3);
   EXPECT_DOUBLE_EQ(values.at("stiffness_in_compression"), 4e6);
+}
+
+// A dead zone that a tenth of the motion is lost in says little by its width.
+TEST(Headline, TellsPlayByTheMotionThatIsLost) {
+  EXPECT_DOUBLE_EQ(headlineOf({{"free_play", {{"gap", {1e-4}}}}}).at("gap"), 1e-4);
+  const auto both = headlineOf(
+      {{"free_play", {{"gap", {1e-4}}, {"share", {0.9}}}}, {"free_play", {{"gap", {2e-3}}, {"share", {0.01}}}}});
+  EXPECT_DOUBLE_EQ(both.at("total_gap"), 0.9 * 1e-4 + 0.01 * 2e-3);
 }
 
 TEST(Headline, TellsTemperaturePerKelvinAtTheReference) {

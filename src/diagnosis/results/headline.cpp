@@ -135,6 +135,14 @@ std::vector<HeadlineValue> movedOf(const std::vector<element::ElementDescription
   return result;
 }
 
+// The motion that dead zones lose one after the other once it is beyond all of them.
+std::vector<HeadlineValue> playsOf(const std::vector<element::ElementDescription>& group) {
+  const double lost = std::accumulate(group.begin(), group.end(), 0.0, [](double sum, const auto& entry) {
+    return sum + valueOr(entry, "share", 1.0) * entry.value("gap");
+  });
+  return {{group.size() > 1 ? "total_gap" : "gap", "m", lost, true}};
+}
+
 // Stiffnesses in series do not add up.
 std::vector<HeadlineValue> compliancesOf(const std::vector<element::ElementDescription>& group) {
   std::vector<HeadlineValue> result;
@@ -169,6 +177,7 @@ std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDe
     const auto values = yields(group.front())               ? frictionOf(group)
                         : isStop(group.front())             ? stopsOf(group)
                         : followsTemperature(group.front()) ? changesWithTemperature(group)
+                        : name == "free_play"               ? playsOf(group)
                         : name == "series_compliance"       ? compliancesOf(group)
                         : name == "lift_off"                ? contactsOf(group)
                                                             : movedOf(group);

@@ -20,8 +20,9 @@ struct HeadlineValue {
 /// Headline numbers of an effect, as an engineer says them: what a fit moved, without choices and references. Of all
 /// that yields in a friction together the maximum force and the displacement at which half of it is reached from rest,
 /// as of the element `friction`; of stops the gap and the stiffness of each side; of a contact that opens what holds it
-/// then; of what follows the temperature the change of stiffness and of rates per kelvin at the reference; of other
-/// entries of one type the sum of the first parameter of their law, as total_NAME.
+/// then; of dead zones the motion that they lose together; of what follows the temperature the change of stiffness and
+/// of rates per kelvin at the reference; of other entries of one type the sum of the first parameter of their law, as
+/// total_NAME.
 std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDescription>& entries);
 
 /// The same by name, as report.json has them.

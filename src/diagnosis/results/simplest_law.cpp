@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "diagnosis/judge/numbers.h"
+#include "diagnosis/judge/score.h"
 #include "element/each.h"
 #include "numerics/bounded_least_squares.h"
 #include "rubber_suspension/gap/gap.h"
@@ -149,13 +150,15 @@ class Chooser {
     }
     linearise();
     const judge::JudgeNumbers& numbers = judge::fittedNumbers();
-    const double full = std::pow(gapOf(result_.fitted), 2);
+    gap_ = gapOf(result_.fitted);
+    const double full = std::pow(gap_, 2);
     const double most = 0.5 * (full + std::pow(before_, 2));  // closes half of what the full law does
     double allowed = full + std::pow(numbers.accepted, 2);
     for (std::size_t m = 0; m < own_.size(); ++m) {
       result_.form_error.push_back((candidateOf(m).one_form ? numbers.form_error_of_one : numbers.form_error) *
                                    addedBy(m));
       allowed += std::pow(result_.form_error[m], 2);
+      expected_ = allowed - full;
       simplify(m, std::min(allowed, most));
     }
     return std::move(result_);
@@ -267,10 +270,23 @@ class Chooser {
         std::iter_swap(laws.begin(), larger);
       }
     }
-    std::swap(laws.front().law, result_.fitted);
+    const Allowed chosen = std::exchange(laws.front(), {most, gap_, std::move(result_.fitted)});
     for (Allowed& law : laws) {
-      result_.others.push_back(std::move(law.law));
+      result_.others.push_back({std::move(law.law), oddsOver(chosen, law)});
     }
+    result_.fitted = chosen.law;
+    gap_ = chosen.gap;
+  }
+
+  // As the judgement has it: what is left more than by the better one of them, and what a number costs.
+  double oddsOver(const Allowed& chosen, const Allowed& other) const {
+    const judge::JudgeNumbers& numbers = judge::fittedNumbers();
+    const double least = std::pow(std::min(chosen.gap, other.gap), 2);
+    const auto logWeight = [&](const Allowed& law) {
+      return -0.5 * numbers.sharpness * judge::lossOf(law.gap * law.gap - least, expected_, numbers) -
+             judge::costOfNumbers(static_cast<double>(law.numbers), static_cast<double>(blocks_.gram.size()), numbers);
+    };
+    return std::exp(logWeight(other) - logWeight(chosen));
   }
 
   // Whether a law that has another one as a limit leaves less by more than an error that the judgement accepts, for
@@ -339,6 +355,8 @@ class Chooser {
   std::vector<Indices> pool_;              // of those of the candidate itself, then of its further laws
   std::vector<std::size_t> of_candidate_;  // how many the first are
   fit::BlockGrams blocks_;
+  double expected_ = 0.0;  // square that the members so far are expected to leave more than the full law
+  double gap_ = 0.0;       // of the law so far
   SimplestLaw result_;
 };
 

@@ -13,9 +13,15 @@ namespace rubber_suspension::diagnosis::results {
 /// The hypothesis as it was judged, each member by all its terms.
 FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged);
 
+/// A law and how probable it is over the one that was chosen, by what it leaves and by how many numbers it has.
+struct OtherLaw {
+  FittedLaw fitted;
+  double odds = 1.0;
+};
+
 struct SimplestLaw {
   FittedLaw fitted;
-  std::vector<FittedLaw> others;   ///< that no gap tells from it: the simplest of each other form, and the full one
+  std::vector<OtherLaw> others;    ///< that no gap tells from it: the simplest of each other form, and the full one
   std::vector<double> form_error;  ///< of each member, by which its law may differ from the rubber's: of the force
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -21,6 +22,33 @@ namespace {
 using Key = std::pair<std::string, std::string>;  // owner and name
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// A size of a draw, and what the draw counts.
+struct Draw {
+  double value;
+  double weight;
+};
+
+bool isLess(const Draw& a, const Draw& b) { return a.value < b.value; }
+
+// The value below which draws in order have this share of their weight.
+double quantile(const std::vector<Draw>& draws, double share) {
+  double below = share * std::accumulate(draws.begin(), draws.end(), 0.0,
+                                         [](double sum, const Draw& draw) { return sum + draw.weight; });
+  for (const Draw& draw : draws) {
+    below -= draw.weight;
+    if (below < 0.0) {
+      return draw.value;
+    }
+  }
+  return draws.back().value;
+}
+
+// A size of several elements is that of all together: in another draw there may be one.
+Key keyOf(const SizedValue& size) {
+  const std::string total = "total_";
+  return {size.owner, size.name.rfind(total, 0) == 0 ? size.name.substr(total.size()) : size.name};
+}
 
 std::string unitOf(const std::vector<element::ParameterInfo>& table, const std::string& name) {
   const element::ParameterInfo* const info = element::findParameter(table, name);
@@ -87,6 +115,7 @@ class Resampling {
              const DiagnosisOptions& options)
       : fitter_(law.fitter),
         fitted_(law.fitted),
+        weight_(law.odds / static_cast<double>(options.resamplings)),
         hypothesis_(fitted_.law.hypothesis()),
         effects_(effectsOf(fitted_.law, candidates)),
         generator_(options.seed),
@@ -104,9 +133,9 @@ class Resampling {
   // The draws of another law, of the sizes that both have; a place in a component file is that of another number there.
   void add(const Resampling& other) {
     for (auto& [key, draws] : draws_) {
-      const auto found = key.first.empty() ? other.draws_.end() : other.find(key);
+      const auto found = key.first.empty() ? other.draws_.end() : other.draws_.find(key);
       if (found != other.draws_.end()) {
-        std::vector<double> more = other.all(found->first, found->second);
+        const std::vector<Draw> more = other.all(found->first, found->second);
         draws = all(key, draws);
         draws.insert(draws.end(), more.begin(), more.end());
       }
@@ -190,7 +219,7 @@ class Resampling {
       ++resamples_;
       for (const auto* sizes : {&drawn.model, &drawn.effects, &drawn.written}) {
         for (const SizedValue& size : *sizes) {
-          draws_[{size.owner, size.name}].push_back(size.value);
+          draws_[keyOf(size)].push_back({size.value, weight_});
         }
       }
     } catch (const std::invalid_argument&) {
@@ -207,7 +236,7 @@ class Resampling {
       for (const HeadlineValue& value : headlineValuesOf(entries[m])) {
         sizes.effects.push_back({effects_[m], value.name, value.unit, kNone, value.value});
         if (value.is_scale) {
-          may_vanish_.insert({effects_[m], value.name});
+          may_vanish_.insert(keyOf(sizes.effects.back()));
         }
       }
       description.add.insert(description.add.end(), entries[m].begin(), entries[m].end());
@@ -226,40 +255,30 @@ class Resampling {
     }
   }
 
-  // Draws of a size; of several elements it is that of all together.
-  std::map<Key, std::vector<double>>::const_iterator find(const Key& key) const {
-    const std::string total = "total_";
-    const auto found = draws_.find(key);
-    return found != draws_.end()             ? found
-           : key.second.rfind(total, 0) == 0 ? draws_.find({key.first, key.second.substr(total.size())})
-                                             : draws_.find({key.first, total + key.second});
-  }
-
   // An effect that a resample leaves out altogether has the size 0 in it.
-  std::vector<double> all(const Key& key, std::vector<double> draws) const {
-    draws.resize(may_vanish_.count(key) > 0 ? std::max(draws.size(), resamples_) : draws.size(), 0.0);
+  std::vector<Draw> all(const Key& key, std::vector<Draw> draws) const {
+    draws.resize(may_vanish_.count(key) > 0 ? std::max(draws.size(), resamples_) : draws.size(), {0.0, weight_});
     return draws;
   }
 
   void predict(SizedValue& size) const {
-    const auto found = draws_.find({size.owner, size.name});
+    const auto found = draws_.find(keyOf(size));
     if (found == draws_.end()) {
       size.interval_95 = {size.value, size.value};
       return;
     }
-    std::vector<double> draws = all(found->first, found->second);
-    std::sort(draws.begin(), draws.end());
-    const auto at = [&](double share) {
-      return draws[static_cast<std::size_t>(std::lround(share * static_cast<double>(draws.size() - 1)))];
-    };
-    size.interval_95 = {std::min(size.value, at(0.025)), std::max(size.value, at(0.975))};
+    std::vector<Draw> draws = all(found->first, found->second);
+    std::sort(draws.begin(), draws.end(), isLess);
+    size.interval_95 = {std::min(size.value, quantile(draws, 0.025)), std::max(size.value, quantile(draws, 0.975))};
     // A bound gathers all draws that would lie beyond it.
-    const bool spread = draws.front() < draws.back();
-    size.at_bound = {spread && size.interval_95[0] == draws.front(), spread && size.interval_95[1] == draws.back()};
+    const double least = draws.front().value;
+    const double most = draws.back().value;
+    size.at_bound = {least < most && size.interval_95[0] == least, least < most && size.interval_95[1] == most};
   }
 
   const fit::HypothesisFitter& fitter_;
   const FittedLaw& fitted_;
+  const double weight_;  // of each draw
   const fit::Hypothesis hypothesis_;
   const std::vector<std::string> effects_;  // names of the members
   std::mt19937 generator_;
@@ -267,7 +286,7 @@ class Resampling {
   std::set<Key> may_vanish_;  // of these nothing of the effect is left at 0
   const Sizes best_;
   std::vector<Eigen::VectorXd> mistakes_;  // each of standard deviation 1
-  std::map<Key, std::vector<double>> draws_;
+  std::map<Key, std::vector<Draw>> draws_;
   std::size_t resamples_ = 0;
 };
 

@@ -9,10 +9,11 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// A law and what fitted it.
+/// A law, what fitted it, and how probable it is over the first of several.
 struct SizedLaw {
   const fit::HypothesisFitter& fitter;
   FittedLaw fitted;
+  double odds = 1.0;
 };
 
 /// Numbers of a law.

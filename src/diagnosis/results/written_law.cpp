@@ -116,11 +116,13 @@ MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const std::vect
   const FittedLaw full = fullLaw(judged);
   std::deque<LawFitter> fitters;
   std::vector<SizedLaw> laws;
-  const auto addLaw = [&](const FittedLaw& law) {
-    laws.push_back({fitters.emplace_back(prepared.fitter, law.law, options.threads), law});
+  const auto addLaw = [&](const FittedLaw& law, double odds) {
+    laws.push_back({fitters.emplace_back(prepared.fitter, law.law, options.threads), law, odds});
   };
-  addLaw(simple);
-  std::for_each(chosen.others.begin(), chosen.others.end(), addLaw);
+  addLaw(simple, 1.0);
+  for (const OtherLaw& other : chosen.others) {
+    addLaw(other.fitted, other.odds);
+  }
   Sizes sizes = sizesOf(laws, chosen.form_error, candidates, options);
   Rounded rounded = roundTo(componentOf(prepared, simple), prepared.training, sizes.written);
   Replayed errors = replayed(prepared.fitter, simple, rounded.component.allElements(), held_out);
