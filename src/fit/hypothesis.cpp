@@ -165,7 +165,10 @@ std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypoth
     for (std::size_t t = first; t < first + hypothesis.counts[m]; ++t) {
       beyond += hypothesis.places[t].candidate == hypothesis.members[m] && scales[static_cast<Eigen::Index>(t)] != 0.0;
     }
-    numbers += candidate.contains.empty() ? 0 : std::max<std::size_t>(beyond, 1);
+    const std::size_t of_one = candidate.terms_of_one;
+    numbers += !candidate.contains.empty() ? std::max<std::size_t>(beyond, 1)
+               : of_one > 0                ? std::max(beyond, of_one) - of_one
+                                           : 0;
     first += hypothesis.counts[m];
   }
   return numbers;

@@ -53,6 +53,8 @@ struct Candidate {
   std::vector<BasisTerm> terms;
   /// Effects that its law has as a limit: it holds their terms besides its own.
   std::vector<std::string> contains = {};
+  /// So many terms make one law; each further one at work is a number more. 0: any number of terms is one law.
+  std::size_t terms_of_one = 0;
   FreeInLog free_in_log = {};  ///< belongs to it
   bool one_form = false;       ///< its law has one form, as that of a mass; others stand for the rubber's or the rig's
   bool constant = false;       ///< adds a constant force, whose form is never wrong

@@ -256,6 +256,7 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
   const auto termsOf = [&](int candidate) { return all[static_cast<std::size_t>(candidate)].terms.size(); };
   const int friction = placeOf("friction");
   const int relaxation = placeOf("relaxation");
+  const int stop = placeOf("bump_stop");
   const int backlash = placeOf("backlash");
   const int coupling = placeOf("rate_amplitude_coupling");
   std::set<std::pair<std::string, std::string>> contained;
@@ -289,6 +290,8 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
     return fit::numbersBeyond(all, hypothesis, scales);
   };
   EXPECT_EQ(beyond(friction, {{friction, 5}}), 0U);
+  EXPECT_EQ(beyond(stop, {{stop, 2}}), 0U) << "a gap between two of the knees";
+  EXPECT_EQ(beyond(stop, {{stop, 5}}), 3U) << "a curve without a knee";
   EXPECT_EQ(beyond(backlash, {{friction, 5}}), 1U) << "the clearance";
   EXPECT_EQ(beyond(backlash, {{friction, 5}, {backlash, 2}}), 3U);
   EXPECT_EQ(beyond(coupling, {{relaxation, 4}}), 1U) << "at its limit it is not free";

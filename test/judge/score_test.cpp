@@ -146,6 +146,26 @@ TEST(Answer, TellsAGainOfAllLogsBesideWrongValues) {
   EXPECT_EQ(leave(0.05, 0.05).verdict, diagnosis::Verdict::unknown);
 }
 
+// A law that removes next to nothing beyond one that it contains is that one; where it removes as much as an effect
+// does, it is told.
+TEST(Answer, NamesALawThatContainsAnotherForWhatItRemovesBeyond) {
+  Evidence evidence = unexplained(3, 2, 0.1);
+  evidence.effects = {"friction", "backlash"};
+  const auto leave = [&](double friction, double backlash) {
+    explain(evidence, 0, friction);
+    explain(evidence, 1, backlash);
+    evidence.hypotheses.back().beyond = 1;
+    return diagnosis::judge::answer(evidence);
+  };
+  const diagnosis::judge::Answer alike = leave(0.0101, 0.01);
+  EXPECT_EQ(alike.effects, std::vector<int>{0});
+  EXPECT_LT(alike.candidates[1], 0.01);
+  EXPECT_EQ(leave(0.06, 0.01).effects, std::vector<int>{1});
+
+  evidence.effects = {"friction", "relaxation"};  // neither contains the other
+  EXPECT_GT(leave(0.0101, 0.01).candidates[1], 0.05);
+}
+
 // What is ruled out has no probability, however well it explains the logs: its share is that of the others and of a
 // rest that no listed effect causes.
 TEST(Answer, NamesNothingThatIsExcluded) {

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
+
+#include "diagnosis/judge/containment.h"
 
 namespace rubber_suspension::diagnosis::judge {
 namespace {
@@ -101,10 +104,44 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
   }
 }
 
+// Logarithm of the size of what one hypothesis removes beyond another.
+double sizeRemoved(const ScoreTable& table, Index by, Index beyond) {
+  const ArrayXd removed = (table.left.row(beyond) - table.left.row(by)).transpose();
+  return 0.5 * std::log(std::max((removed * table.weight).sum(), kLeastSquare));
+}
+
 // The error that other values, or another reading of them, remove is as large as the one that wrong values make.
 void fillSizeOfWrongValues(Index row, ScoreTable& table) {
-  const ArrayXd removed = (table.left.row(Evidence::kAsConfigured) - table.left.row(row)).transpose();
-  table.sizes[static_cast<std::size_t>(row)] = {0.5 * std::log(std::max((removed * table.weight).sum(), kLeastSquare))};
+  table.sizes[static_cast<std::size_t>(row)] = {sizeRemoved(table, row, Evidence::kAsConfigured)};
+}
+
+// The hypotheses that have in place of a member an effect that its law contains, as far as they were fitted.
+std::vector<Index> withContained(const ScoreTable& table, std::size_t hypothesis, int member) {
+  std::vector<Index> rows;
+  for (const std::string& effect : containedIn(table.effects[static_cast<std::size_t>(member)])) {
+    const auto place = std::find(table.effects.begin(), table.effects.end(), effect);
+    std::vector<int> members = table.members[hypothesis];
+    std::replace(members.begin(), members.end(), member, static_cast<int>(place - table.effects.begin()));
+    std::sort(members.begin(), members.end());
+    members.erase(std::unique(members.begin(), members.end()), members.end());
+    const auto found = std::find(table.members.begin(), table.members.end(), members);
+    if (found != table.members.end()) {
+      rows.push_back(found - table.members.begin());
+    }
+  }
+  return rows;
+}
+
+// What a law removes beyond those that it contains has a size, as an effect has: at their limit it is one of these.
+void fillSizesBeyond(std::size_t hypothesis, ScoreTable& table) {
+  std::vector<double>& sizes = table.sizes_beyond.emplace_back();
+  for (const int member : table.members[hypothesis]) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index row : withContained(table, hypothesis, member)) {
+      least = std::min(least, sizeRemoved(table, static_cast<Index>(hypothesis), row));
+    }
+    sizes.push_back(least);  // of most members: no limit
+  }
 }
 
 // Values that leave more than those configured are no better.
@@ -150,8 +187,10 @@ double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t
       return numbers.no_effect +
              (table.guess ? 0.0 : priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers.values_spread));
     default:
+      const double usual = usualSize(table, numbers);
       return priorOfSet(table, numbers, hypothesis) +
-             priorOfSizes(table.sizes[hypothesis], usualSize(table, numbers), numbers.share_spread);
+             priorOfSizes(table.sizes[hypothesis], usual, numbers.share_spread) +
+             priorOfSizes(table.sizes_beyond[hypothesis], usual, numbers.share_spread);
   }
 }
 
@@ -207,6 +246,7 @@ ScoreTable scoreTable(const Evidence& evidence) {
     if (table.another_reading[static_cast<std::size_t>(row)]) {
       fillSizeOfWrongValues(row, table);
     }
+    fillSizesBeyond(static_cast<std::size_t>(row), table);
   }
   return table;
 }

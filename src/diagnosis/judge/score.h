@@ -35,6 +35,8 @@ struct ScoreTable {
   std::vector<bool> another_reading;  ///< of wrong values, by an effect beside those as configured
   /// Logarithm of the size of each member over all logs; of wrong values, of what they remove.
   std::vector<std::vector<double>> sizes;
+  /// The same of what each member whose law contains others removes beyond the best of these.
+  std::vector<std::vector<double>> sizes_beyond;
   double by_values = 0.0;   ///< square that is left beyond the floor without effects, by the better values
   bool guess = false;       ///< the model as configured is no answer
   Eigen::ArrayXd floor;     ///< of each log, squared; no more than a hypothesis leaves of it

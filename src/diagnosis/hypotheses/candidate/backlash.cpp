@@ -1,5 +1,6 @@
 // Candidate effect: friction or a damper that a clearance of its own leaves without force after each reversal.
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/judge/containment.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
@@ -37,7 +38,7 @@ fit::Candidate backlash(const fit::Excitation& excitation) {
                            "reversal, none at small amplitude",
                            true,
                            {}};
-  candidate.contains = {"friction"};
+  candidate.contains = judge::containedIn(candidate.effect);
   candidate.is_friction = excitation.whole_logs > 1;
   candidate.least_shape = kLeastGap * excitation.largest_displacement;
   candidate.largest_shape = kLargestGap * excitation.largest_displacement;

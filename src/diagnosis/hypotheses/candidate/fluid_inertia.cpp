@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/judge/containment.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
@@ -87,7 +88,7 @@ fit::Candidate fluidInertia(const fit::Excitation& excitation) {
                            "frequency, below which stiffness falls and above which it is higher",
                            false,
                            {}};
-  candidate.contains = {"inertia"};
+  candidate.contains = judge::containedIn(candidate.effect);
   candidate.least_shape = kLeast * excitation.highest_frequency;
   candidate.largest_shape = kLargest * excitation.highest_frequency;
   candidate.terms_at = [excitation](double frequency) { return termsAt(excitation, frequency); };

@@ -1,5 +1,6 @@
 // Candidate effect: a contact that opens.
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/judge/containment.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
@@ -39,7 +40,7 @@ fit::Candidate liftOff(const fit::Excitation& excitation) {
   const double side = sideOf(excitation);
   if (side != 0.0) {
     candidate.terms = {contactTerm(excitation, side)};
-    candidate.contains = {"series_compliance"};
+    candidate.contains = judge::containedIn(candidate.effect);
   }
   return candidate;
 }

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/judge/containment.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
@@ -58,7 +59,7 @@ fit::Candidate rateAmplitudeCoupling(const fit::Excitation& excitation) {
                            "so at higher frequency",
                            false,
                            {}};
-  candidate.contains = {"friction", "relaxation"};
+  candidate.contains = judge::containedIn(candidate.effect);
   addFlow(excitation, candidate.terms);
   addOverstress(excitation, candidate.terms);
   addThixotropy(excitation, candidate.terms);

@@ -1,0 +1,20 @@
+// The table of containment.
+#include "diagnosis/judge/containment.h"
+
+#include <map>
+
+namespace rubber_suspension::diagnosis::judge {
+
+const std::vector<std::string>& containedIn(const std::string& effect) {
+  static const std::map<std::string, std::vector<std::string>> table = {
+      {"backlash", {"friction"}},
+      {"fluid_inertia", {"inertia"}},
+      {"lift_off", {"series_compliance"}},
+      {"rate_amplitude_coupling", {"friction", "relaxation"}},
+  };
+  static const std::vector<std::string> none;
+  const auto found = table.find(effect);
+  return found == table.end() ? none : found->second;
+}
+
+}  // namespace rubber_suspension::diagnosis::judge
