@@ -290,8 +290,8 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
     return fit::numbersBeyond(all, hypothesis, scales);
   };
   EXPECT_EQ(beyond(friction, {{friction, 5}}), 0U);
-  EXPECT_EQ(beyond(stop, {{stop, 2}}), 0U) << "a gap between two of the knees";
-  EXPECT_EQ(beyond(stop, {{stop, 5}}), 3U) << "a curve without a knee";
+  EXPECT_EQ(beyond(stop, {{stop, 4}}), 0U) << "a gap between two of the knees on each side";
+  EXPECT_EQ(beyond(stop, {{stop, 7}}), 3U) << "a curve without a knee";
   EXPECT_EQ(beyond(backlash, {{friction, 5}}), 1U) << "the clearance";
   EXPECT_EQ(beyond(backlash, {{friction, 5}, {backlash, 2}}), 3U);
   EXPECT_EQ(beyond(coupling, {{relaxation, 4}}), 1U) << "at its limit it is not free";

@@ -7,7 +7,7 @@ namespace {
 fit::Candidate bumpStop(const fit::Excitation& excitation) {
   fit::Candidate candidate{
       "bump_stop", "stop beyond a gap on one or both sides: a knee, error only beyond it", false, {}};
-  candidate.terms_of_one = 2;  // a gap between two of these; knees at many gaps are a curve without one
+  candidate.terms_of_one = 4;  // a gap between two of these on each side; knees at many gaps are a curve without one
   for (const double side : {0.0, 1.0, -1.0}) {
     for (const double share : {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
       const element::ParameterValues place = {{"gap", {share * excitation.largest_displacement}}, {"side", {side}}};
