@@ -29,7 +29,7 @@ double Odds::ofError(double error) const {
 
 double Odds::of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales, double error) const {
   const judge::JudgeNumbers& numbers = judge::fittedNumbers();
-  double prior = judge::priorOfCount(hypothesis.members.size(), numbers);
+  double prior = judge::priorOfCount(fit::mechanismsOf(candidates_, hypothesis.members), numbers);
   for (const int member : hypothesis.members) {
     prior += numbers.rateOf(candidates_[static_cast<std::size_t>(member)].effect);
   }

@@ -146,6 +146,24 @@ std::vector<Screened> Screening::additions(const std::vector<int>& members) cons
   return screenAll(sets);
 }
 
+std::vector<Screened> Screening::withContained(const std::vector<int>& members, std::size_t effects) const {
+  std::vector<std::vector<int>> sets;
+  for (const int member : members) {
+    std::vector<int> set = members;
+    set.erase(std::find(set.begin(), set.end(), member));
+    for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
+      if (fit::contains(candidates_[static_cast<std::size_t>(member)], candidates_[static_cast<std::size_t>(c)]) &&
+          joins(c, set)) {
+        set.push_back(c);
+      }
+    }
+    if (set.size() == effects && set.size() >= members.size()) {
+      sets.push_back(std::move(set));
+    }
+  }
+  return screenAll(sets);
+}
+
 std::vector<Screened> Screening::pairs() const {
   std::vector<std::vector<int>> sets;
   const int count = static_cast<int>(candidates_.size());

@@ -34,6 +34,9 @@ class Screening {
   /// Each other candidate that competes added to these, best first.
   std::vector<Screened> additions(const std::vector<int>& members) const;
 
+  /// Sets of so many, with what a member contains in its place: that does much the same, with fewer numbers.
+  std::vector<Screened> withContained(const std::vector<int>& members, std::size_t effects) const;
+
   /// The best of all pairs, best first.
   std::vector<Screened> pairs() const;
 

@@ -76,9 +76,9 @@ class Searcher {
     tryFactors(result_.singles);
     look(screening);
     say("fitting pairs", 0.5);
-    if (fitSets(plan(screening, 2), result_.pairs)) {
+    if (fitSets(screening, 2, result_.pairs)) {
       say("fitting triples", 0.75);
-      fitSets(plan(screening, kMostEffects), result_.triples);
+      fitSets(screening, kMostEffects, result_.triples);
     }
     fitPartsOfTriples();
     fitExcludedPairs(screening);
@@ -381,7 +381,7 @@ class Searcher {
       for (const Screened& set : sets) {
         Planned& planned = best.try_emplace(set.members).first->second;
         if (planned.hypothesis.members.empty() || set.error < planned.error) {
-          planned = {screening.hypothesisOf(set.members), set.error, 0.0, screening.bestOf(set.members)};
+          planned = planOf(screening, set);
         }
         floor_ = std::max(std::min(floor_, set.error), result_.noise.floor);
       }
@@ -390,6 +390,7 @@ class Searcher {
       add(about_model, about_model.pairs());
     }
     for (const FittedHypothesis* fitted : likeliest(effects - 1)) {
+      add(about_model, about_model.withContained(fitted->hypothesis.members, effects));
       const Screening screening(fitter_, result_.candidates, *fitted, threads_);
       add(screening, screening.additions(fitted->hypothesis.members));
     }
@@ -403,7 +404,8 @@ class Searcher {
   }
 
   // Fits those that may be as likely as the best, some at once; false where none is.
-  bool fitSets(const std::vector<Planned>& planned, std::vector<FittedHypothesis>& list) {
+  bool fitSets(const Screening& about_model, std::size_t effects, std::vector<FittedHypothesis>& list) {
+    const std::vector<Planned> planned = plan(about_model, effects);
     const std::size_t most = std::min(kMostOfOneSize, planned.size());
     std::size_t fitted = 0;
     while (fitted < most && planned[fitted].odds > bestOdds() - kWithinReach - kScreeningKnown) {
@@ -415,11 +417,32 @@ class Searcher {
       fitAll(some, list);
     }
     if (fitted > 0) {
+      fitContained(about_model, effects, list);
       estimateNoise();
       tryCurve(list);
       tryFactors(list);
     }
     return fitted > 0;
+  }
+
+  // The laws that a likely one contains, in its place: a larger law leaves less, and hides what they leave.
+  void fitContained(const Screening& about_model, std::size_t effects, std::vector<FittedHypothesis>& list) {
+    std::map<std::vector<int>, Planned> contained;
+    for (const FittedHypothesis* fitted : likeliest(effects)) {
+      for (const Screened& set : about_model.withContained(fitted->hypothesis.members, effects)) {
+        const bool known = std::any_of(list.begin(), list.end(), [&](const FittedHypothesis& other) {
+          return other.hypothesis.members == set.members;
+        });
+        if (!known) {
+          contained[set.members] = planOf(about_model, set);
+        }
+      }
+    }
+    fitAll(element::each(contained, &std::pair<const std::vector<int>, Planned>::second), list);
+  }
+
+  static Planned planOf(const Screening& screening, const Screened& set) {
+    return {screening.hypothesisOf(set.members), set.error, 0.0, screening.bestOf(set.members)};
   }
 
   void fitAll(const std::vector<Planned>& planned, std::vector<FittedHypothesis>& list) {
@@ -501,6 +524,7 @@ class Searcher {
 judge::HypothesisEvidence evidenceOf(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted) {
   judge::HypothesisEvidence evidence;
   evidence.members = fitted.hypothesis.members;
+  evidence.mechanisms = fit::mechanismsOf(candidates, evidence.members);
   evidence.terms = fitted.hypothesis.terms.size();
   evidence.beyond = fit::numbersBeyond(candidates, fitted.hypothesis, fitted.fit.parameters.scales);
   evidence.free_trends = fitted.hypothesis.free_in_log.trend;

@@ -154,7 +154,7 @@ double leftByValues(const ScoreTable& table) {
 double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const std::vector<int>& members = table.members[hypothesis];
   const auto row = static_cast<Index>(hypothesis);
-  double prior = priorOfCount(members.size(), numbers);
+  double prior = priorOfCount(table.mechanisms[hypothesis], numbers);
   for (const int member : members) {
     prior += numbers.rateOf(table.effects[static_cast<std::size_t>(member)]);
   }
@@ -235,6 +235,7 @@ ScoreTable scoreTable(const Evidence& evidence) {
   for (Index row = 0; row < rows; ++row) {
     const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
     table.members.push_back(hypothesis.members);
+    table.mechanisms.push_back(hypothesis.mechanisms);
     table.another_reading.push_back(hypothesis.keeps_values);
     fillErrors(evidence, hypothesis, row, table);
     fillInBands(hypothesis, row, table);
