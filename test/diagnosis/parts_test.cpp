@@ -276,6 +276,7 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
             (std::vector<std::size_t>{termsOf(backlash) + termsOf(friction), termsOf(coupling) + termsOf(relaxation)}));
   EXPECT_EQ(fit::makeHypothesis(all, {coupling}, {relaxation}).held, std::vector<int>{relaxation});
   EXPECT_EQ(fit::makeHypothesis(all, {coupling}).held, std::vector<int>{friction});
+  EXPECT_EQ(fit::mechanismsOf(all, {friction, backlash, coupling}), 4U);
   EXPECT_TRUE(fit::holds(all, {backlash, coupling}, {friction, relaxation}));
   EXPECT_FALSE(fit::holds(all, {backlash}, {relaxation}));
   EXPECT_FALSE(fit::holds(all, {coupling}, {friction, relaxation})) << "one at a time";

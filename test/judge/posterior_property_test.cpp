@@ -221,6 +221,20 @@ RC_GTEST_PROP(ALawBeyondAnother, LosesByItsCostAlone, ()) {
   RC_ASSERT(std::abs(std::log(probabilityOf(posterior, {0}) / probabilityOf(posterior, {1})) - cost) < 1e-9 * cost);
 }
 
+// Of two laws that leave and add the same, the one that does the work of two is as improbable as two.
+RC_GTEST_PROP(ALawThatContainsTwo, HasThePriorOfTwo, ()) {
+  const double left = anyGap(3, 100);
+  Evidence evidence = unexplained(5, 2, anyGap(100, 400));
+  explain(evidence, 0, left);
+  explain(evidence, 1, left);
+  evidence.hypotheses.back().mechanisms = 2;
+  const SetPosterior posterior = posteriorOf(evidence);
+  const auto& numbers = diagnosis::judge::fittedNumbers();
+  const double cost = diagnosis::judge::priorOfCount(1, numbers) - diagnosis::judge::priorOfCount(2, numbers);
+  RC_ASSERT(cost > 0.0);
+  RC_ASSERT(std::abs(std::log(probabilityOf(posterior, {0}) / probabilityOf(posterior, {1})) - cost) < 1e-9 * cost);
+}
+
 // A rest in an octave of its own does not hide what an effect removes of the others.
 RC_GTEST_PROP(AListedEffectBesideARestInAnotherOctave, KeepsItsName, ()) {
   const auto logs = static_cast<std::size_t>(*rc::gen::inRange(2, 7));
