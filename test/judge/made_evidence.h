@@ -17,7 +17,6 @@ inline diagnosis::judge::HypothesisEvidence fitted(std::vector<int> members, std
                                                    std::vector<std::vector<double>> sizes) {
   diagnosis::judge::HypothesisEvidence hypothesis;
   hypothesis.terms = 5 * members.size();
-  hypothesis.mechanisms = members.size();
   hypothesis.members = std::move(members);
   hypothesis.sizes = std::move(sizes);
   hypothesis.log_errors = std::move(log_errors);

@@ -227,10 +227,11 @@ RC_GTEST_PROP(ALawThatContainsTwo, HasThePriorOfTwo, ()) {
   Evidence evidence = unexplained(5, 2, anyGap(100, 400));
   explain(evidence, 0, left);
   explain(evidence, 1, left);
-  evidence.hypotheses.back().mechanisms = 2;
+  evidence.effects[1] = "rate_amplitude_coupling";
   const SetPosterior posterior = posteriorOf(evidence);
   const auto& numbers = diagnosis::judge::fittedNumbers();
-  const double cost = diagnosis::judge::priorOfCount(1, numbers) - diagnosis::judge::priorOfCount(2, numbers);
+  const double cost = diagnosis::judge::priorOfCount(1, numbers) - diagnosis::judge::priorOfCount(2, numbers) -
+                      numbers.rateOf(evidence.effects[1]);
   RC_ASSERT(cost > 0.0);
   RC_ASSERT(std::abs(std::log(probabilityOf(posterior, {0}) / probabilityOf(posterior, {1})) - cost) < 1e-9 * cost);
 }

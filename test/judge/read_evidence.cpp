@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/11";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/10";
 
 // JSON has no infinity: what a hypothesis leaves that no model run follows is null.
 double numberOf(const ordered_json& value) {
@@ -34,7 +34,6 @@ judge::LogEvidence logOf(const ordered_json& value) {
 judge::HypothesisEvidence hypothesisOf(const ordered_json& value) {
   judge::HypothesisEvidence hypothesis;
   value.at("members").get_to(hypothesis.members);
-  value.at("mechanisms").get_to(hypothesis.mechanisms);
   value.at("terms").get_to(hypothesis.terms);
   value.at("beyond").get_to(hypothesis.beyond);
   value.at("free_trends").get_to(hypothesis.free_trends);

@@ -524,7 +524,6 @@ class Searcher {
 judge::HypothesisEvidence evidenceOf(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted) {
   judge::HypothesisEvidence evidence;
   evidence.members = fitted.hypothesis.members;
-  evidence.mechanisms = fit::mechanismsOf(candidates, evidence.members);
   evidence.terms = fitted.hypothesis.terms.size();
   evidence.beyond = fit::numbersBeyond(candidates, fitted.hypothesis, fitted.fit.parameters.scales);
   evidence.free_trends = fitted.hypothesis.free_in_log.trend;

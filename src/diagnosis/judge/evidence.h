@@ -10,9 +10,8 @@ namespace rubber_suspension::diagnosis::judge {
 /// A fitted hypothesis. Errors and sizes are mean squares in units of the variance of the force; what no model run
 /// follows is infinite.
 struct HypothesisEvidence {
-  std::vector<int> members;    ///< effects at work, ascending
-  std::size_t mechanisms = 0;  ///< that these are: one each, or as many as the laws that one contains
-  std::size_t terms = 0;       ///< numbers that they add to the model; 0: the logs lack what they need
+  std::vector<int> members;  ///< effects at work, ascending
+  std::size_t terms = 0;     ///< numbers that they add to the model; 0: the logs lack what they need
   /// Of these the ones beyond the laws that the members contain (fit::numbersBeyond()) that are not at their limits.
   std::size_t beyond = 0;
   bool free_trends = false;        ///< a slow trend per log is free, too

@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/11";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/10";
 
 ordered_json logJson(const LogEvidence& log) {
   return {{"floor", log.floor},   {"floor_uncertainty", log.floor_uncertainty},
@@ -18,7 +18,6 @@ ordered_json logJson(const LogEvidence& log) {
 
 ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
   return {{"members", hypothesis.members},
-          {"mechanisms", hypothesis.mechanisms},
           {"terms", hypothesis.terms},
           {"beyond", hypothesis.beyond},
           {"free_trends", hypothesis.free_trends},
