@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"free_play", kZener, "{type: free_play, gap: 3.0e-5}"},
                     Case{"inertia", kZener, "{type: inertia, mass: 60}"},
                     Case{"rate_amplitude_coupling", kZener,
-                         "{type: nonlinear_maxwell, stiffness: 6.0e5, break_frequency: 3, displacement: 2.0e-4}"}),
+                         "{type: nonlinear_maxwell, stiffness: 1.5e6, break_frequency: 3, displacement: 2.0e-4}"}),
     [](const auto& test) { return std::string(test.param.effect); });
 
 // On a linear model a compliance is seen through the values that it would take to imitate it: these may be as well.
