@@ -122,6 +122,22 @@ TEST_F(TakenOutTest, TellsSpikes) {
               0.05 * 4000.0 / std::sqrt(5000.0) / deviation_);
 }
 
+// What stands in for a force that was not measured is no spike.
+TEST_F(TakenOutTest, LeavesOutWhatWasNotMeasured) {
+  log::Log log = runRig(
+      "log", 3, [](double, double, double) { return 0.0; }, 2.0);
+  log.counts.assign(log.size(), 1.0);
+  for (std::size_t i = 1000; i < 1200; ++i) {
+    log.counts[i] = 0.0;
+    log.force[i] = log.force[999];
+  }
+  const log::Record record = measurement::prepareLog(log).record;
+  const auto account =
+      results::accountsOf(rigComponent().allElements(), {record}, {}, prepare::rawChannels({log}, {}), {}, {}).front();
+  EXPECT_LT(std::abs(shareOf(account.entries(), results::taken_out::kSpikes)), 1e-3);
+  EXPECT_NEAR(std::sqrt(account.recorded()), 2.0 / record.force_deviation, 0.2 / record.force_deviation);
+}
+
 TEST(DescribeTakenOut, SaysWhatIsMoreThanAHundredth) {
   EXPECT_THAT(words::describeTakenOut({{"a", "zero", 0.032}, {"a", "drift", 0.1}, {"b", "spikes", 0.004}}),
               ElementsAre("a: zero 3.2 %, drift 10 %"));

@@ -107,17 +107,17 @@ TEST(ResidualBasis, TheAmplitudeIsTheMeanOfTheShare) {
 TEST(ResidualBasis, AResonatorRingsAtItsFrequency) {
   Moving moving(typicalLayout());
   moving.moveTo(kStroke, 1e-4, 1);
-  constexpr double kDamping = 0.15;
+  constexpr double kDampingRatio = 0.15;
   const double omega = 2.0 * element::kPi * 25.0;
-  const double damped = omega * std::sqrt(1.0 - kDamping * kDamping);
+  const double damped = omega * std::sqrt(1.0 - kDampingRatio * kDampingRatio);
   for (int i = 1; i <= 1200; ++i) {
     moving.moveTo(kStroke, 1e-4, 1);
     const double t = 1e-4 * (i + 0.5);
-    const double decay = std::exp(-kDamping * omega * t);
+    const double decay = std::exp(-kDampingRatio * omega * t);
     const double velocity = decay * omega / damped * std::sin(damped * t);
     ASSERT_NEAR(moving[ResidualBasis::kVelocity + 7], velocity, 2e-3) << t;
     // x = q - (displacement of the mass): v' = w x - 2 D w v.
-    const double position = decay * (std::cos(damped * t) + kDamping * omega / damped * std::sin(damped * t));
+    const double position = decay * (std::cos(damped * t) + kDampingRatio * omega / damped * std::sin(damped * t));
     ASSERT_NEAR(moving[ResidualBasis::kPosition + 7], position, 2e-3 + 0.008) << t;
   }
 }

@@ -37,6 +37,7 @@ Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogS
 struct RawChannels {
   Eigen::VectorXd displacement;  ///< [m]
   Eigen::VectorXd force;         ///< [N]
+  Eigen::VectorXd counts;        ///< 0 where no force was measured; empty: it was everywhere
 };
 
 /// Of logs in their order. Throws as log::rawRecord().

@@ -29,10 +29,21 @@ VectorXd countsOf(const log::Record& record) {
   return record.counts.size() == 0 ? VectorXd::Ones(record.size()).eval() : record.counts;
 }
 
-// With the first cycle of a log that starts in motion.
-VectorXd withStart(VectorXd counts) {
+// Of the samples whose force was measured.
+VectorXd measured(const VectorXd& values, const VectorXd& counts) {
+  std::vector<Index> rows;
+  for (Index i = 0; i < counts.size(); ++i) {
+    if (counts[i] > 0.0) {
+      rows.push_back(i);
+    }
+  }
+  return counts.size() == 0 ? values : VectorXd(values(rows));
+}
+
+// With the first cycle of a log that starts in motion, as far as its force was measured.
+VectorXd withStart(VectorXd counts, const VectorXd& measured) {
   for (Index i = 0; i < counts.size() && counts[i] == 0.0; ++i) {
-    counts[i] = 1.0;
+    counts[i] = measured.size() == 0 ? 1.0 : measured[i];
   }
   return counts;
 }
@@ -133,11 +144,12 @@ struct Stages {
 LogAccount accountOf(const log::Record& record, const prepare::RawChannels& raw, const Stages& forces, std::size_t r,
                      const fit::FreeInLog& free) {
   const double variance = std::pow(record.force_deviation, 2);
-  const double recorded = gap::gapOfResidual(raw.force - forces.recorded[r], gap::standardDeviation(raw.force));
+  const double recorded = gap::gapOfResidual(measured(raw.force - forces.recorded[r], raw.counts),
+                                             gap::standardDeviation(measured(raw.force, raw.counts)));
   LogAccount account(record.name, recorded * recorded);
   const VectorXd counts = countsOf(record);
   const VectorXd residual = record.force - forces.bridged[r];
-  account.takeOut(taken_out::kSpikes, meanSquare(residual, withStart(counts)) / variance);
+  account.takeOut(taken_out::kSpikes, meanSquare(residual, withStart(counts, raw.counts)) / variance);
   account.takeOut(taken_out::kInitialState, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, forces.bridged[r], account);
   // As gaps are: each part of the log without what the others tell of the rig. What is not of a kind above is of the
