@@ -2,7 +2,6 @@
 #include "fit/hypothesis.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -154,12 +153,6 @@ bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& lar
         found || (smaller.size() <= order.size() && std::equal(smaller.begin(), smaller.end(), order.begin(), does));
   } while (std::next_permutation(order.begin(), order.end()));
   return found;
-}
-
-std::size_t mechanismsOf(const std::vector<Candidate>& candidates, const std::vector<int>& members) {
-  return std::accumulate(members.begin(), members.end(), std::size_t{0}, [&](std::size_t sum, int member) {
-    return sum + candidates[static_cast<std::size_t>(member)].mechanisms();
-  });
 }
 
 std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypothesis& hypothesis,

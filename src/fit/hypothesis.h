@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <functional>
 #include <limits>
 #include <string>
@@ -75,9 +74,6 @@ struct Candidate {
   /// these, or a few of the terms, stands for the effect.
   std::vector<BasisTerm> laws = {};
 
-  /// One, or as many as the laws that it contains: what does the work of two is as seldom as two.
-  std::size_t mechanisms() const { return std::max<std::size_t>(contains.size(), 1); }
-
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }
 
@@ -137,9 +133,6 @@ bool contains(const Candidate& larger, const Candidate& smaller);
 /// Whether a set of candidates can do all that another one can: for each of these it has a member that is the same or
 /// contains it.
 bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& larger, const std::vector<int>& smaller);
-
-/// The mechanisms of these candidates: one of each, and of a law that contains several as many as these are.
-std::size_t mechanismsOf(const std::vector<Candidate>& candidates, const std::vector<int>& members);
 
 /// The numbers at these scales that are not at their limits and that the members have beyond the laws that they
 /// contain: at least one for each member that contains any; and one for each that follows a curve.

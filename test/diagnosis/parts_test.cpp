@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/judge/containment.h"
 #include "fit/excitation.h"
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
@@ -276,7 +277,10 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
             (std::vector<std::size_t>{termsOf(backlash) + termsOf(friction), termsOf(coupling) + termsOf(relaxation)}));
   EXPECT_EQ(fit::makeHypothesis(all, {coupling}, {relaxation}).held, std::vector<int>{relaxation});
   EXPECT_EQ(fit::makeHypothesis(all, {coupling}).held, std::vector<int>{friction});
-  EXPECT_EQ(fit::mechanismsOf(all, {friction, backlash, coupling}), 4U);
+  const auto mechanisms = [&](int candidate) {
+    return diagnosis::judge::mechanismsOf(all[static_cast<std::size_t>(candidate)].effect);
+  };
+  EXPECT_EQ(mechanisms(friction) + mechanisms(backlash) + mechanisms(coupling), 4U);
   EXPECT_TRUE(fit::holds(all, {backlash, coupling}, {friction, relaxation}));
   EXPECT_FALSE(fit::holds(all, {backlash}, {relaxation}));
   EXPECT_FALSE(fit::holds(all, {coupling}, {friction, relaxation})) << "one at a time";

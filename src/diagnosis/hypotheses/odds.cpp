@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "diagnosis/judge/containment.h"
 #include "diagnosis/judge/numbers.h"
 #include "diagnosis/judge/score.h"
 
@@ -29,10 +31,14 @@ double Odds::ofError(double error) const {
 
 double Odds::of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales, double error) const {
   const judge::JudgeNumbers& numbers = judge::fittedNumbers();
-  double prior = judge::priorOfCount(fit::mechanismsOf(candidates_, hypothesis.members), numbers);
+  double prior = 0.0;
+  std::size_t mechanisms = 0;
   for (const int member : hypothesis.members) {
-    prior += numbers.rateOf(candidates_[static_cast<std::size_t>(member)].effect);
+    const std::string& effect = candidates_[static_cast<std::size_t>(member)].effect;
+    prior += numbers.rateOf(effect);
+    mechanisms += judge::mechanismsOf(effect);
   }
+  prior += judge::priorOfCount(mechanisms, numbers);
   const std::size_t beyond = fit::numbersBeyond(candidates_, hypothesis, scales);
   const double factors = hypothesis.free_in_log.by_factor ? numbers.per_gain * logs_ : 0.0;
   return ofError(error) + prior - factors - judge::costOfNumbers(static_cast<double>(beyond), blocks_, numbers);

@@ -430,15 +430,17 @@ class Searcher {
     std::map<std::vector<int>, Planned> contained;
     for (const FittedHypothesis* fitted : likeliest(effects)) {
       for (const Screened& set : about_model.withContained(fitted->hypothesis.members, effects)) {
-        const bool known = std::any_of(list.begin(), list.end(), [&](const FittedHypothesis& other) {
-          return other.hypothesis.members == set.members;
-        });
-        if (!known) {
+        if (!isIn(list, set.members)) {
           contained[set.members] = planOf(about_model, set);
         }
       }
     }
     fitAll(element::each(contained, &std::pair<const std::vector<int>, Planned>::second), list);
+  }
+
+  static bool isIn(const std::vector<FittedHypothesis>& list, const std::vector<int>& members) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const FittedHypothesis& fitted) { return fitted.hypothesis.members == members; });
   }
 
   static Planned planOf(const Screening& screening, const Screened& set) {
@@ -484,9 +486,7 @@ class Searcher {
     for (std::size_t i = 0; i < members.size(); ++i) {
       std::vector<int> part = members;
       part.erase(part.begin() + static_cast<std::ptrdiff_t>(i));
-      const bool fitted = std::any_of(result_.pairs.begin(), result_.pairs.end(),
-                                      [&](const FittedHypothesis& pair) { return pair.hypothesis.members == part; });
-      if (!fitted) {
+      if (!isIn(result_.pairs, part)) {
         const fit::Hypothesis hypothesis = fit::makeHypothesis(result_.candidates, part, triple.held, triple.curved);
         parts.push_back({hypothesis, std::numeric_limits<double>::infinity(), 0.0, fitter_.configured(hypothesis)});
       }

@@ -1,6 +1,7 @@
 // The table of containment.
 #include "diagnosis/judge/containment.h"
 
+#include <algorithm>
 #include <map>
 
 namespace rubber_suspension::diagnosis::judge {
@@ -16,5 +17,7 @@ const std::vector<std::string>& containedIn(const std::string& effect) {
   const auto found = table.find(effect);
   return found == table.end() ? none : found->second;
 }
+
+std::size_t mechanismsOf(const std::string& effect) { return std::max<std::size_t>(containedIn(effect).size(), 1); }
 
 }  // namespace rubber_suspension::diagnosis::judge

@@ -151,18 +151,11 @@ double leftByValues(const ScoreTable& table) {
   return table.guess ? left[Evidence::kReEstimated] : left.minCoeff();
 }
 
-// A law that contains several does the work of all: what does the work of two is as seldom as two.
-std::size_t mechanismsOf(const ScoreTable& table, const std::vector<int>& members) {
-  return std::accumulate(members.begin(), members.end(), std::size_t{0}, [&](std::size_t sum, int member) {
-    return sum + std::max<std::size_t>(containedIn(table.effects[static_cast<std::size_t>(member)]).size(), 1);
-  });
-}
-
 // Of a set: its effects, and what it frees.
 double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const std::vector<int>& members = table.members[hypothesis];
   const auto row = static_cast<Index>(hypothesis);
-  double prior = priorOfCount(mechanismsOf(table, members), numbers);
+  double prior = priorOfCount(table.mechanisms[hypothesis], numbers);
   for (const int member : members) {
     prior += numbers.rateOf(table.effects[static_cast<std::size_t>(member)]);
   }
@@ -243,6 +236,10 @@ ScoreTable scoreTable(const Evidence& evidence) {
   for (Index row = 0; row < rows; ++row) {
     const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
     table.members.push_back(hypothesis.members);
+    table.mechanisms.push_back(std::accumulate(
+        hypothesis.members.begin(), hypothesis.members.end(), std::size_t{0}, [&](std::size_t sum, int member) {
+          return sum + mechanismsOf(table.effects[static_cast<std::size_t>(member)]);
+        }));
     table.another_reading.push_back(hypothesis.keeps_values);
     fillErrors(evidence, hypothesis, row, table);
     fillInBands(hypothesis, row, table);

@@ -23,15 +23,16 @@ struct ScoreTable {
   std::vector<std::string> effects;
   std::vector<bool> constant;  ///< of each effect
   std::vector<std::vector<int>> members;
-  Eigen::ArrayXXd left;          ///< squares beyond the noise floor
-  Eigen::ArrayXXd added;         ///< squares of the forces of the members whose law has several forms
-  Eigen::ArrayXXd added_of_one;  ///< of those whose law has one form
-  Eigen::ArrayXXd in_bands;      ///< squares beyond the noise floor by band of a log, each over what the band counts
-  Eigen::ArrayXd departure;      ///< chi^2 of the numbers of the data sheet
-  Eigen::ArrayXd beyond;         ///< numbers beyond the laws that the members contain
-  Eigen::ArrayXd trends;         ///< of logs, that are free
-  Eigen::ArrayXd offsets;        ///< likewise
-  Eigen::ArrayXd gains;          ///< likewise
+  std::vector<std::size_t> mechanisms;  ///< of the members together
+  Eigen::ArrayXXd left;                 ///< squares beyond the noise floor
+  Eigen::ArrayXXd added;                ///< squares of the forces of the members whose law has several forms
+  Eigen::ArrayXXd added_of_one;         ///< of those whose law has one form
+  Eigen::ArrayXXd in_bands;  ///< squares beyond the noise floor by band of a log, each over what the band counts
+  Eigen::ArrayXd departure;  ///< chi^2 of the numbers of the data sheet
+  Eigen::ArrayXd beyond;     ///< numbers beyond the laws that the members contain
+  Eigen::ArrayXd trends;     ///< of logs, that are free
+  Eigen::ArrayXd offsets;    ///< likewise
+  Eigen::ArrayXd gains;      ///< likewise
   std::vector<bool> another_reading;  ///< of wrong values, by an effect beside those as configured
   /// Logarithm of the size of each member over all logs; of wrong values, of what they remove.
   std::vector<std::vector<double>> sizes;

@@ -29,17 +29,6 @@ VectorXd countsOf(const log::Record& record) {
   return record.counts.size() == 0 ? VectorXd::Ones(record.size()).eval() : record.counts;
 }
 
-// Of the samples whose force was measured.
-VectorXd measured(const VectorXd& values, const VectorXd& counts) {
-  std::vector<Index> rows;
-  for (Index i = 0; i < counts.size(); ++i) {
-    if (counts[i] > 0.0) {
-      rows.push_back(i);
-    }
-  }
-  return counts.size() == 0 ? values : VectorXd(values(rows));
-}
-
 // With the first cycle of a log that starts in motion, as far as its force was measured.
 VectorXd withStart(VectorXd counts, const VectorXd& measured) {
   for (Index i = 0; i < counts.size() && counts[i] == 0.0; ++i) {
@@ -144,8 +133,8 @@ struct Stages {
 LogAccount accountOf(const log::Record& record, const prepare::RawChannels& raw, const Stages& forces, std::size_t r,
                      const fit::FreeInLog& free) {
   const double variance = std::pow(record.force_deviation, 2);
-  const double recorded = gap::gapOfResidual(measured(raw.force - forces.recorded[r], raw.counts),
-                                             gap::standardDeviation(measured(raw.force, raw.counts)));
+  const auto listOf = [](const VectorXd& values) { return std::vector<double>(values.begin(), values.end()); };
+  const double recorded = gap::relativeGap(listOf(raw.force), listOf(forces.recorded[r]), listOf(raw.counts));
   LogAccount account(record.name, recorded * recorded);
   const VectorXd counts = countsOf(record);
   const VectorXd residual = record.force - forces.bridged[r];
