@@ -1,0 +1,124 @@
+// Strict reading of YAML: every refusal names file, line, place, value and what is accepted.
+#pragma once
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "element/suggestion.h"
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension::io {
+
+/// A node of the file and where in its component it stands: "specification.loss_angle", "add[0].type".
+struct Entry {
+  YAML::Node node;
+  std::string path;
+
+  explicit operator bool() const { return node.IsDefined(); }
+  bool isText() const { return node.IsScalar(); }
+  const std::string& text() const { return node.Scalar(); }
+  bool startsAsNumber() const;
+
+  Entry operator[](const std::string& key) const;  ///< of a map, which may not have it
+  Entry operator[](std::size_t i) const;           ///< of a list
+};
+
+/// What stands there, for an error: the quoted text, "a list", "nothing".
+std::string kindOf(const YAML::Node& node);
+
+/// ", did you mean ...?" where the text is nearly one of these names.
+std::string hintOf(const YAML::Node& node, const std::vector<std::string>& names);
+
+/// A key of a map, and how its value goes into what the map describes; without that it is read elsewhere.
+template <class Target>
+struct Key {
+  std::string name;
+  std::function<void(const Entry&, Target&)> read = {};
+  const char* needed = nullptr;  ///< what is accepted, of a key that may not be missing
+};
+
+/// A key whose value, as `load` finds it, becomes a member.
+template <class Target, class Value, class Load>
+Key<Target> into(std::string name, Value Target::*member, Load load, const char* needed = nullptr) {
+  return {std::move(name), [=](const Entry& entry, Target& target) { target.*member = load(entry); }, needed};
+}
+
+/// One file while it is read. Throws ComponentFileError.
+class YamlReader {
+ protected:
+  explicit YamlReader(std::string source) : source_(std::move(source)) {}
+
+  YAML::Node parse(const std::string& text) const;
+
+  [[noreturn]] void refuse(const Entry& entry, const std::string& problem) const;
+
+  /// A problem that says itself where it is.
+  [[noreturn]] void refuseAt(const YAML::Node& node, const std::string& problem) const { refuse({node, ""}, problem); }
+
+  /// By what stands there.
+  [[noreturn]] void refuseContent(const Entry& entry, const std::string& accepted) const;
+
+  /// A word that is none of these names.
+  [[noreturn]] void refuseWord(const Entry& entry, const std::string& wanted,
+                               const std::vector<std::string>& names) const;
+
+  void requireMap(const Entry& entry, const std::string& accepted = "a map") const;
+  Entry require(const Entry& map, const std::string& key, const std::string& what) const;
+
+  /// Refuses a key that stands twice, and merges what `<<` names.
+  void checkUnique(const Entry& map);
+  void checkKeys(const Entry& map, const std::vector<std::string>& names);
+  void checkMap(const Entry& map, const std::vector<std::string>& names, const std::string& accepted = "a map");
+
+  /// A key with the path of what it names.
+  static Entry keyOf(const Entry& map, const YAML::Node& key) { return {key, map[key.Scalar()].path}; }
+
+  /// A map by its keys, in their order.
+  template <class Target>
+  void read(const Entry& map, const std::vector<Key<Target>>& keys, Target& target, const char* accepted = "a map") {
+    checkMap(map, element::namesOf(keys), accepted);
+    for (const Key<Target>& key : keys) {
+      const Entry value = key.needed == nullptr ? map[key.name] : require(map, key.name, key.needed);
+      if (value && key.read) {
+        key.read(value, target);
+      }
+    }
+  }
+
+  /// A list of maps, each read by `load`.
+  template <class Value, class Load>
+  std::vector<Value> loadMaps(const Entry& list, Load load) {
+    if (!list.node.IsSequence() || list.node.size() == 0 || list.node.size() > kMaximumElements) {
+      refuseContent(list, fmt::format("a list of 1 to {} maps", kMaximumElements));
+    }
+    std::vector<Value> values;
+    for (std::size_t i = 0; i < list.node.size(); ++i) {
+      requireMap(list[i]);
+      values.push_back(load(list[i]));
+    }
+    return values;
+  }
+
+  /// The index of a word among those accepted.
+  std::size_t loadWord(const Entry& entry, const std::vector<std::string>& words) const;
+  bool loadFlag(const Entry& entry) const { return loadWord(entry, {"false", "true"}) == 1; }
+
+  std::string component_;  ///< the one being read, for errors
+  std::string place_;      ///< the direction being read, of a component of six
+
+ private:
+  [[noreturn]] void refuseLine(int line, const std::string& path, const std::string& problem) const;
+  void merge(const Entry& map, int depth) const;
+
+  std::string source_;
+  // A key without value: YAML places the nothing at the token that follows, perhaps lines below. By position, the key's
+  // line.
+  std::map<int, int> lines_of_nothing_;
+};
+
+}  // namespace rubber_suspension::io
