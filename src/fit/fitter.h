@@ -22,7 +22,6 @@ class Fitter final : public HypothesisFitter {
       : Fitter(std::make_shared<const std::vector<log::Record>>(std::move(records)), model, one_deviation) {}
 
   const std::vector<log::Record>& records() const { return forces_.records(); }
-  const std::shared_ptr<const std::vector<log::Record>>& sharedRecords() const { return forces_.sharedRecords(); }
   const HypothesisForces& forces() const { return forces_; }
   const LogBlocks& blocks() const { return *blocks_; }
   double gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const override;

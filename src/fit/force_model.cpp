@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "element/each.h"
+#include "fit/difference_quotient.h"
 #include "log/even_blocks.h"
 #include "rubber_suspension/component/sample_stream.h"
 
@@ -224,20 +225,15 @@ Eigen::VectorXd ForceModel::derivative(const Eigen::VectorXd& search, Eigen::Ind
     if (std::find(part.unknowns.begin(), part.unknowns.end(), unknown) == part.unknowns.end()) {
       continue;
     }
-    double step = 1e-6;  // of ln(value): truncation 1e-6 and rounding 1e-10, both relative
-    const auto moved = [&] {
-      const Eigen::VectorXd place = search + step * Eigen::VectorXd::Unit(search.size(), unknown);
-      return simulate(part, place(part.unknowns));
-    };
-    Eigen::VectorXd force;
-    try {
-      force = moved();
-    } catch (const std::invalid_argument&) {  // beyond the border of what the law accepts
-      step = -step;
-      force = moved();
-    }
-    const double coefficient = part.column < 0 ? 1.0 : coefficients[part.column];
-    sum += coefficient / step * (force - part.force);
+    const ForceColumn column = quotient({part.force}, kSearchStep, [&](double by) -> std::optional<gap::Forces> {
+      const Eigen::VectorXd place = search + by * Eigen::VectorXd::Unit(search.size(), unknown);
+      try {
+        return gap::Forces{simulate(part, place(part.unknowns))};
+      } catch (const std::invalid_argument&) {
+        return std::nullopt;  // beyond the border of what the law accepts
+      }
+    });
+    sum += (part.column < 0 ? 1.0 : coefficients[part.column]) * column->front();
   }
   return sum;
 }

@@ -17,9 +17,9 @@ namespace rubber_suspension::fit {
 /// One entry for `add:` and the scale that a fit determines. The component's force is taken as differentiable in the
 /// scale; at scale 0 the entry is left out.
 struct BasisTerm {
-  std::function<element::ElementDescription(double scale)> at;
-  double typical = 1.0;  ///< a scale of the order that a visible effect has
-  double start = 0.0;    ///< a scale that fits may start from besides 0, where what was measured tells one
+  std::function<element::ElementDescription(double scale)> at;  ///< null: it is a number of Hypothesis::law
+  double typical = 1.0;                                         ///< a scale of the order that a visible effect has
+  double start = 0.0;  ///< a scale that fits may start from besides 0, where what was measured tells one
   double lower = 0.0;
   double upper = std::numeric_limits<double>::infinity();
   bool additive = true;    ///< the force is that of the component plus scale times that of the entry alone
@@ -104,9 +104,12 @@ struct Hypothesis {
   std::vector<TermPlace> places;  ///< of these among the candidates
   /// Terms of each member: its own, then those of what it contains, without those of an earlier member.
   std::vector<std::size_t> counts;
-  std::vector<int> held;         ///< contained candidates whose terms it has
-  std::vector<int> curved;       ///< of these and of the members those whose terms follow the curve
-  FreeInLog free_in_log;         ///< is free as well
+  std::vector<int> held;    ///< contained candidates whose terms it has
+  std::vector<int> curved;  ///< of these and of the members those whose terms follow the curve
+  FreeInLog free_in_log;    ///< is free as well
+  /// The entries of a law with numbers of its own, which are those terms that have no entry, by all scales; null: there
+  /// is none.
+  std::function<std::vector<element::ElementDescription>(const Eigen::VectorXd& scales)> law;
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
 
   bool excluded = false;  ///< a member of it is

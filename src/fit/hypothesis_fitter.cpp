@@ -127,7 +127,7 @@ bool HypothesisFitter::improve(const Hypothesis& hypothesis, const Eigen::Vector
 
 BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest,
                                      Place& place) const {
-  BlockGrams blocks = linearise(hypothesis, place, limits.active, 1);
+  BlockGrams blocks = linearise(hypothesis, place, limits.active, limits.threads);
   for (int iteration = 0; iteration < limits.iterations; ++iteration) {
     const numerics::Limits all = stepBounds(hypothesis, place.parameters, blocks.unknowns());
     numerics::Limits bounds = all;
@@ -157,7 +157,7 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
     for (std::size_t t = 0; t < active.size(); ++t) {
       active[t] = hypothesis.terms[t].additive || place.parameters.scales[static_cast<Eigen::Index>(t)] != 0.0;
     }
-    blocks = linearise(hypothesis, place, active, 1);
+    blocks = linearise(hypothesis, place, active, limits.threads);
   }
   return blocks;
 }

@@ -41,6 +41,7 @@ struct FitLimits {
   std::vector<bool> active = {};  ///< terms that may move in the first step; all where it is empty
   /// A fit that gains too little to come down to this, as a gap, ends.
   double needed = std::numeric_limits<double>::infinity();
+  int threads = 1;
 };
 
 /// Fits hypotheses to measurements: Gauss-Newton steps within bounds, and cross validation by blocks. What was

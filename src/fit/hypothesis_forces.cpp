@@ -1,16 +1,15 @@
 // Forces of hypotheses and their derivatives.
 #include "fit/hypothesis_forces.h"
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "fit/difference_quotient.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension::fit {
 namespace {
-
-constexpr double kModelStep = 1e-4;  // of a logarithm, for difference quotients
-constexpr double kTermStep = 0.02;   // of the typical scale
 
 double scaleOf(const ParameterVector& parameters, std::size_t term) {
   return parameters.scales[static_cast<Eigen::Index>(term)];
@@ -40,11 +39,19 @@ void soften(const Hypothesis& hypothesis, const ParameterVector& parameters, std
   }
 }
 
-ForceColumn quotient(gap::Forces moved, const gap::Forces& base, double step) {
-  for (std::size_t r = 0; r < base.size(); ++r) {
-    moved[r] = (moved[r] - base[r]) / step;
+// Entries of the law of a hypothesis. Numbers that move each by itself may leave what a law allows of them together.
+std::optional<std::vector<element::ElementDescription>> lawOf(const Hypothesis& hypothesis,
+                                                              const ParameterVector& parameters) {
+  std::vector<element::ElementDescription> entries;
+  if (hypothesis.law) {
+    entries = hypothesis.law(parameters.scales);
   }
-  return columnOf(std::move(moved));
+  try {
+    std::for_each(entries.begin(), entries.end(), element::makeElement);
+    return entries;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -53,17 +60,27 @@ std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelPa
                                                                    const Hypothesis& hypothesis,
                                                                    const ParameterVector& parameters) {
   auto result = model.elements(parameters.model);
-  for (std::size_t t = 0; result && t < hypothesis.terms.size(); ++t) {
-    if (scaleOf(parameters, t) != 0.0) {
+  const auto law = lawOf(hypothesis, parameters);
+  if (!result || !law) {
+    return std::nullopt;
+  }
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    if (scaleOf(parameters, t) != 0.0 && hypothesis.terms[t].at) {
       result->push_back(hypothesis.terms[t].at(scaleOf(parameters, t)));
     }
   }
+  result->insert(result->end(), law->begin(), law->end());
   return result;
 }
 
 HypothesisForces::HypothesisForces(std::shared_ptr<const std::vector<log::Record>> records,
                                    const ModelParameters& model)
-    : records_(std::move(records)), model_(model) {
+    : HypothesisForces([records](const auto& elements) { return gap::simulate(elements, *records); }, model) {
+  records_ = std::move(records);
+}
+
+HypothesisForces::HypothesisForces(Motions motions, const ModelParameters& model)
+    : motions_(std::move(motions)), model_(model) {
   if (const auto elements = model.elements(Eigen::VectorXd::Zero(model.size()))) {
     add(*elements, of_model_);
   }
@@ -82,11 +99,12 @@ void HypothesisForces::add(const std::vector<element::ElementDescription>& eleme
   }
 }
 
-HypothesisForces::Interaction HypothesisForces::interactionOf(
-    const Hypothesis& hypothesis, const ParameterVector& parameters,
-    const std::vector<element::ElementDescription>& further) const {
+HypothesisForces::Interaction HypothesisForces::interactionOf(const Hypothesis& hypothesis,
+                                                              const ParameterVector& parameters) const {
   Interaction interaction = of_model_;
-  add(further, interaction);
+  if (const auto law = lawOf(hypothesis, parameters)) {
+    add(*law, interaction);
+  }
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
     const BasisTerm& term = hypothesis.terms[t];
     const bool at_work = scaleOf(parameters, t) != 0.0;
@@ -105,22 +123,20 @@ bool HypothesisForces::isKnown(const BasisTerm& term, const Interaction& interac
   return !interaction.displaces && factors_known && (term.softening || !interaction.scales);
 }
 
-std::optional<gap::Forces> HypothesisForces::at(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                                const std::vector<element::ElementDescription>& further) const {
+std::optional<gap::Forces> HypothesisForces::at(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
   // Terms known by their unit effect are added or multiplied; the others have to be simulated.
-  const Interaction interaction = interactionOf(hypothesis, parameters, further);
+  const Interaction interaction = interactionOf(hypothesis, parameters);
   ParameterVector rest = parameters;
   ParameterVector known = parameters;
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
     (isKnown(hypothesis.terms[t], interaction) ? rest : known).scales[static_cast<Eigen::Index>(t)] = 0.0;
   }
-  auto elements = elementsOf(model_, hypothesis, rest);
+  const auto elements = elementsOf(model_, hypothesis, rest);
   if (!elements) {
     return std::nullopt;
   }
-  elements->insert(elements->end(), further.begin(), further.end());
-  auto result = gap::simulate(*elements, records());
-  for (std::size_t r = 0; r < records().size(); ++r) {
+  gap::Forces result = motions_(*elements);
+  for (std::size_t r = 0; r < result.size(); ++r) {
     addForces(hypothesis, known, false, r, result[r]);
     soften(hypothesis, known, r, result[r]);
     addForces(hypothesis, known, true, r, result[r]);
@@ -130,7 +146,7 @@ std::optional<gap::Forces> HypothesisForces::at(const Hypothesis& hypothesis, co
 
 gap::Forces HypothesisForces::moreThanWith(const Eigen::VectorXd& scales, const Hypothesis& hypothesis,
                                            const ParameterVector& parameters) const {
-  const Interaction interaction = interactionOf(hypothesis, parameters, {});
+  const Interaction interaction = interactionOf(hypothesis, parameters);
   ParameterVector added = parameters;
   added.scales -= scales;
   bool linear = !interaction.softens;
@@ -158,18 +174,13 @@ gap::Forces HypothesisForces::moreThanWith(const Eigen::VectorXd& scales, const 
   return forces;
 }
 
-ForceColumn HypothesisForces::modelColumn(const Place& place, Eigen::Index parameter) const {
-  ParameterVector moved = place.parameters;
-  double step = kModelStep;
-  moved.model[parameter] += step;
-  auto column = at(place.hypothesis, moved, place.further);
-  if (!column) {
-    step = -kModelStep;
-    moved.model[parameter] = place.parameters.model[parameter] + step;
-    column = at(place.hypothesis, moved, place.further);
-  }
-  // Without a model on either side the parameter cannot move.
-  return quotient(std::move(column).value_or(place.base), place.base, step);
+ForceColumn HypothesisForces::moved(const Place& place, Eigen::VectorXd ParameterVector::*part, Eigen::Index parameter,
+                                    double step) const {
+  return quotient(place.base, step, [&](double by) {
+    ParameterVector there = place.parameters;
+    (there.*part)[parameter] += by;
+    return at(place.hypothesis, there);
+  });
 }
 
 ForceColumn HypothesisForces::termColumn(const Place& place, std::size_t term) const {
@@ -178,23 +189,21 @@ ForceColumn HypothesisForces::termColumn(const Place& place, std::size_t term) c
   if (isKnown(basis_term, place.interaction) || (basis_term.unit_effect && scale == 0.0)) {
     return knownColumn(place, term);
   }
-  const double direction = scale + basis_term.typical > basis_term.upper ? -1.0 : 1.0;
-  const double step = (scale == 0.0 ? 1.0 : kTermStep) * basis_term.typical * direction;
-  ParameterVector moved = place.parameters;
-  moved.scales[static_cast<Eigen::Index>(term)] += step;
-  return quotient(*at(place.hypothesis, moved, place.further), place.base, step);
+  const double reach = basis_term.at ? basis_term.typical : kLogarithmStep;
+  const double step = basis_term.at && scale != 0.0 ? kScaleStep * reach : reach;
+  return moved(place, &ParameterVector::scales, static_cast<Eigen::Index>(term),
+               scale + reach > basis_term.upper ? -step : step);
 }
 
 std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                                    const std::vector<bool>& active, const gap::Forces& base,
-                                                   int threads,
-                                                   const std::vector<element::ElementDescription>& further) const {
-  const Place place{hypothesis, parameters, further, base, interactionOf(hypothesis, parameters, further)};
+                                                   int threads) const {
+  const Place place{hypothesis, parameters, base, interactionOf(hypothesis, parameters)};
   const auto size = static_cast<std::size_t>(model().size());
   std::vector<ForceColumn> columns(size + hypothesis.terms.size());
   parallelFor(columns.size(), threads, [&](std::size_t j) {
     if (j < size) {
-      columns[j] = modelColumn(place, static_cast<Eigen::Index>(j));
+      columns[j] = moved(place, &ParameterVector::model, static_cast<Eigen::Index>(j), kLogarithmStep);
     } else if (active.empty() || active[j - size]) {
       columns[j] = termColumn(place, j - size);
     }

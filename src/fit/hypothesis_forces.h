@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -14,29 +15,33 @@
 
 namespace rubber_suspension::fit {
 
-/// Elements of a model with the effects of a hypothesis; nothing where the model parameters have no solution.
+/// Elements of a model with the effects of a hypothesis; nothing where the model parameters have no solution, or a law
+/// none of these numbers.
 std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelParameters& model,
                                                                    const Hypothesis& hypothesis,
                                                                    const ParameterVector& parameters);
 
-/// The forces of hypotheses about one model on some logs. Thread-safe once constructed; the model has to outlive it.
+/// Force of elements over each of some motions [N].
+using Motions = std::function<gap::Forces(const std::vector<element::ElementDescription>& elements)>;
+
+/// The forces of hypotheses about one model on some logs, or over other motions. Thread-safe once constructed; the
+/// model has to outlive it.
 class HypothesisForces {
  public:
+  /// Over motions that are no logs: there are no records, and unit effects of terms are those over the motions.
+  HypothesisForces(Motions motions, const ModelParameters& model);
   HypothesisForces(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model);
   HypothesisForces(std::vector<log::Record> records, const ModelParameters& model)
       : HypothesisForces(std::make_shared<const std::vector<log::Record>>(std::move(records)), model) {}
 
   const std::vector<log::Record>& records() const { return *records_; }
-  const std::shared_ptr<const std::vector<log::Record>>& sharedRecords() const { return records_; }
   const ModelParameters& model() const { return model_; }
 
   /// True where the force of the model is the sum of those of its elements.
   bool isAdditive() const { return !of_model_.displaces && !of_model_.scales; }
 
-  /// Force of each log [N], with further elements besides the hypothesis; nothing where the model parameters have no
-  /// solution.
-  std::optional<gap::Forces> at(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                const std::vector<element::ElementDescription>& further = {}) const;
+  /// Force of each log [N]; nothing where elementsOf() has none.
+  std::optional<gap::Forces> at(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 
   /// The force of each log beyond that with other scales of the same terms [N]. Throws std::invalid_argument
   /// where there is no model.
@@ -44,10 +49,9 @@ class HypothesisForces {
                            const ParameterVector& parameters) const;
 
   /// Derivatives by all model parameters, then by all terms; null for terms that are not `active`, which all are where
-  /// the list is empty. `base`: the forces there, with further elements.
+  /// the list is empty. `base`: the forces there.
   std::vector<ForceColumn> columns(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                   const std::vector<bool>& active, const gap::Forces& base, int threads,
-                                   const std::vector<element::ElementDescription>& further = {}) const;
+                                   const std::vector<bool>& active, const gap::Forces& base, int threads) const;
 
  private:
   /// Effects at work besides elements of the component that add up.
@@ -61,24 +65,24 @@ class HypothesisForces {
   struct Place {
     const Hypothesis& hypothesis;
     const ParameterVector& parameters;
-    const std::vector<element::ElementDescription>& further;
     const gap::Forces& base;
     Interaction interaction;
   };
   static void add(const std::vector<element::ElementDescription>& elements, Interaction& interaction);
-  Interaction interactionOf(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                            const std::vector<element::ElementDescription>& further) const;
+  Interaction interactionOf(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 
   /// True where the effect of a term on the force follows from its unit effect, without simulation.
   static bool isKnown(const BasisTerm& term, const Interaction& interaction);
 
-  /// Derivative by the logarithm of a model parameter.
-  ForceColumn modelColumn(const Place& place, Eigen::Index parameter) const;
   /// Derivative by the scale of a basis term; about, where it is at nothing and others displace the component.
   ForceColumn termColumn(const Place& place, std::size_t term) const;
+  /// Quotient where one of the parameters is moved.
+  ForceColumn moved(const Place& place, Eigen::VectorXd ParameterVector::*part, Eigen::Index parameter,
+                    double step) const;
   static ForceColumn knownColumn(const Place& place, std::size_t term);
 
   std::shared_ptr<const std::vector<log::Record>> records_;
+  Motions motions_;
   const ModelParameters& model_;
   Interaction of_model_;
 };

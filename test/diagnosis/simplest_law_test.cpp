@@ -103,7 +103,7 @@ TEST_F(SimplestLaw, OfASymmetricStopIsOneEntry) {
 TEST_F(SimplestLaw, OfAStopIsLikelierThanTheFullOne) {
   fit("bump_stop", {{"bump_stop", {{"stiffness", {2e6}}, {"gap", {1.32e-3}}, {"exponent", {1.3}}}}});
   ASSERT_FALSE(simple_.others.empty());
-  for (const diagnosis::results::OtherLaw& other : simple_.others) {
+  for (const diagnosis::results::WeighedLaw& other : simple_.others) {
     const std::size_t beyond = other.fitted.law.members.at(0).size();
     EXPECT_LT(other.odds, beyond > 6 ? 0.1 : 100.0) << beyond << " numbers";
     EXPECT_GT(other.odds, 0.0);

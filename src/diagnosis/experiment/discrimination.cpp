@@ -10,7 +10,6 @@
 
 #include "diagnosis/judge/numbers.h"
 #include "element/each.h"
-#include "fit/hypothesis_forces.h"
 #include "fit/parallel.h"
 #include "numerics/bounded_least_squares.h"
 #include "numerics/gram.h"
@@ -19,8 +18,6 @@
 namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
-constexpr double kModelStep = 1e-4;    // of a logarithm, for difference quotients
-constexpr double kTermStep = 0.02;     // of the typical scale
 constexpr std::size_t kRefitted = 8;   // motions that explanations are fitted to
 constexpr std::size_t kAtOnce = 2;     // of these
 constexpr double kLeastSquare = 1e-8;  // of the force: below it a size is no size
@@ -58,18 +55,14 @@ Discriminator::Discriminator(const fit::Fitter& fitter, const hypotheses::Search
       force_(search.excitation.force),
       force_limit_(force_limit),
       threads_(threads),
-      played_(fitter.records()) {}
-
-std::vector<element::ElementDescription> Discriminator::elementsOf(std::size_t explanation,
-                                                                   const fit::ParameterVector& at) const {
-  return fit::elementsOf(fitter_.model(), explanations_[explanation].fitted->hypothesis, at)
-      .value_or(std::vector<element::ElementDescription>{});
-}
+      played_(fitter.records()),
+      forces_([this](const auto& elements) { return played_.forces(elements); }, fitter.model()) {}
 
 void Discriminator::sayForces() {
   says_.assign(explanations_.size(), {});
   fit::parallelFor(says_.size(), threads_, [&](std::size_t e) {
-    says_[e].force = played_.forces(elementsOf(e, explanations_[e].fitted->fit.parameters));
+    const hypotheses::FittedHypothesis& fitted = *explanations_[e].fitted;
+    says_[e].force = played_.forces(*fit::elementsOf(fitter_.model(), fitted.hypothesis, fitted.fit.parameters));
     says_[e].on_motion.resize(says_[e].force.size());
   });
 }
@@ -151,84 +144,47 @@ bool Discriminator::isPlayedAlone(std::size_t explanation, Eigen::Index term) co
 }
 
 // As in fits, terms at nothing whose force would have to be simulated beside the others stay there.
-bool Discriminator::isMovable(std::size_t explanation, Eigen::Index term) const {
-  return explanations_[explanation].fitted->fit.parameters.scales[term] != 0.0 || isPlayedAlone(explanation, term);
-}
-
 std::vector<bool> Discriminator::movable(std::size_t explanation) const {
-  const Eigen::Index terms = explanations_[explanation].fitted->fit.parameters.scales.size();
+  const Eigen::VectorXd& scales = explanations_[explanation].fitted->fit.parameters.scales;
   std::vector<bool> movable;
-  for (Eigen::Index t = 0; t < terms; ++t) {
-    movable.push_back(isMovable(explanation, t));
+  for (Eigen::Index t = 0; t < scales.size(); ++t) {
+    movable.push_back(scales[t] != 0.0 || isPlayedAlone(explanation, t));
   }
   return movable;
 }
 
-// Moves one parameter; terms that add up with all else are played alone, and so is then the model.
-Discriminator::Derivative Discriminator::derivativeBy(std::size_t explanation, Eigen::Index unknown) const {
-  const fit::Hypothesis& hypothesis = explanations_[explanation].fitted->hypothesis;
-  fit::ParameterVector moved = explanations_[explanation].fitted->fit.parameters;
-  const Eigen::Index of_model = moved.model.size();
-  if (unknown < of_model) {
-    const bool alone = addsUp(explanation);
-    if (alone) {
-      moved.scales.setZero();
-    }
-    const double at = moved.model[unknown];
-    double step = kModelStep;
-    moved.model[unknown] = at + step;
-    std::vector<element::ElementDescription> elements = elementsOf(explanation, moved);
-    if (elements.empty()) {
-      step = -step;
-      moved.model[unknown] = at + step;
-      elements = elementsOf(explanation, moved);
-    }
-    return {std::move(elements), step, alone ? Base::model_alone : Base::whole};
-  }
-  const Eigen::Index t = unknown - of_model;
-  const fit::BasisTerm& term = hypothesis.terms[static_cast<std::size_t>(t)];
-  if (!isMovable(explanation, t)) {
-    return {};
-  }
-  if (isPlayedAlone(explanation, t)) {
-    return {{term.at(term.typical)}, term.typical, Base::nothing};
-  }
-  const double step = (moved.scales[t] + term.typical > term.upper ? -kTermStep : kTermStep) * term.typical;
-  moved.scales[t] += step;
-  return {elementsOf(explanation, moved), step, Base::whole};
-}
-
-// On each of the motions played, by difference quotients, without what is free in a new log. `whole`: its forces there.
-std::vector<Eigen::MatrixXd> Discriminator::derivatives(std::size_t explanation,
-                                                        const std::vector<Eigen::VectorXd>& whole) const {
-  const hypotheses::FittedHypothesis& fitted = *explanations_[explanation].fitted;
-  const fit::ParameterVector& at = fitted.fit.parameters;
-  const std::vector<Eigen::VectorXd> of_model =
-      addsUp(explanation) ? played_.forces(elementsOf(explanation, {at.model, 0.0 * at.scales}))
-                          : std::vector<Eigen::VectorXd>();
-  const auto count = static_cast<std::size_t>(at.model.size() + at.scales.size());
-  std::vector<Eigen::MatrixXd> columns;
-  for (const Eigen::VectorXd& force : whole) {
-    columns.emplace_back(Eigen::MatrixXd::Zero(force.size(), static_cast<Eigen::Index>(count)));
-  }
-  fit::parallelFor(count, threads_, [&](std::size_t unknown) {
-    const auto j = static_cast<Eigen::Index>(unknown);
-    const Derivative by = derivativeBy(explanation, j);
-    if (by.elements.empty()) {  // no model on either side, or a term that stays: it cannot move
-      return;
-    }
-    const std::vector<Eigen::VectorXd> moved = played_.forces(by.elements);
-    for (std::size_t m = 0; m < moved.size(); ++m) {
-      columns[m].col(j) = moved[m] / by.step;
-      if (by.base != Base::nothing) {
-        columns[m].col(j) -= (by.base == Base::whole ? whole : of_model)[m] / by.step;
-      }
+// An explanation over the motions: terms that add up with all else are played alone.
+fit::Hypothesis Discriminator::played(std::size_t explanation) const {
+  fit::Hypothesis hypothesis = explanations_[explanation].fitted->hypothesis;
+  fit::parallelFor(hypothesis.terms.size(), threads_, [&](std::size_t t) {
+    fit::BasisTerm& term = hypothesis.terms[t];
+    term.unit_effect = nullptr;
+    if (isPlayedAlone(explanation, static_cast<Eigen::Index>(t))) {
+      gap::Forces forces = played_.forces({term.at(term.typical)});
+      std::for_each(forces.begin(), forces.end(), [&](Eigen::VectorXd& force) { force /= term.typical; });
+      term.unit_effect = fit::columnOf(std::move(forces));
     }
   });
+  return hypothesis;
+}
+
+// On each of the motions played, without what is free in a new log. `whole`: its forces there.
+std::vector<Eigen::MatrixXd> Discriminator::derivatives(std::size_t explanation,
+                                                        const std::vector<Eigen::VectorXd>& whole) const {
+  const fit::Hypothesis hypothesis = played(explanation);
+  const std::vector<fit::ForceColumn> columns = forces_.columns(
+      hypothesis, explanations_[explanation].fitted->fit.parameters, movable(explanation), whole, threads_);
+  std::vector<Eigen::MatrixXd> derivatives;
   for (std::size_t m = 0; m < whole.size(); ++m) {
-    columns[m] = withoutFree(std::move(columns[m]), fitted.hypothesis.free_in_log, whole[m]);
+    Eigen::MatrixXd of_motion = Eigen::MatrixXd::Zero(whole[m].size(), static_cast<Eigen::Index>(columns.size()));
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      if (columns[j]) {
+        of_motion.col(static_cast<Eigen::Index>(j)) = (*columns[j])[m];
+      }
+    }
+    derivatives.push_back(withoutFree(std::move(of_motion), hypothesis.free_in_log, whole[m]));
   }
-  return columns;
+  return derivatives;
 }
 
 // What an explanation, were it wrong, would be fitted to: the columns themselves are too many to be kept.

@@ -7,6 +7,7 @@
 #include "diagnosis/experiment/explanation.h"
 #include "diagnosis/experiment/played_motions.h"
 #include "fit/fitter.h"
+#include "fit/hypothesis_forces.h"
 
 namespace rubber_suspension::diagnosis::experiment {
 
@@ -30,6 +31,8 @@ class Discriminator {
   /// All have to outlive it. `force_limit`: motions that any explanation says need more are out [N].
   Discriminator(const fit::Fitter& fitter, const hypotheses::Search& search,
                 const std::vector<Explanation>& explanations, double force_limit, int threads);
+  Discriminator(const Discriminator&) = delete;
+  Discriminator& operator=(const Discriminator&) = delete;
 
   void setForceLimit(double force_limit) { force_limit_ = force_limit; }
 
@@ -54,13 +57,6 @@ class Discriminator {
     std::vector<Eigen::VectorXd> force;
     std::vector<OnMotion> on_motion;
   };
-  // What a derivative is a difference of.
-  enum class Base { nothing, model_alone, whole };
-  struct Derivative {
-    std::vector<element::ElementDescription> elements;  // with one parameter moved; none where it cannot move
-    double step = 1.0;
-    Base base = Base::nothing;
-  };
 
   void sayForces();
   std::vector<std::size_t> playable() const;
@@ -68,9 +64,8 @@ class Discriminator {
   void findNormalEquations();
   bool addsUp(std::size_t explanation) const;
   bool isPlayedAlone(std::size_t explanation, Eigen::Index term) const;
-  bool isMovable(std::size_t explanation, Eigen::Index term) const;
   std::vector<bool> movable(std::size_t explanation) const;
-  Derivative derivativeBy(std::size_t explanation, Eigen::Index unknown) const;
+  fit::Hypothesis played(std::size_t explanation) const;
   std::vector<Eigen::MatrixXd> derivatives(std::size_t explanation, const std::vector<Eigen::VectorXd>& whole) const;
   void project(std::size_t wrong, const std::vector<std::size_t>& motions);
   double moreNoise(const Eigen::VectorXd& force) const;
@@ -79,7 +74,6 @@ class Discriminator {
   double priorOfSizes(std::size_t explanation, const Eigen::MatrixXd& gram, const Eigen::VectorXd& scales) const;
   void setNearest(const std::vector<Refitted>& refitted, Discrimination& result) const;
   Discrimination weigh(const Experiment& experiment, std::size_t motion) const;
-  std::vector<element::ElementDescription> elementsOf(std::size_t explanation, const fit::ParameterVector& at) const;
 
   const fit::Fitter& fitter_;
   const std::vector<Explanation>& explanations_;
@@ -89,6 +83,7 @@ class Discriminator {
   double force_limit_;
   int threads_;
   PlayedMotions played_;
+  fit::HypothesisForces forces_;  // over the motions
   std::vector<Normal> normal_;
   std::vector<Says> says_;
 };

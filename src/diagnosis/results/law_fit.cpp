@@ -3,18 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "diagnosis/hypotheses/fitted_component.h"
-#include "fit/parallel.h"
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-constexpr double kFarthest = 5.0;     // logarithm of a number over its start: a factor of 150
-constexpr double kNumberStep = 1e-3;  // of such a logarithm, for difference quotients
+constexpr double kFarthest = 5.0;  // logarithm of a number over its start: a factor of 150
 
 const element::ParameterInfo& infoOf(const element::ElementDescription& entry, const std::string& key) {
   return *element::findParameter(element::findElementType(entry.type)->parameters, key);
@@ -42,16 +39,6 @@ fit::BasisTerm unknownOf(const MemberLaw& law, const NumberPlace& place) {
     unknown.upper = std::min(unknown.upper, std::log(std::max(1.0, law.longest_time / value)));
   }
   return unknown;
-}
-
-// Numbers that move each by itself may leave what a law allows of them together.
-bool canBeMade(const Entries& entries) {
-  try {
-    std::for_each(entries.begin(), entries.end(), element::makeElement);
-    return true;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
 }
 
 }  // namespace
@@ -89,6 +76,16 @@ Entries MemberLaw::at(const Eigen::VectorXd& scales) const {
 
 fit::Hypothesis Law::hypothesis() const {
   fit::Hypothesis result = about;
+  result.law = [law = *this](const Eigen::VectorXd& scales) {
+    Entries entries;
+    const std::vector<Entries> of_members = law.at(scales);
+    for (std::size_t m = 0; m < of_members.size(); ++m) {
+      if (law.members[m].terms.empty()) {
+        entries.insert(entries.end(), of_members[m].begin(), of_members[m].end());
+      }
+    }
+    return entries;
+  };
   for (const MemberLaw& law : members) {
     result.members.push_back(law.member);
     result.terms.insert(result.terms.end(), law.terms.begin(), law.terms.end());
@@ -109,77 +106,5 @@ std::vector<Entries> Law::at(const Eigen::VectorXd& scales) const {
   }
   return result;
 }
-
-LawForces::LawForces(std::shared_ptr<const std::vector<log::Record>> records, const fit::ModelParameters& model,
-                     const Law& law)
-    : forces_(std::move(records), model), law_(law) {
-  Eigen::Index place = 0;
-  for (const MemberLaw& member : law.members) {
-    for (const fit::BasisTerm& term : member.terms) {
-      terms_.terms.push_back(term);
-      places_.push_back(place++);
-    }
-    place += member.terms.empty() ? static_cast<Eigen::Index>(member.size()) : 0;
-  }
-}
-
-fit::ParameterVector LawForces::ofTerms(const fit::ParameterVector& parameters) const {
-  return {parameters.model, parameters.scales(places_)};
-}
-
-Entries LawForces::entriesAt(const Eigen::VectorXd& scales) const {
-  Entries entries;
-  const std::vector<Entries> of_members = law_.at(scales);
-  for (std::size_t m = 0; m < of_members.size(); ++m) {
-    if (law_.members[m].terms.empty()) {
-      entries.insert(entries.end(), of_members[m].begin(), of_members[m].end());
-    }
-  }
-  return entries;
-}
-
-std::optional<gap::Forces> LawForces::at(const fit::ParameterVector& parameters) const {
-  const Entries entries = entriesAt(parameters.scales);
-  return canBeMade(entries) ? forces_.at(terms_, ofTerms(parameters), entries) : std::nullopt;
-}
-
-fit::ForceColumn LawForces::byNumber(const fit::ParameterVector& parameters, const gap::Forces& base,
-                                     const fit::BasisTerm& number, Eigen::Index t) const {
-  const double step = parameters.scales[t] + kNumberStep > number.upper ? -kNumberStep : kNumberStep;
-  fit::ParameterVector moved = parameters;
-  moved.scales[t] += step;
-  auto forces = at(moved);
-  if (!forces) {
-    forces = base;  // no law there: the number cannot move
-  }
-  for (std::size_t r = 0; r < base.size(); ++r) {
-    (*forces)[r] = ((*forces)[r] - base[r]) / step;
-  }
-  return fit::columnOf(std::move(*forces));
-}
-
-std::vector<fit::ForceColumn> LawForces::columns(const fit::ParameterVector& parameters, const gap::Forces& base,
-                                                 int threads) const {
-  const auto of_model = static_cast<std::size_t>(parameters.model.size());
-  std::vector<fit::ForceColumn> known =
-      forces_.columns(terms_, ofTerms(parameters), {}, base, threads, entriesAt(parameters.scales));
-  std::vector<fit::ForceColumn> columns(of_model + static_cast<std::size_t>(parameters.scales.size()));
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    columns[i < of_model ? i : of_model + static_cast<std::size_t>(places_[i - of_model])] = std::move(known[i]);
-  }
-  const fit::Hypothesis all = law_.hypothesis();
-  fit::parallelFor(all.terms.size(), threads, [&](std::size_t t) {
-    if (!columns[of_model + t]) {
-      columns[of_model + t] = byNumber(parameters, base, all.terms[t], static_cast<Eigen::Index>(t));
-    }
-  });
-  return columns;
-}
-
-LawFitter::LawFitter(const fit::Fitter& fitter, const Law& law, int threads)
-    : HypothesisFitter(fitter.model(), fitter.oneDeviation()),
-      fitter_(fitter),
-      forces_(fitter.sharedRecords(), fitter.model(), law),
-      threads_(threads) {}
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -3,14 +3,11 @@
 
 #include <Eigen/Core>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "fit/fitter.h"
-#include "gap/simulate.h"
+#include "fit/hypothesis.h"
+#include "fit/hypothesis_fitter.h"
 #include "rubber_suspension/element/parameter.h"
 
 namespace rubber_suspension::diagnosis::results {
@@ -47,7 +44,7 @@ struct Law {
   std::vector<MemberLaw> members;
   fit::Hypothesis about;  ///< what is free in each log; without terms
 
-  /// The bounds of each unknown, for the fit.
+  /// As the fit has it: the numbers of its entries as terms with bounds and without entries of their own.
   fit::Hypothesis hypothesis() const;
 
   /// Entries of each member at these scales.
@@ -60,58 +57,10 @@ struct FittedLaw {
   fit::Fit fit;
 };
 
-/// Forces of a law about a model over some records [N].
-class LawForces {
- public:
-  /// The model has to outlive it.
-  LawForces(std::shared_ptr<const std::vector<log::Record>> records, const fit::ModelParameters& model, const Law& law);
-
-  /// Nothing where the model has no solution, or a law none of these numbers.
-  std::optional<gap::Forces> at(const fit::ParameterVector& parameters) const;
-
-  /// Derivatives by the model's parameters and by the scales, `base` being the forces there; on up to `threads`
-  /// threads.
-  std::vector<fit::ForceColumn> columns(const fit::ParameterVector& parameters, const gap::Forces& base,
-                                        int threads) const;
-
- private:
-  // Scales of the members that have terms, in the order of terms_.
-  fit::ParameterVector ofTerms(const fit::ParameterVector& parameters) const;
-  Entries entriesAt(const Eigen::VectorXd& scales) const;
-  // Derivative by a number of entries, the unknown at this place among all scales.
-  fit::ForceColumn byNumber(const fit::ParameterVector& parameters, const gap::Forces& base,
-                            const fit::BasisTerm& number, Eigen::Index t) const;
-
-  fit::HypothesisForces forces_;
-  Law law_;
-  fit::Hypothesis terms_;             // of the members that have terms
-  std::vector<Eigen::Index> places_;  // of these among all scales
-};
-
-/// Fits a law to the records of a fitter, which has to outlive it, on up to `threads` threads.
-class LawFitter final : public fit::HypothesisFitter {
- public:
-  LawFitter(const fit::Fitter& fitter, const Law& law, int threads);
-
- private:
-  std::optional<gap::Forces> simulate(const fit::Hypothesis& /*hypothesis*/,
-                                      const fit::ParameterVector& parameters) const override {
-    return forces_.at(parameters);
-  }
-  double gapOf(const fit::Hypothesis& hypothesis, const gap::Forces& forces) const override {
-    return fitter_.gapOf(hypothesis, forces);
-  }
-  /// Few unknowns, all of which move.
-  std::vector<fit::BlockGrams> normalEquationsAbout(const fit::Hypothesis& /*hypothesis*/,
-                                                    const fit::ParameterVector& parameters, const gap::Forces& base,
-                                                    const Linearised& how) const override {
-    return fitter_.blocks().normalEquations(base, forces_.columns(parameters, base, threads_), how.free, how.kept,
-                                            threads_);
-  }
-
-  const fit::Fitter& fitter_;
-  LawForces forces_;
-  int threads_;
+/// A law, and how probable it is over the first of several.
+struct WeighedLaw {
+  FittedLaw fitted;
+  double odds = 1.0;
 };
 
 }  // namespace rubber_suspension::diagnosis::results

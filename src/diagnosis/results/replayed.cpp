@@ -34,7 +34,7 @@ std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const Fitt
       hypotheses::unseenErrors(hypothesis, elements, gap::simulate(elements, records, gap::asRecorded), records,
                                fitter.zeros()),
       none);
-  const gap::Forces fit = *LawForces(fitter.sharedRecords(), fitter.model(), fitted.law).at(fitted.fit.parameters);
+  const gap::Forces fit = *fitter.forces().at(hypothesis, fitted.fit.parameters);
   const std::vector<double> of_fit = hypotheses::errorsByLog(hypotheses::partErrorsOf(hypothesis, records, fit), none);
   std::vector<gap::PartError> blocks = fitted.fit.blocks;
   const std::vector<double> unseen = hypotheses::errorsByLog(blocks, none);

@@ -321,7 +321,6 @@ class Chooser {
     for (const log::Record& record : fitter_.records()) {
       member.longest_time = std::max(member.longest_time, record.duration());
     }
-    const LawFitter fitter(fitter_, simple.law, threads_);
     const fit::Hypothesis hypothesis = simple.law.hypothesis();
     fit::ParameterVector from{result_.fitted.fit.parameters.model,
                               Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hypothesis.terms.size()))};
@@ -335,7 +334,7 @@ class Chooser {
       to += size;
       of += static_cast<Eigen::Index>(result_.fitted.law.members[i].size());
     }
-    simple.fit = fitter.fit(hypothesis, from, {kSteps, kHopeless * needed, {}, needed});
+    simple.fit = fitter_.fit(hypothesis, from, {kSteps, kHopeless * needed, {}, needed, threads_});
     return simple;
   }
 

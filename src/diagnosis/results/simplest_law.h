@@ -13,15 +13,10 @@ namespace rubber_suspension::diagnosis::results {
 /// The hypothesis as it was judged, each member by all its terms.
 FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged);
 
-/// A law and how probable it is over the one that was chosen, by what it leaves and by how many numbers it has.
-struct OtherLaw {
-  FittedLaw fitted;
-  double odds = 1.0;
-};
-
 struct SimplestLaw {
   FittedLaw fitted;
-  std::vector<OtherLaw> others;    ///< that no gap tells from it: the simplest of each other form, and the full one
+  std::vector<WeighedLaw> others;  ///< that no gap tells from it: the simplest of each other form, and the full one;
+                                   ///< odds by what they leave and by how many numbers they have
   std::vector<double> form_error;  ///< of each member, by which its law may differ from the rubber's: of the force
 };
 

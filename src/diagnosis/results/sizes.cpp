@@ -111,9 +111,9 @@ std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candid
 
 class Resampling {
  public:
-  Resampling(const SizedLaw& law, const std::vector<double>& form_error, const std::vector<fit::Candidate>& candidates,
-             const DiagnosisOptions& options)
-      : fitter_(law.fitter),
+  Resampling(const fit::HypothesisFitter& fitter, const WeighedLaw& law, const std::vector<double>& form_error,
+             const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options)
+      : fitter_(fitter),
         fitted_(law.fitted),
         weight_(law.odds / static_cast<double>(options.resamplings)),
         hypothesis_(fitted_.law.hypothesis()),
@@ -292,11 +292,12 @@ class Resampling {
 
 }  // namespace
 
-Sizes sizesOf(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
-              const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options) {
-  Resampling first(laws.front(), form_error, candidates, options);
+Sizes sizesOf(const fit::HypothesisFitter& fitter, const std::vector<WeighedLaw>& laws,
+              const std::vector<double>& form_error, const std::vector<fit::Candidate>& candidates,
+              const DiagnosisOptions& options) {
+  Resampling first(fitter, laws.front(), form_error, candidates, options);
   for (std::size_t l = 1; l < laws.size(); ++l) {
-    first.add(Resampling(laws[l], form_error, candidates, options));
+    first.add(Resampling(fitter, laws[l], form_error, candidates, options));
   }
   return first.sizes();
 }

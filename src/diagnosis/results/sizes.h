@@ -9,13 +9,6 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// A law, what fitted it, and how probable it is over the first of several.
-struct SizedLaw {
-  const fit::HypothesisFitter& fitter;
-  FittedLaw fitted;
-  double odds = 1.0;
-};
-
 /// Numbers of a law.
 struct Sizes {
   std::vector<SizedValue> model;    ///< its own parameters
@@ -28,7 +21,8 @@ struct Sizes {
 /// fit, what is known of the model beforehand by its own deviations, and the numbers of each member by what its form
 /// error may be mistaken for. Those of the model and of headline numbers are over all laws that have them, alike; a
 /// number of one element is the total of a law of several.
-Sizes sizesOf(const std::vector<SizedLaw>& laws, const std::vector<double>& form_error,
-              const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options);
+Sizes sizesOf(const fit::HypothesisFitter& fitter, const std::vector<WeighedLaw>& laws,
+              const std::vector<double>& form_error, const std::vector<fit::Candidate>& candidates,
+              const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis::results

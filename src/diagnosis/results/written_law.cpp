@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <stdexcept>
 #include <utility>
 
@@ -114,16 +113,9 @@ MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const std::vect
   const SimplestLaw chosen = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
   const FittedLaw& simple = chosen.fitted;
   const FittedLaw full = fullLaw(judged);
-  std::deque<LawFitter> fitters;
-  std::vector<SizedLaw> laws;
-  const auto addLaw = [&](const FittedLaw& law, double odds) {
-    laws.push_back({fitters.emplace_back(prepared.fitter, law.law, options.threads), law, odds});
-  };
-  addLaw(simple, 1.0);
-  for (const OtherLaw& other : chosen.others) {
-    addLaw(other.fitted, other.odds);
-  }
-  Sizes sizes = sizesOf(laws, chosen.form_error, candidates, options);
+  std::vector<WeighedLaw> laws = {{simple}};
+  laws.insert(laws.end(), chosen.others.begin(), chosen.others.end());
+  Sizes sizes = sizesOf(prepared.fitter, laws, chosen.form_error, candidates, options);
   Rounded rounded = roundTo(componentOf(prepared, simple), prepared.training, sizes.written);
   Replayed errors = replayed(prepared.fitter, simple, rounded.component.allElements(), held_out);
   io::ComponentDescription of_full = componentOf(prepared, full);
