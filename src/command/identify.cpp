@@ -93,8 +93,8 @@ io::RigTolerances withoutParameters(io::RigTolerances tolerances) {
   return tolerances;
 }
 
-gap::Forces simulateOver(const std::vector<element::ElementDescription>& elements, std::vector<log::Record> records,
-                         const std::vector<Eigen::VectorXd>& displacements) {
+gap::Forces simulateOver(const std::vector<element::ElementDescription>& elements,
+                         std::vector<gap::PreparedRecord> records, const std::vector<Eigen::VectorXd>& displacements) {
   for (std::size_t r = 0; r < records.size(); ++r) {
     records[r].displacement = displacements[r];
     records[r].raw_displacement = displacements[r];
@@ -104,7 +104,7 @@ gap::Forces simulateOver(const std::vector<element::ElementDescription>& element
 
 // Those that a record has sample by sample.
 std::vector<std::size_t> usable(const std::vector<log::Log>& logs, const RecordsOfLogs& all,
-                                std::vector<log::Record>& records) {
+                                std::vector<gap::PreparedRecord>& records) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < logs.size(); ++i) {
     if (all[i] && static_cast<std::size_t>(all[i]->size()) == logs[i].size() && log::stretchesOf(logs[i]).size() == 1) {
@@ -151,7 +151,7 @@ RecordsOfLogs recordsOf(const std::vector<log::Log>& logs) {
 // in motion. Logs that are too short or sampled unevenly are taken as they are.
 RigOfLogs rigOfLogs(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
                     const std::vector<log::Log>& logs, const RecordsOfLogs& all) {
-  std::vector<log::Record> records;
+  std::vector<gap::PreparedRecord> records;
   const std::vector<std::size_t> places = usable(logs, all, records);
   const gap::Forces simulated = gap::simulateEach(elements, records);
   const auto simulate = [&](const std::vector<Eigen::VectorXd>& displacements) {

@@ -39,16 +39,14 @@ namespace {
 using measurement::PreparedLog;
 using measurement::RigFinding;
 
-// The logs, then those held out.
+// The logs with what leads into them, then those held out.
 std::vector<PreparedLog> preparedLogs(const prepare::Excerpts& excerpts, int threads) {
-  std::vector<const log::Log*> logs;
-  for (const auto* list : {&excerpts.logs, &excerpts.hold_out}) {
-    for (const log::Log& log : *list) {
-      logs.push_back(&log);
-    }
-  }
-  std::vector<PreparedLog> prepared(logs.size());
-  fit::parallelFor(logs.size(), threads, [&](std::size_t i) { prepared[i] = measurement::prepareLog(*logs[i]); });
+  const std::size_t of_the_fit = excerpts.logs.size();
+  std::vector<PreparedLog> prepared(of_the_fit + excerpts.hold_out.size());
+  fit::parallelFor(prepared.size(), threads, [&](std::size_t i) {
+    prepared[i] = i < of_the_fit ? measurement::prepareLog(excerpts.logs[i], excerpts.lead_in[i])
+                                 : measurement::prepareLog(excerpts.hold_out[i - of_the_fit]);
+  });
   return prepared;
 }
 
@@ -87,10 +85,10 @@ std::unique_ptr<hypotheses::PreparedCase> withRigPriors(const io::ComponentDescr
                                                         std::vector<log::Record> training,
                                                         std::vector<log::Record> held_out) {
   const fit::ModelParameters model(component, fit::Level::specification);
-  fit::ZeroPriors zeros = prepare::setRigPriors(model, component.rig.value_or(io::RigTolerances{}),
-                                                hypotheses::errorScale(), training, held_out);
-  return std::make_unique<hypotheses::PreparedCase>(component, std::move(training), std::move(held_out),
-                                                    std::move(zeros));
+  prepare::LogsOfRig logs = prepare::withRigPriors(model, component.rig.value_or(io::RigTolerances{}),
+                                                   hypotheses::errorScale(), std::move(training), std::move(held_out));
+  return std::make_unique<hypotheses::PreparedCase>(component, std::move(logs.training), std::move(logs.held_out),
+                                                    std::move(logs.zeros));
 }
 
 // What measurement/ tells of a rotation, which it takes for a displacement.
@@ -136,7 +134,6 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
   std::vector<PreparedLog> prepared = preparedLogs(excerpts, options.threads);
   std::vector<RigFinding> findings = findingsOf(prepared);
   std::vector<log::Record> training = takeRecords(std::move(prepared));
-  prepare::addLeadIns(excerpts.lead_in, training);
   const auto bench = measurement::checkBench(component.allElements(), training,
                                              estimation::largestTolerance(component.specification()));
   findings.insert(findings.end(), bench.begin(), bench.end());

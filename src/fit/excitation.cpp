@@ -20,7 +20,7 @@ constexpr double kDeadBandOfNoise = 10.0;  // standard deviations, between both 
 // As it is written to a component file.
 double inTwoDigits(double value) { return std::stod(fmt::format("{:.2g}", value)); }
 
-void addTemperature(const std::vector<log::Record>& records, Excitation& result) {
+void addTemperature(const std::vector<gap::PreparedRecord>& records, Excitation& result) {
   result.has_temperature = std::all_of(records.begin(), records.end(),
                                        [](const log::Record& record) { return record.temperature.size() > 0; });
   if (!result.has_temperature || records.empty()) {
@@ -33,7 +33,7 @@ void addTemperature(const std::vector<log::Record>& records, Excitation& result)
   }
 }
 
-void addForces(const std::vector<log::Record>& records, Excitation& result) {
+void addForces(const std::vector<gap::PreparedRecord>& records, Excitation& result) {
   constexpr double kBeyond = 1e-3;
   for (const log::Record& record : records) {
     std::vector<double> force(record.force.begin(), record.force.end());
@@ -44,7 +44,7 @@ void addForces(const std::vector<log::Record>& records, Excitation& result) {
 }
 
 // Largest radius, where all logs have a displacement across that moves by itself.
-double largestRadius(const std::vector<log::Record>& records) {
+double largestRadius(const std::vector<gap::PreparedRecord>& records) {
   constexpr double kLeastApart = 0.2;  // of the own motion
   double largest = 0.0;
   double squares = 0.0;  // of what does not follow the own motion
@@ -67,7 +67,7 @@ double largestRadius(const std::vector<log::Record>& records) {
 
 // The error of the node, from the displacement as recorded and without samples to come: sum of mean squares per mass,
 // in units of the logs' forces. The start of a log, where the motion sets in with a jerk, does not count.
-double errorInTime(const std::vector<log::Record>& records, double bandwidth) {
+double errorInTime(const std::vector<gap::PreparedRecord>& records, double bandwidth) {
   const auto in_time =
       gap::simulate({{"inertia", {{"mass", {1.0}}, {"bandwidth", {bandwidth}}}}}, records, gap::asRecorded);
   double sum = 0.0;
@@ -89,7 +89,7 @@ Eigen::VectorXd acceleration(const log::Record& record) {
   return result;
 }
 
-double massBandwidth(const std::vector<log::Record>& records, double highest_frequency) {
+double massBandwidth(const std::vector<gap::PreparedRecord>& records, double highest_frequency) {
   double best = 0.0;
   double least = errorInTime(records, best);
   for (const double multiple : {1.0, 1.5, 2.2, 3.3, 5.0, 7.5, 11.0, 16.0}) {
@@ -103,10 +103,10 @@ double massBandwidth(const std::vector<log::Record>& records, double highest_fre
   return best;
 }
 
-Excitation summarise(const std::vector<log::Record>& records) {
+Excitation summarise(const std::vector<gap::PreparedRecord>& records) {
   Excitation result;
-  const bool whole =
-      std::none_of(records.begin(), records.end(), [](const log::Record& record) { return record.lead_in.size() > 0; });
+  const bool whole = std::none_of(records.begin(), records.end(),
+                                  [](const log::Record& record) { return !record.lead_in.displacement.empty(); });
   result.whole_logs = whole ? records.size() : 0;
   double force_power = 0.0;
   double displacement_power = 0.0;

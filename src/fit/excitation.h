@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
@@ -36,12 +37,12 @@ struct Excitation {
   double mass_bandwidth = 0.0;  ///< of the filter with which the node errs least by a mass [Hz]; 0: none
 };
 
-Excitation summarise(const std::vector<log::Record>& records);
+Excitation summarise(const std::vector<gap::PreparedRecord>& records);
 
 /// Force of a mass of 1 kg that moves with the displacement [N], by central differences.
 Eigen::VectorXd acceleration(const log::Record& record);
 
 /// Bandwidth [Hz] with which an inertia that is driven by the displacement as recorded errs least; 0: none is needed.
-double massBandwidth(const std::vector<log::Record>& records, double highest_frequency);
+double massBandwidth(const std::vector<gap::PreparedRecord>& records, double highest_frequency);
 
 }  // namespace rubber_suspension::fit

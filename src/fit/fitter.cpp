@@ -30,12 +30,12 @@ bool dependsOnPlace(const std::vector<element::ElementDescription>& elements, co
 
 }  // namespace
 
-Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> shared, const ModelParameters& model,
+Fitter::Fitter(std::shared_ptr<const std::vector<gap::PreparedRecord>> shared, const ModelParameters& model,
                double one_deviation)
     : HypothesisFitter(model, one_deviation), forces_(std::move(shared), model) {
   const auto count = static_cast<double>(records().size());
   std::vector<double> weights;
-  for (const log::Record& record : records()) {
+  for (const gap::PreparedRecord& record : records()) {
     weights.push_back(std::sqrt(record.weight / (record.counted() * count)) / record.force_deviation);
   }
   blocks_ = std::make_unique<const LogBlocks>(records(), std::move(weights));
@@ -54,7 +54,7 @@ double Fitter::gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) co
 
 Fitter::Own Fitter::ownOf(const FreeInLog& free, std::size_t r, const Eigen::VectorXd& simulated,
                           const Eigen::VectorXd& residual) const {
-  const log::Record& record = records()[r];
+  const gap::PreparedRecord& record = records()[r];
   auto [columns, penalty] = free.unknowns(record, r, simulated);
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
     columns.col(j) = record.withoutRig(columns.col(j));

@@ -9,7 +9,7 @@
 
 #include "fit/hypothesis_fitter.h"
 #include "fit/hypothesis_forces.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::fit {
 
@@ -17,11 +17,12 @@ namespace rubber_suspension::fit {
 class Fitter final : public HypothesisFitter {
  public:
   /// `one_deviation`: the gap that a departure of one standard deviation counts as.
-  Fitter(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model, double one_deviation);
-  Fitter(std::vector<log::Record> records, const ModelParameters& model, double one_deviation)
-      : Fitter(std::make_shared<const std::vector<log::Record>>(std::move(records)), model, one_deviation) {}
+  Fitter(std::shared_ptr<const std::vector<gap::PreparedRecord>> records, const ModelParameters& model,
+         double one_deviation);
+  Fitter(std::vector<gap::PreparedRecord> records, const ModelParameters& model, double one_deviation)
+      : Fitter(std::make_shared<const std::vector<gap::PreparedRecord>>(std::move(records)), model, one_deviation) {}
 
-  const std::vector<log::Record>& records() const { return forces_.records(); }
+  const std::vector<gap::PreparedRecord>& records() const { return forces_.records(); }
   const HypothesisForces& forces() const { return forces_; }
   const LogBlocks& blocks() const { return *blocks_; }
   double gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const override;

@@ -58,12 +58,12 @@ Eigen::MatrixXd FreeInLog::columns(const log::Record& record, std::size_t place,
   return columns;
 }
 
-Eigen::VectorXd FreeInLog::costs(const log::Record& record) const {
+Eigen::VectorXd FreeInLog::costs(const gap::PreparedRecord& record) const {
   constexpr double kWalk = 0.1;  // standard deviation, of the force
   constexpr double kGain = 0.5;  // likewise: what laws and gains have in common is the laws'; so of friction's factor
   Eigen::VectorXd costs = Eigen::VectorXd::Zero(count());
   if (trend) {
-    costs[0] = record.one_deviation / kWalk;
+    costs[0] = record.rig.one_deviation / kWalk;
     costs.segment(1, kTrendsPerLog - 1) =
         costs[0] * Eigen::VectorXd::LinSpaced(kTrendsPerLog - 1, 1.0, static_cast<double>(kTrendsPerLog - 1));
   }
@@ -71,24 +71,25 @@ Eigen::VectorXd FreeInLog::costs(const log::Record& record) const {
     costs[trend ? kTrendsPerLog : 0] = 1.0;
   }
   if (by_factor) {
-    costs[placeOfFactor()] = record.one_deviation / kGain;
+    costs[placeOfFactor()] = record.rig.one_deviation / kGain;
   }
   if (gain) {
-    costs[placeOfGain()] = record.one_deviation / kGain;
+    costs[placeOfGain()] = record.rig.one_deviation / kGain;
   }
   return costs;
 }
 
-gap::OwnUnknowns FreeInLog::unknowns(const log::Record& record, std::size_t place,
+gap::OwnUnknowns FreeInLog::unknowns(const gap::PreparedRecord& record, std::size_t place,
                                      const Eigen::VectorXd& simulated) const {
   const double force = std::pow(record.force_deviation, 2) * record.counted();
   return {columns(record, place, simulated), force * costs(record).cwiseAbs2()};
 }
 
-log::Record FreeInLog::addedTo(const log::Record& record, std::size_t place, const Eigen::VectorXd& simulated) const {
+gap::PreparedRecord FreeInLog::addedTo(const gap::PreparedRecord& record, std::size_t place,
+                                       const Eigen::VectorXd& simulated) const {
   constexpr double kWide = 1e3;  // times the force: what has no prior
-  log::Record result = record;
-  const Eigen::MatrixXd known = numerics::columnsOfWhitening(record.nuisances);
+  gap::PreparedRecord result = record;
+  const Eigen::MatrixXd known = numerics::columnsOfWhitening(record.rig.columns);
   Eigen::MatrixXd all(record.size(), known.cols() + count());
   all.leftCols(known.cols()) = known;
   auto own = all.rightCols(count());
@@ -97,12 +98,12 @@ log::Record FreeInLog::addedTo(const log::Record& record, std::size_t place, con
   if (record.counts.size() > 0) {
     own.array().colwise() *= record.counts.array();
   }
-  result.nuisances = numerics::whiteningColumns(all);
+  result.rig.columns = numerics::whiteningColumns(all);
   return result;
 }
 
-gap::Forces byZero(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
-                   const std::vector<DisplacementZero>& zeros) {
+gap::Forces byZero(const std::vector<element::ElementDescription>& elements,
+                   const std::vector<gap::PreparedRecord>& records, const std::vector<DisplacementZero>& zeros) {
   constexpr double kStep = 0.1;  // of a standard deviation
   gap::Forces columns = gap::simulate(elements, records);
   std::size_t next = 0;  // records come one after the other
@@ -117,7 +118,7 @@ gap::Forces byZero(const std::vector<element::ElementDescription>& elements, con
 }
 
 gap::Forces frictionOf(const std::vector<element::ElementDescription>& elements,
-                       const std::vector<log::Record>& records) {
+                       const std::vector<gap::PreparedRecord>& records) {
   std::vector<element::ElementDescription> others;
   std::copy_if(elements.begin(), elements.end(), std::back_inserter(others), [](const auto& description) {
     const element::ElementPointer element = element::makeElement(description);

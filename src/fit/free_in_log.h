@@ -8,6 +8,7 @@
 #include "gap/simulate.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
@@ -62,13 +63,15 @@ struct FreeInLog {
   /// The error that each column counts as where it is as large as the force; 0 where it has no prior. Half cosines are
   /// those of a random walk, which is as wide as zeros are on a bench of which nothing is known: free ones predict
   /// nothing between the samples that they are fitted to.
-  Eigen::VectorXd costs(const log::Record& record) const;
+  Eigen::VectorXd costs(const gap::PreparedRecord& record) const;
 
   /// Both, the error as a penalty [N^2].
-  gap::OwnUnknowns unknowns(const log::Record& record, std::size_t place, const Eigen::VectorXd& simulated) const;
+  gap::OwnUnknowns unknowns(const gap::PreparedRecord& record, std::size_t place,
+                            const Eigen::VectorXd& simulated) const;
 
-  /// The record with these among the nuisances: what the rig may have added to it (Record::withoutRig).
-  log::Record addedTo(const log::Record& record, std::size_t place, const Eigen::VectorXd& simulated) const;
+  /// The record with these among the nuisances: what the rig may have added to it (gap::PreparedRecord::withoutRig).
+  gap::PreparedRecord addedTo(const gap::PreparedRecord& record, std::size_t place,
+                              const Eigen::VectorXd& simulated) const;
 };
 
 /// The knowledge before any fit of a displacement that was recorded too high by the same amount throughout a log.
@@ -79,11 +82,11 @@ struct DisplacementZero {
 
 /// The effect of one standard deviation of the zero on the force of elements on each record [N], its mean taken out,
 /// which is a zero of the force; over what it counts as.
-gap::Forces byZero(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
-                   const std::vector<DisplacementZero>& zeros);
+gap::Forces byZero(const std::vector<element::ElementDescription>& elements,
+                   const std::vector<gap::PreparedRecord>& records, const std::vector<DisplacementZero>& zeros);
 
 /// The force of all friction of a component on each record [N]: what it has more than without these elements.
 gap::Forces frictionOf(const std::vector<element::ElementDescription>& elements,
-                       const std::vector<log::Record>& records);
+                       const std::vector<gap::PreparedRecord>& records);
 
 }  // namespace rubber_suspension::fit

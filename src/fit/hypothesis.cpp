@@ -13,27 +13,27 @@ namespace rubber_suspension::fit {
 namespace {
 
 // Share of the component's force that a softening term takes at scale 1, by the factors of its law.
-gap::Forces softenedShare(const BasisTerm& term, const std::vector<log::Record>& records) {
+gap::Forces softenedShare(const BasisTerm& term, const std::vector<gap::PreparedRecord>& records) {
   const auto law = std::get<std::shared_ptr<const element::ForceEffect>>(element::makeElement(term.at(term.typical)));
   std::vector<double> memory(law->memorySize());
   gap::Forces result;
   for (const log::Record& record : records) {
     const Eigen::VectorXd& z = record.displacement;
-    const bool led_in = record.lead_in.size() > 0;
-    double last = led_in ? record.lead_in[0] : z[0];
+    const bool led_in = !record.lead_in.displacement.empty();
+    double last = led_in ? record.lead_in.displacement[0] : z[0];
     Eigen::VectorXd factor(z.size());
     if (result.empty()) {
       law->initialise(last, memory.data());
       factor[0] = law->constantFactor().value_or(1.0);
-    } else if (!record.continues) {
+    } else if (!record.lead_in.continues) {
       factor[0] = law->relax(last, memory.data());
     }
     const auto step = [&](double dt, double displacement) {
       const double before = std::exchange(last, displacement);
       return law->step({dt, displacement, displacement - before}, {}, memory.data());
     };
-    for (const double displacement : record.lead_in) {
-      step(record.lead_in_dt, displacement);
+    for (const double displacement : record.lead_in.displacement) {
+      step(record.lead_in.dt, displacement);
     }
     for (Eigen::Index i = led_in ? 0 : 1; i < z.size(); ++i) {
       factor[i] = step(record.dt, z[i]);
@@ -43,7 +43,7 @@ gap::Forces softenedShare(const BasisTerm& term, const std::vector<log::Record>&
   return result;
 }
 
-gap::Forces addedForce(const BasisTerm& term, const std::vector<log::Record>& records) {
+gap::Forces addedForce(const BasisTerm& term, const std::vector<gap::PreparedRecord>& records) {
   gap::Forces result = gap::simulate({term.at(term.typical)}, records);
   for (Eigen::VectorXd& force : result) {
     force /= term.typical;
@@ -92,7 +92,7 @@ std::optional<int> heldBy(const std::vector<Candidate>& candidates, int larger, 
   return best == contained.end() ? std::nullopt : std::optional(*best);
 }
 
-gap::Forces unitEffect(const BasisTerm& term, const std::vector<log::Record>& records) {
+gap::Forces unitEffect(const BasisTerm& term, const std::vector<gap::PreparedRecord>& records) {
   return term.softening ? softenedShare(term, records)
          : term.exact   ? element::each(records, term.exact)
                         : addedForce(term, records);
@@ -174,7 +174,7 @@ std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypoth
   return numbers;
 }
 
-void findUnitEffects(std::vector<Candidate>& candidates, const std::vector<log::Record>& records, int threads) {
+void findUnitEffects(std::vector<Candidate>& candidates, const std::vector<gap::PreparedRecord>& records, int threads) {
   std::vector<BasisTerm*> known;
   for (Candidate& candidate : candidates) {
     for (BasisTerm& term : candidate.terms) {
@@ -187,7 +187,7 @@ void findUnitEffects(std::vector<Candidate>& candidates, const std::vector<log::
               [&](std::size_t i) { known[i]->unit_effect = columnOf(unitEffect(*known[i], records)); });
 }
 
-Hypothesis aboutOtherRecords(const Hypothesis& hypothesis, const std::vector<log::Record>& records) {
+Hypothesis aboutOtherRecords(const Hypothesis& hypothesis, const std::vector<gap::PreparedRecord>& records) {
   Hypothesis other = hypothesis;
   for (BasisTerm& term : other.terms) {
     term.unit_effect = term.exact ? columnOf(element::each(records, term.exact)) : nullptr;

@@ -10,6 +10,7 @@
 
 #include "fit/free_in_log.h"
 #include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
@@ -152,9 +153,9 @@ struct ParameterVector {
 };
 
 /// Find the unit effects of additive and softening terms on these records once, so that fits need not simulate them.
-void findUnitEffects(std::vector<Candidate>& candidates, const std::vector<log::Record>& records, int threads);
+void findUnitEffects(std::vector<Candidate>& candidates, const std::vector<gap::PreparedRecord>& records, int threads);
 
 /// The same hypothesis about other records: terms whose force the records tell have it, all others are to be simulated.
-Hypothesis aboutOtherRecords(const Hypothesis& hypothesis, const std::vector<log::Record>& records);
+Hypothesis aboutOtherRecords(const Hypothesis& hypothesis, const std::vector<gap::PreparedRecord>& records);
 
 }  // namespace rubber_suspension::fit

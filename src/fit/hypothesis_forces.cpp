@@ -73,7 +73,7 @@ std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelPa
   return result;
 }
 
-HypothesisForces::HypothesisForces(std::shared_ptr<const std::vector<log::Record>> records,
+HypothesisForces::HypothesisForces(std::shared_ptr<const std::vector<gap::PreparedRecord>> records,
                                    const ModelParameters& model)
     : HypothesisForces([records](const auto& elements) { return gap::simulate(elements, *records); }, model) {
   records_ = std::move(records);

@@ -11,7 +11,7 @@
 #include "fit/hypothesis.h"
 #include "fit/model_parameters.h"
 #include "fit/normal_equations.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::fit {
 
@@ -30,11 +30,11 @@ class HypothesisForces {
  public:
   /// Over motions that are no logs: there are no records, and unit effects of terms are those over the motions.
   HypothesisForces(Motions motions, const ModelParameters& model);
-  HypothesisForces(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model);
-  HypothesisForces(std::vector<log::Record> records, const ModelParameters& model)
-      : HypothesisForces(std::make_shared<const std::vector<log::Record>>(std::move(records)), model) {}
+  HypothesisForces(std::shared_ptr<const std::vector<gap::PreparedRecord>> records, const ModelParameters& model);
+  HypothesisForces(std::vector<gap::PreparedRecord> records, const ModelParameters& model)
+      : HypothesisForces(std::make_shared<const std::vector<gap::PreparedRecord>>(std::move(records)), model) {}
 
-  const std::vector<log::Record>& records() const { return *records_; }
+  const std::vector<gap::PreparedRecord>& records() const { return *records_; }
   const ModelParameters& model() const { return model_; }
 
   /// True where the force of the model is the sum of those of its elements.
@@ -81,7 +81,7 @@ class HypothesisForces {
                     double step) const;
   static ForceColumn knownColumn(const Place& place, std::size_t term);
 
-  std::shared_ptr<const std::vector<log::Record>> records_;
+  std::shared_ptr<const std::vector<gap::PreparedRecord>> records_;
   Motions motions_;
   const ModelParameters& model_;
   Interaction of_model_;

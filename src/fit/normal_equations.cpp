@@ -126,7 +126,7 @@ struct LogBlocks::OfLog {
   Eigen::VectorXd squares;
 };
 
-LogBlocks::LogBlocks(const std::vector<log::Record>& records, std::vector<double> weights,
+LogBlocks::LogBlocks(const std::vector<gap::PreparedRecord>& records, std::vector<double> weights,
                      std::vector<ForceColumn> known, int threads)
     : records_(records),
       weights_(std::move(weights)),
@@ -137,16 +137,16 @@ LogBlocks::LogBlocks(const std::vector<log::Record>& records, std::vector<double
   parallelFor(records.size(), threads, [&](std::size_t r) {
     blocks_[r] = cut(records[r], records.size());
     for (Block& block : blocks_[r]) {
-      const Eigen::Index rig = records[r].nuisances.cols();
+      const Eigen::Index rig = records[r].rig.columns.cols();
       Eigen::MatrixXd columns(block.size, count + rig);
       fill(known_, with({}, 0, count), r, block.first, weights_[r], columns);
       leaveOut(records[r], block.first, columns);
       if (rig > 0) {
-        columns.rightCols(rig) = records[r].nuisances.middleRows(block.first, block.size);
+        columns.rightCols(rig) = records[r].rig.columns.middleRows(block.first, block.size);
       }
       block.known = numerics::gramOf(columns);
     }
-    penalties_[r] = numerics::penaltyOfWhitening(records[r].nuisances);
+    penalties_[r] = numerics::penaltyOfWhitening(records[r].rig.columns);
   });
 }
 
@@ -179,7 +179,7 @@ Eigen::MatrixXd LogBlocks::ownOf(const Request& request, std::size_t r) const {
 
 // Of the blocks of one log: columns, residual, what is free in it, what the rig may have added.
 std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request& request) const {
-  const Eigen::Index rig = records_[r].nuisances.cols();
+  const Eigen::Index rig = records_[r].rig.columns.cols();
   const Eigen::MatrixXd of_log = ownOf(request, r);
   const Eigen::Index width = request.width - 1 + of_log.cols();
   const Places own = with(request.fresh, request.width - 1, of_log.cols());
@@ -197,7 +197,7 @@ std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request&
     gram(own, own) = numerics::gramOf(columns);
     if (rig > 0) {
       const Eigen::MatrixXd mixed =
-          numerics::productOf(columns, records_[r].nuisances.middleRows(block.first, block.size));
+          numerics::productOf(columns, records_[r].rig.columns.middleRows(block.first, block.size));
       gram(own, of_rig) = mixed;
       gram(of_rig, own) = mixed.transpose();
       gram(of_rig, of_rig) = block.known(rig_of_known, rig_of_known);
@@ -234,7 +234,7 @@ LogBlocks::OfLog LogBlocks::ofLog(std::size_t r, const Request& request) const {
 // deviation of the log's force.
 void LogBlocks::add(std::size_t r, const OfLog& of_log, const Request& request, const FreeInLog& free,
                     BlockGrams& result) const {
-  const log::Record& record = records_[r];
+  const gap::PreparedRecord& record = records_[r];
   const double counted = record.counted();
   const auto logs = static_cast<double>(records_.size());
   Places columns = with({}, 0, request.width);

@@ -7,6 +7,7 @@
 
 #include "fit/free_in_log.h"
 #include "numerics/trust_region.h"
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
@@ -53,8 +54,8 @@ enum class Kept { blocks, folds };
 class LogBlocks {
  public:
   /// The records have to outlive it. `weights`: what makes residuals of each log comparable [1/N].
-  LogBlocks(const std::vector<log::Record>& records, std::vector<double> weights, std::vector<ForceColumn> known = {},
-            int threads = 1);
+  LogBlocks(const std::vector<gap::PreparedRecord>& records, std::vector<double> weights,
+            std::vector<ForceColumn> known = {}, int threads = 1);
 
   const std::vector<double>& weights() const { return weights_; }
 
@@ -79,7 +80,7 @@ class LogBlocks {
   OfLog ofLog(std::size_t r, const Request& request) const;
   void add(std::size_t r, const OfLog& of_log, const Request& request, const FreeInLog& free, BlockGrams& result) const;
 
-  const std::vector<log::Record>& records_;
+  const std::vector<gap::PreparedRecord>& records_;
   std::vector<double> weights_;
   std::vector<ForceColumn> known_;
   std::vector<std::vector<Block>> blocks_;  // of each log

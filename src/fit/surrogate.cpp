@@ -40,7 +40,7 @@ std::array<double, Size> geometric(double first, double last) {
   return values;
 }
 
-Eigen::Index strideOf(const std::vector<log::Record>& records) {
+Eigen::Index strideOf(const std::vector<gap::PreparedRecord>& records) {
   double samples = 0.0;
   for (const log::Record& record : records) {
     samples += static_cast<double>(record.size());
@@ -50,17 +50,17 @@ Eigen::Index strideOf(const std::vector<log::Record>& records) {
 
 // Every so many samples of a record. What the rig may have added is as probable as before, in units of the error of
 // so many samples.
-log::Record thinned(const log::Record& record, Eigen::Index stride) {
+gap::PreparedRecord thinned(const gap::PreparedRecord& record, Eigen::Index stride) {
   const auto kept = Eigen::seq(0, Eigen::last, stride);
-  log::Record result = record;
+  gap::PreparedRecord result = record;
   result.dt *= static_cast<double>(stride);
   for (Eigen::VectorXd* const channel :
        {&result.displacement, &result.raw_displacement, &result.force, &result.counts}) {
     *channel = (*channel)(kept).eval();
   }
-  if (stride > 1 && record.nuisances.cols() > 0) {
-    const Eigen::MatrixXd columns = numerics::columnsOfWhitening(record.nuisances);
-    result.nuisances =
+  if (stride > 1 && record.rig.columns.cols() > 0) {
+    const Eigen::MatrixXd columns = numerics::columnsOfWhitening(record.rig.columns);
+    result.rig.columns =
         numerics::whiteningColumns(columns(kept, Eigen::all) * std::sqrt(record.counted() / result.counted()));
   }
   return result;
@@ -207,7 +207,7 @@ element::ElementDescription describeElement(const ResidualBasis& basis, const Ei
 
 }  // namespace
 
-ResidualBasis::Layout surrogateLayout(const std::vector<log::Record>& records) {
+ResidualBasis::Layout surrogateLayout(const std::vector<gap::PreparedRecord>& records) {
   ResidualBasis::Layout layout;
   double noise = 0.0;
   double highest_frequency = 0.0;
@@ -234,12 +234,12 @@ ResidualBasis::Layout surrogateLayout(const std::vector<log::Record>& records) {
   return layout;
 }
 
-SurrogateFit fitSurrogate(const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& simulated,
-                          int threads) {
+SurrogateFit fitSurrogate(const std::vector<gap::PreparedRecord>& records,
+                          const std::vector<Eigen::VectorXd>& simulated, int threads) {
   const ResidualBasis basis(surrogateLayout(records));
   const Eigen::Index stride = strideOf(records);
   const std::size_t count = records.size();
-  std::vector<log::Record> thin_records(count);
+  std::vector<gap::PreparedRecord> thin_records(count);
   std::vector<Eigen::VectorXd> base(count);
   std::vector<Eigen::MatrixXd> functions(count);
   std::vector<double> weights(count);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubber_suspension/element/residual.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::fit {
 
@@ -25,7 +25,7 @@ struct SurrogateFit {
 };
 
 /// The ranges of its operators: the strokes, time constants and frequencies that the logs have.
-element::ResidualBasis::Layout surrogateLayout(const std::vector<log::Record>& records);
+element::ResidualBasis::Layout surrogateLayout(const std::vector<gap::PreparedRecord>& records);
 
 /// Fit a surrogate to measured less simulated force. `simulated`: force of the model over each record's displacement as
 /// recorded [N], which is what the surrogate sees as well.
@@ -33,7 +33,7 @@ element::ResidualBasis::Layout surrogateLayout(const std::vector<log::Record>& r
 /// The strength of the ridge, and whether characteristic and resonators are of use, are those that predict best what is
 /// left out: a log each where there are at least three, blocks otherwise. Logs count alike; what the rig may have added
 /// and samples that do not count are left out.
-SurrogateFit fitSurrogate(const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& simulated,
-                          int threads);
+SurrogateFit fitSurrogate(const std::vector<gap::PreparedRecord>& records,
+                          const std::vector<Eigen::VectorXd>& simulated, int threads);
 
 }  // namespace rubber_suspension::fit

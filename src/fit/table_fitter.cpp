@@ -31,14 +31,14 @@ double displacementAt(const TablePoint& point, int sample) {
   return point.mean - point.amplitude * grown * std::cos(phase);
 }
 
-log::Record recordOf(const TablePoint& point) {
-  log::Record record;
+gap::PreparedRecord recordOf(const TablePoint& point) {
+  gap::PreparedRecord record;
   record.dt = 1.0 / (point.frequency * kSamplesOfLoop);
-  record.lead_in_dt = kStride * record.dt;
+  record.lead_in.dt = kStride * record.dt;
   constexpr int kLeadIn = (kGrowing + kSettling) * kSamplesOfLoop / kStride;
-  record.lead_in.resize(kLeadIn);
+  record.lead_in.displacement.reserve(kLeadIn);
   for (int i = 0; i < kLeadIn; ++i) {
-    record.lead_in[i] = displacementAt(point, (i - kLeadIn) * kStride);
+    record.lead_in.displacement.push_back(displacementAt(point, (i - kLeadIn) * kStride));
   }
   constexpr int kSize = kBefore + kSamplesOfLoop + kAfter;
   record.displacement.resize(kSize);
@@ -89,7 +89,7 @@ std::vector<int> ranksOf(const std::vector<TablePoint>& points, const std::funct
 
 TableLoops::TableLoops(std::vector<TablePoint> points) : points_(std::move(points)) {
   checkPoints(points_);
-  records_ = std::make_shared<const std::vector<log::Record>>(element::each(points_, recordOf));
+  records_ = std::make_shared<const std::vector<gap::PreparedRecord>>(element::each(points_, recordOf));
 }
 
 std::vector<std::complex<double>> TableLoops::stiffness(const gap::Forces& forces) const {

@@ -11,7 +11,7 @@
 #include "fit/hypothesis_forces.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/fit/measured_table.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::fit {
 
@@ -26,7 +26,7 @@ class TableLoops {
   const std::vector<TablePoint>& points() const { return points_; }
 
   /// The motions. The force of a record is that of an ellipse with the K* of its row, for sizes and scales alone.
-  const std::shared_ptr<const std::vector<log::Record>>& records() const { return records_; }
+  const std::shared_ptr<const std::vector<gap::PreparedRecord>>& records() const { return records_; }
 
   /// K* of each row [N/m] by the forces on the records [N].
   std::vector<std::complex<double>> stiffness(const gap::Forces& forces) const;
@@ -39,7 +39,7 @@ class TableLoops {
 
  private:
   std::vector<TablePoint> points_;
-  std::shared_ptr<const std::vector<log::Record>> records_;
+  std::shared_ptr<const std::vector<gap::PreparedRecord>> records_;
 };
 
 /// Fits hypotheses to one table: residuals are (K* - K*_model)/|K*| of its rows, so that gaps are those of

@@ -9,8 +9,9 @@
 namespace rubber_suspension::gap {
 
 /// Other displacements of these very records, one of each [m]; refers to both.
-inline Drive drivenBy(const std::vector<Eigen::VectorXd>& displacements, const std::vector<log::Record>& records) {
-  return [&](const log::Record& record) { return displacements[static_cast<std::size_t>(&record - records.data())]; };
+inline Drive drivenBy(const std::vector<Eigen::VectorXd>& displacements, const std::vector<PreparedRecord>& records) {
+  return
+      [&](const PreparedRecord& record) { return displacements[static_cast<std::size_t>(&record - records.data())]; };
 }
 
 }  // namespace rubber_suspension::gap

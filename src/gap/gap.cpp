@@ -16,9 +16,9 @@ namespace rubber_suspension::gap {
 namespace {
 
 // Products of a residual, of unknowns of its own and of what the rig may have added over a part of a record.
-Eigen::MatrixXd productsOver(const log::Record& record, const Eigen::VectorXd& residual, const OwnUnknowns& own,
+Eigen::MatrixXd productsOver(const PreparedRecord& record, const Eigen::VectorXd& residual, const OwnUnknowns& own,
                              Eigen::Index first, Eigen::Index count) {
-  const Eigen::Index rig = record.nuisances.cols();
+  const Eigen::Index rig = record.rig.columns.cols();
   Eigen::MatrixXd columns(count, 1 + own.columns.cols() + rig);
   columns.col(0) = residual.segment(first, count);
   if (own.columns.cols() > 0) {  // no rows of nothing, which has no address
@@ -28,12 +28,12 @@ Eigen::MatrixXd productsOver(const log::Record& record, const Eigen::VectorXd& r
     columns.array().colwise() *= record.counts.segment(first, count).array();
   }
   if (rig > 0) {
-    columns.rightCols(rig) = record.nuisances.middleRows(first, count);
+    columns.rightCols(rig) = record.rig.columns.middleRows(first, count);
   }
   return numerics::gramOf(columns);
 }
 
-void addParts(const log::Record& record, const Eigen::VectorXd& residual, const OwnUnknowns& own, int log,
+void addParts(const PreparedRecord& record, const Eigen::VectorXd& residual, const OwnUnknowns& own, int log,
               std::vector<PartError>& parts) {
   constexpr Eigen::Index kParts = 10;
   std::vector<Eigen::MatrixXd> products;
@@ -50,7 +50,7 @@ void addParts(const log::Record& record, const Eigen::VectorXd& residual, const 
     }
   }
   numerics::BlockProducts left =
-      numerics::withoutErrors(products, numerics::penaltyOfWhitening(record.nuisances), places);
+      numerics::withoutErrors(products, numerics::penaltyOfWhitening(record.rig.columns), places);
   if (own.penalty.size() > 0) {
     Eigen::MatrixXd shares;
     left = numerics::withoutUnknowns(left, own.penalty, places, shares);
@@ -116,7 +116,7 @@ double gapOfParts(const std::vector<PartError>& parts) {
   return std::sqrt(sum / weight);
 }
 
-std::vector<PartError> partErrors(const std::vector<log::Record>& records,
+std::vector<PartError> partErrors(const std::vector<PreparedRecord>& records,
                                   const std::vector<Eigen::VectorXd>& simulated, const std::vector<OwnUnknowns>& own) {
   std::vector<PartError> parts;
   for (std::size_t r = 0; r < records.size(); ++r) {

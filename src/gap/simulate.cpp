@@ -64,12 +64,13 @@ Eigen::VectorXd simulateRested(const Component& component, ComponentState& state
 // An excerpt, to which its lead-in leads.
 Eigen::VectorXd simulateLedIn(const Component& component, ComponentState& state, const log::Record& record,
                               const Eigen::VectorXd& z, Before before) {
-  if (before == Before::nothing || !record.continues) {
-    rest(component, state, record.lead_in[0], before);
+  const log::LeadIn& before_it = record.lead_in;
+  if (before == Before::nothing || !before_it.continues) {
+    rest(component, state, before_it.displacement[0], before);
   }
-  Eigen::VectorXd force(std::max(z.size(), record.lead_in.size()));
-  component.simulate(state, record.lead_in_dt, record.lead_in.data(), static_cast<std::size_t>(record.lead_in.size()),
-                     force.data());
+  const std::size_t samples = before_it.displacement.size();
+  Eigen::VectorXd force(std::max(z.size(), static_cast<Eigen::Index>(samples)));
+  component.simulate(state, before_it.dt, before_it.displacement.data(), samples, force.data());
   force.conservativeResize(z.size());
   simulateFrom(component, state, record, z, 0, force);
   return force;
@@ -77,7 +78,7 @@ Eigen::VectorXd simulateLedIn(const Component& component, ComponentState& state,
 
 }  // namespace
 
-Forces simulate(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
+Forces simulate(const std::vector<element::ElementDescription>& elements, const std::vector<PreparedRecord>& records,
                 const Drive& drive) {
   const Component component(elements);
   const std::vector<element::RadialStiffness> radial = element::radialLaws(elements);
@@ -85,13 +86,13 @@ Forces simulate(const std::vector<element::ElementDescription>& elements, const 
   Forces forces;
   for (std::size_t r = 0; r < records.size(); ++r) {
     io::checkCancelled();
-    const log::Record& record = records[r];
+    const PreparedRecord& record = records[r];
     const Eigen::VectorXd other = drive ? drive(record) : Eigen::VectorXd();
     const Eigen::VectorXd& z = drive ? other : record.displacement;
     const Before before = r == 0 ? Before::nothing : Before::another_record;
     setTemperature(component, state, record);
-    forces.push_back(record.lead_in.size() > 0 ? simulateLedIn(component, state, record, z, before)
-                                               : simulateRested(component, state, record, z, before));
+    forces.push_back(record.lead_in.displacement.empty() ? simulateRested(component, state, record, z, before)
+                                                         : simulateLedIn(component, state, record, z, before));
     if (!radial.empty() && record.across.size() > 0) {
       const Eigen::VectorXd across = heldBefore(record.across, z.size());
       element::addAcross(radial, z.data(), across.data(), static_cast<std::size_t>(z.size()), forces.back().data());
@@ -102,10 +103,10 @@ Forces simulate(const std::vector<element::ElementDescription>& elements, const 
 
 Eigen::VectorXd asRecorded(const log::Record& record) { return record.raw_displacement; }
 
-Forces simulateEach(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
-                    const Drive& drive) {
+Forces simulateEach(const std::vector<element::ElementDescription>& elements,
+                    const std::vector<PreparedRecord>& records, const Drive& drive) {
   Forces forces;
-  for (const log::Record& record : records) {
+  for (const PreparedRecord& record : records) {
     forces.push_back(simulate(elements, {record}, drive).front());
   }
   return forces;

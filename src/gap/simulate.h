@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::gap {
@@ -14,18 +15,18 @@ namespace rubber_suspension::gap {
 using Forces = std::vector<Eigen::VectorXd>;
 
 /// Displacement of a record that drives a component.
-using Drive = std::function<Eigen::VectorXd(const log::Record&)>;
+using Drive = std::function<Eigen::VectorXd(const PreparedRecord&)>;
 
 /// Force of a component over records in the order of their recording on one component [N]: between two of them it
 /// relaxes, but for what leads into excerpts. It is driven by the records' displacement unless `drive` gives another.
-Forces simulate(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
+Forces simulate(const std::vector<element::ElementDescription>& elements, const std::vector<PreparedRecord>& records,
                 const Drive& drive = {});
 
 /// The displacement as recorded, which drives `replay` and the node.
 Eigen::VectorXd asRecorded(const log::Record& record);
 
 /// Each record on a new component at rest; from the displacement as recorded it is what `replay` and the node compute.
-Forces simulateEach(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
-                    const Drive& drive = asRecorded);
+Forces simulateEach(const std::vector<element::ElementDescription>& elements,
+                    const std::vector<PreparedRecord>& records, const Drive& drive = asRecorded);
 
 }  // namespace rubber_suspension::gap

@@ -64,7 +64,7 @@ double shortestWindow(const log::Record& record) {
 
 class Map {
  public:
-  Map(const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& residual)
+  Map(const std::vector<PreparedRecord>& records, const std::vector<Eigen::VectorXd>& residual)
       : records_(records), residual_(residual) {}
 
   std::map<Key, Energy> build() {
@@ -76,7 +76,7 @@ class Map {
 
  private:
   void addLog(std::size_t r) {
-    const log::Record& record = records_[r];
+    const PreparedRecord& record = records_[r];
     const double mean = residual_[r].mean();
     const auto windows =
         std::max<Eigen::Index>(1, static_cast<Eigen::Index>(record.duration() / shortestWindow(record)));
@@ -87,7 +87,7 @@ class Map {
   }
 
   void addWindow(std::size_t r, Eigen::Index first, Eigen::Index count, double mean) {
-    const log::Record& record = records_[r];
+    const PreparedRecord& record = records_[r];
     const auto part = record.displacement.segment(first, count);
     const double amplitude = std::max(1e-12, 0.5 * (part.maxCoeff() - part.minCoeff()));
     const int amplitude_band = static_cast<int>(std::floor(2.0 * std::log10(amplitude)));
@@ -151,7 +151,7 @@ class Map {
     energy.lines += lines;
   }
 
-  const std::vector<log::Record>& records_;
+  const std::vector<PreparedRecord>& records_;
   const std::vector<Eigen::VectorXd>& residual_;
   std::map<Key, Energy> cells_;
 };
@@ -163,7 +163,7 @@ std::string toString(Quantity quantity) {
   return names[static_cast<int>(quantity)];
 }
 
-std::vector<GapCell> gapMap(const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& residual,
+std::vector<GapCell> gapMap(const std::vector<PreparedRecord>& records, const std::vector<Eigen::VectorXd>& residual,
                             const std::vector<double>& noise) {
   const std::map<Key, Energy> cells = Map(records, residual).build();
   double total = 0.0;

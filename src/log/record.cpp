@@ -207,14 +207,6 @@ double Record::counted(Eigen::Index first, Eigen::Index count) const {
   return counts.size() == 0 ? static_cast<double>(count) : counts.segment(first, count).sum();
 }
 
-Eigen::VectorXd Record::withoutRig(const Eigen::VectorXd& column) const {
-  Eigen::VectorXd result = counts.size() == 0 ? column : column.cwiseProduct(counts).eval();
-  if (nuisances.cols() > 0) {
-    result -= nuisances * (nuisances.transpose() * result).eval();
-  }
-  return result;
-}
-
 Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw) {
   std::mt19937_64 generator(draw);
   std::normal_distribution<double> normal(0.0, record.displacement_noise);
@@ -278,7 +270,7 @@ bool bothChange(const Record& record) {
   return changes(record.force) && changes(record.raw_displacement);
 }
 
-Record rawRecord(const Log& log) {
+Record rawRecord(const Log& log, LeadIn lead_in) {
   requireForce(log);
   element::refuseIf<LogError>(log.size() < kFewestSamples, "{}: {} samples are too few to diagnose; needed are {}",
                               log.name, log.size(), kFewestSamples);
@@ -286,6 +278,7 @@ Record rawRecord(const Log& log) {
   record.name = log.name;
   record.notes = log.notes;
   record.units = log.units;
+  record.lead_in = std::move(lead_in);
   setTimeBase(log, record);
   record.force_deviation = deviation(record.force);
   record.displacement = record.raw_displacement;
@@ -295,16 +288,16 @@ Record rawRecord(const Log& log) {
   return record;
 }
 
-Record evenRecord(const Log& log) {
-  Record record = rawRecord(log);
+Record evenRecord(const Log& log, LeadIn lead_in) {
+  Record record = rawRecord(log, std::move(lead_in));
   if (!bothChange(record)) {
     throw LogError(log.name + ": displacement or force does not change; nothing to diagnose");
   }
   return record;
 }
 
-Record makeRecord(const Log& log) {
-  Record record = evenRecord(log);
+Record makeRecord(const Log& log, LeadIn lead_in) {
+  Record record = evenRecord(log, std::move(lead_in));
   smoothDisplacement(record);
   record.lowest_frequency = excitedFrom({record.displacement, record.dt});
   record.mean_frequency = meanFrequency(record.displacement, record.dt);

@@ -29,16 +29,14 @@ std::vector<element::ElementDescription> bergFriction(const std::vector<element:
 // The way from the component's rest to a displacement, and from there to the record's first one. Berg's friction
 // depends on where a motion turns and not on its rate, so these three places are all of it.
 log::Record cameFrom(log::Record record, double displacement) {
-  record.lead_in = Eigen::Vector3d(0.0, displacement, record.displacement[0]);
-  record.lead_in_dt = record.dt;
-  record.continues = false;
+  record.lead_in = {record.dt, {0.0, displacement, record.displacement[0]}, false};
   return record;
 }
 
 }  // namespace
 
 std::vector<double> frictionNoise(const std::vector<element::ElementDescription>& elements,
-                                  const std::vector<log::Record>& records) {
+                                  const std::vector<gap::PreparedRecord>& records) {
   constexpr std::array<double, 3> kVariants = {0.7, 1.0, 1.4};  // factors of the dead band
   double noise = 0.0;
   for (const log::Record& record : records) {
@@ -66,13 +64,13 @@ std::vector<double> frictionNoise(const std::vector<element::ElementDescription>
 }
 
 std::vector<Eigen::MatrixXd> frictionStarts(const std::vector<element::ElementDescription>& elements,
-                                            const std::vector<log::Record>& records) {
+                                            const std::vector<gap::PreparedRecord>& records) {
   std::vector<Eigen::MatrixXd> starts(records.size());
   const auto friction = bergFriction(elements, 0.0, 1.0);
   for (std::size_t r = 0; r < records.size(); ++r) {
     const log::Record& record = records[r];
     starts[r].resize(record.size(), 0);
-    if (friction.empty() || record.lead_in.size() > 0) {
+    if (friction.empty() || !record.lead_in.displacement.empty()) {
       continue;  // what was before an excerpt is known
     }
     const Eigen::VectorXd from_rest = gap::simulate(friction, {record}).front();

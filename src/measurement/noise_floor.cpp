@@ -119,9 +119,8 @@ double keptShare(const NoiseModel& noise, double lag) {
 }
 
 // Variance of noise whose slow part counts up to what a rig may add.
-double withSlowPart(double fast_variance, double slow_variance, const log::Record& record) {
-  const double most = record.slow_noise * record.slow_noise;
-  return fast_variance + std::clamp(slow_variance, 0.0, most);
+double withSlowPart(double fast_variance, double slow_variance, double slow_noise) {
+  return fast_variance + std::clamp(slow_variance, 0.0, slow_noise * slow_noise);
 }
 
 // Power of single lines beside the motion, such as hum: what a machine adds, and no noise. Of a band whose mean is far
@@ -151,7 +150,7 @@ double unbiased(double square, Index count, Index freedom) {
 // From repeats of the same cycle: second differences over three cycles, freed of what displacement and speed differ by.
 // Slow noise, which the differences take out, is put back by the colour of the residual's spectrum. 0 where fewer than
 // 100 samples repeat.
-double noiseFromRepeats(const log::Record& record, const VectorXd& residual, const Mask& mask) {
+double noiseFromRepeats(const log::Record& record, const VectorXd& residual, const Mask& mask, double slow_noise) {
   const Differences differences = secondDifferences(record, mask);
   const auto count = static_cast<Index>(differences.force.size());
   if (count < kFewestRepeats) {
@@ -166,7 +165,7 @@ double noiseFromRepeats(const log::Record& record, const VectorXd& residual, con
   const NoiseModel noise = estimateNoise(residual, mask, motionBand(record));
   const double kept = noise.isColoured() ? keptShare(noise, differences.lag / static_cast<double>(count)) : 1.0;
   const double fast = deviation * deviation;
-  return std::sqrt(withSlowPart(fast, fast / kept - fast, record));
+  return std::sqrt(withSlowPart(fast, fast / kept - fast, slow_noise));
 }
 
 // Where the displacement stands still, each stop freed of a quadratic trend. 0 where it hardly does.
@@ -201,7 +200,7 @@ double noiseFromStandstill(const log::Record& record, const Mask& mask) {
 
 // From the spectrum of a residual outside of the motion's band, carried on into it. 0 where too little of the spectrum
 // lies outside.
-double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, const Mask& mask) {
+double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, const Mask& mask, double slow_noise) {
   constexpr double kFewestOutside = 0.1;  // cycles per sample of the spectrum's half
   const ExcludedBand motion = motionBand(record);
   if (0.5 - motion.high < kFewestOutside) {
@@ -211,16 +210,16 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
   const NoiseModel model = estimateNoise(residual, mask, motion);
   const double fast = model.deviation * model.deviation - model.carried * model.carried;
   const double slow = continuesInto(motion, residual, mask) ? square - fast : model.carried * model.carried;
-  return std::sqrt(withSlowPart(fast, slow, record));
+  return std::sqrt(withSlowPart(fast, slow, slow_noise));
 }
 
 }  // namespace
 
-double noiseFloor(const log::Record& record, const VectorXd& residual, const Mask& mask) {
+double noiseFloor(const log::Record& record, const VectorXd& residual, const Mask& mask, double slow_noise) {
   const VectorXd rest = withoutFunctionsOfMotion(record, residual, mask);
   const double left = std::sqrt(std::min(meanSquare(residual, mask), meanSquare(rest, mask)));
-  const double by_spectrum = noiseFromSpectrum(record, rest, mask);
-  double floor = noiseFromRepeats(record, rest, mask);
+  const double by_spectrum = noiseFromSpectrum(record, rest, mask, slow_noise);
+  double floor = noiseFromRepeats(record, rest, mask, slow_noise);
   if (floor > by_spectrum) {
     floor = std::max(by_spectrum, withoutLines(floor, record, rest, mask));
   }
@@ -235,8 +234,9 @@ std::optional<NoiseModel> noiseAlone(const log::Record& record, const VectorXd& 
   return continuesInto(motionBand(record), rest, mask) ? std::make_optional(estimateNoise(rest, mask)) : std::nullopt;
 }
 
-double relativeFloor(const log::Record& record, const Eigen::VectorXd& residual) {
-  return noiseFloor(record, record.withoutRig(residual), maskOf(record)) / record.force_deviation;
+double relativeFloor(const gap::PreparedRecord& record, const Eigen::VectorXd& residual) {
+  return noiseFloor(record, record.withoutRig(residual), maskOf(record), record.rig.slow_noise) /
+         record.force_deviation;
 }
 
 }  // namespace rubber_suspension::measurement

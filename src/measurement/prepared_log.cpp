@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "numerics/least_squares.h"
 #include "rubber_suspension/measurement/faults.h"
@@ -49,17 +50,17 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
 
 enum class Start { counts, counts_at_rest };
 
-PreparedLog prepare(const log::Log& log, Start start) {
+PreparedLog prepare(const log::Log& log, log::LeadIn lead_in, Start start) {
   if (log.force.empty()) {
     return {log::makeRecord(log), {}};  // which says what is missing
   }
   const Faults faults = findFaults(log);
   if (start == Start::counts_at_rest) {
-    if (log::Record raw = log::rawRecord(log); !log::bothChange(raw)) {
+    if (log::Record raw = log::rawRecord(log, lead_in); !log::bothChange(raw)) {
       return {std::move(raw), {}};  // the check of the bench names it
     }
   }
-  PreparedLog prepared{log::makeRecord(repaired(log, faults)), faults.findings};
+  PreparedLog prepared{log::makeRecord(repaired(log, faults), std::move(lead_in)), faults.findings};
   log::Record& record = prepared.record;
   Eigen::VectorXd counts = resampled(faults.usable(), log, record).cast<double>();
   const double measured = record.counted();
@@ -84,11 +85,14 @@ PreparedLog prepare(const log::Log& log, Start start) {
 
 }  // namespace
 
-PreparedLog prepareLog(const log::Log& log) { return prepare(log, Start::counts_at_rest); }
+PreparedLog prepareLog(const log::Log& log, log::LeadIn lead_in) {
+  return prepare(log, std::move(lead_in), Start::counts_at_rest);
+}
 
-PreparedLog preparePiece(const log::Log& log) { return prepare(log, Start::counts); }
+PreparedLog preparePiece(const log::Log& log) { return prepare(log, {}, Start::counts); }
 
-std::vector<Eigen::MatrixXd> initialStates(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
+std::vector<Eigen::MatrixXd> initialStates(const std::vector<gap::PreparedRecord>& records,
+                                           const io::RigTolerances& tolerances,
                                            const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate) {
   std::vector<Eigen::MatrixXd> states;
   const std::vector<RigColumns> all = RigModel(records, {}, tolerances).columns(simulated, simulate);

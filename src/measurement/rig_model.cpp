@@ -83,7 +83,8 @@ VectorXd delayed(const VectorXd& values, double delay, double clock) {
 }
 
 // That of a record about the point where it is linearised, if there is one.
-VectorXd displacementOf(const std::vector<log::Record>& records, const std::vector<RigPoint>& points, std::size_t log) {
+VectorXd displacementOf(const std::vector<gap::PreparedRecord>& records, const std::vector<RigPoint>& points,
+                        std::size_t log) {
   return records[log].displacement.array() - (points.empty() ? 0.0 : points[log].displacement_zero);
 }
 
@@ -100,8 +101,8 @@ constexpr Before kMotionsBefore[] = {Before::same_motion, Before::from_above, Be
 // while the machine runs, or with the component held under load.
 bool mayPrecede(Before kind, const log::Record& record) {
   constexpr double kDisplaced = 0.05;  // of the range: more than a zero that nobody set
-  const bool displaced =
-      record.lead_in.size() == 0 && std::abs(record.displacement[0]) > kDisplaced * rangeOf(record.displacement);
+  const bool displaced = record.lead_in.displacement.empty() &&
+                         std::abs(record.displacement[0]) > kDisplaced * rangeOf(record.displacement);
   return kind == Before::from_rest ? displaced : startsInMotion(record);
 }
 
@@ -364,7 +365,8 @@ bool startsInMotion(const log::Record& record) {
   return timeToMove(record.displacement, 10.0 * near) > kFadedIn * timeToMove(record.displacement, near);
 }
 
-RigModel::RigModel(std::vector<log::Record> records, std::vector<Mask> masks, const io::RigTolerances& tolerances)
+RigModel::RigModel(std::vector<gap::PreparedRecord> records, std::vector<Mask> masks,
+                   const io::RigTolerances& tolerances)
     : records_(std::move(records)), masks_(std::move(masks)), tolerances_(tolerances) {
   if (!masks_.empty() && masks_.size() != records_.size()) {
     throw std::invalid_argument(

@@ -17,7 +17,7 @@ double ErrorScale::oneDeviation(double floor, std::size_t logs) const {
 
 double NoiseLimit::of(const log::Record& record) const { return std::max(force / record.force_deviation, share); }
 
-NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::Record>& records) {
+NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<gap::PreparedRecord>& records) {
   constexpr double kScatter = 1.5;
   std::vector<double> forces;
   for (std::size_t r = 0; r < noise.size(); ++r) {
@@ -27,33 +27,38 @@ NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::R
 }
 
 // Of r'(I + C C')^-1 r, the part of the values: what is not that of (I + C C')^-1 r, which they leave.
-double rigCost(const log::Record& record, const Eigen::VectorXd& residual) {
-  if (record.nuisances.cols() == 0) {
+double rigCost(const gap::PreparedRecord& record, const Eigen::VectorXd& residual) {
+  if (record.rig.columns.cols() == 0) {
     return 0.0;
   }
   const Eigen::VectorXd white = record.withoutRig(residual);
   const double squares = white.squaredNorm() - record.withoutRig(white).squaredNorm();
   const double cost = std::sqrt(std::max(0.0, squares) / record.counted()) / record.force_deviation;
   constexpr double kWithin = 0.95;
-  const boost::math::chi_squared values(static_cast<double>(record.nuisances.cols()));
-  return std::min(cost, record.one_deviation * std::sqrt(boost::math::quantile(values, kWithin)));
+  const boost::math::chi_squared values(static_cast<double>(record.rig.columns.cols()));
+  return std::min(cost, record.rig.one_deviation * std::sqrt(boost::math::quantile(values, kWithin)));
 }
 
-void weighByNoise(const std::vector<double>& noise, double accepted, std::vector<log::Record>& records) {
+std::vector<LogWeight> weightsByNoise(const std::vector<double>& noise, double accepted) {
+  if (noise.empty()) {
+    return {};
+  }
   const double most = std::max(accepted, *std::min_element(noise.begin(), noise.end()));
+  std::vector<LogWeight> weights(noise.size());
   double sum = 0.0;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    records[r].weight = std::pow(std::min(1.0, most / noise[r]), 2);
-    sum += records[r].weight;
-    if (records[r].weight < 1.0) {
-      records[r].notes.push_back(
-          fmt::format("noise of {:.2g} % of the force, so it counts {:.2g} times as much as other logs",
-                      100.0 * noise[r], records[r].weight));
+  for (std::size_t r = 0; r < noise.size(); ++r) {
+    auto& [weight, note] = weights[r];
+    weight = std::pow(std::min(1.0, most / noise[r]), 2);
+    sum += weight;
+    if (weight < 1.0) {
+      note = fmt::format("noise of {:.2g} % of the force, so it counts {:.2g} times as much as other logs",
+                         100.0 * noise[r], weight);
     }
   }
-  for (log::Record& record : records) {
-    record.weight *= static_cast<double>(records.size()) / sum;
+  for (LogWeight& one : weights) {
+    one.weight *= static_cast<double>(weights.size()) / sum;
   }
+  return weights;
 }
 
 }  // namespace rubber_suspension::measurement

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::measurement {
@@ -33,17 +35,23 @@ struct NoiseLimit {
 };
 
 /// 1.5 times the median of the logs' noise, given as gaps: noise of 1/f differs by that much from log to log.
-NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::Record>& records);
+NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<gap::PreparedRecord>& records);
 
 /// The error of the rig in a record beside a residual of it [N], as a gap: that of an error as large as its values, in
 /// standard deviations, count as, up to what 95 % of such rigs do: beyond that it is the model that errs. Any model
 /// leaves it.
-double rigCost(const log::Record& record, const Eigen::VectorXd& residual);
+double rigCost(const gap::PreparedRecord& record, const Eigen::VectorXd& residual);
 
-/// Let logs whose force is little more than noise, as of a hold, count less (Record::weight): one with more noise than
+/// How much a log counts among others of its rig.
+struct LogWeight {
+  double weight = 1.0;  ///< about 1 on average (gap::PreparedRecord::weight)
+  std::string note;     ///< empty where it counts no less than another
+};
+
+/// Logs whose force is little more than noise, as of a hold, count less: one with more noise than
 /// the error that is accepted of a model, and than the quietest log, counts as if it had so much. In the mean square
 /// over all logs it would hide what the others show, and be the larger part of what is left. `noise`: of each log, as a
 /// gap.
-void weighByNoise(const std::vector<double>& noise, double accepted, std::vector<log::Record>& records);
+std::vector<LogWeight> weightsByNoise(const std::vector<double>& noise, double accepted);
 
 }  // namespace rubber_suspension::measurement

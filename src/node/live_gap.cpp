@@ -48,7 +48,7 @@ void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, io
              LiveGap& gap) {
   tolerances.initial_state.value = 0.0;  // the component has taken all samples before the window
   const measurement::PreparedLog measured = measurement::preparePiece(logOf(samples, &MatchedSample::measured));
-  const log::Record& record = measured.record;
+  const gap::PreparedRecord record(measured.record);
   const Eigen::VectorXd simulated = log::evenRecord(logOf(samples, force)).force;
   const measurement::RigModel rig({record}, {measurement::maskOf(record)}, tolerances);
   const measurement::RigColumns columns = rig.columns({simulated}, {}).front();

@@ -137,7 +137,7 @@ TEST(Plan, WritesWhatItSays) {
 // What projection says is left is what a fit leaves of a force to which the effect was really added.
 TEST(Implants, LeaveWhatAFitLeaves) {
   const fit::ModelParameters model(rigComponent(), fit::Level::specification);
-  const std::vector<log::Record> records = {log::makeRecord(runRig(
+  const std::vector<gap::PreparedRecord> records = {log::makeRecord(runRig(
       "plain", 1, [](double, double, double) { return 0.0; }, 2.0))};
   const fit::Fitter fitter(records, model, kOneDeviation);
   auto candidates = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
@@ -153,7 +153,7 @@ TEST(Implants, LeaveWhatAFitLeaves) {
     if (implant.hidden_by_rig || !term.additive || !term.unit_effect || implant.model.gap < 0.2) {
       continue;
     }
-    std::vector<log::Record> with = records;
+    std::vector<gap::PreparedRecord> with = records;
     with.front().force += kSize * implant.scale * (*term.unit_effect).front();
     const fit::Fitter fitted(with, model, kOneDeviation);
     const double left = fitted.fit({}, fitted.configured({}), {10}).gap;

@@ -139,12 +139,8 @@ TEST(Excerpts, AreLedInByWhatLiesBetweenThem) {
   const double deviation = gap::standardDeviation(
       Eigen::Map<const Eigen::VectorXd>(log.force.data(), static_cast<Eigen::Index>(log.size())));
   const Excerpts excerpts = makeExcerpts({log}, {}, 20000);
-  std::vector<log::Record> records;
-  for (const log::Log& excerpt : excerpts.logs) {
-    records.push_back(log::evenRecord(excerpt));
-  }
-  ASSERT_GT(records.size(), 2U);
-  const auto worst = [&] {
+  ASSERT_GT(excerpts.logs.size(), 2U);
+  const auto worst = [&](const std::vector<gap::PreparedRecord>& records) {
     double gap = 0.0;
     const gap::Forces forces = gap::simulate(elements, records);
     for (std::size_t r = 0; r < records.size(); ++r) {
@@ -152,12 +148,16 @@ TEST(Excerpts, AreLedInByWhatLiesBetweenThem) {
     }
     return gap;
   };
-  const double rested = worst();
-  diagnosis::prepare::addLeadIns(excerpts.lead_in, records);
+  std::vector<gap::PreparedRecord> rested;
+  std::vector<gap::PreparedRecord> led_in;
+  for (std::size_t i = 0; i < excerpts.logs.size(); ++i) {
+    rested.emplace_back(log::evenRecord(excerpts.logs[i]));
+    led_in.emplace_back(log::evenRecord(excerpts.logs[i], excerpts.lead_in[i]));
+  }
   // Means over four samples of a sine of a hundred lack 0.3 % of its amplitude, and beyond them loading is the
   // first: 2.9 % of the force where the amplitude is new, 0.6 % elsewhere.
-  EXPECT_LT(worst(), 0.04);
-  EXPECT_GT(rested, 0.2) << "the test would not see it";
+  EXPECT_LT(worst(led_in), 0.04);
+  EXPECT_GT(worst(rested), 0.2) << "the test would not see it";
 }
 
 // A pause of 1e6 s is one step for the force, as in `replay` and the node, and nothing to spectra.
@@ -175,11 +175,10 @@ TEST(Excerpts, BeginAnewBehindATimeGap) {
   const Excerpts excerpts = makeExcerpts({log}, {}, log.size());
   ASSERT_EQ(excerpts.logs.size(), 3U);
   EXPECT_EQ(excerpts.samples, log.size());
-  std::vector<log::Record> records;
-  for (const log::Log& stretch : excerpts.logs) {
-    records.push_back(log::evenRecord(stretch));
+  std::vector<gap::PreparedRecord> records;
+  for (std::size_t i = 0; i < excerpts.logs.size(); ++i) {
+    records.emplace_back(log::evenRecord(excerpts.logs[i], excerpts.lead_in[i]));
   }
-  diagnosis::prepare::addLeadIns(excerpts.lead_in, records);
   const gap::Forces forces = gap::simulate(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     // Two steps that make up one in a straight line: to the rounding of the forces, for all but a Maxwell element that

@@ -22,7 +22,7 @@ std::vector<element::ElementDescription> elementsWithBerg(double displacement) {
   return elements;
 }
 
-std::vector<log::Record> records() {
+std::vector<gap::PreparedRecord> records() {
   return {log::makeRecord(runRig("one", 1, [](double, double, double) { return 0.0; }))};
 }
 
@@ -40,7 +40,7 @@ TEST(FrictionStarts, AreNoneWithoutBergsFriction) {
 
 TEST(FrictionStarts, AreNoneWhereThePastIsKnown) {
   auto logs = records();
-  logs[0].lead_in = Eigen::Vector3d::Zero();
+  logs[0].lead_in.displacement = {0.0, 0.0, 0.0};
   EXPECT_EQ(measurement::frictionStarts(elementsWithBerg(5e-3), logs)[0].cols(), 0);
 }
 

@@ -17,7 +17,6 @@
 namespace rubber_suspension {
 namespace {
 
-using diagnosis::prepare::LeadIn;
 using diagnosis::prepare::LeadInBuilder;
 using diagnosis::prepare::LogSurvey;
 using diagnosis::prepare::MotionSurvey;
@@ -77,7 +76,7 @@ TEST(MotionSurvey, KeepsShortMotionsSampleBySample) {
   EXPECT_NEAR(survey.samplesPerCycle(), 7.0, 7.0 * 7.0 / 20000.0);
 }
 
-LeadIn leadIn(std::size_t samples, double per_cycle, std::size_t coarse, double standstill = 0.0) {
+log::LeadIn leadIn(std::size_t samples, double per_cycle, std::size_t coarse, double standstill = 0.0) {
   LeadInBuilder builder(10, 10 + samples, coarse, standstill, 1000000000);
   const std::vector<double> z = motion(samples + 20, per_cycle);
   for (std::size_t i = 0; i < z.size(); ++i) {
@@ -86,13 +85,13 @@ LeadIn leadIn(std::size_t samples, double per_cycle, std::size_t coarse, double 
   return builder.finish();
 }
 
-double amplitudeOf(const LeadIn& lead_in) {
+double amplitudeOf(const log::LeadIn& lead_in) {
   const auto [low, high] = std::minmax_element(lead_in.displacement.begin(), lead_in.displacement.end());
   return 0.5 * (*high - *low);
 }
 
 TEST(LeadIn, IsMeansWhereTheseHoldTheMotion) {
-  const LeadIn of_means = leadIn(10005, 1000.0, 10);
+  const log::LeadIn of_means = leadIn(10005, 1000.0, 10);
   EXPECT_EQ(of_means.displacement.size(), 1000U);
   EXPECT_NEAR(of_means.dt, 0.01, 1e-12);
   const std::vector<double> z = motion(10025, 1000.0);
@@ -105,7 +104,7 @@ TEST(LeadIn, IsMeansWhereTheseHoldTheMotion) {
 // Sixteen samples of a cycle of twenty have a mean of next to nothing.
 TEST(LeadIn, KeepsAmplitudesWhereMeansLoseThem) {
   for (const std::size_t samples : {3200U, 3216U}) {  // an even and an odd number of steps
-    const LeadIn lead_in = leadIn(samples, 20.0, 16);
+    const log::LeadIn lead_in = leadIn(samples, 20.0, 16);
     EXPECT_EQ(lead_in.displacement.size(), samples / 16);
     EXPECT_NEAR(amplitudeOf(lead_in), 2e-3, 2e-3 * (1.0 - std::cos(element::kPi / 20.0)));
     std::size_t swings = 0;
@@ -139,7 +138,7 @@ std::vector<LogSurvey> surveysOf(const std::vector<log::Log>& logs) {
 
 TEST(RecordedGap, IsThatOfTheLogsInMemory) {
   const std::vector<log::Log> logs = {recording(log::kLogBlock + 777, 2e-3), recording(3000, 1e-3)};
-  std::vector<log::Record> records;
+  std::vector<gap::PreparedRecord> records;
   for (const log::Log& log : logs) {
     records.push_back(log::evenRecord(log));
   }

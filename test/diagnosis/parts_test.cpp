@@ -183,7 +183,7 @@ Eigen::VectorXd scalesOf(const std::vector<fit::Candidate>& candidates, const Sc
 }
 
 TEST(Candidates, AreEnteredOnceEach) {
-  const std::vector<log::Record> records = {log::makeRecord(noisyLog(0.0))};
+  const std::vector<gap::PreparedRecord> records = {log::makeRecord(noisyLog(0.0))};
   std::set<std::string> names;
   for (const fit::Candidate& candidate : diagnosis::hypotheses::candidate::candidates(fit::summarise(records))) {
     EXPECT_TRUE(names.insert(candidate.effect).second) << candidate.effect;
@@ -319,8 +319,8 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
   io::ComponentDescription component = rigComponent();
   component.add = GetParam();
   const auto nothing = [](double, double, double) { return 0.0; };
-  std::vector<log::Record> records = {log::makeRecord(runRig("first", 1, nothing)),
-                                      log::makeRecord(runRig("second", 2, nothing))};
+  std::vector<gap::PreparedRecord> records = {log::makeRecord(runRig("first", 1, nothing)),
+                                              log::makeRecord(runRig("second", 2, nothing))};
   const fit::ModelParameters model(component, fit::Level::specification);
   const fit::Fitter fitter(records, model, kOneDeviation);
   const std::vector<fit::Candidate> plain = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));

@@ -41,7 +41,7 @@ TEST(NumbersOfALaw, AreThoseThatAFitMoves) {
 class SimplestLaw : public testing::Test {
  protected:
   void fit(const std::string& effect, const diagnosis::results::Entries& missing) {
-    std::vector<log::Record> records;
+    std::vector<gap::PreparedRecord> records;
     for (const int seed : {1, 2}) {
       records.push_back(log::makeRecord(runRig("log", seed, [](double, double, double) { return 0.0; })));
     }
@@ -73,7 +73,7 @@ class SimplestLaw : public testing::Test {
   }
 
   const fit::ModelParameters model_{rigComponent(), fit::Level::specification};
-  const std::vector<log::Record> none_ = {};
+  const std::vector<gap::PreparedRecord> none_ = {};
   const std::vector<fit::DisplacementZero> no_zeros_ = {};
   std::unique_ptr<fit::Fitter> fitter_;
   std::vector<fit::Candidate> candidates_;

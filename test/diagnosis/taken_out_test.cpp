@@ -25,7 +25,7 @@ class TakenOutTest : public ::testing::Test {
   std::vector<TakenOut> accountFor(const RigEffect& effect, const std::vector<RigEffect>& free) {
     log_ = runRig("log", 3, effect, 2.0);
     spike();
-    log::Record record = measurement::prepareLog(log_).record;
+    gap::PreparedRecord record = measurement::prepareLog(log_).record;
     Eigen::MatrixXd columns(record.size(), static_cast<Eigen::Index>(free.size()));
     for (Eigen::Index j = 0; j < columns.cols(); ++j) {
       for (Eigen::Index i = 0; i < columns.rows(); ++i) {
@@ -35,7 +35,7 @@ class TakenOutTest : public ::testing::Test {
     if (record.counts.size() > 0) {
       columns.array().colwise() *= record.counts.array();
     }
-    record.nuisances = free.empty() ? columns : numerics::orthonormalColumns(columns);
+    record.rig.columns = free.empty() ? columns : numerics::orthonormalColumns(columns);
     deviation_ = record.force_deviation;
     const auto elements = rigComponent().allElements();
     const results::LogAccount account =
@@ -107,9 +107,9 @@ TEST_F(TakenOutTest, TellsAGain) {
   for (double& force : log.force) {
     force *= 1.03;
   }
-  log::Record record = measurement::prepareLog(log).record;
+  gap::PreparedRecord record = measurement::prepareLog(log).record;
   const auto elements = rigComponent().allElements();
-  record.nuisances = gap::simulate(elements, {record}).front().normalized();
+  record.rig.columns = gap::simulate(elements, {record}).front().normalized();
   const auto parts =
       results::accountsOf(elements, {record}, {}, prepare::rawChannels({log}, {}), {}, {}).front().entries();
   EXPECT_NEAR(shareOf(parts, results::taken_out::kGain), 0.03 / 1.03, 0.002);
@@ -131,7 +131,7 @@ TEST_F(TakenOutTest, LeavesOutWhatWasNotMeasured) {
     log.counts[i] = 0.0;
     log.force[i] = log.force[999];
   }
-  const log::Record record = measurement::prepareLog(log).record;
+  const gap::PreparedRecord record = measurement::prepareLog(log).record;
   const auto account =
       results::accountsOf(rigComponent().allElements(), {record}, {}, prepare::rawChannels({log}, {}), {}, {}).front();
   EXPECT_LT(std::abs(shareOf(account.entries(), results::taken_out::kSpikes)), 1e-3);

@@ -28,8 +28,10 @@ TEST(TemperatureEffect, RefusesATemperatureAtWhichTheShiftDoesNotHold) {
 }
 
 std::size_t termsFor(const std::vector<log::Log>& logs) {
-  std::vector<log::Record> records;
-  std::transform(logs.begin(), logs.end(), std::back_inserter(records), log::makeRecord);
+  std::vector<gap::PreparedRecord> records;
+  for (const log::Log& log : logs) {
+    records.emplace_back(log::makeRecord(log));
+  }
   const auto all = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
   return std::find_if(all.begin(), all.end(), [](const fit::Candidate& c) { return c.effect == "temperature"; })
       ->terms.size();

@@ -21,10 +21,10 @@ namespace {
 constexpr Eigen::Index kSamplesOfLog = 2400;
 
 // Twelve triangles of 5 s, the force of a spring and noise, and a rig with a zero, a slow wave and a start.
-log::Record triangles(unsigned seed) {
+gap::PreparedRecord triangles(unsigned seed) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal;
-  log::Record record;
+  gap::PreparedRecord record;
   record.dt = 0.025;
   record.mean_frequency = 0.2;
   const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(kSamplesOfLog, 0.0, 60.0);
@@ -35,30 +35,31 @@ log::Record triangles(unsigned seed) {
     force += 0.03 * normal(generator);
   }
   record.force_deviation = 1.8;
-  record.one_deviation = 0.005;
+  record.rig.one_deviation = 0.005;
   Eigen::MatrixXd rig(kSamplesOfLog, 3);
   rig.col(0).setConstant(0.05);
   rig.col(1) = 0.05 * (element::kPi / 60.0 * time).cos();
   rig.col(2) = 0.1 * (-time / 2.0).exp();
-  record.nuisances = numerics::whiteningColumns(rig / (record.one_deviation * std::sqrt(kSamplesOfLog)));
+  record.rig.columns = numerics::whiteningColumns(rig / (record.rig.one_deviation * std::sqrt(kSamplesOfLog)));
   record.force += rig * Eigen::Vector3d(normal(generator), normal(generator), normal(generator));
   return record;
 }
 
-std::vector<log::Record> someTriangles(std::size_t count) {
-  std::vector<log::Record> records;
+std::vector<gap::PreparedRecord> someTriangles(std::size_t count) {
+  std::vector<gap::PreparedRecord> records;
   for (std::size_t r = 0; r < count; ++r) {
     records.push_back(triangles(static_cast<unsigned>(r)));
   }
   return records;
 }
 
-BlockGrams equationsOf(const std::vector<log::Record>& records, const FreeInLog& free, Kept kept = Kept::blocks) {
+BlockGrams equationsOf(const std::vector<gap::PreparedRecord>& records, const FreeInLog& free,
+                       Kept kept = Kept::blocks) {
   std::vector<double> weights;
   gap::Forces base;
   gap::Forces spring;
   gap::Forces one;
-  for (const log::Record& record : records) {
+  for (const gap::PreparedRecord& record : records) {
     weights.push_back(1.0 /
                       (record.force_deviation * std::sqrt(record.counted() * static_cast<double>(records.size()))));
     base.emplace_back(2.9 * record.displacement);
@@ -75,14 +76,14 @@ Eigen::VectorXd solutionOf(const BlockGrams& blocks) {
 
 // Columns, residual and what is free of all logs in one matrix with rows for the penalties, whitened by the rig.
 TEST(Elimination, IsTheSolutionWithAllUnknownsInOneMatrix) {
-  const std::vector<log::Record> records = someTriangles(3);
+  const std::vector<gap::PreparedRecord> records = someTriangles(3);
   const FreeInLog free{true, true, true};
   const Eigen::Index own = free.count();
   const auto logs = static_cast<Eigen::Index>(records.size());
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(logs * (kSamplesOfLog + own), 2 + logs * own);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(all.rows());
   for (Eigen::Index r = 0; r < logs; ++r) {
-    const log::Record& record = records[static_cast<std::size_t>(r)];
+    const gap::PreparedRecord& record = records[static_cast<std::size_t>(r)];
     const Eigen::VectorXd base = 2.9 * record.displacement;
     const auto rows = Eigen::seqN(r * kSamplesOfLog, kSamplesOfLog);
     all(rows, 0) = record.withoutRig(record.displacement);
@@ -107,17 +108,17 @@ TEST(Elimination, IsTheSolutionWithAllUnknownsInOneMatrix) {
 
 // What the block held out adds to least squares with the rig's covariance, by that covariance itself.
 TEST(Elimination, HoldsBlocksOut) {
-  const log::Record record = triangles(5);
-  const Eigen::MatrixXd c = numerics::columnsOfWhitening(record.nuisances);
+  const gap::PreparedRecord record = triangles(5);
+  const Eigen::MatrixXd c = numerics::columnsOfWhitening(record.rig.columns);
   const Eigen::Index half = kSamplesOfLog / 2;
   std::vector<Eigen::MatrixXd> products;
   for (const Eigen::Index first : {Eigen::Index{0}, half}) {
     Eigen::MatrixXd columns(half, 1 + c.cols());
-    columns << record.force.segment(first, half), record.nuisances.middleRows(first, half);
+    columns << record.force.segment(first, half), record.rig.columns.middleRows(first, half);
     products.push_back(numerics::gramOf(columns));
   }
   const numerics::BlockProducts left =
-      numerics::withoutErrors(products, numerics::penaltyOfWhitening(record.nuisances), {{0, 1}, {0.5, 0.5}, 2});
+      numerics::withoutErrors(products, numerics::penaltyOfWhitening(record.rig.columns), {{0, 1}, {0.5, 0.5}, 2});
   for (std::size_t b = 0; b < 2; ++b) {
     const auto rows = [&](Eigen::Index block) { return Eigen::seqN(block * half, half); };
     const Eigen::MatrixXd out = c(rows(static_cast<Eigen::Index>(b)), Eigen::all);
@@ -154,7 +155,7 @@ TEST(Elimination, LeavesNoLessOfBlocksHeldOutThanInSample) {
 }
 
 TEST(Elimination, SumsOfFoldsAreThoseOfTheirBlocks) {
-  const std::vector<log::Record> records = someTriangles(3);
+  const std::vector<gap::PreparedRecord> records = someTriangles(3);
   const BlockGrams blocks = equationsOf(records, {true, true});
   const BlockGrams folds = equationsOf(records, {true, true}, Kept::folds);
   EXPECT_EQ(folds.blocks, blocks.blocks);

@@ -15,9 +15,9 @@ namespace rubber_suspension::fit {
 namespace {
 
 // Forty cycles at 1 Hz, of which samples from `first` to `last` count for nothing.
-log::Record record(Eigen::Index first, Eigen::Index last) {
+gap::PreparedRecord record(Eigen::Index first, Eigen::Index last) {
   constexpr Eigen::Index kSamples = 4000;
-  log::Record result;
+  gap::PreparedRecord result;
   result.dt = 0.01;
   result.mean_frequency = 1.0;
   const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(kSamples, 0.0, 39.99);
@@ -31,11 +31,11 @@ log::Record record(Eigen::Index first, Eigen::Index last) {
   return result;
 }
 
-BlockGrams equations(const std::vector<log::Record>& records) {
+BlockGrams equations(const std::vector<gap::PreparedRecord>& records) {
   std::vector<double> weights;
   gap::Forces base;
   gap::Forces column;
-  for (const log::Record& one : records) {
+  for (const gap::PreparedRecord& one : records) {
     weights.push_back(1.0 / (one.force_deviation * std::sqrt(one.counted() * static_cast<double>(records.size()))));
     base.emplace_back(Eigen::VectorXd::Zero(one.size()));
     column.push_back(one.displacement);
@@ -66,9 +66,9 @@ TEST(NormalEquations, LeaveOutBlocksWithoutSamplesThatCount) {
   }
 }
 
-double heldOutBesideTrends(const log::Record& one) {
+double heldOutBesideTrends(const gap::PreparedRecord& one) {
   const double weight = 1.0 / (one.force_deviation * std::sqrt(one.counted()));
-  const std::vector<log::Record> records = {one};
+  const std::vector<gap::PreparedRecord> records = {one};
   return heldOut(LogBlocks(records, {weight})
                      .normalEquations({Eigen::VectorXd::Zero(one.size())}, {columnOf({one.displacement})},
                                       {FreeInLog{true, true}}, Kept::blocks, 1)
@@ -77,7 +77,7 @@ double heldOutBesideTrends(const log::Record& one) {
 
 // A force that walks: trends of a walk predict more of it for blocks that are held out than free ones.
 TEST(NormalEquations, HaveTrendsOfARandomWalk) {
-  log::Record one = record(0, 0);
+  gap::PreparedRecord one = record(0, 0);
   std::mt19937 generator(1);
   std::normal_distribution<double> step(0.0, 0.005);
   double walk = 0.0;
@@ -86,29 +86,30 @@ TEST(NormalEquations, HaveTrendsOfARandomWalk) {
     one.force[i] += walk;
   }
   const double free = heldOutBesideTrends(one);
-  one.one_deviation = 0.005;
+  one.rig.one_deviation = 0.005;
   EXPECT_LT(heldOutBesideTrends(one), 0.9 * free);
 }
 
 // What the rig may have added: its zero within a prior, and a slow wave that is entirely free.
-void addRig(log::Record& one) {
+void addRig(gap::PreparedRecord& one) {
   Eigen::MatrixXd columns(one.size(), 2);
   columns.col(0).setConstant(0.02);
   columns.col(1) = 10.0 * Eigen::ArrayXd::LinSpaced(one.size(), 0.0, 3.0).sin();
   if (one.counts.size() > 0) {
     columns.array().colwise() *= one.counts.array();
   }
-  one.nuisances = numerics::whiteningColumns(columns);
+  one.rig.columns = numerics::whiteningColumns(columns);
 }
 
-// The same blocks whether or not columns were multiplied before, and what Record::withoutRig() leaves of each column.
+// The same blocks whether or not columns were multiplied before, and what PreparedRecord::withoutRig() leaves of each
+// column.
 TEST(NormalEquations, AreTheSameWithKnownColumns) {
-  std::vector<log::Record> records = {record(0, 0), record(300, 400)};
+  std::vector<gap::PreparedRecord> records = {record(0, 0), record(300, 400)};
   std::vector<double> weights;
   gap::Forces base;
   gap::Forces displacement;
   gap::Forces cubic;
-  for (log::Record& one : records) {
+  for (gap::PreparedRecord& one : records) {
     addRig(one);
     weights.push_back(0.7 / one.force_deviation);
     base.emplace_back(0.1 * one.force);

@@ -64,24 +64,24 @@ Errors errorsOf(const std::vector<fit::UnseenBlock>& unseen) {
 
 const std::vector<element::ElementDescription> kModel = {{"spring", {{"stiffness", {kStiffness}}}}};
 
-fit::SurrogateFit fitTo(const std::vector<log::Record>& records) {
+fit::SurrogateFit fitTo(const std::vector<gap::PreparedRecord>& records) {
   return fit::fitSurrogate(records, gap::simulate(kModel, records, gap::asRecorded), 1);
 }
 
-std::vector<log::Record> threeLogs(const Missing& missing) {
+std::vector<gap::PreparedRecord> threeLogs(const Missing& missing) {
   return {record(1, missing), record(2, missing), record(3, missing)};
 }
 
 /// Closed of the gap above the noise on logs that were left out, and, by the element itself, on one that was never
 /// there: both have to be at least 60 %, which is what surrogates are for.
 void expectClosed(const Missing& missing) {
-  const std::vector<log::Record> records = threeLogs(missing);
+  const std::vector<gap::PreparedRecord> records = threeLogs(missing);
   const fit::SurrogateFit fit = fitTo(records);
   ASSERT_TRUE(fit.predicts);
   const Errors errors = errorsOf(fit.unseen);
   const double floor = kNoise / records[0].force_deviation;
   EXPECT_LT(errors.after - floor, 0.4 * (errors.before - floor)) << errors.before << " to " << errors.after;
-  const std::vector<log::Record> other = {record(4, missing)};
+  const std::vector<gap::PreparedRecord> other = {record(4, missing)};
   std::vector<element::ElementDescription> with = kModel;
   const double before = gap::gapOfParts(gap::partErrors(other, gap::simulate(with, other, gap::asRecorded)));
   with.push_back(fit.element);
@@ -139,13 +139,13 @@ TEST(Surrogate, ClosesAResonance) {
 // out, a zero of 200 N is no more of the rig than in shorter logs.
 TEST(Surrogate, LeavesTheRigItsPriorAtEveryLength) {
   const auto leftBefore = [](std::size_t logs) {
-    std::vector<log::Record> records;
+    std::vector<gap::PreparedRecord> records;
     for (std::size_t r = 0; r < logs; ++r) {
-      log::Record& one =
+      gap::PreparedRecord& one =
           records.emplace_back(record(1, [](const auto& z) { return std::vector<double>(z.size(), 200.0); }));
       const double deviation = 20.0;  // of the zero [N], where an error of a tenth of the force is one
       const double error = 0.1 * one.force_deviation * std::sqrt(one.counted());
-      one.nuisances = numerics::whiteningColumns(Eigen::VectorXd::Constant(one.size(), deviation / error));
+      one.rig.columns = numerics::whiteningColumns(Eigen::VectorXd::Constant(one.size(), deviation / error));
     }
     return errorsOf(fitTo(records).unseen).before;
   };
@@ -182,8 +182,8 @@ TEST(Surrogate, ScalesWithTheLog) {
   const Missing teeth = [](const std::vector<double>& z) {
     return each(z, [](double x) { return 150.0 * std::sin(2.0 * element::kPi * x / 1e-3); });
   };
-  const std::vector<log::Record> records = threeLogs(teeth);
-  std::vector<log::Record> scaled = records;
+  const std::vector<gap::PreparedRecord> records = threeLogs(teeth);
+  std::vector<gap::PreparedRecord> scaled = records;
   for (log::Record& of_log : scaled) {
     of_log.dt *= 0.5;
     of_log.displacement *= 2.0;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::gap {
@@ -46,10 +47,10 @@ struct OwnUnknowns {
   Eigen::VectorXd penalty;
 };
 
-/// Tenths of each record, which counts by its weight (Record::weight); samples that do not count are left out, and so
-/// is what the rig may have added, and unknowns of the log: both as far as the other tenths tell them. `own`: of each
-/// record; empty: there are none.
-std::vector<PartError> partErrors(const std::vector<log::Record>& records,
+/// Tenths of each record, which counts by its weight (PreparedRecord::weight); samples that do not count are left out,
+/// and so is what the rig may have added, and unknowns of the log: both as far as the other tenths tell them. `own`: of
+/// each record; empty: there are none.
+std::vector<PartError> partErrors(const std::vector<PreparedRecord>& records,
                                   const std::vector<Eigen::VectorXd>& simulated,
                                   const std::vector<OwnUnknowns>& own = {});
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::gap {
 
@@ -32,7 +32,7 @@ struct GapCell {
 /// phase) or of loss (in quadrature), what is not coherent is an error of harmonics (among them noise); the mean of the
 /// log is its mean, the windows' means about it are drift. `residual`: measured less simulated [N], `noise`: floor of
 /// each log in units of its force's standard deviation. Sorted by share, largest first.
-std::vector<GapCell> gapMap(const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& residual,
+std::vector<GapCell> gapMap(const std::vector<PreparedRecord>& records, const std::vector<Eigen::VectorXd>& residual,
                             const std::vector<double>& noise);
 
 }  // namespace rubber_suspension::gap

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,15 @@ namespace rubber_suspension::log {
 
 constexpr std::size_t kFewestSamples = 100;  ///< of a record
 
-/// One log, evenly sampled. All vectors have the same length.
+/// The motion that leads to the first sample of an excerpt: coarse, it is for what the component remembers, and
+/// compared with nothing.
+struct LeadIn {
+  double dt = 0.0;                   ///< [s]
+  std::vector<double> displacement;  ///< [m], at even steps; empty where the component rested before
+  bool continues = false;            ///< begins where the record before this one ended, without a rest
+};
+
+/// One log as it was recorded, evenly sampled. All vectors have the same length.
 struct Record {
   std::string name;
   double dt = 0.0;                   ///< [s]
@@ -30,21 +37,9 @@ struct Record {
   double mean_frequency = 0.0;       ///< RMS speed over RMS displacement about its mean, by 2 pi [Hz]
   UnitsAre units = UnitsAre::named;  ///< of displacement and force
   std::vector<std::string> notes;    ///< what was found and done: time base, saturation, smoothing
-  /// Of an excerpt, the motion that leads to its first sample [m], at even steps of `lead_in_dt` [s]: coarse, it is for
-  /// what the component remembers, and compared with nothing. Empty where the component rested before the record.
-  Eigen::VectorXd lead_in;
-  double lead_in_dt = 0.0;
-  bool continues = false;  ///< the lead-in begins where the record before this one ended, without a rest
+  LeadIn lead_in;
   /// 1 for samples that count in residuals, 0 for those that a channel did not measure; empty: all count.
   Eigen::VectorXd counts;
-  /// Most that noise slower than the motion, or a drift, may add and still be noise [N]: its standard deviation.
-  double slow_noise = std::numeric_limits<double>::infinity();
-  double weight = 1.0;  ///< of its mean squares among those of several logs, about 1 on average
-  /// Whitening columns N (numerics::whiteningColumns) of what the rig may have added to the force (zero, lag, gain,
-  /// slow noise, state left from before the log), each within its prior; 0 where samples do not count; may be empty.
-  Eigen::MatrixXd nuisances;
-  /// Error that one standard deviation of any of them counts as, over the force's standard deviation.
-  double one_deviation = 0.0;
 
   Eigen::Index size() const { return displacement.size(); }
   double duration() const { return dt * static_cast<double>(size()); }
@@ -52,26 +47,23 @@ struct Record {
   /// How many of the samples [first, first + count) count.
   double counted(Eigen::Index first, Eigen::Index count) const;
   double counted() const { return counted(0, size()); }
-
-  /// A residual or a derivative of the force [N], r - N N'r: samples that do not count are 0, and what the rig may have
-  /// added is taken out as far as its priors let it explain r (Frisch and Waugh, Econometrica 1, 1933, with a prior).
-  Eigen::VectorXd withoutRig(const Eigen::VectorXd& column) const;
 };
 
-/// Check and prepare a log for diagnosis. An uneven time base is resampled at its median step, or in so many samples as
-/// twice those of the log, with a note. Throws LogError where the log has no force, is shorter than 100 samples, does
-/// not move, or has a time gap: a step longer than half a second and than 20 times that of nine in ten samples.
-Record makeRecord(const Log& log);
+/// Check and prepare a log for diagnosis, to which a motion led. An uneven time base is resampled at its median step,
+/// or in so many samples as twice those of the log, with a note. Throws LogError where the log has no force, is shorter
+/// than 100 samples, does not move, or has a time gap: a step longer than half a second and than 20 times that of nine
+/// in ten samples.
+Record makeRecord(const Log& log, LeadIn lead_in = {});
 
 /// Throws LogError where a log has no measured force.
 void requireForce(const Log& log);
 
 /// Even time steps and nothing else: the displacement as recorded, no noise nor frequencies known.
 /// Throws LogError as makeRecord() does.
-Record evenRecord(const Log& log);
+Record evenRecord(const Log& log, LeadIn lead_in = {});
 
 /// The same of channels that need not change.
-Record rawRecord(const Log& log);
+Record rawRecord(const Log& log, LeadIn lead_in = {});
 
 /// True where both channels change by more than numbers do.
 bool bothChange(const Record& record);

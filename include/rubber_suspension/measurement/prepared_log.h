@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/io/rig_tolerances.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
@@ -17,11 +18,11 @@ struct PreparedLog {
   std::vector<RigFinding> findings;  ///< spikes, held values, saturation
 };
 
-/// Make a log ready: samples that a channel did not measure are bridged and do not count, nor does the first cycle of a
-/// log that starts in motion, in which friction remembers what came before. Of a log with a channel that does not
-/// change the record is raw: checkBench() names it. Throws LogError as makeRecord() does, and where fewer than half of
-/// the samples are left.
-PreparedLog prepareLog(const log::Log& log);
+/// Make a log, to which a motion led, ready: samples that a channel did not measure are bridged and do not count, nor
+/// does the first cycle of a log that starts in motion, in which friction remembers what came before. Of a log with a
+/// channel that does not change the record is raw: checkBench() names it. Throws LogError as makeRecord() does, and
+/// where fewer than half of the samples are left.
+PreparedLog prepareLog(const log::Log& log, log::LeadIn lead_in = {});
 
 /// The same of a piece of a longer log, all of which the component has taken: its first cycle counts.
 PreparedLog preparePiece(const log::Log& log);
@@ -29,7 +30,8 @@ PreparedLog preparePiece(const log::Log& log);
 /// Orthonormal columns of what a motion before each record may have left in a component: where the log starts in
 /// motion, what decays, and what motions before it would have left (in its friction, above all). A tolerance of 0 takes
 /// them out. `simulated`: force of that component over the records [N]; `simulate`: over other displacements.
-std::vector<Eigen::MatrixXd> initialStates(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
+std::vector<Eigen::MatrixXd> initialStates(const std::vector<gap::PreparedRecord>& records,
+                                           const io::RigTolerances& tolerances,
                                            const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate);
 
 }  // namespace rubber_suspension::measurement

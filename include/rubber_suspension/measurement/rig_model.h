@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/io/rig_tolerances.h"
 #include "rubber_suspension/log/record.h"
 #include "rubber_suspension/measurement/faults.h"
@@ -69,7 +70,7 @@ bool startsInMotion(const log::Record& record);
 class RigModel {
  public:
   /// `masks`: samples that count, one per record; empty: all. Throws std::invalid_argument where sizes differ.
-  RigModel(std::vector<log::Record> records, std::vector<Mask> masks, const io::RigTolerances& tolerances);
+  RigModel(std::vector<gap::PreparedRecord> records, std::vector<Mask> masks, const io::RigTolerances& tolerances);
 
   /// Columns and priors of each log about simulated forces. `simulate` is called once with all displacements shifted
   /// by a hundredth of their stroke (without it, displacement zeros are not free), and three times more, where a log
@@ -90,7 +91,7 @@ class RigModel {
   /// displacement, both are told as one `force_zero`.
   std::vector<RigFinding> findings(std::size_t log, const RigFit& fit) const;
 
-  const std::vector<log::Record>& records() const { return records_; }
+  const std::vector<gap::PreparedRecord>& records() const { return records_; }
   const Mask& mask(std::size_t log) const { return masks_[log]; }
 
  private:
@@ -100,7 +101,7 @@ class RigModel {
   std::vector<std::vector<Eigen::VectorXd>> simulateRunning(const Simulate& simulate,
                                                             const std::vector<RigPoint>& points) const;
 
-  std::vector<log::Record> records_;
+  std::vector<gap::PreparedRecord> records_;
   std::vector<Mask> masks_;
   io::RigTolerances tolerances_;
 };

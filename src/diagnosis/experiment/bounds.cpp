@@ -12,7 +12,7 @@ Stroke strokeOf(double low, double high) {
   return std::abs(stroke.centre) > kSymmetric * stroke.half ? stroke : Stroke{0.0, std::min(-low, high)};
 }
 
-Bounds boundsOf(const fit::Excitation& excitation, const std::vector<log::Record>& records,
+Bounds boundsOf(const fit::Excitation& excitation, const std::vector<gap::PreparedRecord>& records,
                 const ExperimentLimits& limits) {
   constexpr double kOverForce = 1.05;  // the same motion again must not exceed what it reached: fits and noise differ
   double low = 0.0;

@@ -5,7 +5,7 @@
 
 #include "fit/excitation.h"
 #include "rubber_suspension/diagnosis/experiment_limits.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::diagnosis::experiment {
 
@@ -29,7 +29,7 @@ struct Bounds {
 };
 
 /// The limits given; where one is not, what the logs reached.
-Bounds boundsOf(const fit::Excitation& excitation, const std::vector<log::Record>& records,
+Bounds boundsOf(const fit::Excitation& excitation, const std::vector<gap::PreparedRecord>& records,
                 const ExperimentLimits& limits);
 
 }  // namespace rubber_suspension::diagnosis::experiment

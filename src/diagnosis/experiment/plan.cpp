@@ -73,11 +73,12 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
       throw log::LogError(record.name + ": the displacement does not change; accepted: a programme that moves");
     }
   }
-  std::vector<log::Record> none;
   const fit::ModelParameters model(component, fit::Level::specification);
-  prepare::setRigPriors(model, component.rig.value_or(io::RigTolerances{}), hypotheses::errorScale(), records, none,
-                        prepare::RigScatter::as_tolerated);
-  fit::Fitter fitter(records, model, hypotheses::errorScale().oneOfSheet());
+  fit::Fitter fitter(
+      prepare::withRigPriors(model, component.rig.value_or(io::RigTolerances{}), hypotheses::errorScale(),
+                             std::move(records), {}, prepare::RigScatter::as_tolerated)
+          .training,
+      model, hypotheses::errorScale().oneOfSheet());
   hypotheses::Search search;
   search.excitation = fit::summarise(fitter.records());
   search.candidates = hypotheses::candidate::candidates(search.excitation);
@@ -88,7 +89,7 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   search.implants = hypotheses::implantAll(fitter, screening, options.threads);
   Plan result;
   result.component = component.name;
-  result.logs = element::each(records, plannedLog);
+  result.logs = element::each(fitter.records(), plannedLog);
   result.could_show = experiment::couldShow(search, options.size, "as given");
   return result;
 }

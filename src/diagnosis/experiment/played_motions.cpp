@@ -37,7 +37,7 @@ std::vector<Eigen::Index> turningPoints(const Eigen::VectorXd& z) {
 
 }  // namespace
 
-PlayedMotions::PlayedMotions(const std::vector<log::Record>& logs) {
+PlayedMotions::PlayedMotions(const std::vector<gap::PreparedRecord>& logs) {
   for (const log::Record& log : logs) {
     Eigen::Index before = 0;
     turns_.push_back({0.0, log.displacement[0]});

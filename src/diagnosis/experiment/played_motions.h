@@ -6,7 +6,7 @@
 
 #include "diagnosis/experiment/menu.h"
 #include "rubber_suspension/element/parameter.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::diagnosis::experiment {
 
@@ -14,7 +14,7 @@ namespace rubber_suspension::diagnosis::experiment {
 /// own, right after the logs.
 class PlayedMotions {
  public:
-  explicit PlayedMotions(const std::vector<log::Record>& logs);
+  explicit PlayedMotions(const std::vector<gap::PreparedRecord>& logs);
 
   /// Replace the motions. The menu has to outlive this.
   void play(std::vector<const Experiment*> motions) { motions_ = std::move(motions); }

@@ -20,12 +20,12 @@ namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 // Of what the rig may not have added, in units of the variance of the force.
-double meanSquare(const log::Record& record, const Eigen::VectorXd& force) {
+double meanSquare(const gap::PreparedRecord& record, const Eigen::VectorXd& force) {
   return record.withoutRig(force).squaredNorm() / record.counted() / std::pow(record.force_deviation, 2);
 }
 
 // The part of a log's rest that a slow trend, a zero or a gain takes beside what others have free.
-double takenInLog(const fit::FreeInLog& free, const fit::FreeInLog& others, const log::Record& record,
+double takenInLog(const fit::FreeInLog& free, const fit::FreeInLog& others, const gap::PreparedRecord& record,
                   const Eigen::VectorXd& simulated) {
   const Eigen::VectorXd residual = record.force - simulated;
   const auto left = [&](const fit::FreeInLog& all) {
@@ -43,7 +43,7 @@ double sizeOf(const log::Record& record, const Eigen::VectorXd& force, bool on_r
 
 // `added`: what the member adds to the force; `with`: the force with it, for what is free in a log.
 std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::FreeInLog& all,
-                                  const std::vector<log::Record>& records, const gap::Forces& added,
+                                  const std::vector<gap::PreparedRecord>& records, const gap::Forces& added,
                                   const gap::Forces& with) {
   const fit::FreeInLog free = candidate.free_in_log & all;
   const fit::FreeInLog others{all.trend && !free.trend, all.offset && !free.offset, all.gain && !free.gain};
@@ -67,12 +67,11 @@ const FittedHypothesis& bestOf(const Search& search) {
 
 // How far the logarithm of the floor of a record may be off: three parts of the record each have a floor, and their
 // mean is off by its standard error. Samples of other parts do not count.
-double floorUncertainty(const log::Record& record, const Eigen::VectorXd& residual) {
+double floorUncertainty(const gap::PreparedRecord& record, const Eigen::VectorXd& residual) {
   constexpr Eigen::Index kParts = 3;
   const Eigen::VectorXd left = record.withoutRig(residual);
   const Eigen::VectorXd counts = record.counts.size() > 0 ? record.counts : Eigen::VectorXd::Ones(record.size());
-  log::Record part = record;
-  part.nuisances.resize(record.size(), 0);
+  gap::PreparedRecord part(record, {{}, record.rig.one_deviation, record.rig.slow_noise});
   std::array<double, kParts> logarithms{};
   for (Eigen::Index p = 0; p < kParts; ++p) {
     const Eigen::Index first = record.size() * p / kParts;
@@ -86,8 +85,8 @@ double floorUncertainty(const log::Record& record, const Eigen::VectorXd& residu
 }
 
 // Shares of octaves in what forces leave of a log beyond a trend or a gain of its own.
-std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const log::Record& record, std::size_t place,
-                                 const Eigen::VectorXd& simulated) {
+std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const gap::PreparedRecord& record,
+                                 std::size_t place, const Eigen::VectorXd& simulated) {
   fit::FreeInLog free = hypothesis.free_in_log;
   free.by_zero = nullptr;
   const Eigen::VectorXd left = record.force - simulated;
@@ -169,8 +168,8 @@ class LogTable {
     }
   }
 
-  void addLogs(const std::vector<log::Record>& records, const gap::Forces& forces, const std::vector<double>& floors,
-               bool unseen) {
+  void addLogs(const std::vector<gap::PreparedRecord>& records, const gap::Forces& forces,
+               const std::vector<double>& floors, bool unseen) {
     for (std::size_t r = 0; r < records.size(); ++r) {
       const double uncertainty = floorUncertainty(records[r], records[r].force - forces[r]);
       const double floor = std::hypot(floors[r], measurement::rigCost(records[r], records[r].force - forces[r]));
@@ -202,7 +201,7 @@ class LogTable {
       return;
     }
     hypothesis.sizes = memberSizes(search_.candidates, prepared_.fitter.forces(), fitted);
-    for (const log::Record& record : prepared_.held_out) {  // each on a new component
+    for (const gap::PreparedRecord& record : prepared_.held_out) {  // each on a new component
       const FittedHypothesis of_record{fit::aboutOtherRecords(fitted.hypothesis, {record}), fitted.fit};
       const auto sizes = memberSizes(search_.candidates, fit::HypothesisForces({record}, prepared_.model), of_record);
       for (std::size_t m = 0; m < sizes.size(); ++m) {

@@ -7,7 +7,7 @@
 #include "fit/excitation.h"
 #include "fit/hypothesis.h"
 #include "fit/hypothesis_fitter.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
@@ -23,7 +23,7 @@ class Measured {
   virtual const fit::HypothesisFitter& fitter() const = 0;
 
   /// What the unit effects of terms are found on (fit::findUnitEffects()).
-  virtual const std::vector<log::Record>& records() const = 0;
+  virtual const std::vector<gap::PreparedRecord>& records() const = 0;
 
   virtual fit::Excitation excitation() const = 0;
 

@@ -74,7 +74,7 @@ double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
   const auto lagging = *fitter_.forces().at(model.hypothesis, model.fit.parameters);
   double sum = 0.0;
   for (std::size_t r = 0; r < smooth.size(); ++r) {
-    const log::Record& record = fitter_.records()[r];
+    const gap::PreparedRecord& record = fitter_.records()[r];
     sum += record.weight * (smooth[r] - lagging[r]).squaredNorm() / static_cast<double>(record.size()) /
            std::pow(record.force_deviation, 2);
   }
@@ -86,7 +86,7 @@ double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
 // that is not noise: of several, the least counts, log by log. All of it is no more than what any model leaves of all
 // logs.
 Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& search) const {
-  const std::vector<log::Record>& records = fitter_.records();
+  const std::vector<gap::PreparedRecord>& records = fitter_.records();
   const auto forces = *fitter_.forces().at(best.hypothesis, best.fit.parameters);
   Noise noise;
   noise.caused = search.noise.caused;

@@ -19,7 +19,7 @@ class MeasuredLogs final : public Measured {
   explicit MeasuredLogs(fit::Fitter& fitter) : fitter_(fitter) {}
 
   const fit::HypothesisFitter& fitter() const override { return fitter_; }
-  const std::vector<log::Record>& records() const override { return fitter_.records(); }
+  const std::vector<gap::PreparedRecord>& records() const override { return fitter_.records(); }
   fit::Excitation excitation() const override;
   std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, const FittedHypothesis& re_estimated,
                                          int threads) const override;

@@ -26,7 +26,7 @@ struct Shape {
 
 // Values to look at, which share the columns of the model and of the effects that they contain.
 void lookAt(const std::vector<std::pair<Shape*, double>>& looks, const fit::HypothesisFitter& fitter,
-            const FittedHypothesis& re_estimated, const std::vector<log::Record>& records,
+            const FittedHypothesis& re_estimated, const std::vector<gap::PreparedRecord>& records,
             const std::vector<fit::Candidate>& contained, int threads) {
   std::vector<fit::Candidate> tried;
   for (const auto& [shape, value] : looks) {
@@ -95,7 +95,8 @@ std::vector<double> leftByLaws(const fit::HypothesisFitter& fitter, const Fitted
 }  // namespace
 
 void settleShapes(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
-                  const std::vector<log::Record>& records, int threads, std::vector<fit::Candidate>& candidates) {
+                  const std::vector<gap::PreparedRecord>& records, int threads,
+                  std::vector<fit::Candidate>& candidates) {
   std::vector<Shape> shapes;
   for (fit::Candidate& candidate : candidates) {
     if (candidate.applies() && candidate.terms_at) {
@@ -136,7 +137,7 @@ void settleShapes(const fit::HypothesisFitter& fitter, const FittedHypothesis& r
 }
 
 CurveLook bestCurve(const fit::HypothesisFitter& fitter, const FittedHypothesis& about, const fit::Candidate& candidate,
-                    int member, const std::vector<log::Record>& records, int threads) {
+                    int member, const std::vector<gap::PreparedRecord>& records, int threads) {
   const auto leftAlong = [&](const std::vector<fit::Curve>& curves) {
     std::vector<fit::Candidate> laws(1 + curves.size());
     laws.front().terms = threeOf(candidate.terms);

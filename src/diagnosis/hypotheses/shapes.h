@@ -11,7 +11,8 @@ namespace rubber_suspension::diagnosis::hypotheses {
 /// Give each candidate with such a number (fit::Candidate::terms_at) the terms at the value that leaves least beside
 /// the re-estimated model, as if its force were linear in all else.
 void settleShapes(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
-                  const std::vector<log::Record>& records, int threads, std::vector<fit::Candidate>& candidates);
+                  const std::vector<gap::PreparedRecord>& records, int threads,
+                  std::vector<fit::Candidate>& candidates);
 
 /// A curve that a law may follow, and what it leaves of the logs.
 struct CurveLook {
@@ -23,6 +24,6 @@ struct CurveLook {
 /// The curve along which the law of one of its members leaves least in a fitted hypothesis, by normal equations about
 /// that. Three terms stand for the law, with or without a curve: curves do not differ by their spectrum.
 CurveLook bestCurve(const fit::HypothesisFitter& fitter, const FittedHypothesis& about, const fit::Candidate& candidate,
-                    int member, const std::vector<log::Record>& records, int threads);
+                    int member, const std::vector<gap::PreparedRecord>& records, int threads);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

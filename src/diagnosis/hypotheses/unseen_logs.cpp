@@ -18,9 +18,9 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                    const std::vector<log::Record>& records) {
+                    const std::vector<gap::PreparedRecord>& records) {
   gap::Forces forces;
-  for (const log::Record& record : records) {
+  for (const gap::PreparedRecord& record : records) {
     const fit::HypothesisForces of_record({record}, model);
     const fit::Hypothesis hypothesis = fit::aboutOtherRecords(fitted.hypothesis, {record});
     forces.push_back(of_record.at(hypothesis, fitted.fit.parameters)->front());
@@ -29,13 +29,14 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 }
 
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                          const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros) {
+                          const std::vector<gap::PreparedRecord>& records,
+                          const std::vector<fit::DisplacementZero>& zeros) {
   return unseenErrors(fitted.hypothesis, *fit::elementsOf(model, fitted.hypothesis, fitted.fit.parameters),
                       predict(model, fitted, records), records, zeros);
 }
 
 UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
-                          const gap::Forces& predicted, const std::vector<log::Record>& records,
+                          const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records,
                           const std::vector<fit::DisplacementZero>& zeros) {
   if (hypothesis.free_in_log.by_zero) {
     gap::Forces columns;
@@ -55,12 +56,13 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
 }
 
 fit::ForceColumn frictionOfEach(const std::vector<element::ElementDescription>& elements,
-                                const std::vector<log::Record>& records) {
-  return fit::columnOf(
-      element::each(records, [&](const log::Record& record) { return fit::frictionOf(elements, {record}).front(); }));
+                                const std::vector<gap::PreparedRecord>& records) {
+  return fit::columnOf(element::each(
+      records, [&](const gap::PreparedRecord& record) { return fit::frictionOf(elements, {record}).front(); }));
 }
 
-std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
+std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis,
+                                         const std::vector<gap::PreparedRecord>& records,
                                          const gap::Forces& simulated) {
   std::vector<gap::OwnUnknowns> own;
   for (std::size_t r = 0; hypothesis.free_in_log.any() && r < records.size(); ++r) {
@@ -87,12 +89,12 @@ fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis) {
 }
 
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const fit::FreeInLog& free,
-                                const gap::Forces& simulated, const std::vector<log::Record>& records,
+                                const gap::Forces& simulated, const std::vector<gap::PreparedRecord>& records,
                                 const measurement::NoiseLimit& limit) {
   std::vector<double> floors = measurement::frictionNoise(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd residual = records[r].force - simulated[r];
-    const auto floor = [&](const log::Record& record) {
+    const auto floor = [&](const gap::PreparedRecord& record) {
       const double left = std::min(measurement::relativeFloor(record, residual), limit.of(record));
       const double all = record.withoutRig(residual).norm() / std::sqrt(record.counted()) / record.force_deviation;
       return std::max(left, std::min(floors[r], all));
@@ -102,7 +104,7 @@ std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& 
   return floors;
 }
 
-double commonFloor(const std::vector<double>& floors, const std::vector<log::Record>& records) {
+double commonFloor(const std::vector<double>& floors, const std::vector<gap::PreparedRecord>& records) {
   double squares = 0.0;
   double weight = 0.0;
   for (std::size_t r = 0; r < records.size(); ++r) {

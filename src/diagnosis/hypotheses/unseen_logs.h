@@ -9,7 +9,7 @@
 #include "gap/simulate.h"
 #include "measurement/rig_noise.h"
 #include "rubber_suspension/gap/gap.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
@@ -20,25 +20,26 @@ using UnseenErrors = std::vector<gap::PartError>;
 /// Force of a fitted hypothesis over records, each of them recorded on a new component [N], from the displacement
 /// smoothed as for the fits: the noise of its sensor is the rig's.
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                    const std::vector<log::Record>& records);
+                    const std::vector<gap::PreparedRecord>& records);
 
 /// Of a fitted hypothesis over records, each of them recorded on a new component. `zeros`: of their displacement.
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                          const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros);
+                          const std::vector<gap::PreparedRecord>& records,
+                          const std::vector<fit::DisplacementZero>& zeros);
 
 /// Of forces that elements predict, under a hypothesis that says what is free in each log.
 UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
-                          const gap::Forces& predicted, const std::vector<log::Record>& records,
+                          const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records,
                           const std::vector<fit::DisplacementZero>& zeros);
 
 /// The friction of a component on each record, each of them recorded on a new one (fit::frictionOf()).
 fit::ForceColumn frictionOfEach(const std::vector<element::ElementDescription>& elements,
-                                const std::vector<log::Record>& records);
+                                const std::vector<gap::PreparedRecord>& records);
 
 /// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each log, which
 /// no simulation predicts, as far as the other tenths of the log tell it.
-std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
-                                         const gap::Forces& simulated);
+std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis,
+                                         const std::vector<gap::PreparedRecord>& records, const gap::Forces& simulated);
 
 /// The mean error of each log; `otherwise` where no part of a log has any weight.
 std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::vector<double> otherwise);
@@ -49,10 +50,10 @@ fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
 /// Noise floor of each record, by what a component leaves of its force, up to a limit; without what is free in each
 /// log.
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const fit::FreeInLog& free,
-                                const gap::Forces& simulated, const std::vector<log::Record>& records,
+                                const gap::Forces& simulated, const std::vector<gap::PreparedRecord>& records,
                                 const measurement::NoiseLimit& limit);
 
 /// Floor of several records, each by its weight.
-double commonFloor(const std::vector<double>& floors, const std::vector<log::Record>& records);
+double commonFloor(const std::vector<double>& floors, const std::vector<gap::PreparedRecord>& records);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

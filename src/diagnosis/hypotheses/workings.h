@@ -14,8 +14,8 @@
 #include "fit/zero_priors.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
@@ -24,10 +24,10 @@ std::vector<std::string> excludedEffects(const io::ComponentDescription& compone
 
 /// A component and its logs, ready for the fits.
 struct PreparedCase {
-  PreparedCase(const io::ComponentDescription& configured, std::vector<log::Record> logs,
-               std::vector<log::Record> hold_out, fit::ZeroPriors priors = {})
+  PreparedCase(const io::ComponentDescription& configured, std::vector<gap::PreparedRecord> logs,
+               std::vector<gap::PreparedRecord> hold_out, fit::ZeroPriors priors = {})
       : component(configured),
-        records(std::make_shared<const std::vector<log::Record>>(std::move(logs))),
+        records(std::make_shared<const std::vector<gap::PreparedRecord>>(std::move(logs))),
         training(*records),
         held_out(std::move(hold_out)),
         model(component, fit::Level::specification),
@@ -39,9 +39,9 @@ struct PreparedCase {
   PreparedCase& operator=(const PreparedCase&) = delete;
 
   io::ComponentDescription component;
-  std::shared_ptr<const std::vector<log::Record>> records;  ///< of the logs of the fit
-  const std::vector<log::Record>& training;                 ///< these
-  std::vector<log::Record> held_out;
+  std::shared_ptr<const std::vector<gap::PreparedRecord>> records;  ///< of the logs of the fit
+  const std::vector<gap::PreparedRecord>& training;                 ///< these
+  std::vector<gap::PreparedRecord> held_out;
   fit::ModelParameters model;
   fit::Fitter fitter;
   fit::ZeroPriors zeros;
@@ -53,9 +53,9 @@ namespace rubber_suspension::diagnosis {
 
 /// The logs with the forces that the component has on them [N].
 struct Simulated {
-  std::vector<log::Record> records;  ///< of the logs, then of the hold-outs
-  std::size_t training = 0;          ///< how many of them took part in the fit
-  gap::Forces configured;            ///< per record
+  std::vector<gap::PreparedRecord> records;  ///< of the logs, then of the hold-outs
+  std::size_t training = 0;                  ///< how many of them took part in the fit
+  gap::Forces configured;                    ///< per record
   gap::Forces re_estimated;
   gap::Forces augmented;
 };

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "diagnosis/prepare/lead_in.h"
 #include "element/each.h"
 #include "log/samples.h"
 #include "rubber_suspension/log/record.h"
@@ -99,7 +100,7 @@ double secondsBetween(std::int64_t earlier, std::int64_t later) { return static_
 
 // The step over a time gap from one sample to the first of a stretch, short of the step with which the stretch begins:
 // the displacement continues in a straight line, as in `replay` and the node.
-LeadIn stepOver(const log::Log& before, std::size_t last, const log::Log& stretch) {
+log::LeadIn stepOver(const log::Log& before, std::size_t last, const log::Log& stretch) {
   const double step = secondsBetween(stretch.stamp[0], stretch.stamp[1]);
   const double gap = secondsBetween(before.stamp[last], stretch.stamp[0]);
   const double z = before.displacement[last];
@@ -113,8 +114,8 @@ bool changes(const std::vector<double>& values) {
 
 // A log or an excerpt of one continues behind each of its time gaps as another, to which the step over the time gap
 // leads: no spectrum knows what was in it. Stretches of which no record can be made are left out.
-void addStretches(const LogSurvey& survey, log::Log log, LeadIn lead_in, std::vector<log::Log>& logs,
-                  std::vector<LeadIn>& lead_ins) {
+void addStretches(const LogSurvey& survey, log::Log log, log::LeadIn lead_in, std::vector<log::Log>& logs,
+                  std::vector<log::LeadIn>& lead_ins) {
   const std::vector<std::size_t> first = log::stretchesOf(log);
   std::size_t last = 0;      // sample of the stretch that was taken last
   std::size_t left_out = 0;  // samples
@@ -128,7 +129,7 @@ void addStretches(const LogSurvey& survey, log::Log log, LeadIn lead_in, std::ve
     }
     stretch.name = nameOf(stretch, survey);
     stretch.notes = log.notes;
-    lead_ins.push_back(i == 0 ? lead_in : logs.size() == before ? LeadIn{} : stepOver(log, last, stretch));
+    lead_ins.push_back(i == 0 ? lead_in : logs.size() == before ? log::LeadIn{} : stepOver(log, last, stretch));
     logs.push_back(std::move(stretch));
     last = end - 1;
   }
@@ -173,11 +174,11 @@ class ExcerptTaker {
     return result;
   }
 
-  std::vector<LeadIn> leadIns() const {
-    std::vector<LeadIn> result;
+  std::vector<log::LeadIn> leadIns() const {
+    std::vector<log::LeadIn> result;
     std::size_t done = 0;
     for (const Taken& excerpt : taken_) {
-      result.push_back(excerpt.window.first > done ? excerpt.lead_in.finish() : LeadIn{});
+      result.push_back(excerpt.window.first > done ? excerpt.lead_in.finish() : log::LeadIn{});
       result.back().continues = done > 0;
       done = excerpt.window.last;
     }
@@ -249,7 +250,7 @@ void addExcerptsOfTheFit(const LogSurvey& log, std::size_t share, Excerpts& resu
   ExcerptTaker taker(log, joined(windows, chosen), coarse, standstillOf(motion));
   taker.take();
   std::vector<log::Log> excerpts = taker.excerpts();
-  std::vector<LeadIn> lead_ins = taker.leadIns();
+  std::vector<log::LeadIn> lead_ins = taker.leadIns();
   for (std::size_t i = 0; i < excerpts.size(); ++i) {
     addStretches(log, std::move(excerpts[i]), std::move(lead_ins[i]), result.logs, result.lead_in);
   }
@@ -286,7 +287,7 @@ Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogS
     }
   }
   for (const LogSurvey& log : hold_out) {
-    std::vector<LeadIn> each_is_new;
+    std::vector<log::LeadIn> each_is_new;
     addStretches(log, log.samples() <= share ? takeWhole(log) : beginningOf(log, share), {}, result.hold_out,
                  each_is_new);
   }

@@ -5,19 +5,19 @@
 #include <cstddef>
 #include <vector>
 
-#include "diagnosis/prepare/lead_in.h"
 #include "diagnosis/prepare/log_survey.h"
 #include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::prepare {
 
 /// Logs of one component as the search takes them.
 struct Excerpts {
-  std::vector<log::Log> logs;      ///< in the order of recording
-  std::vector<LeadIn> lead_in;     ///< of each of them
-  std::vector<log::Log> hold_out;  ///< each from the beginning of its log
-  std::size_t samples = 0;         ///< of all of these
-  std::size_t of = 0;              ///< of all logs and hold-outs that were given
+  std::vector<log::Log> logs;        ///< in the order of recording
+  std::vector<log::LeadIn> lead_in;  ///< of each of them
+  std::vector<log::Log> hold_out;    ///< each from the beginning of its log
+  std::size_t samples = 0;           ///< of all of these
+  std::size_t of = 0;                ///< of all logs and hold-outs that were given
 };
 
 /// All of the logs where they have `most` samples or fewer together. Otherwise no log gives more than a fair share:

@@ -81,8 +81,8 @@ bool LeadInBuilder::losesMotion() const {
   return all > standstill_ * standstill_ && varianceOf(sum, squares, steps) < (1.0 - kMostLost) * all;
 }
 
-LeadIn LeadInBuilder::finish() const {
-  LeadIn result;
+log::LeadIn LeadInBuilder::finish() const {
+  log::LeadIn result;
   const std::size_t samples = steps_ * coarse_;
   if (samples > 1) {
     result.dt = static_cast<double>(last_stamp_ - first_stamp_ - paused_) * 1e-9 / static_cast<double>(samples - 1) *
@@ -90,15 +90,6 @@ LeadIn LeadInBuilder::finish() const {
   }
   result.displacement = losesMotion() ? extremes_ : means_;
   return result;
-}
-
-void addLeadIns(const std::vector<LeadIn>& lead_in, std::vector<log::Record>& records) {
-  for (std::size_t i = 0; i < lead_in.size(); ++i) {
-    const std::vector<double>& z = lead_in[i].displacement;
-    records[i].lead_in = Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
-    records[i].lead_in_dt = lead_in[i].dt;
-    records[i].continues = lead_in[i].continues;
-  }
 }
 
 }  // namespace rubber_suspension::diagnosis::prepare

@@ -5,21 +5,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// The motion that leads to the first sample of an excerpt, in steps of so many samples of the log each.
-struct LeadIn {
-  double dt = 0.0;                   ///< [s]
-  std::vector<double> displacement;  ///< [m]; empty where the component rested
-  bool continues = false;            ///< begins where the excerpt before ended
-};
-
-/// Makes the lead-in of a stretch of a log from its samples as they come. Each step is the mean of its samples. Where
-/// these means lose motion, because a step is no small part of a cycle, two steps are the smallest and the largest of
-/// their samples in the order in which they came: amplitudes are those of the log then, and cycles may be too few.
+/// Makes the lead-in of a stretch of a log from its samples as they come, so many of them a step. Each step is the mean
+/// of its samples. Where these means lose motion, because a step is no small part of a cycle, two steps are the
+/// smallest and the largest of their samples in the order in which they came: amplitudes are those of the log then, and
+/// cycles may be too few.
 class LeadInBuilder {
  public:
   /// Of samples [first, last) of a log, `coarse` of them a step, but for what is left of them at the beginning. What
@@ -30,7 +23,7 @@ class LeadInBuilder {
   /// Sample by sample from the first on; those outside the stretch do nothing.
   void add(std::size_t sample, std::int64_t stamp, double displacement);
 
-  LeadIn finish() const;
+  log::LeadIn finish() const;
 
  private:
   void beginStep(double displacement);
@@ -54,8 +47,5 @@ class LeadInBuilder {
   double high_ = 0.0;
   bool low_first_ = false;
 };
-
-/// Give the records of excerpts, in their order, what leads into them.
-void addLeadIns(const std::vector<LeadIn>& lead_in, std::vector<log::Record>& records);
 
 }  // namespace rubber_suspension::diagnosis::prepare

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "element/each.h"
 #include "fit/fitter.h"
@@ -20,6 +22,8 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 namespace {
+
+using Records = std::vector<gap::PreparedRecord>;
 
 constexpr int kIterations = 8;          // of the fit by which a start in motion is told
 constexpr double kBeyond95 = 0.025;     // of a variable, beyond its 95 % interval to one side
@@ -67,12 +71,12 @@ bool shows(const log::Record& record, const Eigen::VectorXd& deviation) {
 }
 
 // Pieces of one recording have one zero: only whole logs tell how zeros scatter.
-void addValues(const io::RigTolerances& tolerances, const std::vector<log::Record>& records,
-               const gap::Forces& simulated, std::vector<double>& zeros, std::vector<double>& lags) {
+void addValues(const io::RigTolerances& tolerances, const Records& records, const gap::Forces& simulated,
+               std::vector<double>& zeros, std::vector<double>& lags) {
   const measurement::RigModel rig(records, element::each(records, measurement::maskOf), tolerances);
   const auto columns = rig.columns(simulated, {});
   for (std::size_t r = 0; r < records.size(); ++r) {
-    if (records[r].lead_in.size() > 0) {
+    if (!records[r].lead_in.displacement.empty()) {
       continue;
     }
     const measurement::RigFit fit = rig.fit(r, columns[r], 0);
@@ -89,7 +93,7 @@ void addValues(const io::RigTolerances& tolerances, const std::vector<log::Recor
 
 // Berg's friction that a motion before the log left in another state is a zero of up to its own force.
 Limits limitsBy(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
-                const std::vector<log::Record>& training, const std::vector<log::Record>& held_out) {
+                const Records& training, const Records& held_out) {
   std::vector<double> zeros;
   std::vector<double> lags;
   addValues(tolerances, training, gap::simulate(elements, training), zeros, lags);
@@ -130,29 +134,49 @@ Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& l
   return columns.leftCols(used + starts.cols() + slow.cols());
 }
 
-void setNuisances(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,
-                  const io::RigTolerances& tolerances, const Limits& limits, const std::vector<double>& one_deviation,
-                  std::vector<log::Record>& records) {
+std::vector<gap::RigPrior> priorsOf(const std::vector<element::ElementDescription>& elements,
+                                    const gap::Forces& simulated, const io::RigTolerances& tolerances,
+                                    const Limits& limits, const std::vector<double>& one_deviation,
+                                    const Records& records) {
   const auto rig = measurement::RigModel(records, {}, tolerances)
                        .columns(simulated, [&](const std::vector<Eigen::VectorXd>& displacements) {
                          return gap::simulate(elements, records, gap::drivenBy(displacements, records));
                        });
   const auto starts = measurement::frictionStarts(elements, records);
+  std::vector<gap::RigPrior> priors;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    log::Record& record = records[r];
+    const log::Record& record = records[r];
     const double slow = tolerances.slow_noise.of(record.force_deviation);
     Eigen::MatrixXd columns = deviationsOf(rig[r], limits, starts[r], slowNoise(record, slow));
     columns /= one_deviation[r] * record.force_deviation * std::sqrt(record.counted());
     if (record.counts.size() > 0) {
       columns.array().colwise() *= record.counts.array();
     }
-    record.nuisances = numerics::whiteningColumns(columns);
-    record.one_deviation = one_deviation[r];
-    record.slow_noise = io::kTolerated * slow;
+    priors.push_back({numerics::whiteningColumns(columns), one_deviation[r], io::kTolerated * slow});
   }
+  return priors;
 }
 
-std::vector<double> noiseBeside(const gap::Forces& forces, const std::vector<log::Record>& records) {
+// Records of which nothing is known but what was recorded.
+Records ofNoRig(std::vector<log::Record> records) {
+  return {std::make_move_iterator(records.begin()), std::make_move_iterator(records.end())};
+}
+
+Records withRig(Records records, std::vector<gap::RigPrior> priors,
+                const std::vector<measurement::LogWeight>& weights = {}) {
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    records[r].rig = std::move(priors[r]);
+    if (!weights.empty()) {
+      records[r].weight = weights[r].weight;
+    }
+    if (!weights.empty() && !weights[r].note.empty()) {
+      records[r].notes.push_back(weights[r].note);
+    }
+  }
+  return records;
+}
+
+std::vector<double> noiseBeside(const gap::Forces& forces, const Records& records) {
   std::vector<double> noise;
   for (std::size_t r = 0; r < records.size(); ++r) {
     noise.push_back(measurement::relativeFloor(records[r], records[r].force - forces[r]));
@@ -166,12 +190,12 @@ struct Noise {
   std::vector<double> held_out;
 };
 
-Noise noiseOf(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& training,
-              const std::vector<log::Record>& held_out) {
+Noise noiseOf(const std::vector<element::ElementDescription>& elements, const Records& training,
+              const Records& held_out) {
   Noise noise{noiseBeside(gap::simulate(elements, training), training),
               noiseBeside(gap::simulateEach(elements, held_out), held_out)};
   const measurement::NoiseLimit limit = measurement::noiseLimit(noise.training, training);
-  const auto bound = [&](const std::vector<log::Record>& records, std::vector<double>& left) {
+  const auto bound = [&](const Records& records, std::vector<double>& left) {
     for (std::size_t r = 0; r < records.size(); ++r) {
       left[r] = std::min(left[r], limit.of(records[r]));
     }
@@ -187,40 +211,44 @@ std::vector<double> oneDeviations(const measurement::ErrorScale& scale, const st
 }
 
 // An excerpt is of a log whose zero others of it have, too: there, none is free.
-std::vector<fit::DisplacementZero> zerosOf(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
-                                           const std::vector<double>& one_deviation) {
+std::vector<fit::DisplacementZero> zerosOf(const Records& records, const io::RigTolerances& tolerances) {
   std::vector<fit::DisplacementZero> zeros;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const double range = records[r].displacement.maxCoeff() - records[r].displacement.minCoeff();
-    const bool whole = records[r].lead_in.size() == 0;
-    zeros.push_back({whole ? tolerances.displacement_zero.of(range) : 0.0, one_deviation[r]});
+    const bool whole = records[r].lead_in.displacement.empty();
+    zeros.push_back({whole ? tolerances.displacement_zero.of(range) : 0.0, records[r].rig.one_deviation});
   }
   return zeros;
 }
 
 }  // namespace
 
-fit::ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
-                             const measurement::ErrorScale& scale, std::vector<log::Record>& training,
-                             std::vector<log::Record>& held_out, RigScatter scatter) {
-  const std::size_t logs = training.size();
+LogsOfRig withRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
+                        const measurement::ErrorScale& scale, std::vector<log::Record> training,
+                        std::vector<log::Record> held_out, RigScatter scatter) {
+  Records of_the_fit = ofNoRig(std::move(training));
+  Records unseen = ofNoRig(std::move(held_out));
+  const std::size_t logs = of_the_fit.size();
   const auto configured = model.apply(Eigen::VectorXd::Zero(model.size())).allElements();
-  setNuisances(configured, gap::simulate(configured, training), tolerances, {},
-               oneDeviations(scale, std::vector<double>(logs, 0.0), logs), training);
+  auto about_configured = priorsOf(configured, gap::simulate(configured, of_the_fit), tolerances, {},
+                                   oneDeviations(scale, std::vector<double>(logs, 0.0), logs), of_the_fit);
+  of_the_fit = withRig(std::move(of_the_fit), std::move(about_configured));
   const fit::ParameterVector parameters =
-      fit::Fitter(training, model, scale.oneOfSheet()).fitAlone({kIterations}).parameters;
+      fit::Fitter(of_the_fit, model, scale.oneOfSheet()).fitAlone({kIterations}).parameters;
   const auto elements = model.apply(parameters.model).allElements();
-  const Noise noise = noiseOf(elements, training, held_out);
-  const Limits limits = scatter == RigScatter::as_found ? limitsBy(elements, tolerances, training, held_out) : Limits();
-  const std::vector<double> of_training = oneDeviations(scale, noise.training, logs);
-  const std::vector<double> of_held_out = oneDeviations(scale, noise.held_out, logs);
-  setNuisances(elements, gap::simulate(elements, training), tolerances, limits, of_training, training);
-  measurement::weighByNoise(noise.training, scale.accepted, training);
-  if (!held_out.empty()) {
-    setNuisances(elements, gap::simulateEach(elements, held_out), tolerances, limits, of_held_out, held_out);
-    measurement::weighByNoise(noise.held_out, scale.accepted, held_out);
-  }
-  return {zerosOf(training, tolerances, of_training), zerosOf(held_out, tolerances, of_held_out)};
+  const Noise noise = noiseOf(elements, of_the_fit, unseen);
+  const Limits limits = scatter == RigScatter::as_found ? limitsBy(elements, tolerances, of_the_fit, unseen) : Limits();
+  const auto prepared = [&](Records records, const gap::Forces& simulated, const std::vector<double>& floors) {
+    auto priors = priorsOf(elements, simulated, tolerances, limits, oneDeviations(scale, floors, logs), records);
+    return withRig(std::move(records), std::move(priors), measurement::weightsByNoise(floors, scale.accepted));
+  };
+  const gap::Forces forces = gap::simulate(elements, of_the_fit);
+  const gap::Forces of_unseen = gap::simulateEach(elements, unseen);
+  LogsOfRig result{prepared(std::move(of_the_fit), forces, noise.training),
+                   prepared(std::move(unseen), of_unseen, noise.held_out),
+                   {}};
+  result.zeros = {zerosOf(result.training, tolerances), zerosOf(result.held_out, tolerances)};
+  return result;
 }
 
 }  // namespace rubber_suspension::diagnosis::prepare

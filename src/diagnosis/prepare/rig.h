@@ -8,6 +8,7 @@
 #include "fit/zero_priors.h"
 #include "measurement/rig_noise.h"
 #include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/io/rig_tolerances.h"
 #include "rubber_suspension/log/record.h"
 
@@ -16,13 +17,20 @@ namespace rubber_suspension::diagnosis::prepare {
 /// Whether zeros and lags of the logs tell how they scatter; those that are simulated do not.
 enum class RigScatter { as_found, as_tolerated };
 
-/// Give each record what the rig may have added to it (Record::nuisances): zero, lag, clock, gain, what a motion before
+/// The logs of a diagnosis with what their rig may have added.
+struct LogsOfRig {
+  std::vector<gap::PreparedRecord> training;
+  std::vector<gap::PreparedRecord> held_out;
+  fit::ZeroPriors zeros;
+};
+
+/// The records with what the rig may have added to each (gap::RigPrior): zero, lag, clock, gain, what a motion before
 /// the log left, and noise slower than the motion as a random walk, each as wide as its tolerance. One standard
 /// deviation of any of them counts as measurement::ErrorScale::oneDeviation(). Zeros and lags that are much alike in
 /// all logs are no scatter of the rig: then they are no wider than they differ, and what they have in common is left to
-/// the effects. The model is re-estimated for that, and for how much each log counts (weighByNoise()).
-fit::ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
-                             const measurement::ErrorScale& scale, std::vector<log::Record>& training,
-                             std::vector<log::Record>& held_out, RigScatter scatter = RigScatter::as_found);
+/// the effects. The model is re-estimated for that, and for how much each log counts (weightsByNoise()).
+LogsOfRig withRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
+                        const measurement::ErrorScale& scale, std::vector<log::Record> training,
+                        std::vector<log::Record> held_out, RigScatter scatter = RigScatter::as_found);
 
 }  // namespace rubber_suspension::diagnosis::prepare

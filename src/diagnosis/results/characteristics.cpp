@@ -51,7 +51,7 @@ double amplitudeOf(const log::Record& record) {
   return std::sqrt(2.0 * z.square().mean());
 }
 
-double medianAmplitude(const std::vector<log::Record>& logs, double frequency) {
+double medianAmplitude(const std::vector<gap::PreparedRecord>& logs, double frequency) {
   std::vector<double> near;
   std::vector<double> all;
   for (const log::Record& record : logs) {
@@ -79,7 +79,7 @@ std::optional<response::Characteristics> measuredAt(const io::ComponentDescripti
 
 }  // namespace
 
-CharacteristicErrors characteristicErrors(const std::vector<log::Record>& records,
+CharacteristicErrors characteristicErrors(const std::vector<gap::PreparedRecord>& records,
                                           const std::vector<Eigen::VectorXd>& simulated) {
   CharacteristicErrors sum;
   double windows = 0.0;
@@ -116,7 +116,7 @@ CharacteristicErrors characteristicErrors(const std::vector<log::Record>& record
 
 std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& before,
                                              const io::ComponentDescription& after,
-                                             const std::vector<log::Record>& logs) {
+                                             const std::vector<gap::PreparedRecord>& logs) {
   const std::vector<double> frequencies = element::each(logs, &log::Record::mean_frequency);
   const auto& specification = before.specification();
   WholeStiffness whole;

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::diagnosis::results {
 
 /// RMS over windows of a dozen mean cycles of the relative error of stiffness, the error of the loss angle and the
 /// relative error of the energy lost, each window taken as one loop: stiffness and loss angle from the force's part
 /// that is coherent with the displacement, the energy from the integral of force over displacement.
-CharacteristicErrors characteristicErrors(const std::vector<log::Record>& records,
+CharacteristicErrors characteristicErrors(const std::vector<gap::PreparedRecord>& records,
                                           const std::vector<Eigen::VectorXd>& simulated);
 
 /// Of the rubber, without what belongs to the rig. At the nominal frequency and amplitude of `before`. Without such a
@@ -20,6 +20,6 @@ CharacteristicErrors characteristicErrors(const std::vector<log::Record>& record
 /// earlier one on which it has settled.
 std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& before,
                                              const io::ComponentDescription& after,
-                                             const std::vector<log::Record>& logs);
+                                             const std::vector<gap::PreparedRecord>& logs);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -153,7 +153,7 @@ class Describer {
   }
 
   // The logs that gaps are of, and forces on these.
-  const std::vector<log::Record>& recordsOfGap() const {
+  const std::vector<gap::PreparedRecord>& recordsOfGap() const {
     return hasUnseenLogs() ? prepared_.held_out : prepared_.training;
   }
   gap::Forces ofGap(const gap::Forces& forces) const {
@@ -181,7 +181,7 @@ class Describer {
   judge::Evidence evidenceOfTheFile() const {
     judge::Evidence evidence = workings_.evidence;
     const auto set = [&](int hypothesis, const Replayed& errors) {
-      const auto byLog = [](const std::vector<gap::PartError>& parts, const std::vector<log::Record>& logs) {
+      const auto byLog = [](const std::vector<gap::PartError>& parts, const std::vector<gap::PreparedRecord>& logs) {
         return hypotheses::errorsByLog(parts, std::vector<double>(logs.size(), 0.0));
       };
       std::vector<double>& by_log = evidence.hypotheses[static_cast<std::size_t>(hypothesis)].log_errors;
@@ -215,7 +215,7 @@ class Describer {
   // With some of the values and effects. In sample where there are no unseen logs.
   double gapWith(const std::vector<std::string>& effects, const std::vector<bool>& in) const {
     const auto elements = withSome(prepared_.component, law_, effects, in).allElements();
-    const std::vector<log::Record>& records = recordsOfGap();
+    const std::vector<gap::PreparedRecord>& records = recordsOfGap();
     fit::Hypothesis freed;  // what the effects that are in have free in each log
     bool has_friction = false;
     for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
@@ -247,7 +247,7 @@ class Describer {
   std::vector<gap::GapCell> mapOf(const gap::Forces& forces) const {
     gap::Forces residual;
     for (std::size_t r = 0; r < prepared_.training.size(); ++r) {
-      const log::Record& record = prepared_.training[r];
+      const gap::PreparedRecord& record = prepared_.training[r];
       residual.push_back(record.withoutRig(record.force - forces[r]));
     }
     return gap::gapMap(prepared_.training, residual, search_.noise.of_logs);

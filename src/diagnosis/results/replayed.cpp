@@ -11,7 +11,7 @@
 #include "gap/simulate.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/radial_stiffness.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::diagnosis::results {
 namespace {
@@ -26,7 +26,7 @@ std::vector<gap::PartError> heldOutErrors(const fit::Hypothesis& hypothesis, con
 // though blocks of a short log may by chance leave less than the fit to all of them.
 std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const FittedLaw& fitted,
                                            const Entries& elements) {
-  const std::vector<log::Record>& records = fitter.records();
+  const std::vector<gap::PreparedRecord>& records = fitter.records();
   const fit::Hypothesis hypothesis = fitted.law.hypothesis();
   // Zeros of the displacement are those of the component that is replayed.
   const std::vector<double> none(records.size(), 0.0);

@@ -13,7 +13,7 @@ namespace rubber_suspension::diagnosis::results {
 
 /// Logs that take no part in the fit, and what is known of the zeros of their displacement.
 struct HeldOut {
-  const std::vector<log::Record>& records;
+  const std::vector<gap::PreparedRecord>& records;
   const std::vector<fit::DisplacementZero>& zeros;
 };
 

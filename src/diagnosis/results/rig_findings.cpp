@@ -80,7 +80,7 @@ bool agrees(const measurement::RigFinding& finding, const std::vector<measuremen
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
-                                                 const std::vector<log::Record>& records,
+                                                 const std::vector<gap::PreparedRecord>& records,
                                                  const std::vector<fit::DisplacementZero>& zeros,
                                                  const fit::FreeInLog& named, int threads) {
   const measurement::RigModel rig(records, element::each(records, measurement::maskOf), withAny(named, tolerances));

@@ -5,8 +5,8 @@
 
 #include "fit/free_in_log.h"
 #include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/io/rig_tolerances.h"
-#include "rubber_suspension/log/record.h"
 #include "rubber_suspension/measurement/rig_finding.h"
 
 namespace rubber_suspension::diagnosis::results {
@@ -18,7 +18,7 @@ namespace rubber_suspension::diagnosis::results {
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
-                                                 const std::vector<log::Record>& records,
+                                                 const std::vector<gap::PreparedRecord>& records,
                                                  const std::vector<fit::DisplacementZero>& zeros,
                                                  const fit::FreeInLog& named, int threads);
 

@@ -22,9 +22,9 @@ constexpr std::size_t kFewestLogs = 3;  // whose scatter from log to log can be 
 
 // Tenths of logs that took no part in any fit, as further logs.
 void addHeldOut(const io::ComponentDescription& component, const io::ComponentDescription& with_surrogate,
-                const std::vector<log::Record>& held_out, int first, std::vector<fit::UnseenBlock>& unseen) {
+                const std::vector<gap::PreparedRecord>& held_out, int first, std::vector<fit::UnseenBlock>& unseen) {
   for (std::size_t r = 0; r < held_out.size(); ++r) {
-    const std::vector<log::Record> one = {held_out[r]};
+    const std::vector<gap::PreparedRecord> one = {held_out[r]};
     const auto before = gap::partErrors(one, gap::simulateEach(component.allElements(), one));
     const auto after = gap::partErrors(one, gap::simulateEach(with_surrogate.allElements(), one));
     for (std::size_t p = 0; p < before.size(); ++p) {
@@ -84,7 +84,7 @@ double velocityOf(const log::Record& record, Eigen::Index i) {
 }
 
 // The speed that all but a few samples stay below.
-double usualSpeed(const std::vector<log::Record>& records) {
+double usualSpeed(const std::vector<gap::PreparedRecord>& records) {
   std::vector<double> speeds;
   for (const log::Record& record : records) {
     const Eigen::Index stride = 1 + record.size() / static_cast<Eigen::Index>(kVelocitySamples);
@@ -158,7 +158,7 @@ Surrogate fitSurrogate(const io::ComponentDescription& component, const Surrogat
   return surrogate;
 }
 
-MissingForce missingForce(const std::vector<log::Record>& records, const gap::Forces& augmented,
+MissingForce missingForce(const std::vector<gap::PreparedRecord>& records, const gap::Forces& augmented,
                           const gap::Forces& surrogate) {
   MissingForce map;
   double low = std::numeric_limits<double>::infinity();

@@ -7,15 +7,15 @@
 #include "fit/surrogate.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::diagnosis::results {
 
 /// Logs that a surrogate is fitted to, and those that are not.
 struct SurrogateLogs {
-  const std::vector<log::Record>& training;
+  const std::vector<gap::PreparedRecord>& training;
   const gap::Forces& force;  ///< of the augmented component on these, from the displacement as recorded [N]
-  const std::vector<log::Record>& held_out;
+  const std::vector<gap::PreparedRecord>& held_out;
 };
 
 /// Fit a surrogate to what a component leaves, and judge whether that is a function of the motion: by what a surrogate
@@ -30,7 +30,7 @@ void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, 
 
 /// Of records and the forces on each of them of the augmented component, and of that with a surrogate [N]. Samples that
 /// did not count in the fit do not count here.
-MissingForce missingForce(const std::vector<log::Record>& records, const gap::Forces& augmented,
+MissingForce missingForce(const std::vector<gap::PreparedRecord>& records, const gap::Forces& augmented,
                           const gap::Forces& surrogate);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -41,8 +41,8 @@ using Displacements = std::vector<VectorXd>;
 
 // Forces over other displacements of the same records.
 gap::Forces simulateOver(const std::vector<element::ElementDescription>& elements,
-                         const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                         const Displacements& displacements) {
+                         const std::vector<gap::PreparedRecord>& of_the_fit,
+                         const std::vector<gap::PreparedRecord>& held_out, const Displacements& displacements) {
   gap::Forces forces = gap::simulate(elements, of_the_fit, gap::drivenBy(displacements, of_the_fit));
   for (std::size_t i = 0; i < held_out.size(); ++i) {
     const VectorXd& z = displacements[of_the_fit.size() + i];
@@ -100,12 +100,13 @@ KindColumns kindColumns(const log::Record& record, const VectorXd& simulated) {
 }
 
 // The part of a record's residual that its nuisances take, by kind: each as far as they reach it.
-void takeNuisances(const log::Record& record, const VectorXd& counts, const VectorXd& simulated, LogAccount& account) {
+void takeNuisances(const gap::PreparedRecord& record, const VectorXd& counts, const VectorXd& simulated,
+                   LogAccount& account) {
   constexpr double kRidge = 1e-6;
   const VectorXd residual = (record.force - simulated).cwiseProduct(counts);
   const VectorXd left = record.withoutRig(residual);
   const double scale = counts.sum() * std::pow(record.force_deviation, 2);
-  if (record.nuisances.cols() > 0) {
+  if (record.rig.columns.cols() > 0) {
     const VectorXd taken = residual - left;
     KindColumns kinds = kindColumns(record, simulated);
     for (Index j = 0; j < kinds.columns.cols(); ++j) {
@@ -130,8 +131,8 @@ struct Stages {
   gap::Forces bridged;
 };
 
-LogAccount accountOf(const log::Record& record, const prepare::RawChannels& raw, const Stages& forces, std::size_t r,
-                     const fit::FreeInLog& free) {
+LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChannels& raw, const Stages& forces,
+                     std::size_t r, const fit::FreeInLog& free) {
   const double variance = std::pow(record.force_deviation, 2);
   const auto listOf = [](const VectorXd& values) { return std::vector<double>(values.begin(), values.end()); };
   const double recorded = gap::relativeGap(listOf(raw.force), listOf(forces.recorded[r]), listOf(raw.counts));
@@ -169,8 +170,8 @@ LogAccount accountOf(const log::Record& record, const prepare::RawChannels& raw,
 
 // The effect of a zero of the displacement on each record.
 std::vector<VectorXd> byZeros(const std::vector<element::ElementDescription>& elements,
-                              const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                              const fit::ZeroPriors& zeros) {
+                              const std::vector<gap::PreparedRecord>& of_the_fit,
+                              const std::vector<gap::PreparedRecord>& held_out, const fit::ZeroPriors& zeros) {
   std::vector<VectorXd> columns = fit::byZero(elements, of_the_fit, zeros.training);
   for (std::size_t i = 0; i < held_out.size(); ++i) {
     columns.push_back(fit::byZero(elements, {held_out[i]}, {zeros.held_out[i]}).front());
@@ -205,13 +206,14 @@ std::vector<TakenOut> LogAccount::entries() const {
 }
 
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
-                                   const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
+                                   const std::vector<gap::PreparedRecord>& of_the_fit,
+                                   const std::vector<gap::PreparedRecord>& held_out,
                                    const std::vector<prepare::RawChannels>& raw, fit::FreeInLog free,
                                    const fit::ZeroPriors& zeros) {
   const Displacements recorded = element::each(raw, &prepare::RawChannels::displacement);
   Displacements bridged;
   for (const auto* list : {&of_the_fit, &held_out}) {
-    for (const log::Record& record : *list) {
+    for (const gap::PreparedRecord& record : *list) {
       bridged.push_back(record.raw_displacement);
     }
   }
@@ -230,7 +232,7 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
   }
   std::vector<LogAccount> accounts;
   for (const auto* list : {&of_the_fit, &held_out}) {
-    for (const log::Record& record : *list) {
+    for (const gap::PreparedRecord& record : *list) {
       const std::size_t r = accounts.size();
       accounts.push_back(accountOf(record, raw[r], forces, r, free));
     }

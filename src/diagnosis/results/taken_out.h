@@ -11,7 +11,7 @@
 #include "gap/simulate.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/element/parameter.h"
-#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::diagnosis::results {
 
@@ -53,7 +53,8 @@ class LogAccount {
 /// was on a new one. `free`: what the judged hypothesis frees in each log; `zeros`: of the displacement, as it knows
 /// them.
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
-                                   const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
+                                   const std::vector<gap::PreparedRecord>& of_the_fit,
+                                   const std::vector<gap::PreparedRecord>& held_out,
                                    const std::vector<prepare::RawChannels>& raw, fit::FreeInLog free,
                                    const fit::ZeroPriors& zeros);
 

@@ -26,7 +26,7 @@ struct Rounded {
 };
 
 // The exact component rounded as far as the gap to the logs of the fit allows.
-Rounded roundTo(const io::ComponentDescription& exact, const std::vector<log::Record>& records,
+Rounded roundTo(const io::ComponentDescription& exact, const std::vector<gap::PreparedRecord>& records,
                 const std::vector<SizedValue>& written) {
   const auto gapOf = [&](const io::ComponentDescription& component) {
     return gap::gapOfParts(gap::partErrors(records, gap::simulate(component.allElements(), records, gap::asRecorded)));

@@ -37,7 +37,7 @@ class MeasuredRows final : public hypotheses::Measured {
   const fit::TableLoops& loops() const { return *loops_; }
 
   const fit::TableFitter& fitter() const override { return fitter_; }
-  const std::vector<log::Record>& records() const override { return *loops_->records(); }
+  const std::vector<gap::PreparedRecord>& records() const override { return *loops_->records(); }
   fit::Excitation excitation() const override;
   std::vector<fit::Candidate> candidates(const fit::Excitation& excitation,
                                          const hypotheses::FittedHypothesis& re_estimated, int threads) const override;

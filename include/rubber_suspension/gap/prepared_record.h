@@ -1,0 +1,37 @@
+// A record for fits: what was recorded, what its rig may have added, and how much it counts. Throws nothing.
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <utility>
+
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::gap {
+
+/// What a rig may have added to the force of one log, as a prior that every fit has. By default it adds nothing.
+struct RigPrior {
+  /// Whitening columns N (numerics::whiteningColumns) of zero, lag, gain, slow noise and of the state left from before
+  /// the log, each within its prior; 0 where samples do not count; may be empty.
+  Eigen::MatrixXd columns;
+  /// Error that one standard deviation of any of them counts as, over the force's standard deviation.
+  double one_deviation = 0.0;
+  /// Most that noise slower than the motion, or a drift, may add and still be noise [N]: its standard deviation.
+  double slow_noise = std::numeric_limits<double>::infinity();
+};
+
+/// A record, its rig and its weight. One that is made of a record alone is of a rig that adds nothing.
+struct PreparedRecord : log::Record {
+  PreparedRecord() = default;
+  PreparedRecord(log::Record recorded, RigPrior prior = {}, double counts_as = 1.0)
+      : log::Record(std::move(recorded)), rig(std::move(prior)), weight(counts_as) {}
+
+  RigPrior rig;
+  double weight = 1.0;  ///< of its mean squares among those of several logs, about 1 on average
+
+  /// A residual or a derivative of the force [N], r - N N'r: samples that do not count are 0, and what the rig may have
+  /// added is taken out as far as its priors let it explain r (Frisch and Waugh, Econometrica 1, 1933, with a prior).
+  Eigen::VectorXd withoutRig(const Eigen::VectorXd& column) const;
+};
+
+}  // namespace rubber_suspension::gap
