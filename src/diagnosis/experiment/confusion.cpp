@@ -29,10 +29,10 @@ const char* outcomeName(Outcome outcome) {
   return names[static_cast<int>(outcome)];
 }
 
-judge::HypothesisEvidence evidenceOf(const hypotheses::Leaves& leaves, double noise, double size) {
+judge::HypothesisEvidence evidenceOf(const hypotheses::Residuals& residuals, double noise, double size) {
   judge::HypothesisEvidence evidence;
-  evidence.log_errors = {noise * noise + std::pow(size * leaves.gap, 2)};
-  evidence.chi_squared = std::pow(size * leaves.chi, 2);
+  evidence.log_errors = {noise * noise + std::pow(size * residuals.gap, 2)};
+  evidence.chi_squared = std::pow(size * residuals.chi, 2);
   return evidence;
 }
 
@@ -182,7 +182,7 @@ judge::Evidence evidenceOf(const Search& search, const Implant& implant, double 
   judge::Evidence evidence;
   evidence.logs = {{search.noise.floor, 0.0, 1.0, false, implant.blocks}};
   evidence.guess = search.guess;
-  evidence.hypotheses.push_back(evidenceOf(hypotheses::Leaves{}, search.noise.floor, size));
+  evidence.hypotheses.push_back(evidenceOf(hypotheses::Residuals{}, search.noise.floor, size));
   evidence.hypotheses.push_back(evidenceOf(implant.model, search.noise.floor, size));
   for (std::size_t c = 0; c < search.candidates.size(); ++c) {
     const fit::Candidate& candidate = search.candidates[c];

@@ -58,20 +58,20 @@ Discriminator::Discriminator(const fit::Fitter& fitter, const hypotheses::Search
       played_(fitter.records()),
       forces_([this](const auto& elements) { return played_.forces(elements); }, fitter.model()) {}
 
-void Discriminator::sayForces() {
-  says_.assign(explanations_.size(), {});
-  fit::parallelFor(says_.size(), threads_, [&](std::size_t e) {
+void Discriminator::predictForces() {
+  predictions_.assign(explanations_.size(), {});
+  fit::parallelFor(predictions_.size(), threads_, [&](std::size_t e) {
     const hypotheses::FittedHypothesis& fitted = *explanations_[e].fitted;
-    says_[e].force = played_.forces(*fit::elementsOf(fitter_.model(), fitted.hypothesis, fitted.fit.parameters));
-    says_[e].on_motion.resize(says_[e].force.size());
+    predictions_[e].force = played_.forces(*fit::elementsOf(fitter_.model(), fitted.hypothesis, fitted.fit.parameters));
+    predictions_[e].on_motion.resize(predictions_[e].force.size());
   });
 }
 
 std::vector<std::size_t> Discriminator::playable() const {
   std::vector<std::size_t> motions;
   for (std::size_t m = 0; m < played_.motions().size(); ++m) {
-    const bool within = std::all_of(says_.begin(), says_.end(), [&](const Says& says) {
-      return says.force[m].allFinite() && says.force[m].cwiseAbs().maxCoeff() <= force_limit_;
+    const bool within = std::all_of(predictions_.begin(), predictions_.end(), [&](const Predictions& predictions) {
+      return predictions.force[m].allFinite() && predictions.force[m].cwiseAbs().maxCoeff() <= force_limit_;
     });
     if (within) {
       motions.push_back(m);
@@ -90,10 +90,10 @@ double Discriminator::moreNoise(const Eigen::VectorXd& force) const {
 double Discriminator::unrefitted(std::size_t motion) const {
   const auto logs = static_cast<double>(fitter_.records().size());
   double open = 0.0;
-  for (std::size_t right = 0; right < says_.size(); ++right) {
-    const Eigen::VectorXd& force = says_[right].force[motion];
+  for (std::size_t right = 0; right < predictions_.size(); ++right) {
+    const Eigen::VectorXd& force = predictions_[right].force[motion];
     std::vector<Refitted> refitted;
-    for (const Says& wrong : says_) {
+    for (const Predictions& wrong : predictions_) {
       const double off = gap::standardDeviation(force - wrong.force[motion]) / gap::standardDeviation(force);
       refitted.push_back({off * off, 0.0});
     }
@@ -189,13 +189,13 @@ std::vector<Eigen::MatrixXd> Discriminator::derivatives(std::size_t explanation,
 
 // What an explanation, were it wrong, would be fitted to: the columns themselves are too many to be kept.
 void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& motions) {
-  Says& said = says_[wrong];
-  const auto whole = element::each(motions, [&](std::size_t motion) { return said.force[motion]; });
+  Predictions& of_wrong = predictions_[wrong];
+  const auto whole = element::each(motions, [&](std::size_t motion) { return of_wrong.force[motion]; });
   const std::vector<Eigen::MatrixXd> columns = derivatives(wrong, whole);
   for (std::size_t m = 0; m < motions.size(); ++m) {
-    OnMotion& on_motion = said.on_motion[motions[m]];
+    OnMotion& on_motion = of_wrong.on_motion[motions[m]];
     on_motion.gram = numerics::gramOf(columns[m]);
-    for (const Says& right : says_) {
+    for (const Predictions& right : predictions_) {
       const Eigen::VectorXd difference = withoutFree(right.force[motions[m]] - whole[m], normal_[wrong].free, whole[m]);
       on_motion.moment.emplace_back(columns[m].transpose() * difference);
       on_motion.square.push_back(difference.squaredNorm());
@@ -222,8 +222,8 @@ double Discriminator::priorOfSizes(std::size_t explanation, const Eigen::MatrixX
 // members are then.
 Refitted Discriminator::refitted(std::size_t right, std::size_t wrong, std::size_t motion) const {
   const Normal& normal = normal_[wrong];
-  const OnMotion& on_motion = says_[wrong].on_motion[motion];
-  const Eigen::VectorXd& force = says_[right].force[motion];
+  const OnMotion& on_motion = predictions_[wrong].on_motion[motion];
+  const Eigen::VectorXd& force = predictions_[right].force[motion];
   const auto logs = static_cast<double>(fitter_.records().size());
   // Relative to the force of the new log, which weighs as much as each of the others.
   const double variance = std::pow(gap::standardDeviation(force), 2);
@@ -255,12 +255,12 @@ Discrimination Discriminator::weigh(const Experiment& experiment, std::size_t mo
     for (std::size_t wrong = 0; wrong < explanations_.size(); ++wrong) {
       all.push_back(refitted(right, wrong, motion));
     }
-    const Outlook outlook = outlookOf(right, explanations_, all, moreNoise(says_[right].force[motion]), logs);
+    const Outlook outlook = outlookOf(right, explanations_, all, moreNoise(predictions_[right].force[motion]), logs);
     result.open += explanations_[right].probability * outlook.open;
     result.probability += explanations_[right].probability * outlook.alone;
     if (right == 0) {
       setNearest(all, result);
-      result.difference *= gap::standardDeviation(says_[0].force[motion]);
+      result.difference *= gap::standardDeviation(predictions_[0].force[motion]);
     }
   }
   return result;
@@ -286,7 +286,7 @@ Discrimination Discriminator::best(const std::vector<Experiment>& menu) {
   std::vector<std::size_t> all(menu.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   play(all);
-  sayForces();
+  predictForces();
   const std::vector<std::size_t> chosen = promising(playable());
   if (normal_.empty() && !chosen.empty()) {
     findNormalEquations();

@@ -53,12 +53,12 @@ class Discriminator {
     std::vector<double> square;           // d'd
   };
   // The forces of an explanation on the motions.
-  struct Says {
+  struct Predictions {
     std::vector<Eigen::VectorXd> force;
     std::vector<OnMotion> on_motion;
   };
 
-  void sayForces();
+  void predictForces();
   std::vector<std::size_t> playable() const;
   std::vector<std::size_t> promising(const std::vector<std::size_t>& motions) const;
   void findNormalEquations();
@@ -85,7 +85,7 @@ class Discriminator {
   PlayedMotions played_;
   fit::HypothesisForces forces_;  // over the motions
   std::vector<Normal> normal_;
-  std::vector<Says> says_;
+  std::vector<Predictions> predictions_;
 };
 
 }  // namespace rubber_suspension::diagnosis::experiment

@@ -10,10 +10,8 @@
 #include <utility>
 
 #include "diagnosis/experiment/confusion.h"
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/measured_logs.h"
 #include "diagnosis/hypotheses/odds.h"
-#include "diagnosis/hypotheses/screening.h"
-#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/prepare/rig.h"
 #include "element/each.h"
 #include "fit/parallel.h"
@@ -79,18 +77,11 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
                              std::move(records), {}, prepare::RigScatter::as_tolerated)
           .training,
       model, hypotheses::errorScale().oneOfSheet());
-  hypotheses::Search search;
-  search.excitation = fit::summarise(fitter.records());
-  search.candidates = hypotheses::candidate::candidates(search.excitation);
-  fitter.prepare(search.candidates, options.threads);
-  search.noise.floor = options.noise;
-  search.re_estimated.fit.parameters = fitter.configured(search.re_estimated.hypothesis);
-  const hypotheses::Screening screening(fitter, search.candidates, search.re_estimated, options.threads);
-  search.implants = hypotheses::implantAll(fitter, screening, options.threads);
   Plan result;
   result.component = component.name;
   result.logs = element::each(fitter.records(), plannedLog);
-  result.could_show = experiment::couldShow(search, options.size, "as given");
+  result.could_show =
+      experiment::couldShow(hypotheses::implanted(fitter, options.noise, options.threads), options.size, "as given");
   return result;
 }
 

@@ -48,7 +48,7 @@ class Projected {
   double gapOf(Eigen::Index column) const { return std::sqrt(squares_[column]); }
 
   // The rest of `scale` times a column that the model parameters and the columns of a candidate leave.
-  Leaves leave(Eigen::Index column, double scale, const Fitted& by) const {
+  Residuals residualsOf(Eigen::Index column, double scale, const Fitted& by) const {
     const std::vector<Eigen::Index>& columns = by.columns;
     const auto count = static_cast<Eigen::Index>(columns.size());
     Eigen::MatrixXd gram(count, count);
@@ -63,23 +63,23 @@ class Projected {
         gram(i, j) = projected_(row, columns[static_cast<std::size_t>(j)] - model_);
       }
     }
-    Leaves leaves;
+    Residuals residuals;
     Eigen::VectorXd added = Eigen::VectorXd::Zero(size_);  // coefficients of all columns
     if (count > 0) {
       const Eigen::VectorXd fitted = numerics::boundedLeastSquares(gram, moment, lower, upper);
       for (Eigen::Index i = 0; i < count; ++i) {
         added[columns[static_cast<std::size_t>(i)]] = fitted[i];
       }
-      leaves.beyond = fit::numbersBeyond(candidates_, by.hypothesis, fitted);
+      residuals.beyond = fit::numbersBeyond(candidates_, by.hypothesis, fitted);
     }
     Eigen::VectorXd rest = -added;
     rest[column] += scale;
     rest.head(model_) = -taken_ * rest.tail(size_ - model_);
-    leaves.gap = std::sqrt(std::clamp(rest.dot(plain_ * rest), 0.0, 1.0));
-    leaves.chi = (departures_ * rest.head(model_)).norm();
+    residuals.gap = std::sqrt(std::clamp(rest.dot(plain_ * rest), 0.0, 1.0));
+    residuals.chi = (departures_ * rest.head(model_)).norm();
     // What is free in a log takes its part beside the terms.
-    leaves.added = std::sqrt(std::max(0.0, added.dot(whole_ * added) + rest.dot((whole_ - plain_) * rest)));
-    return leaves;
+    residuals.added = std::sqrt(std::max(0.0, added.dot(whole_ * added) + rest.dot((whole_ - plain_) * rest)));
+    return residuals;
   }
 
  private:
@@ -155,10 +155,10 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
     if (implant.hidden_by_rig) {
       return;
     }
-    implant.model = alone.leave(column_of[i], implant.scale, {});
+    implant.model = alone.residualsOf(column_of[i], implant.scale, {});
     for (std::size_t c = 0; c < candidates; ++c) {
       const Projected& projected = beside_free[c] ? *beside_free[c] : alone;
-      implant.singles.push_back(projected.leave(column_of[i], implant.scale, fitted[c]));
+      implant.singles.push_back(projected.residualsOf(column_of[i], implant.scale, fitted[c]));
     }
   });
   return implants;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/screening.h"
 #include "diagnosis/hypotheses/shapes.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "fit/free_in_log.h"
@@ -124,10 +125,21 @@ Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& se
     }
     noise.floor /= too_much;
   }
-  noise.least = std::hypot(noise.floor, commonFloor(rig, records));
+  noise.floor_with_rig = std::hypot(noise.floor, commonFloor(rig, records));
   noise.source = std::string("spectrum of the residual outside the band of the excitation") +
                  (by_displacement ? ", and noise of the displacement through the model" : "");
   return noise;
+}
+
+Search implanted(fit::Fitter& fitter, double noise, int threads) {
+  Search search;
+  search.excitation = fit::summarise(fitter.records());
+  search.candidates = candidate::candidates(search.excitation);
+  fitter.prepare(search.candidates, threads);
+  search.noise.floor = noise;
+  search.re_estimated.fit.parameters = fitter.configured(search.re_estimated.hypothesis);
+  search.implants = implantAll(fitter, Screening(fitter, search.candidates, search.re_estimated, threads), threads);
+  return search;
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

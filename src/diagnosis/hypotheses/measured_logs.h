@@ -30,4 +30,8 @@ class MeasuredLogs final : public Measured {
   fit::Fitter& fitter_;
 };
 
+/// Candidates implanted into logs that a component makes as configured, with white noise of this share of the force
+/// [-]: the search of a plan, in which nothing is fitted. Not while fits run.
+Search implanted(fit::Fitter& fitter, double noise, int threads);
+
 }  // namespace rubber_suspension::diagnosis::hypotheses

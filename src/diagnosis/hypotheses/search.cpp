@@ -62,22 +62,22 @@ class Searcher {
 
   Search run() {
     result_.guess = fitter_.model().isGuess();
-    say("re-estimating the model parameters", 0.0);
+    tell("re-estimating the model parameters", 0.0);
     reEstimate();
     result_.candidates = measured_.candidates(result_.excitation, result_.re_estimated, threads_);
     for (fit::Candidate& candidate : result_.candidates) {
       candidate.excluded = std::find(excluded_.begin(), excluded_.end(), candidate.effect) != excluded_.end();
     }
-    say("screening single effects", 0.2);
+    tell("screening single effects", 0.2);
     const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
-    say("fitting single effects", 0.3);
+    tell("fitting single effects", 0.3);
     fitSingles(screening);
     tryCurve(result_.singles);
     tryFactors(result_.singles);
-    look(screening);
-    say("fitting pairs", 0.5);
+    measureVisibility(screening);
+    tell("fitting pairs", 0.5);
     if (fitSets(screening, 2, result_.pairs)) {
-      say("fitting triples", 0.75);
+      tell("fitting triples", 0.75);
       fitSets(screening, kMostEffects, result_.triples);
     }
     fitPartsOfTriples();
@@ -87,7 +87,7 @@ class Searcher {
   }
 
  private:
-  void say(const std::string& stage, double fraction) const {
+  void tell(const std::string& stage, double fraction) const {
     if (progress_) {
       progress_(stage, fraction);
     }
@@ -153,7 +153,7 @@ class Searcher {
   void estimateNoise() { result_.noise = measured_.estimateNoise(*bestOfAll(), result_); }
 
   // The visible candidates, and the gap that a flexible fit could close.
-  void look(const Screening& screening) {
+  void measureVisibility(const Screening& screening) {
     result_.visibility = screening.visibility(result_.noise.floor);
     result_.implants = implantAll(fitter_, screening, threads_);
     std::vector<int> all;
@@ -375,7 +375,7 @@ class Searcher {
     if (!isWorthMore(effects)) {
       return {};
     }
-    floor_ = result_.noise.least;
+    floor_ = result_.noise.floor_with_rig;
     std::map<std::vector<int>, Planned> best;  // of each set, by members
     const auto add = [&](const Screening& screening, const std::vector<Screened>& sets) {
       for (const Screened& set : sets) {
@@ -562,7 +562,7 @@ std::vector<const FittedHypothesis*> Search::withEffects() const {
 }
 
 const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) const {
-  const Odds odds = oddsAt(*this, noise.least);
+  const Odds odds = oddsAt(*this, noise.floor_with_rig);
   const auto oddsOf = [&](const FittedHypothesis& fitted) {
     return odds.of(fitted.hypothesis, fitted.fit.parameters.scales, fitted.fit.score());
   };

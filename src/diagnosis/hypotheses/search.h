@@ -22,7 +22,7 @@ struct FittedHypothesis {
 /// How small an error may be, in units of the force's standard deviation.
 struct Noise {
   double floor = 0.0;           ///< of all logs
-  double least = 0.0;           ///< what no model leaves less than, of all logs: noise and the rig's errors
+  double floor_with_rig = 0.0;  ///< the same with the errors of the rig, which any model leaves
   std::vector<double> of_logs;  ///< floor of each log
   std::vector<double> rest;     ///< of each log, noise of the least that models leave
   std::vector<double> caused;   ///< of each log, what the noise of the displacement causes in the model

@@ -46,7 +46,7 @@ class Answering {
                      [](const Explained& a, const Explained& b) { return a.probability > b.probability; });
     const auto said =
         std::find_if(all.begin(), all.end(), [&](const Explained& e) { return e.effects.empty() != names; });
-    say(*said);
+    setVerdict(*said);
     all.erase(said);
     listAlternatives(all);
     return std::move(answer_);
@@ -63,7 +63,7 @@ class Answering {
     return all;
   }
 
-  void say(const Explained& said) {
+  void setVerdict(const Explained& said) {
     answer_.verdict = said.effects.empty() ? said.verdict : ofLikeliestSet();
     answer_.effects = said.effects;
     answer_.model = said.model;

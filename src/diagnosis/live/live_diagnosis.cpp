@@ -113,7 +113,7 @@ struct LiveDiagnosis::Block {
       square_ += value * value;
     }
 
-    double root(double count) const {
+    double deviation(double count) const {
       const double mean = sum_ / count;
       return std::sqrt(std::max(0.0, square_ / count - mean * mean));
     }
@@ -202,9 +202,9 @@ void LiveDiagnosis::simulate(const LiveSample& sample) {
 void LiveDiagnosis::finishBlock() {
   const Block& block = *block_;
   if (block.whole && block.samples >= kFewestInBlock && seconds(block.begin - first_) >= kSettling) {
-    judgement_.addBlock({block.begin, block.force.root(block.samples), block.configured.root(block.samples),
-                         re_estimated_model_ ? block.re_estimated.root(block.samples) : kNoForce,
-                         augmented_model_ ? block.augmented.root(block.samples) : kNoForce});
+    judgement_.addBlock({block.begin, block.force.deviation(block.samples), block.configured.deviation(block.samples),
+                         re_estimated_model_ ? block.re_estimated.deviation(block.samples) : kNoForce,
+                         augmented_model_ ? block.augmented.deviation(block.samples) : kNoForce});
     regime_begin_ = judgement_.regimeBegin().value_or(first_);
   }
   block_.reset();

@@ -76,9 +76,9 @@ class Deviation {
 };
 
 // A component that is driven by one log after the other.
-class Driven {
+class ReplayedModel {
  public:
-  explicit Driven(const std::vector<element::ElementDescription>& elements)
+  explicit ReplayedModel(const std::vector<element::ElementDescription>& elements)
       : component_(elements), radial_(element::radialLaws(elements)), state_(component_.makeState()) {}
 
   void beginLog(bool as_new) {
@@ -177,18 +177,18 @@ std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const Fitted
 
 std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementDescription>>& models,
                                  const std::vector<prepare::LogSurvey>& logs, Recorded recorded, int threads) {
-  std::vector<Driven> driven(models.begin(), models.end());
+  std::vector<ReplayedModel> replayed(models.begin(), models.end());
   std::vector<double> squared_gaps(models.size(), 0.0);
   for (std::size_t l = 0; l < logs.size(); ++l) {
     const log::EvenSteps steps = logs[l].steps.evenSteps();
     log::EvenBlocks even(steps);
     Deviation deviation;
-    for (Driven& component : driven) {
+    for (ReplayedModel& component : replayed) {
       component.beginLog(l == 0 || recorded == Recorded::each_on_a_new_one);
     }
     const auto add = [&](const Piece& piece) {
       deviation.add(piece);
-      fit::parallelFor(driven.size(), threads, [&](std::size_t m) { driven[m].add(piece, steps.dt); });
+      fit::parallelFor(replayed.size(), threads, [&](std::size_t m) { replayed[m].add(piece, steps.dt); });
     };
     prepare::readAgain(logs[l], [&](const log::Log& block, std::size_t) {
       log::requireForce(block);
@@ -197,7 +197,7 @@ std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementD
     });
     even.finish(add);
     for (std::size_t m = 0; m < models.size(); ++m) {
-      squared_gaps[m] += driven[m].sumOfSquares() / deviation.sumOfSquares() / static_cast<double>(logs.size());
+      squared_gaps[m] += replayed[m].sumOfSquares() / deviation.sumOfSquares() / static_cast<double>(logs.size());
     }
   }
   for (double& gap : squared_gaps) {

@@ -213,7 +213,7 @@ double MeasuredRows::discretisationError(const hypotheses::FittedHypothesis& mod
 hypotheses::Noise MeasuredRows::estimateNoise(const hypotheses::FittedHypothesis& best,
                                               const hypotheses::Search& /*search*/) const {
   hypotheses::Noise noise;
-  noise.floor = noise.least = std::min(scatter_.level, best.fit.held_out);
+  noise.floor = noise.floor_with_rig = std::min(scatter_.level, best.fit.held_out);
   noise.of_logs.assign(loops_->points().size(), noise.floor);
   noise.source = scatter_.source + (noise.floor < scatter_.level ? ", no more than what a model leaves" : "");
   return noise;
