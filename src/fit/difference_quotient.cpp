@@ -5,16 +5,20 @@
 
 namespace rubber_suspension::fit {
 
+double takenStep(double step, const std::function<bool(double by)>& hasForce) {
+  return hasForce(step) ? step : hasForce(-step) ? -step : 0.0;
+}
+
 ForceColumn quotient(const gap::Forces& base, double step,
                      const std::function<std::optional<gap::Forces>(double by)>& moved) {
-  std::optional<gap::Forces> forces = moved(step);
-  if (!forces) {
-    step = -step;
-    forces = moved(step);
-  }
+  std::optional<gap::Forces> forces;
+  const double taken = takenStep(step, [&](double by) {
+    forces = moved(by);
+    return forces.has_value();
+  });
   gap::Forces column = std::move(forces).value_or(base);
   for (std::size_t r = 0; r < base.size(); ++r) {
-    column[r] = (column[r] - base[r]) / step;
+    column[r] = (column[r] - base[r]) / (taken != 0.0 ? taken : step);
   }
   return columnOf(std::move(column));
 }

@@ -20,8 +20,11 @@ constexpr double kScaleStep = 0.02;
 /// 1e-6 and rounding 1e-10, both relative.
 constexpr double kSearchStep = 1e-6;
 
-/// (F(x + step) - F(x))/step, and from the other side where there is no force; without one on either side, 0: the
-/// unknown cannot move. `base`: F(x). `moved`: F(x + by) [N].
+/// The step that a quotient is over: this one, or the same to the other side, or 0 where `hasForce` tells of neither.
+double takenStep(double step, const std::function<bool(double by)>& hasForce);
+
+/// (F(x + step) - F(x))/step by takenStep(); 0 where that is 0: the unknown cannot move. `base`: F(x). `moved`:
+/// F(x + by) [N].
 ForceColumn quotient(const gap::Forces& base, double step,
                      const std::function<std::optional<gap::Forces>(double by)>& moved);
 

@@ -108,14 +108,12 @@ double amplitudeOf(const std::vector<log::Log>& logs) {
 }
 
 ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
-                       const std::vector<std::string>& held, const std::vector<Eigen::MatrixXd>& rig)
-    : elements_(std::move(elements)), logs_(logs) {
-  for (const log::Log& log : logs_) {
-    size_ += static_cast<Eigen::Index>(log.stamp.size());
-  }
+                       const Compared& compared, const std::vector<std::string>& held,
+                       const std::vector<Eigen::MatrixXd>& rig)
+    : elements_(std::move(elements)), logs_(logs), compared_(compared) {
   const LogScales scales = scalesOf(logs);
   const bool apart = allParallel(elements_);
-  Part whole{elements_, {}, -1, {}, {}};
+  Part whole{elements_, {}};
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     const std::vector<Unknown> unknowns = unknownsOf(i, elements_[i], held, scales);
     if (apart) {
@@ -127,7 +125,7 @@ ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const 
   if (!apart) {
     parts_.push_back(std::move(whole));
   }
-  addRig(rig);
+  makeColumns(rig);
 }
 
 void ForceModel::addNonlinear(const Unknown& unknown, Part& part) {
@@ -138,7 +136,7 @@ void ForceModel::addNonlinear(const Unknown& unknown, Part& part) {
 
 // A column for each parameter that scales a force of the element.
 void ForceModel::addElement(std::size_t position, const std::vector<Unknown>& unknowns) {
-  Part part{{elements_[position]}, {}, -1, {}, {}};
+  Part part{{elements_[position]}, {}};
   for (const Unknown& unknown : unknowns) {
     if (!unknown.linear) {
       addNonlinear(unknown, part);
@@ -162,80 +160,97 @@ void ForceModel::addElement(std::size_t position, const std::vector<Unknown>& un
   }
 }
 
-// The columns after those of the elements.
-void ForceModel::addRig(const std::vector<Eigen::MatrixXd>& rig) {
-  Eigen::Index column = static_cast<Eigen::Index>(linear_.size());
-  const Eigen::Index columns =
+// Those of the rig are the same at all times.
+void ForceModel::makeColumns(const std::vector<Eigen::MatrixXd>& rig) {
+  Eigen::Index column = static_cast<Eigen::Index>(linear_.size()) + 1;
+  const Eigen::Index end =
       std::accumulate(rig.begin(), rig.end(), column + 1,
                       [](Eigen::Index sum, const Eigen::MatrixXd& of_log) { return sum + of_log.cols(); });
-  signed_columns_.resize(static_cast<std::size_t>(columns), true);
-  basis_ = Eigen::MatrixXd::Zero(size_, columns);
-  basis_.col(column++).setOnes();
+  signed_columns_.resize(static_cast<std::size_t>(end - 1), true);
+  const Eigen::Index size = std::accumulate(
+      logs_.begin(), logs_.end(), Eigen::Index{0},
+      [](Eigen::Index sum, const log::Log& log) { return sum + static_cast<Eigen::Index>(log.stamp.size()); });
+  columns_.resize(measured().size(), end + 1 + static_cast<Eigen::Index>(nonlinear_.size()));
+  columns_.col(column++).setOnes();
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < rig.size(); ++i) {
-    basis_.block(row, column, rig[i].rows(), rig[i].cols()) = rig[i];
+    for (const auto& of_log : rig[i].colwise()) {
+      Eigen::VectorXd over_all = Eigen::VectorXd::Zero(size);
+      over_all.segment(row, of_log.size()) = of_log;
+      columns_.col(column++) = over_all(compared_.rows);
+    }
     row += static_cast<Eigen::Index>(logs_[i].stamp.size());
-    column += rig[i].cols();
   }
+  all_.resize(size == measured().size() ? 0 : size);
 }
 
-Eigen::VectorXd ForceModel::simulate(const Part& part, const Eigen::VectorXd& values) const {
+void ForceModel::simulate(const Part& part, const Eigen::VectorXd& values, Force force) {
   std::vector<element::ElementDescription> elements = part.elements;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     const Unknown& unknown = nonlinear_[static_cast<std::size_t>(part.unknowns[static_cast<std::size_t>(i)])];
     elements[elements.size() == 1 ? 0 : unknown.element].values[unknown.name] = {unknown.toValue(values[i])};
   }
   const component::Component component(elements);
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(size_);
-  double* first = force.data();
+  double* first = all_.size() > 0 ? all_.data() : force.data();
   for (const log::Log& log : logs_) {
     const std::size_t size = log.stamp.size();
     component::SampleStream stream(component);
+    const bool follows_temperature = component.shiftsWithTemperature() && !log.temperature.empty();
+    const std::size_t accepted =
+        follows_temperature
+            ? stream.pushAll(log.stamp.data(), log.displacement.data(), log.temperature.data(), size, first)
+            : stream.pushAll(log.stamp.data(), log.displacement.data(), size, first);
     // A sample without a finite force, and all after it, counts as none at all.
-    if (component.shiftsWithTemperature() && !log.temperature.empty()) {
-      stream.pushAll(log.stamp.data(), log.displacement.data(), log.temperature.data(), size, first);
-    } else {
-      stream.pushAll(log.stamp.data(), log.displacement.data(), size, first);
-    }
+    std::fill(first + accepted, first + size, 0.0);
     first += size;
   }
-  return force;
+  if (all_.size() > 0) {
+    force = all_(compared_.rows);
+  }
 }
 
 void ForceModel::evaluate(const Eigen::VectorXd& search) {
-  rest_ = Eigen::VectorXd::Zero(size_);
+  columns_.col(0) = measured();
   for (Part& part : parts_) {
     const Eigen::VectorXd values = search(part.unknowns);
-    if (part.force.size() != size_ || values != part.values) {
-      part.force = simulate(part, values);
+    if (!part.simulated || values != part.values) {
+      part.force.resize(part.column < 0 ? measured().size() : 0);
+      simulate(part, values, forceOf(part));
       part.values = values;
+      part.simulated = true;
     }
     if (part.column < 0) {
-      rest_ += part.force;
-    } else {
-      basis_.col(part.column) = part.force;
+      columns_.col(0) -= part.force;
     }
   }
 }
 
-Eigen::VectorXd ForceModel::derivative(const Eigen::VectorXd& search, Eigen::Index unknown,
-                                       const Eigen::VectorXd& coefficients) const {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(size_);
-  for (const Part& part : parts_) {
-    if (std::find(part.unknowns.begin(), part.unknowns.end(), unknown) == part.unknowns.end()) {
-      continue;
-    }
-    const ForceColumn column = quotient({part.force}, kSearchStep, [&](double by) -> std::optional<gap::Forces> {
-      const Eigen::VectorXd place = search + by * Eigen::VectorXd::Unit(search.size(), unknown);
-      try {
-        return gap::Forces{simulate(part, place(part.unknowns))};
-      } catch (const std::invalid_argument&) {
-        return std::nullopt;  // beyond the border of what the law accepts
+void ForceModel::differentiate(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients) {
+  auto derivatives = columns_.rightCols(search.size());
+  derivatives.setZero();
+  moved_.resize(measured().size());
+  for (Part& part : parts_) {
+    for (const Eigen::Index unknown : part.unknowns) {
+      const double step = takenStep(kSearchStep, [&](double by) {
+        try {
+          const Eigen::VectorXd place = search + by * Eigen::VectorXd::Unit(search.size(), unknown);
+          simulate(part, place(part.unknowns), moved_);
+          return true;
+        } catch (const std::invalid_argument&) {
+          return false;  // beyond the border of what the law accepts
+        }
+      });
+      if (step != 0.0) {
+        const double coefficient = part.column < 0 ? 1.0 : coefficients[part.column];
+        derivatives.col(unknown) += coefficient / step * (moved_ - forceOf(part));
       }
-    });
-    sum += (part.column < 0 ? 1.0 : coefficients[part.column]) * column->front();
+    }
   }
-  return sum;
+}
+
+void ForceModel::setResidual(const Eigen::VectorXd& coefficients) {
+  columns_.col(1 + bases()) = columns_.col(0);
+  columns_.col(1 + bases()).noalias() -= basis() * coefficients;
 }
 
 }  // namespace rubber_suspension::fit

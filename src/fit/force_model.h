@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rubber_suspension/fit/identification.h"
@@ -35,55 +36,78 @@ struct Unknown : Reach {
 /// Largest displacement from the middle of its log [m].
 double amplitudeOf(const std::vector<log::Log>& logs);
 
-/// force = rest(nonlinear) + basis(nonlinear) * coefficients. A coefficient of 1 is the linear unknown as given; after
-/// the linear unknowns, the basis has the constant 1, the force offset, and what else the rig may have added.
+/// The samples of some logs whose force was measured.
+struct Compared {
+  std::vector<Eigen::Index> rows;  ///< among all samples
+  std::vector<Eigen::Index> runs;  ///< how many follow one another: noise is independent of that before a time gap
+  Eigen::VectorXd force;           ///< [N]
+};
+
+/// force = rest(nonlinear) + basis(nonlinear) * coefficients, at the samples that are compared. A coefficient of 1 is
+/// the linear unknown as given; after the linear unknowns, the basis has the constant 1, the force offset, and what
+/// else the rig may have added.
 class ForceModel {
  public:
   /// The elements have to be complete, `held` to name parameters as "type.name".
-  /// `rig`: of each log, as IdentificationOptions::rig.
+  /// `rig`: of each log, as IdentificationOptions::rig. All but the elements have to outlive it.
   ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
-             const std::vector<std::string>& held, const std::vector<Eigen::MatrixXd>& rig = {});
+             const Compared& compared, const std::vector<std::string>& held,
+             const std::vector<Eigen::MatrixXd>& rig = {});
 
   const std::vector<Unknown>& nonlinear() const { return nonlinear_; }
   const std::vector<Unknown>& linear() const { return linear_; }
   /// For each column of the basis, whether its coefficient may be negative.
   const std::vector<bool>& signedColumns() const { return signed_columns_; }
   const std::vector<element::ElementDescription>& elements() const { return elements_; }
-  Eigen::Index size() const { return size_; }
+  const Eigen::VectorXd& measured() const { return compared_.force; }
 
   /// Simulate for these values in search coordinates; parts whose unknowns did not change are not simulated again.
   void evaluate(const Eigen::VectorXd& search);
-  /// Derivative of the force by one of the search coordinates where it was evaluated last, for these coefficients of
-  /// the basis, by differences; only what depends on that unknown is simulated.
-  Eigen::VectorXd derivative(const Eigen::VectorXd& search, Eigen::Index unknown,
-                             const Eigen::VectorXd& coefficients) const;
-  const Eigen::MatrixXd& basis() const { return basis_; }
-  const Eigen::VectorXd& rest() const { return rest_; }
+  /// Find the derivatives of the force by the search coordinates where it was evaluated last, for these coefficients of
+  /// the basis, by differences; only what depends on an unknown is simulated.
+  void differentiate(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients);
+  /// Set what these coefficients leave of the measured force.
+  void setResidual(const Eigen::VectorXd& coefficients);
+
+  using Columns = Eigen::MatrixXd::ConstColsBlockXpr;
+  Columns basis() const { return columns_.middleCols(1, bases()); }
+  Columns restAndBasis() const { return columns_.leftCols(1 + bases()); }  ///< the rest of the measured force
+  Columns basisToDerivatives() const { return columns_.rightCols(columns_.cols() - 1); }  ///< residual in between
+  Columns residualAndDerivatives() const { return columns_.rightCols(columns_.cols() - 1 - bases()); }
+  /// All of them: the rest of the measured force, the basis, the residual, the derivatives.
+  const Eigen::MatrixXd& columns() const { return columns_; }
+  Eigen::MatrixXd takeColumns() { return std::move(columns_); }  ///< nothing is left to be asked for
+  auto residual() const { return columns_.col(1 + bases()); }
 
  private:
   // Elements that are simulated together, for one column or as a share of the rest.
   struct Part {
     std::vector<element::ElementDescription> elements;  // one, or all where they act on each other
     std::vector<Eigen::Index> unknowns;                 // nonlinear ones that it depends on
-    Eigen::Index column = -1;                           // -1: rest
-    Eigen::VectorXd values;                             // of its unknowns when last simulated
-    Eigen::VectorXd force;
+    Eigen::Index column = -1;                           // of the basis; -1: rest
+    Eigen::VectorXd values = {};                        // of its unknowns when last simulated
+    bool simulated = false;
+    Eigen::VectorXd force = {};  // of the rest
   };
+  using Force = Eigen::Ref<Eigen::VectorXd>;
 
+  Eigen::Index bases() const { return static_cast<Eigen::Index>(signed_columns_.size()); }
+  Force forceOf(Part& part) { return part.column < 0 ? Force(part.force) : Force(columns_.col(1 + part.column)); }
   void addNonlinear(const Unknown& unknown, Part& part);
   void addElement(std::size_t position, const std::vector<Unknown>& unknowns);
-  void addRig(const std::vector<Eigen::MatrixXd>& rig);
-  Eigen::VectorXd simulate(const Part& part, const Eigen::VectorXd& values) const;
+  void makeColumns(const std::vector<Eigen::MatrixXd>& rig);
+  void simulate(const Part& part, const Eigen::VectorXd& values, Force force);
 
   std::vector<element::ElementDescription> elements_;
   const std::vector<log::Log>& logs_;
-  Eigen::Index size_ = 0;
+  const Compared& compared_;
   std::vector<Unknown> nonlinear_;
   std::vector<Unknown> linear_;
   std::vector<bool> signed_columns_;
   std::vector<Part> parts_;
-  Eigen::MatrixXd basis_;
-  Eigen::VectorXd rest_;
+  Eigen::MatrixXd columns_;  // columns()
+  Eigen::VectorXd all_;      // force at all samples; none where all are compared
+  Eigen::VectorXd moved_;    // force of a part for a difference quotient
 };
 
 }  // namespace rubber_suspension::fit

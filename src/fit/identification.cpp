@@ -74,12 +74,6 @@ void checkRig(const std::vector<Eigen::MatrixXd>& rig, const std::vector<log::Lo
 }
 
 // The samples of all logs whose force was measured.
-struct Compared {
-  std::vector<Eigen::Index> rows;  // among all samples
-  std::vector<Eigen::Index> runs;  // how many follow one another: noise is independent of that before a time gap
-  Eigen::VectorXd force;
-};
-
 Compared comparedOf(const std::vector<log::Log>& logs) {
   Compared compared;
   std::vector<double> force;
@@ -293,19 +287,23 @@ void describeResiduals(Identification& result, const Eigen::VectorXd& residual, 
   }
 }
 
-// Values and uncertainties of the parameters by the best fit.
-void describeFit(Identification& result, const ForceModel& model, const ModelFit& fit, const Eigen::MatrixXd& jacobian,
-                 const std::vector<Eigen::Index>& runs) {
-  const Autoregression noise = fitAutoregression(fit.residual, runs);
-  const auto count = static_cast<double>(fit.residual.size());
-  Covariance covariance = covarianceOf(numerics::gramOf(jacobian), projectedCovariance(jacobian, runs, noise));
-  result.independent_samples = count / std::max(1.0, correlationFactor(noise, fit.residual.squaredNorm() / count));
+// Values and uncertainties of the parameters by the best fit, where the model was evaluated last.
+void describeFit(Identification& result, ForceModel& model, const ModelFit& fit, const Compared& compared) {
+  const Eigen::VectorXd residual = model.residual();
+  const Autoregression noise = fitAutoregression(residual, compared.runs);
+  const auto count = static_cast<double>(residual.size());
+  model.differentiate(fit.search, fit.coefficients);
+  const Eigen::MatrixXd products = VariableProjection::ofParameters(fit, numerics::gramOf(model.columns()));
+  Covariance covariance = covarianceOf(
+      products, VariableProjection::ofParameters(fit, projectedCovariance(model.takeColumns(), compared.runs, noise)));
+  result.independent_samples = count / std::max(1.0, correlationFactor(noise, residual.squaredNorm() / count));
   // The fit takes as many independent samples out of the residuals as it has unknowns, and their variance is an
   // estimate itself: Student's distribution with the samples that are left.
-  const double left = std::max(1.0, result.independent_samples - static_cast<double>(jacobian.cols()));
+  const double left = std::max(1.0, result.independent_samples - static_cast<double>(products.cols()));
   covariance.matrix *= result.independent_samples / left;
   const double quantile = boost::math::quantile(boost::math::complement(boost::math::students_t(left), kTail));
   describeParameters(model, fit, covariance, quantile, result);
+  describeResiduals(result, residual, compared.force);
 }
 
 }  // namespace
@@ -325,13 +323,12 @@ Identification identify(const std::vector<element::ElementDescription>& elements
   checkHeld(completed, options.held);
   addDeadBands(completed, logs, result.notes);
   checkRig(options.rig, logs);
-  ForceModel model(completed, logs, options.held, options.rig);
+  ForceModel model(completed, logs, compared, options.held, options.rig);
   refuseIf(model.nonlinear().empty() && model.linear().empty(), "no parameter is left to be found; all are held");
-  VariableProjection squares(model, compared.force, compared.rows);
+  VariableProjection squares(model);
   const ModelFit best = squares.fitAt(searchAll(model, options, squares, result));
   result.force_offset = best.coefficients[static_cast<Eigen::Index>(model.linear().size())];
-  describeFit(result, model, best, squares.jacobian(best), compared.runs);
-  describeResiduals(result, best.residual, compared.force);
+  describeFit(result, model, best, compared);
   dropElementsWithoutForce(result);
   return result;
 }
@@ -339,14 +336,19 @@ Identification identify(const std::vector<element::ElementDescription>& elements
 double noiseStandardDeviation(const std::vector<double>& signal, double negligible) {
   constexpr int kHighestOrder = 10;
   constexpr double kNormalMedian = 0.6745;  // median of |x| of a standard normal variable
-  Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(signal.data(), static_cast<Eigen::Index>(signal.size()));
+  std::vector<double> values = signal;
+  std::vector<double> magnitude;
   double gain = 1.0;  // variance of the differences of white noise: the binomial coefficient (2 k over k)
   double smallest = HUGE_VAL;
   for (int order = 1; order <= kHighestOrder && values.size() > 1 && smallest > negligible; ++order) {
-    values = (values.tail(values.size() - 1) - values.head(values.size() - 1)).eval();
+    magnitude.clear();
+    for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+      values[i] = values[i + 1] - values[i];
+      magnitude.push_back(std::abs(values[i]));
+    }
+    values.pop_back();
     gain *= (4.0 * order - 2.0) / order;
-    const auto magnitude = element::each(values, [](double value) { return std::abs(value); });
-    smallest = std::min(smallest, numerics::medianOf(magnitude) / (kNormalMedian * std::sqrt(gain)));
+    smallest = std::min(smallest, numerics::medianIn(magnitude) / (kNormalMedian * std::sqrt(gain)));
   }
   return smallest > negligible && std::isfinite(smallest) ? smallest : 0.0;
 }

@@ -15,8 +15,8 @@ constexpr double kRankTolerance = 1e-12;  // of eigenvalues of the correlation f
 constexpr double kPartInUnseen = 1e-3;    // of a direction of length 1
 
 // Autocovariances at lags 0 to `lags`, products within runs only.
-Eigen::VectorXd autocovariances(const Eigen::VectorXd& residuals, const std::vector<Eigen::Index>& runs,
-                                Eigen::Index lags) {
+Eigen::VectorXd autocovariances(const Eigen::Ref<const Eigen::VectorXd>& residuals,
+                                const std::vector<Eigen::Index>& runs, Eigen::Index lags) {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(lags + 1);
   Eigen::Index begin = 0;
   for (const Eigen::Index length : runs) {
@@ -73,7 +73,8 @@ Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& 
   return covariance;
 }
 
-Autoregression fitAutoregression(const Eigen::VectorXd& residuals, const std::vector<Eigen::Index>& runs) {
+Autoregression fitAutoregression(const Eigen::Ref<const Eigen::VectorXd>& residuals,
+                                 const std::vector<Eigen::Index>& runs) {
   const Eigen::Index longest = *std::max_element(runs.begin(), runs.end());
   const Eigen::Index largest_order = std::min(kLargestOrder, longest / 20);
   const Eigen::VectorXd covariance = autocovariances(residuals, runs, largest_order);
@@ -90,14 +91,13 @@ Autoregression fitAutoregression(const Eigen::VectorXd& residuals, const std::ve
   return best;
 }
 
-Eigen::MatrixXd projectedCovariance(const Eigen::MatrixXd& jacobian, const std::vector<Eigen::Index>& runs,
+Eigen::MatrixXd projectedCovariance(Eigen::MatrixXd columns, const std::vector<Eigen::Index>& runs,
                                     const Autoregression& model) {
   // O = s^2 A^-1 A^-T, A being the filter of the autoregression as a triangular matrix; A^-T runs backwards in time.
   const Eigen::VectorXd& coefficients = model.coefficients;
-  Eigen::MatrixXd filtered = jacobian;
   Eigen::Index begin = 0;
-  for (const Eigen::Index length : runs) {
-    for (auto column : filtered.middleRows(begin, length).colwise()) {
+  for (const Eigen::Index length : coefficients.size() > 0 ? runs : std::vector<Eigen::Index>()) {
+    for (auto column : columns.middleRows(begin, length).colwise()) {
       for (Eigen::Index t = length - 2; t >= 0; --t) {
         const Eigen::Index later = std::min(coefficients.size(), length - 1 - t);
         column[t] -= coefficients.head(later).dot(column.segment(t + 1, later));
@@ -105,7 +105,7 @@ Eigen::MatrixXd projectedCovariance(const Eigen::MatrixXd& jacobian, const std::
     }
     begin += length;
   }
-  return model.innovation * numerics::gramOf(filtered);
+  return model.innovation * numerics::gramOf(columns);
 }
 
 double correlationFactor(const Autoregression& model, double variance) {

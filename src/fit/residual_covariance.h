@@ -31,10 +31,12 @@ struct Autoregression {
 
 /// Fit by the Yule-Walker equations over independent runs (runs: lengths, in order); the order, up to
 /// min(30, longest run/20), is that of the lowest Bayesian information criterion.
-Autoregression fitAutoregression(const Eigen::VectorXd& residuals, const std::vector<Eigen::Index>& runs);
+Autoregression fitAutoregression(const Eigen::Ref<const Eigen::VectorXd>& residuals,
+                                 const std::vector<Eigen::Index>& runs);
 
-/// J' O J, O being the covariance of residuals that follow the autoregression, independent between runs.
-Eigen::MatrixXd projectedCovariance(const Eigen::MatrixXd& jacobian, const std::vector<Eigen::Index>& runs,
+/// J' O J of these columns, O being the covariance of residuals that follow the autoregression, independent between
+/// runs.
+Eigen::MatrixXd projectedCovariance(Eigen::MatrixXd columns, const std::vector<Eigen::Index>& runs,
                                     const Autoregression& model);
 
 /// Variance over long times relative to white residuals: sum of all autocorrelations, from both sides.

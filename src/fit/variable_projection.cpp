@@ -13,22 +13,20 @@ namespace rubber_suspension::fit {
 
 ModelFit VariableProjection::fitAt(const Eigen::VectorXd& search) {
   model_.evaluate(search);
-  const Eigen::Index size = model_.basis().cols();
-  Eigen::MatrixXd columns(force_.size(), size + 1);
-  columns << model_.basis()(rows_, Eigen::all), force_ - model_.rest()(rows_);
-  const Eigen::MatrixXd products = numerics::gramOf(columns);
+  const Eigen::MatrixXd products = numerics::gramOf(model_.restAndBasis());
+  const Eigen::Index size = products.cols() - 1;
+  products_ = products.bottomRightCorner(size, size);
   ModelFit fit;
   fit.search = search;
-  fit.coefficients = numerics::nonNegativeLeastSquares(products.topLeftCorner(size, size),
-                                                       products.col(size).head(size), model_.signedColumns());
-  fit.residual = columns.col(size) - columns.leftCols(size) * fit.coefficients;
+  fit.coefficients = numerics::nonNegativeLeastSquares(products_, products.col(0).tail(size), model_.signedColumns());
+  model_.setResidual(fit.coefficients);
   return fit;
 }
 
 double VariableProjection::at(const Eigen::VectorXd& search) {
   try {
     last_ = fitAt(search);
-    return last_.residual.squaredNorm();
+    return model_.residual().squaredNorm();
   } catch (const std::invalid_argument&) {  // values that a law does not accept together
     return std::numeric_limits<double>::infinity();
   }
@@ -41,37 +39,31 @@ numerics::SumOfSquares::Slope VariableProjection::slope() {
       taken.push_back(i);
     }
   }
-  const auto basis = static_cast<Eigen::Index>(taken.size());
+  model_.differentiate(last_.search, last_.coefficients);
+  const Eigen::MatrixXd products = numerics::productOf(model_.basisToDerivatives(), model_.residualAndDerivatives());
   const Eigen::Index unknowns = last_.search.size();
-  Eigen::MatrixXd columns(force_.size(), basis + unknowns);
-  columns << model_.basis()(rows_, taken), derivatives(last_);
-  const Eigen::MatrixXd products = numerics::gramOf(columns);
-  const Eigen::VectorXd moments = columns.transpose() * last_.residual;
-  const Eigen::VectorXd scale = products.diagonal().head(basis).array().max(1e-300).rsqrt();
-  const Eigen::MatrixXd of_basis = scale.asDiagonal() * products.topLeftCorner(basis, basis) * scale.asDiagonal();
-  const Eigen::MatrixXd shared = products.topRightCorner(basis, unknowns);
+  const Eigen::VectorXd scale = products_.diagonal()(taken).array().max(1e-300).rsqrt();
+  const Eigen::MatrixXd of_basis = scale.asDiagonal() * products_(taken, taken) * scale.asDiagonal();
+  const Eigen::MatrixXd shared = products(taken, Eigen::all).rightCols(unknowns);
   // Part of the derivatives within the basis, in its coefficients.
   const Eigen::MatrixXd shares =
       scale.asDiagonal() * numerics::solveLeastNorm(of_basis, Eigen::MatrixXd(scale.asDiagonal() * shared));
-  return {shares.transpose() * moments.head(basis) - moments.tail(unknowns),
+  return {shares.transpose() * products.col(0)(taken) - products.col(0).tail(unknowns),
           products.bottomRightCorner(unknowns, unknowns) - shared.transpose() * shares};
 }
 
-// Of the force by the search coordinates.
-Eigen::MatrixXd VariableProjection::derivatives(const ModelFit& fit) const {
-  Eigen::MatrixXd derivatives(force_.size(), fit.search.size());
-  for (Eigen::Index i = 0; i < derivatives.cols(); ++i) {
-    derivatives.col(i) = model_.derivative(fit.search, i, fit.coefficients)(rows_);
+Eigen::MatrixXd VariableProjection::ofParameters(const ModelFit& fit, const Eigen::MatrixXd& products) {
+  const Eigen::Index unknowns = fit.search.size();
+  const Eigen::Index bases = fit.coefficients.size();
+  Eigen::VectorXd unit = Eigen::VectorXd::Ones(unknowns + bases);
+  std::vector<Eigen::Index> places;
+  for (Eigen::Index i = 0; i < unknowns + bases; ++i) {
+    places.push_back(i < unknowns ? products.cols() - unknowns + i : 1 + i - unknowns);
+    if (i >= unknowns && fit.coefficients[i - unknowns] != 0.0) {
+      unit[i] = std::abs(fit.coefficients[i - unknowns]);
+    }
   }
-  return derivatives;
-}
-
-Eigen::MatrixXd VariableProjection::jacobian(const ModelFit& fit) {
-  const auto unit = [](double coefficient) { return coefficient != 0.0 ? std::abs(coefficient) : 1.0; };
-  model_.evaluate(fit.search);
-  Eigen::MatrixXd jacobian(force_.size(), fit.search.size() + fit.coefficients.size());
-  jacobian << derivatives(fit), model_.basis()(rows_, Eigen::all) * fit.coefficients.unaryExpr(unit).asDiagonal();
-  return jacobian;
+  return unit.asDiagonal() * products(places, places) * unit.asDiagonal();
 }
 
 }  // namespace rubber_suspension::fit

@@ -2,18 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "fit/force_model.h"
 #include "numerics/trust_region.h"
 
 namespace rubber_suspension::fit {
 
-/// The eliminated coefficients at some search coordinates, and what is left.
+/// The eliminated coefficients at some search coordinates; what they leave is the residual of the ForceModel.
 struct ModelFit {
   Eigen::VectorXd search;
   Eigen::VectorXd coefficients;  ///< of the basis of the ForceModel
-  Eigen::VectorXd residual;      ///< [N]
 };
 
 /// The sum is of measured less simulated force [N^2], by the search coordinates, with the best coefficients for each.
@@ -21,9 +19,8 @@ struct ModelFit {
 /// and so is the optimum.
 class VariableProjection final : public numerics::SumOfSquares {
  public:
-  /// `force`: the measured one at `rows` of the model, those that are compared. All must outlive this.
-  VariableProjection(ForceModel& model, const Eigen::VectorXd& force, const std::vector<Eigen::Index>& rows)
-      : model_(model), force_(force), rows_(rows), unit_(force.squaredNorm()) {}
+  /// The model has to outlive this.
+  explicit VariableProjection(ForceModel& model) : model_(model), unit_(model.measured().squaredNorm()) {}
 
   double at(const Eigen::VectorXd& search) override;
   Slope slope() override;
@@ -31,18 +28,15 @@ class VariableProjection final : public numerics::SumOfSquares {
   double rounding() const override { return 1e-21; }
 
   ModelFit fitAt(const Eigen::VectorXd& search);
-  /// Derivatives of the force by the search coordinates, then by relative changes of the coefficients, or by the
-  /// coefficients themselves where they are zero; one row for each sample that is compared.
-  Eigen::MatrixXd jacobian(const ModelFit& fit);
+  /// By products of all columns of the model those of the derivatives of the force by the search coordinates, then by
+  /// relative changes of the coefficients, or by the coefficients themselves where they are zero.
+  static Eigen::MatrixXd ofParameters(const ModelFit& fit, const Eigen::MatrixXd& products);
 
  private:
-  Eigen::MatrixXd derivatives(const ModelFit& fit) const;
-
   ForceModel& model_;
-  const Eigen::VectorXd& force_;
-  const std::vector<Eigen::Index>& rows_;
   double unit_;
-  ModelFit last_;  // where the sum was asked for last, like the model
+  ModelFit last_;             // where the sum was asked for last, like the model
+  Eigen::MatrixXd products_;  // of the basis there
 };
 
 }  // namespace rubber_suspension::fit

@@ -6,15 +6,21 @@
 
 namespace rubber_suspension::numerics {
 
-/// The upper one of the two in the middle where the count is even; 0 of none.
+/// The upper one of the two in the middle where the count is even; 0 of none. Changes the order of the values.
 template <class Number>
-Number medianOf(std::vector<Number> values) {
+Number medianIn(std::vector<Number>& values) {
   if (values.empty()) {
     return 0;
   }
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+/// The same of values that keep their order.
+template <class Number>
+Number medianOf(std::vector<Number> values) {
+  return medianIn(values);
 }
 
 }  // namespace rubber_suspension::numerics

@@ -22,16 +22,16 @@ double medianSeconds(const std::function<void()>& work) {
 
 std::string singleWork(const std::string& work, const std::string& component_file, const std::string& log_file) {
   const io::ComponentDescription description = io::selectComponent(io::loadComponentFile(component_file), "");
-  const log::Log log = log::readLog(log_file);
+  const std::vector<log::Log> logs = {log::readLog(log_file)};
   if (work == "simulate") {
     const component::Component component = description.makeComponent();
-    return fmt::format("{{\"seconds\": {:.9g}}}", medianSeconds([&] { gap::simulateLog(component, log); }));
+    return fmt::format("{{\"seconds\": {:.9g}}}", medianSeconds([&] { gap::simulateLog(component, logs.front()); }));
   }
   fit::IdentificationOptions options;
   options.starts = 1;
   fit::Identification fit;
-  const double seconds = medianSeconds([&] { fit = fit::identify(description.allElements(), {log}, options); });
-  const double cost = fit.residual * fit.residual * static_cast<double>(log.size());
+  const double seconds = medianSeconds([&] { fit = fit::identify(description.allElements(), logs, options); });
+  const double cost = fit.residual * fit.residual * static_cast<double>(logs.front().size());
   return fmt::format("{{\"seconds\": {:.9g}, \"cost\": {:.12g}}}", seconds, cost);
 }
 

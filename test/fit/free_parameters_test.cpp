@@ -29,7 +29,8 @@ std::set<std::string> freeInEstimate(const std::vector<element::ElementDescripti
     completed.push_back(element::complete(element));
   }
   const std::vector<log::Log> logs = {recorded()};
-  const fit::ForceModel model(completed, logs, {});
+  const fit::Compared none;
+  const fit::ForceModel model(completed, logs, none, {});
   std::set<std::string> names;
   for (const auto* unknowns : {&model.nonlinear(), &model.linear()}) {
     for (const fit::Unknown& unknown : *unknowns) {
