@@ -43,14 +43,6 @@ gap::Forces softenedShare(const BasisTerm& term, const std::vector<gap::Prepared
   return result;
 }
 
-gap::Forces addedForce(const BasisTerm& term, const std::vector<gap::PreparedRecord>& records) {
-  gap::Forces result = gap::simulate({term.at(term.typical)}, records);
-  for (Eigen::VectorXd& force : result) {
-    force /= term.typical;
-  }
-  return result;
-}
-
 std::vector<int> containedBy(const std::vector<Candidate>& candidates, int larger) {
   std::vector<int> contained;
   for (std::size_t other = 0; other < candidates.size(); ++other) {
@@ -93,12 +85,21 @@ std::optional<int> heldBy(const std::vector<Candidate>& candidates, int larger, 
 }
 
 gap::Forces unitEffect(const BasisTerm& term, const std::vector<gap::PreparedRecord>& records) {
-  return term.softening ? softenedShare(term, records)
-         : term.exact   ? element::each(records, term.exact)
-                        : addedForce(term, records);
+  return term.exact ? element::each(records, term.exact) : effectOfEntry(term, records);
 }
 
 }  // namespace
+
+gap::Forces effectOfEntry(const BasisTerm& term, const std::vector<gap::PreparedRecord>& records) {
+  if (term.softening) {
+    return softenedShare(term, records);
+  }
+  gap::Forces result = gap::simulate({term.at(term.typical)}, records);
+  for (Eigen::VectorXd& force : result) {
+    force /= term.typical;
+  }
+  return result;
+}
 
 BasisTerm additiveTerm(const std::string& type, const std::string& scaled, double typical,
                        const element::ParameterValues& others) {

@@ -152,6 +152,10 @@ struct ParameterVector {
   double largestChange() const { return model.size() > 0 ? model.cwiseAbs().maxCoeff() : 0.0; }
 };
 
+/// The effect of the entry of an additive or softening term on each log at scale 1: the force that it adds [N], or the
+/// share of the component's force that it takes [-].
+gap::Forces effectOfEntry(const BasisTerm& term, const std::vector<gap::PreparedRecord>& records);
+
 /// Find the unit effects of additive and softening terms on these records once, so that fits need not simulate them.
 void findUnitEffects(std::vector<Candidate>& candidates, const std::vector<gap::PreparedRecord>& records, int threads);
 

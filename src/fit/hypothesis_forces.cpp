@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <variant>
 
 #include "fit/difference_quotient.h"
 #include "fit/parallel.h"
@@ -183,11 +184,92 @@ ForceColumn HypothesisForces::moved(const Place& place, Eigen::VectorXd Paramete
   });
 }
 
+// The entries of the terms at work that act on the displacement alone, if nothing else does and nothing behind them
+// differs from a sum of forces times factors, the rig's known; empty otherwise. An excerpt's lead-in is at steps of its
+// own.
+std::vector<element::ElementDescription> HypothesisForces::pathOf(const Place& place) const {
+  if (!records_ || place.hypothesis.law || !place.interaction.displaces || of_model_.displaces || of_model_.scales ||
+      of_model_.on_rig || std::any_of(records().begin(), records().end(), [](const log::Record& record) {
+        return !record.lead_in.displacement.empty();
+      })) {
+    return {};
+  }
+  std::vector<element::ElementDescription> path;
+  for (std::size_t t = 0; t < place.hypothesis.terms.size(); ++t) {
+    const BasisTerm& term = place.hypothesis.terms[t];
+    const double scale = scaleOf(place.parameters, t);
+    if (scale == 0.0) {
+      continue;
+    }
+    if (term.on_rig && !term.unit_effect) {
+      return {};
+    }
+    if (!term.softening && !term.additive) {
+      path.push_back(term.at(scale));
+      if (!std::holds_alternative<std::shared_ptr<const element::DisplacementEffect>>(
+              element::makeElement(path.back()))) {
+        return {};
+      }
+    }
+  }
+  return path;
+}
+
+// Behind a delay or a free play all other terms are known again, by their effects on the displacement that is left.
+std::vector<ForceColumn> HypothesisForces::columnsBehind(std::vector<element::ElementDescription> path,
+                                                         const Place& place, const std::vector<bool>& active,
+                                                         int threads) const {
+  path.push_back({"spring", {{"stiffness", {1.0}}}});
+  gap::Forces displaced = gap::simulate(path, records());
+  std::vector<gap::PreparedRecord> behind(records().size());
+  for (std::size_t r = 0; r < behind.size(); ++r) {
+    behind[r].dt = records()[r].dt;
+    behind[r].displacement = std::move(displaced[r]);
+    behind[r].temperature = records()[r].temperature;
+    behind[r].across = records()[r].across;
+  }
+  Hypothesis hypothesis = place.hypothesis;
+  ParameterVector parameters = place.parameters;
+  const auto atWork = [&](std::size_t t) { return scaleOf(place.parameters, t) != 0.0; };
+  const auto isKnownBehind = [&](std::size_t t) {
+    const BasisTerm& term = hypothesis.terms[t];
+    return (term.additive || term.softening) && !term.on_rig;
+  };
+  parallelFor(hypothesis.terms.size(), threads, [&](std::size_t t) {
+    if (atWork(t) && isKnownBehind(t)) {
+      hypothesis.terms[t].unit_effect = columnOf(effectOfEntry(hypothesis.terms[t], behind));
+    }
+  });
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    const BasisTerm& term = hypothesis.terms[t];
+    parameters.scales[static_cast<Eigen::Index>(t)] *= term.additive || term.softening ? 1.0 : 0.0;
+  }
+  const HypothesisForces forces(behind, model_);
+  const auto base = forces.at(hypothesis, parameters);
+  if (!base) {
+    throw std::invalid_argument("the model has no solution where derivatives are taken");
+  }
+  const Place there{hypothesis, parameters, *base, forces.interactionOf(hypothesis, parameters)};
+  const auto size = static_cast<std::size_t>(model().size());
+  std::vector<ForceColumn> columns(size + hypothesis.terms.size());
+  parallelFor(columns.size(), threads, [&](std::size_t j) {
+    if (j < size) {
+      columns[j] = forces.moved(there, &ParameterVector::model, static_cast<Eigen::Index>(j), kLogarithmStep);
+    } else if (const std::size_t t = j - size; active.empty() || active[t]) {
+      const BasisTerm& term = hypothesis.terms[t];
+      columns[j] = !isKnownBehind(t) ? termColumn(place, t)
+                   : atWork(t)       ? knownColumn(there, t, term.unit_effect)
+                                     : knownColumn(there, t, columnOf(effectOfEntry(term, behind)));
+    }
+  });
+  return columns;
+}
+
 ForceColumn HypothesisForces::termColumn(const Place& place, std::size_t term) const {
   const BasisTerm& basis_term = place.hypothesis.terms[term];
   const double scale = scaleOf(place.parameters, term);
   if (isKnown(basis_term, place.interaction) || (basis_term.unit_effect && scale == 0.0)) {
-    return knownColumn(place, term);
+    return knownColumn(place, term, basis_term.unit_effect);
   }
   const double reach = basis_term.at ? basis_term.typical : kLogarithmStep;
   const double step = basis_term.at && scale != 0.0 ? kScaleStep * reach : reach;
@@ -199,6 +281,9 @@ std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis,
                                                    const std::vector<bool>& active, const gap::Forces& base,
                                                    int threads) const {
   const Place place{hypothesis, parameters, base, interactionOf(hypothesis, parameters)};
+  if (std::vector<element::ElementDescription> path = pathOf(place); !path.empty()) {
+    return columnsBehind(std::move(path), place, active, threads);
+  }
   const auto size = static_cast<std::size_t>(model().size());
   std::vector<ForceColumn> columns(size + hypothesis.terms.size());
   parallelFor(columns.size(), threads, [&](std::size_t j) {
@@ -213,12 +298,12 @@ std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis,
 
 // Where a term's effect is known the force is linear in its scale. Where others displace the component, that is about
 // so, and enough to tell whether a term at nothing is worth a step.
-ForceColumn HypothesisForces::knownColumn(const Place& place, std::size_t term) {
+ForceColumn HypothesisForces::knownColumn(const Place& place, std::size_t term, const ForceColumn& unit_effect) {
   const BasisTerm& basis_term = place.hypothesis.terms[term];
   if (basis_term.on_rig || !(basis_term.softening || place.interaction.softens)) {
-    return basis_term.unit_effect;
+    return unit_effect;
   }
-  gap::Forces column = *basis_term.unit_effect;
+  gap::Forces column = *unit_effect;
   ParameterVector others = place.parameters;
   others.scales = -others.scales;
   for (std::size_t r = 0; r < place.base.size(); ++r) {
