@@ -252,14 +252,22 @@ std::vector<ForceColumn> HypothesisForces::columnsBehind(std::vector<element::El
   const Place there{hypothesis, parameters, *base, forces.interactionOf(hypothesis, parameters)};
   const auto size = static_cast<std::size_t>(model().size());
   std::vector<ForceColumn> columns(size + hypothesis.terms.size());
-  parallelFor(columns.size(), threads, [&](std::size_t j) {
-    if (j < size) {
-      columns[j] = forces.moved(there, &ParameterVector::model, static_cast<Eigen::Index>(j), kLogarithmStep);
-    } else if (const std::size_t t = j - size; active.empty() || active[t]) {
-      const BasisTerm& term = hypothesis.terms[t];
-      columns[j] = !isKnownBehind(t) ? termColumn(place, t)
-                   : atWork(t)       ? knownColumn(there, t, term.unit_effect)
-                                     : knownColumn(there, t, columnOf(effectOfEntry(term, behind)));
+  parallelFor(size, threads, [&](std::size_t j) {
+    columns[j] = forces.moved(there, &ParameterVector::model, static_cast<Eigen::Index>(j), kLogarithmStep);
+  });
+  parallelFor(hypothesis.terms.size(), threads, [&](std::size_t t) {
+    BasisTerm& term = hypothesis.terms[t];
+    if (!active.empty() && !active[t]) {
+      return;
+    }
+    if (!isKnownBehind(t)) {
+      columns[size + t] = termColumn(place, t);
+    } else {
+      // What adds up is of no more use to others, and takes memory.
+      ForceColumn effect = !atWork(t)       ? columnOf(effectOfEntry(term, behind))
+                           : term.softening ? term.unit_effect
+                                            : std::move(term.unit_effect);
+      columns[size + t] = knownColumn(there, t, std::move(effect));
     }
   });
   return columns;
@@ -298,12 +306,13 @@ std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis,
 
 // Where a term's effect is known the force is linear in its scale. Where others displace the component, that is about
 // so, and enough to tell whether a term at nothing is worth a step.
-ForceColumn HypothesisForces::knownColumn(const Place& place, std::size_t term, const ForceColumn& unit_effect) {
+ForceColumn HypothesisForces::knownColumn(const Place& place, std::size_t term, ForceColumn unit_effect) {
   const BasisTerm& basis_term = place.hypothesis.terms[term];
   if (basis_term.on_rig || !(basis_term.softening || place.interaction.softens)) {
     return unit_effect;
   }
   gap::Forces column = *unit_effect;
+  unit_effect.reset();
   ParameterVector others = place.parameters;
   others.scales = -others.scales;
   for (std::size_t r = 0; r < place.base.size(); ++r) {

@@ -79,7 +79,7 @@ class HypothesisForces {
   /// Quotient where one of the parameters is moved.
   ForceColumn moved(const Place& place, Eigen::VectorXd ParameterVector::*part, Eigen::Index parameter,
                     double step) const;
-  static ForceColumn knownColumn(const Place& place, std::size_t term, const ForceColumn& unit_effect);
+  static ForceColumn knownColumn(const Place& place, std::size_t term, ForceColumn unit_effect);
 
   std::vector<element::ElementDescription> pathOf(const Place& place) const;
   std::vector<ForceColumn> columnsBehind(std::vector<element::ElementDescription> path, const Place& place,
