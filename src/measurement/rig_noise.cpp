@@ -51,8 +51,9 @@ std::vector<LogWeight> weightsByNoise(const std::vector<double>& noise, double a
     weight = std::pow(std::min(1.0, most / noise[r]), 2);
     sum += weight;
     if (weight < 1.0) {
-      note = fmt::format("noise of {:.2g} % of the force, so it counts {:.2g} times as much as other logs",
-                         100.0 * noise[r], weight);
+      note = fmt::format(
+          "noise of {:.2g} % of the force beside the model alone, so it counts {:.2g} times as much as other logs",
+          100.0 * noise[r], weight);
     }
   }
   for (LogWeight& one : weights) {

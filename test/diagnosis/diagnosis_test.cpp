@@ -115,17 +115,24 @@ TEST(Diagnosis, RefusesALogWithoutForce) {
   EXPECT_THROW(diagnosis::diagnose(rigComponent(), {log}, {}), log::LogError);
 }
 
-// What the engineer rules out is not named, and the report says what it would be.
+// What the engineer rules out is not named, and the report says what it would be: both causes of this gap would be told
+// together, and the noise is that of the rig, whatever is named.
 TEST(Excluded, IsNotNamedButTold) {
   io::ComponentDescription component = rigComponent();
-  component.excluded_effects = {"bump_stop"};
-  const diagnosis::Diagnosis result = diagnoseRig(linearStop, component);
-  EXPECT_THAT(result.answer.effects, ::testing::Not(::testing::Contains("bump_stop"))) << result.sentence;
-  ASSERT_EQ(result.answer.excluded.size(), 1);
-  EXPECT_EQ(result.answer.excluded[0].effect, "bump_stop");
-  EXPECT_GT(result.answer.excluded[0].probability_otherwise, 0.5);
+  component.excluded_effects = {"bump_stop", "friction"};
+  const auto both = [friction = rigFriction()](double time, double z, double rate) {
+    return friction(time, z, rate) + linearStop(time, z, rate);
+  };
+  const diagnosis::Diagnosis result = diagnoseRig(both, component);
+  EXPECT_THAT(result.answer.effects,
+              ::testing::Not(::testing::AnyOf(::testing::Contains("bump_stop"), ::testing::Contains("friction"))));
+  ASSERT_EQ(result.answer.excluded.size(), 2);
+  for (const diagnosis::ExcludedEffect& one : result.answer.excluded) {
+    EXPECT_GT(one.probability_otherwise, 0.5) << one.effect;
+  }
   EXPECT_THAT(result.sentence,
-              ::testing::HasSubstr("Excluded by the component file; without that, bump_stop would be "));
+              ::testing::HasSubstr("Excluded by the component file; without that, friction would be "));
+  EXPECT_LT(result.gaps.unseen.noise_floor, 0.5 * result.gaps.unseen.augmented);
   EXPECT_EQ(result.law.augmented.excluded_effects, component.excluded_effects);
 }
 

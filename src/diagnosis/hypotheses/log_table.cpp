@@ -149,12 +149,7 @@ class LogTable {
     const gap::Forces forces = *prepared_.fitter.forces().at(best.hypothesis, best.fit.parameters);
     addLogs(prepared_.training, forces, search_.noise.of_logs, false);
     if (!prepared_.held_out.empty()) {
-      const gap::Forces unseen = predict(prepared_.model, best, prepared_.held_out);
-      addLogs(
-          prepared_.held_out, unseen,
-          noiseFloors(augmentedDescription(prepared_.model, best).allElements(), freeOfNoise(best.hypothesis), unseen,
-                      prepared_.held_out, measurement::noiseLimit(search_.noise.of_logs, prepared_.training)),
-          true);
+      addLogs(prepared_.held_out, predict(prepared_.model, best, prepared_.held_out), search_.noise.unseen, true);
     }
     countBlocks(search_.re_estimated.fit.blocks, 0);
     if (!unseen_.empty()) {
@@ -274,6 +269,15 @@ std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& 
     sizes.push_back(sizesOfMember(candidate, fitted.hypothesis.free_in_log, forces.records(), added, with));
   }
   return sizes;
+}
+
+std::vector<double> floorsOfUnseen(const PreparedCase& prepared, const Search& search) {
+  const FittedHypothesis& best = bestOf(search);
+  return prepared.held_out.empty()
+             ? std::vector<double>()
+             : noiseFloors(augmentedDescription(prepared.model, best).allElements(), freeOfNoise(best.hypothesis),
+                           predict(prepared.model, best, prepared.held_out), prepared.held_out,
+                           measurement::noiseLimit(search.noise.of_logs, prepared.training));
 }
 
 judge::Evidence evidenceOfLogs(const PreparedCase& prepared, const Search& search, int threads) {

@@ -21,7 +21,11 @@ fit::ParameterVector withoutMember(const FittedHypothesis& fitted, std::size_t m
 std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& candidates,
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted);
 
-/// The evidence of a search over the logs of the fit and then the unseen ones.
+/// Noise floor of each log held out, beside the hypothesis that leaves least of the logs of the fit: the floor is of
+/// the measurement, whatever is named.
+std::vector<double> floorsOfUnseen(const PreparedCase& prepared, const Search& search);
+
+/// The evidence of a search, which has these floors, over the logs of the fit and then the unseen ones.
 judge::Evidence evidenceOfLogs(const PreparedCase& prepared, const Search& search, int threads);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

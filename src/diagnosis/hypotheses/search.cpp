@@ -65,9 +65,7 @@ class Searcher {
     tell("re-estimating the model parameters", 0.0);
     reEstimate();
     result_.candidates = measured_.candidates(result_.excitation, result_.re_estimated, threads_);
-    for (fit::Candidate& candidate : result_.candidates) {
-      candidate.excluded = std::find(excluded_.begin(), excluded_.end(), candidate.effect) != excluded_.end();
-    }
+    exclude(excluded_);
     tell("screening single effects", 0.2);
     const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
     tell("fitting single effects", 0.3);
@@ -81,7 +79,7 @@ class Searcher {
       fitSets(screening, kMostEffects, result_.triples);
     }
     fitPartsOfTriples();
-    fitExcludedPairs(screening);
+    fitOtherwise(screening);
     settle(result_.triples);
     return std::move(result_);
   }
@@ -368,8 +366,8 @@ class Searcher {
   }
 
   // Sets of so many effects, the likeliest first: of all pairs about the model, and of those with one less about what
-  // they arrived at. None where it is not worth a fit. What the rig costs the best so far may be one more effect: the
-  // floor is no higher than what one of them leaves.
+  // they arrived at. None where it is not worth a fit, nor those that were fitted before. What the rig costs the best
+  // so far may be one more effect: the floor is no higher than what one of them leaves.
   std::vector<Planned> plan(const Screening& about_model, std::size_t effects) {
     floor_ = result_.noise.floor;
     if (!isWorthMore(effects)) {
@@ -396,8 +394,10 @@ class Searcher {
     }
     std::vector<Planned> sorted;
     for (auto& [members, planned] : best) {
-      planned.odds = odds().of(planned.hypothesis, planned.start.scales, planned.error);
-      sorted.push_back(std::move(planned));
+      if (!isFitted(members)) {
+        planned.odds = odds().of(planned.hypothesis, planned.start.scales, planned.error);
+        sorted.push_back(std::move(planned));
+      }
     }
     std::stable_sort(sorted.begin(), sorted.end(), [](const Planned& x, const Planned& y) { return x.odds > y.odds; });
     return isWorthMore(effects) ? sorted : std::vector<Planned>{};
@@ -430,7 +430,7 @@ class Searcher {
     std::map<std::vector<int>, Planned> contained;
     for (const FittedHypothesis* fitted : likeliest(effects)) {
       for (const Screened& set : about_model.withContained(fitted->hypothesis.members, effects)) {
-        if (!isIn(list, set.members)) {
+        if (!isFitted(set.members)) {
           contained[set.members] = planOf(about_model, set);
         }
       }
@@ -438,9 +438,10 @@ class Searcher {
     fitAll(element::each(contained, &std::pair<const std::vector<int>, Planned>::second), list);
   }
 
-  static bool isIn(const std::vector<FittedHypothesis>& list, const std::vector<int>& members) {
-    return std::any_of(list.begin(), list.end(),
-                       [&](const FittedHypothesis& fitted) { return fitted.hypothesis.members == members; });
+  bool isFitted(const std::vector<int>& members) const {
+    const std::vector<const FittedHypothesis*> all = result_.withEffects();
+    return std::any_of(all.begin(), all.end(),
+                       [&](const FittedHypothesis* fitted) { return fitted->hypothesis.members == members; });
   }
 
   static Planned planOf(const Screening& screening, const Screened& set) {
@@ -486,7 +487,7 @@ class Searcher {
     for (std::size_t i = 0; i < members.size(); ++i) {
       std::vector<int> part = members;
       part.erase(part.begin() + static_cast<std::ptrdiff_t>(i));
-      if (!isIn(result_.pairs, part)) {
+      if (!isFitted(part)) {
         const fit::Hypothesis hypothesis = fit::makeHypothesis(result_.candidates, part, triple.held, triple.curved);
         parts.push_back({hypothesis, std::numeric_limits<double>::infinity(), 0.0, fitter_.configured(hypothesis)});
       }
@@ -494,21 +495,34 @@ class Searcher {
     fitAll(parts, result_.pairs);
   }
 
-  // What is excluded beside the likeliest effect.
-  void fitExcludedPairs(const Screening& screening) {
-    const std::vector<const FittedHypothesis*> singles = likeliest(1);
-    std::vector<Planned> pairs;
-    for (int c = 0; !singles.empty() && c < static_cast<int>(result_.candidates.size()); ++c) {
-      const fit::Candidate& candidate = result_.candidates[static_cast<std::size_t>(c)];
-      const int likely = singles.front()->hypothesis.members.front();
-      const fit::Candidate& other = result_.candidates[static_cast<std::size_t>(likely)];
-      const bool together = !fit::contains(candidate, other) && !fit::contains(other, candidate);
-      if (candidate.excluded && candidate.applies() && together) {
-        const Screened pair = screening.screen({likely, c});
-        pairs.push_back({screening.hypothesisOf(pair.members), pair.error, 0.0, screening.bestOf(pair.members)});
+  // What would be fitted with nothing excluded: only so is what an excluded effect would be otherwise a fair
+  // comparison, and only so is the noise that of the measurement.
+  void fitOtherwise(const Screening& screening) {
+    if (excluded_.empty()) {
+      return;
+    }
+    exclude({});
+    estimateNoise();
+    tryCurve(result_.singles);
+    tryFactors(result_.singles);
+    fitSets(screening, 2, result_.pairs);
+    fitSets(screening, kMostEffects, result_.triples);
+    fitPartsOfTriples();
+    exclude(excluded_);
+  }
+
+  void exclude(const std::vector<std::string>& effects) {
+    for (fit::Candidate& candidate : result_.candidates) {
+      candidate.excluded = std::find(effects.begin(), effects.end(), candidate.effect) != effects.end();
+    }
+    for (auto* list : {&result_.singles, &result_.pairs, &result_.triples}) {
+      for (FittedHypothesis& fitted : *list) {
+        const std::vector<int>& members = fitted.hypothesis.members;
+        fitted.hypothesis.excluded = std::any_of(members.begin(), members.end(), [&](int member) {
+          return result_.candidates[static_cast<std::size_t>(member)].excluded;
+        });
       }
     }
-    fitAll(pairs, result_.pairs);
   }
 
   const Measured& measured_;

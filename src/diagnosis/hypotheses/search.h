@@ -23,7 +23,8 @@ struct FittedHypothesis {
 struct Noise {
   double floor = 0.0;           ///< of all logs
   double floor_with_rig = 0.0;  ///< the same with the errors of the rig, which any model leaves
-  std::vector<double> of_logs;  ///< floor of each log
+  std::vector<double> of_logs;  ///< floor of each log of the fit
+  std::vector<double> unseen;   ///< floor of each log held out (floorsOfUnseen())
   std::vector<double> rest;     ///< of each log, noise of the least that models leave
   std::vector<double> caused;   ///< of each log, what the noise of the displacement causes in the model
   std::string source;
@@ -73,8 +74,8 @@ using ProgressCallback = std::function<void(const std::string&, double)>;
 
 class Measured;
 
-/// Fit all hypotheses about what was measured on `threads` threads. Effects that are excluded are fitted alone and
-/// beside the likeliest one, and nothing else is compared with them.
+/// Fit all hypotheses about what was measured on `threads` threads. With effects that are excluded the search
+/// continues once the others are fitted, as if nothing was.
 Search search(const Measured& measured, const std::vector<std::string>& excluded, int threads,
               const ProgressCallback& progress = {});
 

@@ -83,8 +83,7 @@ class Describer {
         re_estimated_(prepared_.model.apply(search_.re_estimated.fit.parameters.model)),
         before_(replayed(prepared_.fitter, fullLaw(search_.re_estimated), re_estimated_.allElements(), held_out_)),
         written_(writtenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_.unseen()), options_)),
-        law_(written_.law),
-        floors_(floorsOfUnseen()) {
+        law_(written_.law) {
     workings_.simulated = simulateAll();
   }
 
@@ -194,18 +193,10 @@ class Describer {
     return evidence;
   }
 
-  // Noise floor of each log held out.
-  std::vector<double> floorsOfUnseen() const {
-    return hasUnseenLogs() ? hypotheses::noiseFloors(
-                                 law_.full.allElements(), hypotheses::freeOfNoise(judged_.hypothesis),
-                                 hypotheses::predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
-                                 measurement::noiseLimit(search_.noise.of_logs, prepared_.training))
-                           : std::vector<double>();
-  }
-
   Left leftOfLogs() const {
     const double configured = gap::gapOfParts(gap::partErrors(recordsOfGap(), ofGap(workings_.simulated.configured)));
-    const double floor = hasUnseenLogs() ? hypotheses::commonFloor(floors_, prepared_.held_out) : search_.noise.floor;
+    const double floor =
+        hasUnseenLogs() ? hypotheses::commonFloor(search_.noise.unseen, prepared_.held_out) : search_.noise.floor;
     return {{configured, gap::gapOfParts(before_.unseen()), gap::gapOfParts(written_.errors.unseen()), floor},
             law_.gap_of_full,
             gapsAlone(),
@@ -297,7 +288,7 @@ class Describer {
     AdmittedLogs logs;
     logs.admission.resize(accounts.size());
     fit::parallelFor(accounts.size(), options_.threads, [&](std::size_t r) {
-      const double noise = r < training ? search_.noise.of_logs[r] : floors_[r - training];
+      const double noise = r < training ? search_.noise.of_logs[r] : search_.noise.unseen[r - training];
       const Simulated& s = workings_.simulated;
       logs.admission[r] = admit(s.records[r], r >= training, noise, accounts[r]);
       logs.admission[r].rating = {gap::rateIso18571(s.records[r].force, s.configured[r]),
@@ -333,7 +324,6 @@ class Describer {
   const Replayed before_;
   MeasuredLaw written_;
   const WrittenLaw& law_;
-  const std::vector<double> floors_;
 };
 
 }  // namespace
