@@ -21,11 +21,7 @@ ElementType liftOffType() {
            {"slack_stiffness", "N/m", Role::shape, Range::nonNegative(),
             "stiffness k_s of what holds an open contact; 0: nothing", 0.0}},
           [](const ElementDescription& description) -> ElementPointer {
-            const int side = sideOf(description, "F");
-            if (side == 0) {
-              refuseValue(description.type, "side", 0.0, "1", "1 (F > 0 only) or -1 (F < 0 only)");
-            }
-            return std::make_shared<const LiftOff>(static_cast<LiftOff::Carries>(side),
+            return std::make_shared<const LiftOff>(static_cast<LiftOff::Carries>(sideOf(description, "F", false)),
                                                    description.value("slack_stiffness"));
           }};
 }

@@ -59,15 +59,17 @@ bool isFree(const ParameterInfo& parameter, const std::vector<double>& values) {
 
 void refuseValue(const std::string& type, const std::string& parameter, double value, const std::string& unit,
                  const std::string& accepted) {
-  throw std::invalid_argument(
-      fmt::format("{}.{}: {:g} {} is out of range; accepted: {}", type, parameter, value, unit, accepted));
+  throw std::invalid_argument(fmt::format("{}.{}: {:g}{} is out of range; accepted: {}", type, parameter, value,
+                                          unit == "1" ? "" : " " + unit, accepted));
 }
 
-int sideOf(const ElementDescription& description, const char* quantity) {
+int sideOf(const ElementDescription& description, const char* quantity, bool may_be_both) {
   const double side = description.value("side");
-  if (side != -1.0 && side != 0.0 && side != 1.0) {
+  if (std::abs(side) != 1.0 && !(may_be_both && side == 0.0)) {
     refuseValue(description.type, "side", side, "1",
-                fmt::format("1 ({0} > 0 only), -1 ({0} < 0 only) or 0 (both)", quantity));
+                fmt::format(may_be_both ? "1 ({0} > 0 only), -1 ({0} < 0 only) or 0 (both)"
+                                        : "1 ({0} > 0 only) or -1 ({0} < 0 only)",
+                            quantity));
   }
   return static_cast<int>(side);
 }

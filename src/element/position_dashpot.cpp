@@ -19,12 +19,8 @@ ElementType positionDashpotType() {
            {"power", "1", Role::shape, Range::closed(0.1, 20.0), "p; the larger, the later the damping grows"},
            {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: grows towards z > 0, -1: towards z < 0", 1.0}},
           [](const ElementDescription& description) -> ElementPointer {
-            const double side = description.value("side");
-            if (std::abs(side) != 1.0) {
-              refuseValue(description.type, "side", side, "1", "1 (grows towards z > 0) or -1 (towards z < 0)");
-            }
-            return std::make_shared<const PositionDashpot>(description.value("damping"),
-                                                           side * description.value("reference_displacement"),
+            const double towards = sideOf(description, "z", false) * description.value("reference_displacement");
+            return std::make_shared<const PositionDashpot>(description.value("damping"), towards,
                                                            description.value("power"));
           }};
 }

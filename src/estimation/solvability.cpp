@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "element/each.h"
 #include "estimation/models.h"
 
 namespace rubber_suspension::estimation {
@@ -94,30 +95,30 @@ double roundedInside(const element::Range& interval, double end) {
   return std::round(value / unit) * unit;
 }
 
-// The specification with one input changed that is nearest to what was given.
+// The specification with a solution that is nearest to what was given.
 class Nearest {
  public:
-  Nearest(const Specification& specification, const Solvable& solvable)
-      : specification_(specification), solvable_(solvable) {}
+  explicit Nearest(const Solvable& solvable) : solvable_(solvable) {}
 
-  void offer(const element::ParameterInfo& input, const std::vector<element::Range>& intervals) {
-    const double given = specification_.at(input.name);
+  /// One input of a specification moved into these intervals. `before`: how far the specification was moved already.
+  void offer(const Specification& specification, const element::ParameterInfo& input,
+             const std::vector<element::Range>& intervals, double before = 0.0) {
+    const double given = specification.at(input.name);
     for (const element::Range& interval : intervals) {
       const double end = given < interval.lower ? interval.lower : interval.upper;
-      const double distance = std::abs(std::log(end / given));
+      const double distance = before + std::abs(std::log(end / given));
       if (distance < distance_) {
-        offer(input.name, isCount(input) ? end : roundedInside(interval, end), distance);
+        offer(specification, input.name, isCount(input) ? end : roundedInside(interval, end), distance);
       }
     }
   }
 
-  std::string text() const {
-    return std::isfinite(distance_) ? "; nearest: specification: {" + flowMap(nearest_) + "}" : "";
-  }
+  bool found() const { return std::isfinite(distance_); }
+
+  std::string text() const { return found() ? "; nearest: specification: {" + flowMap(nearest_) + "}" : ""; }
 
  private:
-  void offer(const std::string& name, double value, double distance) {
-    Specification changed = specification_;
+  void offer(Specification changed, const std::string& name, double value, double distance) {
     changed.set(name, value);
     if (solvable_(changed)) {
       nearest_ = changed;
@@ -125,14 +126,45 @@ class Nearest {
     }
   }
 
-  const Specification& specification_;
   const Solvable& solvable_;
   Specification nearest_;
   double distance_ = std::numeric_limits<double>::infinity();
 };
 
-// Of numbers that the search may move: not a displacement that may be 0.
-bool isSearched(const element::ParameterInfo& input) { return input.range.lower >= 0.0; }
+// The inputs that a search may move: not a displacement that may be 0.
+std::vector<element::ParameterInfo> searchedInputs(const Specification& specification) {
+  return element::those(specificationParameters(), [&](const element::ParameterInfo& input) {
+    return specification.has(input.name) && input.range.lower >= 0.0;
+  });
+}
+
+// All other inputs, where one was moved by a factor.
+void moveBeside(const element::ParameterInfo& first, double factor, const Specification& specification,
+                const Solvable& solvable, Nearest& nearest) {
+  Specification moved = specification;
+  moved.set(first.name, specification.at(first.name) * factor);
+  for (const element::ParameterInfo& second : searchedInputs(specification)) {
+    if (second.name != first.name && first.range.contains(moved.at(first.name))) {
+      nearest.offer(moved, second, solvableIntervals(moved, second, solvable, Scan::coarse),
+                    std::abs(std::log(factor)));
+    }
+  }
+}
+
+// Where no single input helps: one moved by as little as may do, and another one with it.
+void moveTwo(const Specification& specification, const Solvable& solvable, Nearest& nearest) {
+  for (const double by : {0.02, 0.1, 0.3, 0.7}) {
+    for (const element::ParameterInfo& first : searchedInputs(specification)) {
+      if (!isCount(first)) {
+        moveBeside(first, 1.0 + by, specification, solvable, nearest);
+        moveBeside(first, 1.0 - by, specification, solvable, nearest);
+      }
+    }
+    if (nearest.found()) {
+      return;
+    }
+  }
+}
 
 }  // namespace
 
@@ -181,19 +213,19 @@ std::vector<element::Range> solvableIntervals(const Specification& specification
 
 std::string describeSolvableInputs(const Specification& specification, const Solvable& solvable, Scan scan) {
   std::string text;
-  Nearest nearest(specification, solvable);
-  for (const element::ParameterInfo& input : specificationParameters()) {
-    if (!specification.has(input.name) || !isSearched(input)) {
-      continue;
-    }
+  Nearest nearest(solvable);
+  for (const element::ParameterInfo& input : searchedInputs(specification)) {
     const std::vector<element::Range> intervals = solvableIntervals(specification, input, solvable, scan);
     if (!intervals.empty()) {
       text += (text.empty() ? "" : "; ") + describe(intervals, input, specification.writtenUnit(input.name));
-      nearest.offer(input, intervals);
+      nearest.offer(specification, input, intervals);
     }
   }
-  return text.empty() ? "no value of any single input with the others kept"
-                      : text + " (each with the others kept)" + nearest.text();
+  if (text.empty() && scan == Scan::fine) {
+    moveTwo(specification, solvable, nearest);
+  }
+  return (text.empty() ? "no value of any single input with the others kept" : text + " (each with the others kept)") +
+         nearest.text();
 }
 
 }  // namespace rubber_suspension::estimation

@@ -22,7 +22,7 @@ std::vector<element::Range> solvableIntervals(const Specification& specification
 
 /// "dynamic_stiffness in (3e+06, 4e+06) N/m; maximum_stiffness greater than ... (each with the others kept); nearest:
 /// specification: {...}" over all inputs that help, or that none does. The nearest is ready for a component file: the
-/// one input changed that has the least way to go, as a ratio.
+/// one input changed that has the least way to go, as a ratio; where none helps and it is quick to decide, two.
 std::string describeSolvableInputs(const Specification& specification, const Solvable& solvable,
                                    Scan scan = Scan::fine);
 

@@ -2,6 +2,7 @@
 #include "io/element_reader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "element/largest_number.h"
@@ -37,6 +38,10 @@ std::string accepted(const element::ParameterInfo& parameter) {
   const element::Range& range = parameter.range;
   const bool bounded = std::isfinite(range.lower) || std::isfinite(range.upper);
   const std::string number = bounded ? "a number " + element::describe(range) : element::describe(range);
+  const std::string& meaning = parameter.documentation;
+  if (parameter.role == element::Role::choice && !meaning.empty() && std::isdigit(meaning.front()) != 0) {
+    return meaning;  // of each value that there is
+  }
   if (parameter.unit == "1") {
     return number + (range.upper <= 1.0 ? ", or in %" : "");
   }

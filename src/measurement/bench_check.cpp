@@ -186,8 +186,8 @@ struct Examined {
   std::optional<Suspicion> suspicion = std::nullopt;
 };
 
-RigFinding fatal(const std::string& log, const char* finding, double value, std::string text) {
-  return {log, finding, value, {value, value}, "1", true, true, std::move(text)};
+RigFinding fatal(const std::string& log, const char* finding, double value, std::string text, const char* unit = "1") {
+  return {log, finding, value, {value, value}, unit, true, true, std::move(text)};
 }
 
 constexpr const char* kCorrectTable = "correct the unit in the header of the table";
@@ -317,7 +317,7 @@ std::optional<Suspicion> energySuspicion(const Examined& log) {
         "the loops give energy: the force is {:.3g} s {} the displacement, {:.2g} of a cycle: bring both "
         "channels to one time",
         std::abs(delay * record.dt), delay > 0.0 ? "behind" : "ahead of", std::abs(delay) / e.period);
-    return Suspicion{fatal(record.name, finding::kDelay, delay * record.dt, text), LooksLike::delay};
+    return Suspicion{fatal(record.name, finding::kDelay, delay * record.dt, text, "s"), LooksLike::delay};
   }
   return Suspicion{sign < swap ? signFinding(record, e) : swapFinding(record, e), looks_like};
 }
@@ -403,11 +403,13 @@ std::optional<Suspicion> constantSuspicion(const Examined& log) {
     const VectorXd& channel = is_force ? record.force : record.raw_displacement;
     const VectorXd& other = is_force ? record.raw_displacement : record.force;
     const char* const name = is_force ? "force" : "displacement";
+    const char* const unit = is_force ? "N" : "m";
     if (rangeOf(channel) <= 1e-12 * channel.cwiseAbs().maxCoeff()) {
       return fatal(record.name, finding::kConstant, channel[0],
                    fmt::format("the {} is {:.4g} {} from the first sample to the last: check the channel's cable, and "
                                "which column it is, --columns {}=NAME",
-                               name, channel[0], is_force ? "N" : "m", name));
+                               name, channel[0], unit, name),
+                   unit);
     }
     const DeadPart dead = deadPart(channel, other, is_force ? kFarther : kAsMuch);
     if (dead.end > dead.begin && (is_force ? !isOfASlackContact(record, dead) : isOfAMotion(record, dead))) {
@@ -416,7 +418,8 @@ std::optional<Suspicion> constantSuspicion(const Examined& log) {
           record.name, finding::kConstant, time(dead.end - dead.begin),
           fmt::format("the {} stands still from {:.4g} to {:.4g} s of {:.4g} s, while the {} continues: check "
                       "the channel's cable, and leave this part out",
-                      name, time(dead.begin), time(dead.end), record.duration(), is_force ? "displacement" : "force"));
+                      name, time(dead.begin), time(dead.end), record.duration(), is_force ? "displacement" : "force"),
+          "s");
     }
   }
   return std::nullopt;

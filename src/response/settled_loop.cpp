@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -199,9 +200,15 @@ Characteristics SettledLoop::characteristics() const {
   const double range = peak(force, high - force.begin()) - peak(force, low - force.begin());
   const double step = 2.0 * element::kPi / static_cast<double>(force.size());
   double loss = 0.0;
+  double all = 0.0;
   for (std::size_t i = 0; i < force.size(); ++i) {
-    loss += force[i] * amplitude * std::sin(step * static_cast<double>(i)) * step;
+    const double part = force[i] * amplitude * std::sin(step * static_cast<double>(i)) * step;
+    loss += part;
+    all += std::abs(part);
   }
+  // Below what rounding may add to the sum there is none.
+  const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(force.size()) * all;
+  loss = std::abs(loss) > rounding ? loss : 0.0;
   if (range == 0.0) {
     return {};  // nothing resists, as within free play
   }

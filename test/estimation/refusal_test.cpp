@@ -8,6 +8,7 @@
 
 #include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/kit.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -126,6 +127,16 @@ struct Interval {
   double upper;
 };
 
+// Whether the specification that a message calls the nearest has a solution.
+bool nearestIsSolvable(estimation::Model model, const std::string& message) {
+  const std::string before = "nearest: specification: ";
+  const std::size_t place = message.find(before);
+  const std::string nearest = place == std::string::npos ? "{}" : message.substr(place + before.size());
+  return messageOf<std::exception>([&] {
+           componentOf("components: {b: {model: " + toString(model) + ", specification: " + nearest + "}}");
+         }) == "";
+}
+
 // The intervals "key in (a, b)" of a message, each part of an "or" too.
 std::vector<Interval> intervalsIn(const std::string& message) {
   std::vector<Interval> intervals;
@@ -176,6 +187,7 @@ TEST(Refusal, EveryIntervalNamedHoldsSolutions) {
   for (const auto& [model, values] : unsolvable) {
     const std::string message = refusal(model, values);
     ASSERT_NE(message, "") << estimation::toString(model);
+    EXPECT_TRUE(nearestIsSolvable(model, message)) << message;
     const auto intervals = intervalsIn(message);
     EXPECT_FALSE(intervals.empty()) << message;
     for (const Interval& interval : intervals) {
@@ -192,6 +204,14 @@ TEST(Refusal, EveryIntervalNamedHoldsSolutions) {
       }
     }
   }
+}
+
+// Where no single input helps, two have to move.
+TEST(Refusal, TellsWhatIsNearestToOneStiffnessThroughout) {
+  const Values values = with(with(kFiveInputs, "dynamic_stiffness", 3e6), "maximum_stiffness", 3e6);
+  const std::string message = refusal(estimation::Model::multi_maxwell, values);
+  EXPECT_THAT(message, HasSubstr("accepted: no value of any single input with the others kept; nearest: "));
+  EXPECT_TRUE(nearestIsSolvable(estimation::Model::multi_maxwell, message)) << message;
 }
 
 TEST(Tables, EveryKeyOfEveryModelIsInTheTable) {

@@ -324,6 +324,7 @@ TEST(BenchCheck, NamesAChannelThatMeasuredNothing) {
       const std::vector<RigFinding> findings = checkBench(kSpring, {record});
       ASSERT_THAT(namesOf(findings), ElementsAre(finding::kConstant)) << force << dead;
       EXPECT_THAT(findings[0].text, HasSubstr(force ? "the force " : "the displacement "));
+      EXPECT_EQ(findings[0].unit, dead < whole.size() ? "s" : force ? "N" : "m");
     }
   }
   log::Record noise = whole;

@@ -21,6 +21,13 @@ TEST(CharacteristicsOfEllipse, IsWhatTheLoopGives) {
   EXPECT_NEAR(result.loss, element::kPi * 4.2e6 * 4e-6 * std::sin(0.1), 1e-12);
 }
 
+// A contact makes its loop by simulation; it loses nothing, and rounding is no loss.
+TEST(SettledLoop, HasNoLossBelowRounding) {
+  const component::Component contact(
+      {{"spring", {{"stiffness", {1e6}}}}, {"lift_off", {{"side", {1.0}}, {"slack_stiffness", {0.0}}}}});
+  EXPECT_EQ(response::simulateSettledLoop(contact, 1.0, 1e-3).characteristics().loss_angle, 0.0);
+}
+
 // F/z of a component under a sampled sine that is taken as linear between samples, from a simulation to steady state.
 Complex simulatedStiffness(const std::vector<element::ElementDescription>& elements, double frequency, int samples) {
   const component::Component component(elements);

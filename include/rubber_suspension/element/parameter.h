@@ -91,8 +91,8 @@ struct ElementDescription {
 [[noreturn]] void refuseValue(const std::string& type, const std::string& parameter, double value,
                               const std::string& unit, const std::string& accepted);
 
-/// The parameter `side` of laws that may act on one side of rest alone: 1, -1 or 0 for both. Throws
+/// The parameter `side` of laws that act on one side of rest alone: 1, -1 or, where a law may act on both, 0. Throws
 /// std::invalid_argument for another value; `quantity` is the signal whose sign counts.
-int sideOf(const ElementDescription& description, const char* quantity);
+int sideOf(const ElementDescription& description, const char* quantity, bool may_be_both = true);
 
 }  // namespace rubber_suspension::element

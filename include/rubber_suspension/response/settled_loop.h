@@ -30,7 +30,7 @@ struct SettledLoop {
   bool settled = false;              ///< remaining is below the tolerance
 
   /// Eqs. 1 and 2 on the loop as a function of phase: peaks interpolated, and the area by the trapezoidal rule in
-  /// phase, which for smooth branches converges with the fourth power of the step.
+  /// phase, which for smooth branches converges with the fourth power of the step. A loss below rounding is 0.
   Characteristics characteristics() const;
 };
 
