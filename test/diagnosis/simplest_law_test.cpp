@@ -176,6 +176,21 @@ TEST(WrittenComponent, HasNumbersThatAreKnown) {
   EXPECT_EQ(io::toYaml({read}), io::toYaml({d.law.augmented})) << "the file is the component, to the last bit";
 }
 
+// Of large numbers, too, and the ends of an interval have the digits of their value.
+TEST(WrittenComponent, HasIntervalsInTheDigitsOfTheNumbers) {
+  diagnosis::Diagnosis d;
+  io::ComponentDescription exact = inUnits();
+  exact.add = {{"progressive_stiffness", {{"cubic", {2.0e11}}, {"quintic", {3.2509785e15}}}}};
+  d.law.numbers = {written("specification.dynamic_stiffness", "N/m", 1.3e6, 1.2939e6, {1.2931e6, 1.3003e6}),
+                   written("add[0].quintic", "N/m^5", std::nan(""), 3.2509785e15, {2.88e15, 3.6213e15})};
+  d.law.numbers = diagnosis::results::rounded(d.law.numbers, exact, 0);
+  d.law.augmented = diagnosis::results::asWritten(exact, d.law.numbers);
+  const std::string text = diagnosis::report::augmentedYaml(d);
+  EXPECT_THAT(text, HasSubstr("quintic: 3.25e+15}"));
+  EXPECT_THAT(text, HasSubstr("# quintic: 95 %: 2.88e+15 to 3.62e+15 N/m^5"));
+  EXPECT_THAT(text, HasSubstr("# 95 %: 1.2931 to 1.3003 kN/mm; was 1.3 kN/mm"));
+}
+
 TEST(Headline, TellsFrictionOverAllTerms) {
   const auto iwan = headlineOf({{"iwan", {{"maximum_force", {300.0}}, {"displacement", {1e-4}}}}});
   EXPECT_NEAR(iwan.at("maximum_force"), 300.0, 1e-9);

@@ -11,6 +11,7 @@
 #include "diagnosis/words/text.h"
 #include "element/each.h"
 #include "log/text.h"
+#include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::diagnosis::report {
 namespace {
@@ -30,6 +31,26 @@ std::string originOf(const Diagnosis& d, double gap) {
       words::percent(d.gaps.unseen.re_estimated), words::percent(gap), words::percent(d.gaps.unseen.noise_floor));
 }
 
+// A number in the digits of another, as the file has that.
+std::string inDigitsOf(const std::string& number, double value) {
+  const std::size_t point = number.find('.');
+  const std::size_t exponent = std::min(number.find('e'), number.size());
+  const int decimals = point == std::string::npos ? 0 : static_cast<int>(exponent - point) - 1;
+  return exponent < number.size() ? fmt::format("{:.{}e}", value, decimals) : fmt::format("{:.{}f}", value, decimals);
+}
+
+// The interval in the unit and the digits of the number as the file has it.
+std::string intervalInFile(const SizedValue& size) {
+  const std::string text = size.text.empty() ? fmt::format("{}", size.value) : size.text;
+  const std::string unit = log::unitOfQuantity(text);
+  const log::UnitConversion convert(size.unit, unit.empty() ? size.unit : unit);
+  const auto end = [&](std::size_t i) {
+    return inDigitsOf(text.substr(0, text.find(' ')), convert(size.interval_95[i]));
+  };
+  const std::string shown = unit.empty() ? size.unit : unit;
+  return words::intervalText(size, end(0), end(1), shown == "1" ? "" : " " + shown);
+}
+
 }  // namespace
 
 io::YamlStyle augmentedStyle(const Diagnosis& d) {
@@ -40,9 +61,9 @@ io::YamlStyle augmentedStyle(const Diagnosis& d) {
     return size == d.law.numbers.end() || size->value == size->configured ||
                    !(size->interval_95[0] < size->interval_95[1])
                ? ""
-           : std::isfinite(size->configured) ? fmt::format("95 %: {}; was {}", words::intervalText(*size),
-                                                           words::quantity(size->configured, size->unit))
-                                             : "95 %: " + words::intervalText(*size);
+           : std::isfinite(size->configured)
+               ? fmt::format("95 %: {}; was {}", intervalInFile(*size), words::quantity(size->configured, size->unit))
+               : "95 %: " + intervalInFile(*size);
   };
   return style;
 }

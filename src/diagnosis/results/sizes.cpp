@@ -130,10 +130,12 @@ class Resampling {
     draw(options.resamplings);
   }
 
-  // The draws of another law, of the sizes that both have; a place in a component file is that of another number there.
+  // The draws of another law, of the sizes that both have; a place among the effects of a component file is that of
+  // another number there.
   void add(const Resampling& other) {
     for (auto& [key, draws] : draws_) {
-      const auto found = key.first.empty() ? other.draws_.end() : other.draws_.find(key);
+      const bool another = key.first.empty() && key.second.rfind("add[", 0) == 0;
+      const auto found = another ? other.draws_.end() : other.draws_.find(key);
       if (found != other.draws_.end()) {
         const std::vector<Draw> more = other.all(found->first, found->second);
         draws = all(key, draws);

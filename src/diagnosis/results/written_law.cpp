@@ -71,11 +71,12 @@ std::vector<std::string> ownersOf(const FittedLaw& fitted, const std::vector<fit
 
 constexpr int kMostDigits = 15;
 
-// A number to so many decimals, which may be negative.
+// A number to so many decimals, which may be negative; with an exponent where it is large or has many.
 std::string toDecimals(double value, int decimals) {
   constexpr double kMostFixed = 1e12;
   if (std::abs(value) > kMostFixed || decimals > kMostDigits) {
-    return fmt::format("{}", value);
+    const int digits = value == 0.0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1 + decimals;
+    return digits > kMostDigits ? fmt::format("{}", value) : fmt::format("{:.{}e}", value, std::max(digits, 1) - 1);
   }
   const double step = std::pow(10.0, -decimals);
   const double rounded = decimals < 0 ? std::round(value / step) * step : value;
@@ -101,8 +102,10 @@ std::string exactly(double value, const std::string& si, const std::string& unit
 std::string roundedText(const SizedValue& size, const std::string& unit, int finer) {
   const log::UnitConversion convert(size.unit, unit.empty() ? size.unit : unit);
   const double half = 0.5 * std::abs(convert(size.interval_95[1]) - convert(size.interval_95[0]));
-  const int decimals = half > 0.0 ? static_cast<int>(std::ceil(-std::log10(0.1 * half))) + finer : kMostDigits + 1;
-  return toDecimals(convert(size.value), decimals) + (unit.empty() ? "" : " " + unit);
+  const std::string number =
+      half > 0.0 ? toDecimals(convert(size.value), static_cast<int>(std::ceil(-std::log10(0.1 * half))) + finer)
+                 : fmt::format("{}", convert(size.value));
+  return number + (unit.empty() ? "" : " " + unit);
 }
 
 }  // namespace

@@ -66,7 +66,9 @@ std::string escape(const std::string& text) {
   return result;
 }
 
-std::string percent(double value, int decimals) { return fmt::format("{:.{}f} %", 100.0 * value, decimals); }
+std::string percent(double value, int decimals) {
+  return std::isfinite(value) ? fmt::format("{:.{}f} %", 100.0 * value, decimals) : "-";
+}
 
 std::string wholePercent(double value) { return fmt::format("{:.0f}", std::round(100.0 * value) + 0.0); }
 
@@ -126,23 +128,27 @@ std::string quantity(double value, const std::string& unit) {
   return fmt::format("{:.3g}{}", value / display.factor, unitText(display, unit));
 }
 
-std::string intervalText(const SizedValue& size) {
-  const Display& display = displayOf(size.unit, std::abs(size.value));
-  const auto text = [&](double value, int digits) { return fmt::format("{:.{}g}", value / display.factor, digits); };
+std::string intervalText(const SizedValue& size, const std::string& least, const std::string& most,
+                         const std::string& unit) {
   if (size.at_bound[1] && size.value >= size.interval_95[1]) {
-    return text(size.interval_95[0], 3) + unitText(display, size.unit) + " or more, the fit ends at a bound";
+    return least + unit + " or more, the fit ends at a bound";
   }
   if (size.at_bound[0] && size.value <= size.interval_95[0]) {
-    return text(size.interval_95[1], 3) + unitText(display, size.unit) + " or less, the fit ends at a bound";
-  }
-  int digits = 3;  // and as many more as tell the ends apart
-  while (digits < 6 && size.interval_95[0] < size.interval_95[1] &&
-         text(size.interval_95[0], digits) == text(size.interval_95[1], digits)) {
-    ++digits;
+    return most + unit + " or less, the fit ends at a bound";
   }
   const char* const ends[] = {"", ", the lower end is a bound", ", the upper end is a bound", ", both are bounds"};
-  return text(size.interval_95[0], digits) + " to " + text(size.interval_95[1], digits) + unitText(display, size.unit) +
-         ends[(size.at_bound[0] ? 1 : 0) + (size.at_bound[1] ? 2 : 0)];
+  return least + " to " + most + unit + ends[(size.at_bound[0] ? 1 : 0) + (size.at_bound[1] ? 2 : 0)];
+}
+
+std::string intervalText(const SizedValue& size) {
+  const Display& display = displayOf(size.unit, std::abs(size.value));
+  const auto [least, most] = size.interval_95;
+  const auto text = [&](double value, int digits) { return fmt::format("{:.{}g}", value / display.factor, digits); };
+  int digits = 3;  // and as many more as tell the ends apart
+  while (digits < 6 && least < most && text(least, digits) == text(most, digits)) {
+    ++digits;
+  }
+  return intervalText(size, text(least, digits), text(most, digits), unitText(display, size.unit));
 }
 
 std::string quantity(const SizedValue& size) {

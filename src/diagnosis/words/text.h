@@ -40,6 +40,10 @@ std::string quantity(const SizedValue& size);
 /// Its interval alone, in the unit of its value: "5.7 to 6.4 kN".
 std::string intervalText(const SizedValue& size);
 
+/// The same of ends that are text; the unit with its space, or empty.
+std::string intervalText(const SizedValue& size, const std::string& least, const std::string& most,
+                         const std::string& unit);
+
 /// Words of the package's own, in which a rotation was taken for a displacement, with its units: "6 N m" for "6 N", "4
 /// kN m/mrad" for "4 kN/mm". Not for what has names of logs in it.
 std::string inRotationUnits(const std::string& text);
