@@ -239,7 +239,7 @@ int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::repor
   }
   showStage("writing the report", 0.95);
   diagnosis::writeReport(diagnosis, options.output);
-  if (!options.plot.empty() && diagnosis.workings) {
+  if (!options.plot.empty() && hasComponentFile(diagnosis)) {
     io::drawFigure(diagnosis::report::overviewFigure(diagnosis), options.plot);
   }
   clearStage();

@@ -219,6 +219,12 @@ constexpr Invariant kInvariants[] = {
     {"a surrogate where unknown or partly", surrogateIsThere},
     {"a next experiment, or why none", [](const Diagnosis& d) { return !d.next.text.empty(); }}};
 
+Admission asRecorded(Admission log) {
+  log.noise = log.recorded = log.left = kNotComputed;
+  log.rating.reset();
+  return log;
+}
+
 }  // namespace
 
 std::vector<std::string> brokenInvariants(const Diagnosis& diagnosis) {
@@ -236,17 +242,25 @@ Diagnosis heldToInvariants(Diagnosis diagnosis) {
   if (broken.empty()) {
     return diagnosis;
   }
-  diagnosis.answer.verdict = Verdict::defect;
-  diagnosis.defect = fmt::format("{}", fmt::join(broken, "; "));
-  diagnosis.sentence = fmt::format(
+  Diagnosis told;  // of what was recorded, and of nothing that was judged
+  told.component = diagnosis.component;
+  told.turns = diagnosis.turns;
+  told.configured = diagnosis.configured;
+  told.answer.verdict = Verdict::defect;
+  told.defect = fmt::format("{}", fmt::join(broken, "; "));
+  told.sentence = fmt::format(
       "No verdict: this report would contradict itself ({}). That is a defect of rubber_suspension, not of the logs.",
-      diagnosis.defect);
-  diagnosis.next.text = "None: report the defect, with report.json and evidence.json (option --evidence).";
-  diagnosis.next.proposed = {};
-  diagnosis.answer.effects.clear();
-  diagnosis.answer.confounded.clear();
-  diagnosis.surrogate.reset();
-  return diagnosis;
+      told.defect);
+  told.next.text = "None: report the defect, with report.json and evidence.json (option --evidence).";
+  told.samples = diagnosis.samples;
+  for (const Admission& log : diagnosis.logs.admission) {
+    told.logs.admission.push_back(asRecorded(log));
+  }
+  if (diagnosis.table) {
+    told.table = DiagnosedTable{diagnosis.table->name, {}, diagnosis.table->never_shown, diagnosis.table->notes};
+  }
+  told.workings = diagnosis.workings;  // for evidence.json
+  return told;
 }
 
 }  // namespace rubber_suspension::diagnosis

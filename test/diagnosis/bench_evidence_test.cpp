@@ -67,6 +67,10 @@ TEST(BenchEvidence, ProposesNothingForAnotherComponent) {
   ASSERT_EQ(result.answer.verdict, diagnosis::Verdict::check_bench);
   const auto figures = diagnosis::report::reportFigures(result);
   ASSERT_EQ(figures.at(0).figure.axes.size(), 1U);
+  const std::string json = toJson(result);
+  for (const char* key : {"\"as_configured\": null", "\"noise_floor\": null", "\"fraction\": null", "\"none\": null"}) {
+    EXPECT_THAT(json, HasSubstr(key)) << "nothing was judged";
+  }
 }
 
 TEST(BenchEvidence, IsNotForLogsThatAreWhatTheySay) { EXPECT_FALSE(ofOneLog().bench_evidence); }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -66,7 +67,10 @@ TEST(Defect, TellsNoVerdict) {
   changed.gaps.unseen.re_estimated = changed.gaps.unseen.as_configured = changed.gaps.unseen.augmented;
   const Diagnosis told = heldToInvariants(std::move(changed));
   EXPECT_EQ(told.answer.verdict, diagnosis::Verdict::defect);
-  EXPECT_TRUE(told.answer.effects.empty());
+  EXPECT_TRUE(told.answer.effects.empty() && told.shares.empty() && told.candidates.empty());
+  EXPECT_TRUE(told.law.effect_sizes.empty() && told.logs.taken_out.empty() && told.rig_findings.empty());
+  EXPECT_FALSE(told.whole);
+  EXPECT_TRUE(std::isnan(told.gaps.closed) && std::isnan(told.logs.admission.front().left));
   EXPECT_THAT(told.defect, HasSubstr("named: the gap falls"));
   EXPECT_THAT(told.sentence, HasSubstr("No verdict"));
   EXPECT_NE(toJson(told).find("\"defect\": \"named: the gap falls"), std::string::npos);
@@ -75,6 +79,7 @@ TEST(Defect, TellsNoVerdict) {
   writeReport(told, folder);
   EXPECT_TRUE(std::filesystem::exists(folder + "/report.html"));
   EXPECT_FALSE(std::filesystem::exists(folder + "/augmented.yaml"));
+  EXPECT_FALSE(std::filesystem::exists(folder + "/figure_where.csv"));
   std::filesystem::remove_all(folder);
 }
 

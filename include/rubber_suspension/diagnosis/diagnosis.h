@@ -31,6 +31,9 @@ namespace rubber_suspension::diagnosis {
 /// Samples that a search takes unless it is told otherwise; memory and time grow with them.
 constexpr std::size_t kMostSamples = 300000;
 
+/// A number that nothing was computed of, as for the verdict check_bench; null in report.json.
+constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
+
 /// The options of a diagnosis besides the component and the logs.
 struct DiagnosisOptions {
   int threads = 2;
@@ -79,10 +82,10 @@ struct ExcludedEffect {
 /// RMS of measured minus simulated force over the standard deviation of the measured force, on data that took no part
 /// in the fit.
 struct Gap {
-  double as_configured = 0.0;
-  double re_estimated = 0.0;
-  double augmented = 0.0;
-  double noise_floor = 0.0;
+  double as_configured = kNotComputed;
+  double re_estimated = kNotComputed;
+  double augmented = kNotComputed;
+  double noise_floor = kNotComputed;
 };
 
 /// The force that a model lacks: means over cells of displacement and velocity, all logs together.
@@ -110,9 +113,9 @@ struct Surrogate {
 
 /// Errors of the characteristics on held-out data, relative RMS over windows.
 struct CharacteristicErrors {
-  double stiffness = 0.0;   ///< [-]
-  double loss_angle = 0.0;  ///< [rad]
-  double energy = 0.0;      ///< of the loss per cycle [-]
+  double stiffness = kNotComputed;   ///< [-]
+  double loss_angle = kNotComputed;  ///< [rad]
+  double energy = kNotComputed;      ///< of the loss per cycle [-]
 };
 
 /// The rating of a log by ISO/TS 18571, as it was recorded.
@@ -129,10 +132,10 @@ struct Admission {
   double dt = 0.0;                    ///< [s]
   double largest_displacement = 0.0;  ///< [m]
   double highest_frequency = 0.0;     ///< [Hz]
-  double noise = 0.0;                 ///< floor in units of the force's standard deviation
+  double noise = kNotComputed;        ///< floor in units of the force's standard deviation
   double repeats = 0.0;               ///< share of the log that repeats an earlier motion
-  double recorded = 0.0;              ///< gap of the augmented component to the log as recorded
-  double left = 0.0;                  ///< the same once what the rig did to the log is taken out
+  double recorded = kNotComputed;     ///< gap of the augmented component to the log as recorded
+  double left = kNotComputed;         ///< the same once what the rig did to the log is taken out
   std::optional<LogRating> rating;    ///< of a log that was judged
   std::vector<std::string> notes;
 };
@@ -247,8 +250,8 @@ struct Workings;       // what the report draws and lists besides: every hypothe
 /// The answer of the judgement, with the names of effects.
 struct Answered {
   Verdict verdict = Verdict::none;
-  double probability = 0.0;          ///< of the verdict; where effects are named, of their set
-  std::vector<std::string> effects;  ///< named, most important first
+  double probability = kNotComputed;  ///< of the verdict; where effects are named, of their set
+  std::vector<std::string> effects;   ///< named, most important first
   /// Where effects are named: the sets of effects that make 90 % of all, the likeliest first.
   std::vector<std::vector<std::string>> confounded;
   std::vector<Alternative> alternatives;  ///< what else may be right, the likeliest first
@@ -258,10 +261,10 @@ struct Answered {
 
 /// How far the gap falls.
 struct Gaps {
-  Gap unseen;           ///< what the rig did to each log taken out
-  double closed = 0.0;  ///< fraction of the closable gap
+  Gap unseen;                    ///< what the rig did to each log taken out
+  double closed = kNotComputed;  ///< fraction of the closable gap
   /// 95 %, of further logs of the same rig where effects are named.
-  std::array<double, 2> closed_interval{};
+  std::array<double, 2> closed_interval = {kNotComputed, kNotComputed};
   std::string noise_source;
 };
 
@@ -269,8 +272,8 @@ struct Gaps {
 struct WrittenLaw {
   /// Re-estimated, with the simplest law of each effect named, rounded: as augmented.yaml has it.
   io::ComponentDescription augmented;
-  io::ComponentDescription full;  ///< the same with the laws that were judged, all their numbers in full
-  double gap_of_full = 0.0;       ///< of that one, as Gaps::unseen.augmented is of the simplest law
+  io::ComponentDescription full;      ///< the same with the laws that were judged, all their numbers in full
+  double gap_of_full = kNotComputed;  ///< of that one, as Gaps::unseen.augmented is of the simplest law
   /// Of each entry that `augmented` adds to the configured ones, the effect that it belongs to.
   std::vector<std::string> added_for;
   std::vector<SizedValue> numbers;       ///< of `augmented` in full, by their places (io::numberPlace)
@@ -312,7 +315,8 @@ struct Samples {
   std::size_t recorded = 0;  ///< that the logs have; more than `searched` where it took excerpts
 };
 
-/// The result of a diagnosis: what each of its steps found.
+/// The result of a diagnosis: what each of its steps found. Of the verdicts check_bench and defect numbers are
+/// kNotComputed and lists are empty.
 struct Diagnosis {
   std::string component;
   bool turns = false;    ///< of a rotation: what is stated in m is in rad, and N is N m; units of values say it

@@ -1,14 +1,17 @@
 // Probabilities of what a gap comes of.
 #pragma once
 
+#include <limits>
+
 namespace rubber_suspension::diagnosis {
 
-/// Of the answers that a diagnosis can give; they add up to 1. Throws nothing.
+/// Of the answers that a diagnosis can give; they add up to 1. Not a number where nothing was judged. Throws nothing.
 struct Posterior {
-  double none = 0.0;             ///< there is no gap beyond noise
-  double parameter_error = 0.0;  ///< the model's own values are wrong, and nothing is missing
-  double effects = 0.0;          ///< effects of the list are at work; the candidates share it
-  double none_of_these = 0.0;    ///< something that is not in the list
+  double none = std::numeric_limits<double>::quiet_NaN();  ///< there is no gap beyond noise
+  /// The model's own values are wrong, and nothing is missing.
+  double parameter_error = std::numeric_limits<double>::quiet_NaN();
+  double effects = std::numeric_limits<double>::quiet_NaN();  ///< of the list are at work; the candidates share it
+  double none_of_these = std::numeric_limits<double>::quiet_NaN();  ///< something that is not in the list
 };
 
 }  // namespace rubber_suspension::diagnosis

@@ -142,7 +142,8 @@ class Comparer {
     for (const auto& [name, title] : gaps) {
       const double before = numberOf(before_.at("gap").at(name));
       const double after = numberOf(after_.at("gap").at(name));
-      const bool differs = name != "noise_floor" && std::abs(after - before) > noise();
+      const bool differs = name != "noise_floor" &&
+                           (std::isfinite(before) != std::isfinite(after) || std::abs(after - before) > noise());
       changes_.push_back({title, words::percent(before), words::percent(after), differs});
     }
   }

@@ -262,7 +262,7 @@ std::vector<ReportFigure> figuresOf(const Diagnosis& diagnosis) {
   if (diagnosis.bench_evidence) {
     return {{kBench, "Force over displacement: measured, and simulated as configured.", benchFigure(diagnosis)}};
   }
-  if (!diagnosis.workings) {
+  if (!diagnosis.workings || !diagnosis.defect.empty()) {
     return {};
   }
   if (diagnosis.table) {

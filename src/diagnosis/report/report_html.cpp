@@ -312,10 +312,10 @@ std::string benchBody(const Diagnosis& d, const DrawnFigures& drawn) {
          "bench.</p>\n";
 }
 
-// What led to the contradiction, and no claim.
+// No claim.
 std::string defectBody(const Diagnosis& d) {
   return report::firstScreen(d) + "<p>No effect is named and no component file is written.</p>\n" +
-         (d.table ? report::tableSection(d) : findings(d) + takenOut(d) + admission(d));
+         (d.table ? "" : admission(d));
 }
 
 std::string body(const Diagnosis& d, const DrawnFigures& drawn) {

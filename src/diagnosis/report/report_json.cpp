@@ -272,7 +272,7 @@ std::string toJson(const Diagnosis& diagnosis) {
                             {"date", diagnosis.comparison.date},
                             {"changes", each(diagnosis.comparison.changes, changeJson)}};
   }
-  if (diagnosis.workings) {
+  if (diagnosis.workings && diagnosis.defect.empty()) {
     report["trials"] = hypothesesJson(diagnosis.workings->search);
     report["surrogate_gap"] = diagnosis.workings->search.surrogate_gap;
   }

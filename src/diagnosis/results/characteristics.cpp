@@ -81,7 +81,7 @@ std::optional<response::Characteristics> measuredAt(const io::ComponentDescripti
 
 CharacteristicErrors characteristicErrors(const std::vector<gap::PreparedRecord>& records,
                                           const std::vector<Eigen::VectorXd>& simulated) {
-  CharacteristicErrors sum;
+  CharacteristicErrors sum{0.0, 0.0, 0.0};
   double windows = 0.0;
   double energy_reference = 0.0;
   for (std::size_t r = 0; r < records.size(); ++r) {

@@ -158,7 +158,7 @@ std::string nextRow(const MeasuredRows& measured, const Workings& workings) {
 using Complex = std::complex<double>;
 
 CharacteristicErrors errorsOf(const std::vector<fit::TablePoint>& points, const std::vector<Complex>& model) {
-  CharacteristicErrors sum;
+  CharacteristicErrors sum{0.0, 0.0, 0.0};
   const auto rows = static_cast<double>(points.size());
   for (std::size_t r = 0; r < points.size(); ++r) {
     const Complex measured = points[r].complexStiffness();
