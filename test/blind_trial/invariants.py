@@ -196,5 +196,5 @@ def checked(report):
         try:
             out[name] = check(report)
         except (KeyError, TypeError, IndexError, ValueError):
-            out[name] = None if report.get("verdict") == "check_bench" else False
+            out[name] = None if report.get("verdict") in ("check_bench", "defect") else False
     return out

@@ -181,10 +181,10 @@ def probabilities(cases):
     gap is made of."""
     reports = [c for c in cases if c.report and c.report.get("posterior")]
     effects = [(one["probability"], one["effect"] in c.truth) for c in reports for one in c.candidates]
-    kinds = [(c.report["posterior"][k], k == TRUTHS.get(c.kind, "effects")) for c in reports
+    kinds = [(c.report["posterior"][k] or 0.0, k == TRUTHS.get(c.kind, "effects")) for c in reports
              for k in ("none", "parameter_error", "effects", "none_of_these")]
     first = [(c.probability, c.first in c.truth) for c in reports if c.named]
-    truth = [c.report["posterior"][TRUTHS.get(c.kind, "effects")] for c in reports]
+    truth = [c.report["posterior"][TRUTHS.get(c.kind, "effects")] or 0.0 for c in reports]  # null: nothing was judged
     return {"of each effect": calibration_error(effects), "of the first name": calibration_error(first),
             "of none, wrong values, effects, none of these": calibration_error(kinds),
             "mean logarithm of the posterior of the truth":

@@ -19,8 +19,8 @@ import tempfile
 import time
 import unittest
 
-PROGRAMS = pathlib.Path(sys.argv[1]).resolve()
-CONFIG = pathlib.Path(__file__).resolve().parents[2] / "config"
+from usage_test import CONFIG, PROGRAMS, SHEET
+
 SCRIPTS = CONFIG.parent / "scripts"
 SHARES = (0.3, 0.8)  # of the time that the command takes
 SAMPLES = 20_000
@@ -44,9 +44,6 @@ CALLS = (
     "campaign collect campaign",
     "generate_track --output out/track.csv --plot out/track.svg --duration 600",
 )
-SHEET = ("data_sheet:\n  component: bush\n  load: compression\n  shore_a: 60\n  loaded_area: 100 cm^2\n"
-         "  layer_thickness: 20 mm\n  shape_factor: 1.25\n  dynamic_to_static_ratio: 1.4\n  nominal_frequency: 4 Hz\n"
-         "  loss_angle: 5.7 deg\n")
 
 
 def write_log(path, samples, rate):
