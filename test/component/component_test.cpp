@@ -16,26 +16,21 @@
 #include "rubber_suspension/element/free_play.h"
 #include "rubber_suspension/element/time_delay.h"
 #include "support/allocation_counter.h"
+#include "support/kit.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension::test {
 namespace {
 
-const element::ElementDescription kSpring{"spring", {{"stiffness", {3e6}}}};
-const element::ElementDescription kDashpot{"dashpot", {{"damping", {1e4}}}};
-const element::ElementDescription kMaxwell{"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}};
-const element::ElementDescription kFastMaxwell{"maxwell", {{"stiffness", {6e5}}, {"break_frequency", {15.0}}}};
-const element::ElementDescription kFriction{"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}};
+const element::ElementDescription kSpring = spring(3e6);
+const element::ElementDescription kDashpot = dashpot(1e4);
+const element::ElementDescription kMaxwell = maxwell(1.3e6, 1.43);
+const element::ElementDescription kFastMaxwell = maxwell(6e5, 15.0);
+const element::ElementDescription kFriction = friction(5e3, 1e-3);
 const element::ElementDescription kSeriesCompliance{"series_compliance", {{"stiffness", {3e7}}}};
 
 /// One of each kind, all slots of the memory in use.
-std::vector<element::ElementDescription> everything() {
-  std::vector<element::ElementDescription> all;
-  for (const element::ElementDescription& description : typicalElements()) {
-    all.push_back(description);
-  }
-  return all;
-}
+std::vector<element::ElementDescription> everything() { return typicalElements(); }
 
 double sineAt(int i, int samples, double amplitude) {
   return amplitude * std::sin(2.0 * element::kPi * (i % samples) / samples);
@@ -148,20 +143,18 @@ TEST(Component, PartsGoWhereTheyBelong) {
 }
 
 TEST(Component, WithoutElementsIsWithoutForce) {
-  const component::Component component({});
-  component::ComponentState state = component.makeState();
-  EXPECT_EQ(component.step(state, 1e-3, 1.0).total, 0.0);
+  WithState component(std::vector<element::ElementDescription>{});
+  EXPECT_EQ(component.step(1e-3, 1.0), 0.0);
   EXPECT_EQ(*component.complexStiffness(1.0), 0.0);
 }
 
 // Springs in series: 1/(1/K + 1/K_s), at once and to the solver's last digits.
 TEST(SeriesCompliance, OfASpringIsASpringInSeries) {
-  const component::Component component({kSpring, kSeriesCompliance});
-  component::ComponentState state = component.makeState();
+  WithState component({kSpring, kSeriesCompliance});
   const double stiffness = 1.0 / (1.0 / 3e6 + 1.0 / 3e7);
   for (const double z : {1e-3, -2e-3, 1e-9, 0.0, 0.5}) {
-    EXPECT_NEAR(component.step(state, 1e-3, z).total, stiffness * z, 1e-12 * stiffness * std::abs(z));
-    EXPECT_NEAR(component.initialise(state, z).total, stiffness * z, 1e-12 * stiffness * std::abs(z));
+    EXPECT_NEAR(component.step(1e-3, z), stiffness * z, 1e-12 * stiffness * std::abs(z));
+    EXPECT_NEAR(component.initialise(z), stiffness * z, 1e-12 * stiffness * std::abs(z));
   }
 }
 
@@ -195,73 +188,63 @@ TEST(SeriesCompliance, ForceBalanceHoldsWithFriction) {
       {{closes, idle}, closing}};
   for (const auto& [compliance, deflection] : cases) {
     std::vector<element::ElementDescription> laws = {kSpring, kMaxwell, kFriction};
-    const component::Component bare(laws);
+    WithState bare(laws);
     laws.insert(laws.end(), compliance.begin(), compliance.end());
-    const component::Component compliant(laws);
-    component::ComponentState state = compliant.makeState();
-    component::ComponentState specimen = bare.makeState();
+    WithState compliant(laws);
     for (int i = 1; i <= 400; ++i) {
       const double z = sineAt(i, 100, 2e-3);
-      const double force = compliant.step(state, 1e-3, z).total;
-      ASSERT_NEAR(bare.step(specimen, 1e-3, z - deflection(force)).total, force, 1e-8 * 1e4) << i;
+      const double force = compliant.step(1e-3, z);
+      ASSERT_NEAR(bare.step(1e-3, z - deflection(force)), force, 1e-8 * 1e4) << i;
     }
   }
 }
 
 TEST(SeriesCompliance, SeveralAddUp) {
-  const component::Component component({kSpring, kSeriesCompliance, {"series_compliance", {{"stiffness", {6e6}}}}});
-  component::ComponentState state = component.makeState();
-  EXPECT_NEAR(component.step(state, 1e-3, 1e-3).total, 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
+  WithState component({kSpring, kSeriesCompliance, {"series_compliance", {{"stiffness", {6e6}}}}});
+  EXPECT_NEAR(component.step(1e-3, 1e-3), 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
 }
 
 // F = K z' and z = z' + F/(K_s (1 + |F|/F_c)) make a quadratic equation in F.
 TEST(SeriesCompliance, ThatClosesUnderLoadMeetsTheClosedForm) {
   constexpr double kStiffness = 4e6;
   constexpr double kClosing = 800.0;
-  const component::Component component(
-      {kSpring, {"series_compliance", {{"stiffness", {kStiffness}}, {"closing_force", {kClosing}}}}});
-  component::ComponentState state = component.makeState();
+  WithState component({kSpring, {"series_compliance", {{"stiffness", {kStiffness}}, {"closing_force", {kClosing}}}}});
   for (const double z : {1e-3, -2e-3, 1e-6, 0.05, -1e-9}) {
     // |F|^2/(K F_c) + |F| (1/K + 1/K_s - |z|/F_c) - |z| = 0
     const double square = 1.0 / (3e6 * kClosing);
     const double half = 0.5 * (1.0 / 3e6 + 1.0 / kStiffness - std::abs(z) / kClosing);
     const double force = std::copysign(std::abs(z) / (half + std::sqrt(half * half + square * std::abs(z))), z);
-    EXPECT_NEAR(component.step(state, 1e-3, z).total / force, 1.0, 1e-11) << z;
-    EXPECT_NEAR(component.initialise(state, z).total / force, 1.0, 1e-11) << z;
+    EXPECT_NEAR(component.step(1e-3, z) / force, 1.0, 1e-11) << z;
+    EXPECT_NEAR(component.initialise(z) / force, 1.0, 1e-11) << z;
   }
   EXPECT_FALSE(component.linear());
 }
 
 TEST(SeriesCompliance, OfOneSideYieldsThereAlone) {
-  const component::Component component(
-      {kSpring, {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}}, kSeriesCompliance});
-  component::ComponentState state = component.makeState();
-  EXPECT_NEAR(component.step(state, 1e-3, 1e-3).total, 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
-  EXPECT_NEAR(component.step(state, 1e-3, -1e-3).total, -1e-3 / (1.0 / 3e6 + 1.0 / 3e7), 1e-9);
+  WithState component({kSpring, {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}}, kSeriesCompliance});
+  EXPECT_NEAR(component.step(1e-3, 1e-3), 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
+  EXPECT_NEAR(component.step(1e-3, -1e-3), -1e-3 / (1.0 / 3e6 + 1.0 / 3e7), 1e-9);
   EXPECT_FALSE(component.complexStiffness(1.0));
   // One for each side is one for both.
-  const component::Component both({kSpring,
-                                   {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}},
-                                   {"series_compliance", {{"stiffness", {6e6}}, {"side", {-1.0}}}}});
+  WithState both({kSpring,
+                  {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}},
+                  {"series_compliance", {{"stiffness", {6e6}}, {"side", {-1.0}}}}});
   EXPECT_TRUE(both.linear());
-  component::ComponentState of_both = both.makeState();
-  EXPECT_NEAR(both.step(of_both, 1e-3, -1e-3).total, -1e-3 / (1.0 / 3e6 + 1.0 / 6e6), 1e-9);
+  EXPECT_NEAR(both.step(1e-3, -1e-3), -1e-3 / (1.0 / 3e6 + 1.0 / 6e6), 1e-9);
 }
 
 const element::ElementDescription kStrap{"lift_off", {{"side", {1.0}}}};
 
 TEST(LiftOff, CarriesOneSignOfForce) {
-  const component::Component strap({kSpring, kStrap});
-  const component::Component chevron({kSpring, kSeriesCompliance, {"lift_off", {{"side", {-1.0}}}}});
+  WithState strap({kSpring, kStrap});
+  WithState chevron({kSpring, kSeriesCompliance, {"lift_off", {{"side", {-1.0}}}}});
   const double in_series = 1.0 / (1.0 / 3e6 + 1.0 / 3e7);
-  component::ComponentState pulled = strap.makeState();
-  component::ComponentState pushed = chevron.makeState();
   constexpr double kRounding = 1e-9;  // [N], of forces of kN
   for (const double z : {1e-3, -1e-3, 2e-3, -5e-3, 1e-6}) {
-    EXPECT_NEAR(strap.step(pulled, 1e-3, z).total, std::max(0.0, 3e6 * z), kRounding) << z;
-    EXPECT_NEAR(chevron.step(pushed, 1e-3, z).total, std::min(0.0, in_series * z), kRounding) << z;
-    EXPECT_NEAR(strap.initialise(pulled, z).total, std::max(0.0, 3e6 * z), kRounding) << z;
-    EXPECT_NEAR(chevron.initialise(pushed, z).total, std::min(0.0, in_series * z), kRounding) << z;
+    EXPECT_NEAR(strap.step(1e-3, z), std::max(0.0, 3e6 * z), kRounding) << z;
+    EXPECT_NEAR(chevron.step(1e-3, z), std::min(0.0, in_series * z), kRounding) << z;
+    EXPECT_NEAR(strap.initialise(z), std::max(0.0, 3e6 * z), kRounding) << z;
+    EXPECT_NEAR(chevron.initialise(z), std::min(0.0, in_series * z), kRounding) << z;
   }
   EXPECT_FALSE(strap.linear());
 }
@@ -296,20 +279,18 @@ TEST(LiftOff, RecoversWhileSlack) {
 TEST(LiftOff, ChangesNothingWhileClosed) {
   const element::ElementDescription softening{"stress_softening", {{"reduction", {0.3}}}};
   std::vector<element::ElementDescription> laws = {kSpring, kMaxwell, kFriction, softening};
-  const component::Component glued(laws);
+  WithState glued(laws);
   laws.push_back(kStrap);
-  const component::Component strap(laws);
-  component::ComponentState of_glued = glued.makeState();
-  component::ComponentState of_strap = strap.makeState();
+  WithState strap(laws);
   int open = 0;
   for (int i = 1; i <= 400; ++i) {
     const double z = 6e-3 + sineAt(i, 100, 2e-3);
-    const double force = glued.step(of_glued, 1e-3, z).total;
+    const double force = glued.step(1e-3, z);
     ASSERT_GT(force, 0.0);
-    ASSERT_EQ(strap.step(of_strap, 1e-3, z).total, force) << i;
+    ASSERT_EQ(strap.step(1e-3, z), force) << i;
   }
   for (int i = 1; i <= 400; ++i) {
-    const double force = strap.step(of_strap, 1e-3, sineAt(i, 100, 2e-3)).total;
+    const double force = strap.step(1e-3, sineAt(i, 100, 2e-3));
     ASSERT_GE(force, -1e-8) << i;
     open += force < 1e-8 ? 1 : 0;
   }
@@ -397,11 +378,10 @@ TEST(SeriesCompliance, IsSolvedAlikeWithAndWithoutOtherElements) {
 TEST(SeriesCompliance, SolvesWhereTheSpecimenSoftens) {
   // Tangent stiffness of the specimen 3e6 + 2 k2 z falls to -1e6 at z = -2 mm, within what the compliance of 1/3e7 can
   // hold.
-  const component::Component component({kSpring, kSeriesCompliance, {"asymmetric_stiffness", {{"quadratic", {1e9}}}}});
-  component::ComponentState state = component.makeState();
+  WithState component({kSpring, kSeriesCompliance, {"asymmetric_stiffness", {{"quadratic", {1e9}}}}});
   for (int i = 1; i <= 100; ++i) {
     const double z = -2e-3 * i / 100;
-    const double force = component.step(state, 1e-3, z).total;
+    const double force = component.step(1e-3, z);
     const double specimen = z - force / 3e7;
     EXPECT_NEAR(force, 3e6 * specimen + 1e9 * specimen * specimen, 1e-7) << i;
   }
@@ -426,15 +406,13 @@ TEST(DisplacementPath, IsDelayThenFreePlayThenSeriesCompliance) {
   constexpr double kStep = 1e-3;  // [s]
   const element::TimeDelay delay(0.4e-3);
   const element::FreePlay play(3e-4, 0.8);
-  const component::Component behind_play({kSpring, kMaxwell, kFriction, kSeriesCompliance});
   for (const auto& path : inEachOrder({{"time_delay", {{"delay", {0.4e-3}}}},
                                        {"free_play", {{"gap", {3e-4}}, {"share", {0.8}}}},
                                        kSeriesCompliance})) {
     std::vector<element::ElementDescription> entries = {kSpring, kMaxwell, kFriction};
     entries.insert(entries.begin() + 1, path.begin(), path.end());
-    const component::Component component(entries);
-    component::ComponentState state = component.makeState();
-    component::ComponentState expected = behind_play.makeState();
+    WithState component(entries);
+    WithState behind_play({kSpring, kMaxwell, kFriction, kSeriesCompliance});
     std::vector<double> memory(delay.memorySize());
     delay.initialise(0.0, memory.data());
     double of_play_first = 0.0;        // largest difference [m]
@@ -443,8 +421,8 @@ TEST(DisplacementPath, IsDelayThenFreePlayThenSeriesCompliance) {
       const double z = sineAt(i, 50, 1e-3);
       const double before = sineAt(i - 1, 50, 1e-3);
       const double late = delay.step({kStep, z, z - before}, memory.data());
-      const double force = component.step(state, kStep, z).total;
-      ASSERT_EQ(force, behind_play.step(expected, kStep, play.behind(late)).total) << "sample " << i;
+      const double force = component.step(kStep, z);
+      ASSERT_EQ(force, behind_play.step(kStep, play.behind(late))) << "sample " << i;
       const double yielded = force / 3e7;
       const double share = (late - before) / (z - before);
       const double delayed_after_play = play.behind(before) + share * (play.behind(z) - play.behind(before));
@@ -459,11 +437,10 @@ TEST(DisplacementPath, IsDelayThenFreePlayThenSeriesCompliance) {
 
 TEST(Delay, ShiftsTheForceOfASpring) {
   constexpr double kDelay = 3.25e-3;
-  const component::Component component({kSpring, {"time_delay", {{"delay", {kDelay}}}}});
-  component::ComponentState state = component.makeState();
+  WithState component({kSpring, {"time_delay", {{"delay", {kDelay}}}}});
   const auto motion = [](double t) { return t < 0.0 ? 0.0 : 0.2 * t; };
   for (int i = 1; i <= 100; ++i) {
-    EXPECT_NEAR(component.step(state, 1e-3, motion(1e-3 * i)).total, 3e6 * motion(1e-3 * i - kDelay), 1e-7) << i;
+    EXPECT_NEAR(component.step(1e-3, motion(1e-3 * i)), 3e6 * motion(1e-3 * i - kDelay), 1e-7) << i;
   }
   const std::complex<double> k = *component.complexStiffness(10.0);
   EXPECT_NEAR(std::arg(k), -2.0 * element::kPi * 10.0 * kDelay, 1e-12);
@@ -472,12 +449,11 @@ TEST(Delay, ShiftsTheForceOfASpring) {
 
 TEST(Delay, IsExactWhereItIsAWholeNumberOfSamples) {
   const component::Component delayed({kSpring, kMaxwell, {"time_delay", {{"delay", {0.004}}}}});
-  const component::Component direct({kSpring, kMaxwell});
+  WithState direct({kSpring, kMaxwell});
   component::ComponentState a = delayed.makeState();
-  component::ComponentState b = direct.makeState();
   std::vector<double> forces = {0.0, 0.0, 0.0, 0.0};
   for (int i = 1; i <= 200; ++i) {
-    forces.push_back(direct.step(b, 1.0 / 1024.0, sineAt(i, 77, 1e-3)).total);
+    forces.push_back(direct.step(1.0 / 1024.0, sineAt(i, 77, 1e-3)));
   }
   const component::Component binary({kSpring, kMaxwell, {"time_delay", {{"delay", {4.0 / 1024.0}}}}});
   a = binary.makeState();
@@ -489,30 +465,26 @@ TEST(Delay, IsExactWhereItIsAWholeNumberOfSamples) {
 TEST(Rig, SeesTheActuatorAndNotTheSpecimen) {
   const element::ElementDescription inertia{"inertia", {{"mass", {10.0}}}};
   const element::ElementDescription offset{"force_offset", {{"offset", {100.0}}}};
-  const component::Component component(
-      {kSpring, kSeriesCompliance, inertia, offset, {"stress_softening", {{"reduction", {0.9}}}}});
+  WithState component({kSpring, kSeriesCompliance, inertia, offset, {"stress_softening", {{"reduction", {0.9}}}}});
   const std::complex<double> specimen = 3e6 / (1.0 + 0.1);
   const double omega = 2.0 * element::kPi * 20.0;
   const component::Component linear({kSpring, kSeriesCompliance, inertia, offset});
   EXPECT_NEAR(std::abs(*linear.complexStiffness(20.0) - (specimen - 10.0 * omega * omega)), 0.0, 1e-6);
-  component::ComponentState state = component.makeState();
-  EXPECT_EQ(component.initialise(state, 0.0).total, 100.0) << "softening leaves the offset";
+  EXPECT_EQ(component.initialise(0.0), 100.0) << "softening leaves the offset";
 }
 
 TEST(Relax, KeepsSofteningAndForgetsTheRest) {
-  const component::Component component(
-      {kSpring, kMaxwell, kSeriesCompliance, {"stress_softening", {{"reduction", {0.3}}}}});
-  component::ComponentState state = component.makeState();
-  const double first = component.step(state, 1.0, 1e-3).total;
-  component.step(state, 1.0, 3e-3);
-  EXPECT_EQ(component.relax(state, 0.0).total, 0.0);
-  const double second = component.step(state, 1.0, 1e-3).total;
+  WithState component({kSpring, kMaxwell, kSeriesCompliance, {"stress_softening", {{"reduction", {0.3}}}}});
+  const double first = component.step(1.0, 1e-3);
+  component.step(1.0, 3e-3);
+  EXPECT_EQ(component.relax(0.0), 0.0);
+  const double second = component.step(1.0, 1e-3);
   EXPECT_LT(second, 0.8 * first);
-  const double held = component.relax(state, 1e-3).total;
+  const double held = component.relax(1e-3);
   EXPECT_LT(held, second) << "relaxed at once";
-  EXPECT_NEAR(component.step(state, 1e6, 1e-3).total, held, 1e-9 * held) << "and stays so";
-  component.initialise(state, 0.0);
-  EXPECT_EQ(component.step(state, 1.0, 1e-3).total, first) << "a new specimen";
+  EXPECT_NEAR(component.step(1e6, 1e-3), held, 1e-9 * held) << "and stays so";
+  component.initialise(0.0);
+  EXPECT_EQ(component.step(1.0, 1e-3), first) << "a new specimen";
 }
 
 TEST(State, TrialStepLeavesTheStateAsItWas) {

@@ -172,25 +172,23 @@ inline bool addsForce(const element::ElementDescription& description) {
   return element::lawOf(element::makeElement(description)).action() == element::Action::adds_force;
 }
 
-/// A component that shows the law: alone where its force adds, on a specimen with loss where it needs one.
-inline component::Component subject(const element::ElementDescription& description) {
-  if (addsForce(description)) {
-    return component::Component({description});
+/// A component that shows the law: alone where its force adds, on a specimen with loss, and with this, where it needs
+/// one.
+inline component::Component subject(const element::ElementDescription& description,
+                                    const std::vector<element::ElementDescription>& with = {
+                                        {"coulomb_friction", {{"maximum_force", {1e3}}, {"stiffness", {5e6}}}}}) {
+  std::vector<element::ElementDescription> elements;
+  if (!addsForce(description)) {
+    elements = {{"spring", {{"stiffness", {3e6}}}}, {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}}};
+    elements.insert(elements.end(), with.begin(), with.end());
   }
-  return component::Component({{"spring", {{"stiffness", {3e6}}}},
-                               {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
-                               {"coulomb_friction", {{"maximum_force", {1e3}}, {"stiffness", {5e6}}}},
-                               description});
+  elements.push_back(description);
+  return component::Component(elements);
 }
 
 /// The same with a linear specimen, for laws whose K* is in question.
 inline component::Component linearSubject(const element::ElementDescription& description) {
-  if (addsForce(description)) {
-    return component::Component({description});
-  }
-  return component::Component({{"spring", {{"stiffness", {3e6}}}},
-                               {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
-                               description});
+  return subject(description, {});
 }
 
 inline bool isOneOf(const element::ElementDescription& description, const std::vector<std::string>& types) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"
@@ -32,6 +33,16 @@ inline element::ElementDescription friction(double maximum_force, double displac
   element.values["dead_band"] = {dead_band};
   return element;
 }
+
+/// A component with a state, for tests of its total force [N].
+struct WithState : component::Component {
+  using component::Component::Component;
+  component::ComponentState state = makeState();
+
+  double step(double dt, double displacement) { return Component::step(state, dt, displacement).total; }
+  double initialise(double displacement) { return Component::initialise(state, displacement).total; }
+  double relax(double displacement) { return Component::relax(state, displacement).total; }
+};
 
 /// The only component of a component file. Throws ComponentFileError.
 inline io::ComponentDescription componentOf(const std::string& text, const std::string& file = "test") {
