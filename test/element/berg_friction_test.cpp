@@ -90,8 +90,7 @@ TEST(BergFriction, StartingOffsetDecays) {
 }
 
 TEST(BergFriction, SurvivesFullSaturation) {
-  const element::BergFriction law(5.0, 1e-9, 0.0);
-  Driver<element::BergFriction> driver(law);
+  Driver driver(element::BergFriction(5.0, 1e-9, 0.0));
   for (const double z : {1e9, 1e9, 1e9 - 1.0, -1e12, -1e12, -1e12 + 1e-3, 0.0}) {
     const double force = driver.step(1.0, z);
     EXPECT_LE(std::abs(force), 5.0) << z;
@@ -100,8 +99,7 @@ TEST(BergFriction, SurvivesFullSaturation) {
 
 // The element forgets earlier reversals, so a small loop within a branch does not close: a known weakness.
 TEST(BergFriction, MinorLoopDoesNotClose) {
-  const element::BergFriction law(5.0, 2.2, 0.0);
-  Driver<element::BergFriction> driver(law);
+  Driver driver(element::BergFriction(5.0, 2.2, 0.0));
   EXPECT_NEAR(driver.step(1.0, 2.0), 2.381, 0.5e-3);
   driver.step(1.0, 1.5);
   EXPECT_NEAR(driver.step(1.0, 2.0), 2.260, 0.5e-3);
@@ -109,13 +107,12 @@ TEST(BergFriction, MinorLoopDoesNotClose) {
 
 TEST(BergFriction, DeadBandHoldsTheBranchUntilTheReversalIsSure) {
   const element::BergFriction with(5.0, 2.2, 0.1);
-  const element::BergFriction without(5.0, 2.2, 0.0);
   Driver<element::BergFriction> driver(with);
   const double there = driver.step(1.0, 1.95);
   driver.step(1.0, 2.0);
   EXPECT_EQ(driver.step(1.0, 1.95), there) << "goes back the way it came";
   EXPECT_EQ(driver.step(1.0, 2.05), 5.0 * 2.05 / 4.25) << "and on as if nothing had been";
-  Driver<element::BergFriction> plain(without);
+  Driver plain(element::BergFriction(5.0, 2.2, 0.0));
   plain.step(1.0, 2.05);
   EXPECT_EQ(driver.step(1.0, 1.9), plain.step(1.0, 1.9)) << "a sure reversal counts from the turning point";
 }
@@ -135,8 +132,7 @@ std::pair<double, double> peakAndLoss(const Noisy& test) {
   constexpr int kSettling = 20;
   constexpr int kCycles = 60;
   const double sigma = test.noise * kAmplitude;
-  const element::BergFriction law(5.0, 2.2, test.dead_band ? 6.0 * sigma : 0.0);
-  Driver<element::BergFriction> driver(law);
+  Driver driver(element::BergFriction(5.0, 2.2, test.dead_band ? 6.0 * sigma : 0.0));
   std::mt19937 generator(20150817);
   std::normal_distribution<double> noise(0.0, 1.0);
   const int samples = static_cast<int>(test.sampling / kFrequency);

@@ -63,8 +63,7 @@ TEST(BoucWen, IsTheEquationToTheStatedError) {
     for (const double ratio : {n > 2.0 ? -0.7 : -1.0, 0.0, 0.5, 1.0}) {  // without a limit the equation is stiff
       const double scale = 5e3;                                          // (A/beta)^(1/n) [N]
       const double beta = kA / std::pow(scale, n);
-      const element::BoucWen law(kA, beta, ratio * beta, n);
-      Driver<element::BoucWen> driver(law);
+      Driver driver(element::BoucWen(kA, beta, ratio * beta, n));
       double force = 0.0;
       double before = 0.0;
       for (const double z : {1e-3, 2.2e-3, 1.9e-3, -1e-3, -4e-3, 5e-3, 0.0}) {

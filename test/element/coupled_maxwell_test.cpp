@@ -16,9 +16,8 @@ constexpr double kFrequency = 2.0;
 constexpr double kRelaxation = 1.0 / (2.0 * element::kPi * kFrequency);
 
 TEST(SlidingMaxwell, IsAMaxwellElementBelowItsLimit) {
-  const element::SlidingMaxwell law(kStiffness, kFrequency, 1.0);
   const element::Maxwell linear(kStiffness, kFrequency);
-  Driver<element::SlidingMaxwell> driver(law);
+  Driver driver(element::SlidingMaxwell(kStiffness, kFrequency, 1.0));
   Driver<element::Maxwell> reference(linear);
   for (const double z : {1e-3, -2e-3, 5e-4, 3e-3}) {
     EXPECT_EQ(driver.step(0.02, z), reference.step(0.02, z));
@@ -26,8 +25,7 @@ TEST(SlidingMaxwell, IsAMaxwellElementBelowItsLimit) {
 }
 
 TEST(SlidingMaxwell, SlidesAtItsLimitAndRelaxesBelow) {
-  const element::SlidingMaxwell law(kStiffness, kFrequency, 4e-4);
-  Driver<element::SlidingMaxwell> driver(law);
+  Driver driver(element::SlidingMaxwell(kStiffness, kFrequency, 4e-4));
   EXPECT_EQ(driver.step(1e-3, 2e-3), 400.0);
   EXPECT_NEAR(driver.step(kRelaxation, 2e-3), 400.0 * std::exp(-1.0), 1e-9);
 }
@@ -35,8 +33,7 @@ TEST(SlidingMaxwell, SlidesAtItsLimitAndRelaxesBelow) {
 // Far above the break frequency, where it does not relax, it is friction; far below it is a dashpot that never slides.
 TEST(SlidingMaxwell, FrictionShowsAtHighFrequencyOnly) {
   const auto stiffness = [](double frequency, double amplitude) {
-    const element::SlidingMaxwell law(kStiffness, kFrequency, 4e-4);
-    Driver<element::SlidingMaxwell> driver(law);
+    Driver driver(element::SlidingMaxwell(kStiffness, kFrequency, 4e-4));
     double peak = 0.0;
     constexpr int kSamples = 200;
     for (int i = 0; i < 4 * kSamples; ++i) {
@@ -52,9 +49,8 @@ TEST(SlidingMaxwell, FrictionShowsAtHighFrequencyOnly) {
 
 // The structure loses 1e-14 of itself over 10 mm, less than rounding.
 TEST(ThixotropicMaxwell, IsAMaxwellElementForALongTravel) {
-  const element::ThixotropicMaxwell law({kStiffness, kFrequency, 0.3, 1e12});
   const element::Maxwell linear(kStiffness, kFrequency);
-  Driver<element::ThixotropicMaxwell> driver(law);
+  Driver driver(element::ThixotropicMaxwell({kStiffness, kFrequency, 0.3, 1e12}));
   Driver<element::Maxwell> reference(linear);
   for (const double z : {1e-3, -2e-3, 5e-4, 3e-3}) {
     EXPECT_NEAR(driver.step(0.02, z), reference.step(0.02, z), 1e-8);
@@ -63,8 +59,7 @@ TEST(ThixotropicMaxwell, IsAMaxwellElementForALongTravel) {
 
 // k tau v m with m = 1/(1 + v T_b/s).
 TEST(ThixotropicMaxwell, SteadyFlowIsThinned) {
-  const element::ThixotropicMaxwell law({kStiffness, kFrequency, 0.3, 5e-3});
-  Driver<element::ThixotropicMaxwell> driver(law);
+  Driver driver(element::ThixotropicMaxwell({kStiffness, kFrequency, 0.3, 5e-3}));
   constexpr double kRate = 0.05;
   driver.step(10.0, 10.0 * kRate);
   EXPECT_NEAR(driver.output(), kStiffness * kRelaxation * kRate / (1.0 + kRate * 0.3 / 5e-3), 1e-9);
@@ -76,8 +71,7 @@ TEST(ThixotropicMaxwell, OneStepSolvesTheEquation) {
   constexpr double kDuration = 0.2;
   const double equal_rates = kTravel * (1.0 / kRelaxation - 1.0 / 0.3) * kDuration;
   for (const double way : {2e-3, -8e-3, equal_rates}) {
-    const element::ThixotropicMaxwell law({kStiffness, kFrequency, 0.3, kTravel});
-    Driver<element::ThixotropicMaxwell> driver(law);
+    Driver driver(element::ThixotropicMaxwell({kStiffness, kFrequency, 0.3, kTravel}));
     double force = 0.0;
     double state = 1.0;
     constexpr int kSteps = 100000;

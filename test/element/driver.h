@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "rubber_suspension/element/element.h"
@@ -12,15 +14,17 @@ namespace rubber_suspension::test {
 template <class Law>
 class Driver {
  public:
-  explicit Driver(const Law& law, double start = 0.0) : law_(law), memory_(law.memorySize()), displacement_(start) {
-    output_ = law_.initialise(start, memory_.data());
+  explicit Driver(const Law& law, double start = 0.0) : Driver(std::make_shared<const Law>(law), start) {}
+  explicit Driver(std::shared_ptr<const Law> law, double start = 0.0)
+      : law_(std::move(law)), memory_(law_->memorySize()), displacement_(start) {
+    output_ = law_->initialise(start, memory_.data());
   }
 
   /// Output (force [N] or displacement [m]) after a step of dt [s] to a displacement [m].
   double step(double dt, double displacement) {
     const element::Motion motion{dt, displacement, displacement - displacement_};
     displacement_ = displacement;
-    return output_ = law_.step(motion, memory_.data());
+    return output_ = law_->step(motion, memory_.data());
   }
 
   /// The same along a straight line in many steps; returns the work done [J] by the trapezoidal rule.
@@ -41,7 +45,7 @@ class Driver {
   double* memory() { return memory_.data(); }
 
  private:
-  const Law& law_;
+  std::shared_ptr<const Law> law_;
   std::vector<double> memory_;
   double displacement_;
   double output_;

@@ -11,8 +11,7 @@ namespace {
 constexpr double kStiffness = 1e6;
 
 TEST(FirstLoading, CarriesItsShareOfTheDisplacementFromZeroOn) {
-  const element::FirstLoading law(kStiffness, 0.25);
-  Driver<element::FirstLoading> driver(law);
+  Driver driver(element::FirstLoading(kStiffness, 0.25));
   for (const double z : {1e-4, 1e-3, 2.5e-3}) {
     // d = b z/(1 + b) solves dd/dz = 1 - d/(b z).
     EXPECT_NEAR(driver.step(0.01, z), kStiffness * 0.2 * z, 1e-9);
@@ -24,8 +23,7 @@ TEST(FirstLoading, CarriesItsShareOfTheDisplacementFromZeroOn) {
 
 // By the equation itself, in steps of 1e-5 of the way: the first-order scheme errs by as much.
 TEST(FirstLoading, FollowsItsEquationFromAReachOn) {
-  const element::FirstLoading law(kStiffness, 0.1);
-  Driver<element::FirstLoading> driver(law);
+  Driver driver(element::FirstLoading(kStiffness, 0.1));
   driver.step(0.01, 1e-3);
   driver.step(0.01, 0.0);
   double reach = driver.memory()[0];
@@ -39,8 +37,7 @@ TEST(FirstLoading, FollowsItsEquationFromAReachOn) {
 }
 
 TEST(FirstLoading, IsLostWithinSomeCycles) {
-  const element::FirstLoading law(kStiffness, 0.2);
-  Driver<element::FirstLoading> driver(law);
+  Driver driver(element::FirstLoading(kStiffness, 0.2));
   std::vector<double> peaks;
   for (int cycle = 0; cycle < 10; ++cycle) {
     peaks.push_back(driver.step(0.01, 1e-3));
@@ -64,8 +61,7 @@ TEST(FirstLoading, ARestKeepsTheReach) {
 }
 
 TEST(FirstLoading, OfOneSideLeavesTheOtherAlone) {
-  const element::FirstLoading law(kStiffness, 0.2, element::FirstLoading::Side::lower);
-  Driver<element::FirstLoading> driver(law);
+  Driver driver(element::FirstLoading(kStiffness, 0.2, element::FirstLoading::Side::lower));
   EXPECT_EQ(driver.step(0.01, 1e-3), 0.0);
   EXPECT_LT(driver.step(0.01, -1e-3), 0.0);
   EXPECT_THROW(element::makeElement({"first_loading", {{"stiffness", {1e6}}, {"yield_share", {0.2}}, {"side", {2.0}}}}),
@@ -76,8 +72,7 @@ TEST(FirstLoading, OfOneSideLeavesTheOtherAlone) {
 
 // A reach that each outward sample of noise moves on would take all of the force within some hundred of them.
 TEST(FirstLoading, NoiseWithinTheDeadBandTakesNothing) {
-  const element::FirstLoading law(kStiffness, 0.1, element::FirstLoading::Side::both, 1e-5);
-  Driver<element::FirstLoading> driver(law);
+  Driver driver(element::FirstLoading(kStiffness, 0.1, element::FirstLoading::Side::both, 1e-5));
   driver.step(0.01, 1e-3);
   const double force = driver.step(0.01, 0.995e-3);
   for (int i = 0; i < 1000; ++i) {

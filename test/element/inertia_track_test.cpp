@@ -18,8 +18,7 @@ constexpr double kStiffness = 1e6;
 
 // Sudden displacement, then rest: the force of a damped oscillator that is let go.
 TEST(InertiaTrack, SwingsFreelyAfterAStep) {
-  const element::InertiaTrack law(kMass, kDamping, kStiffness, 0.0);
-  Driver<element::InertiaTrack> driver(law);
+  Driver driver(element::InertiaTrack(kMass, kDamping, kStiffness, 0.0));
   driver.step(1e-9, 1e-3);
   const double decay = 0.5 * kDamping / kMass;
   const double w = std::sqrt(kStiffness / kMass - decay * decay);
@@ -33,8 +32,7 @@ TEST(InertiaTrack, SwingsFreelyAfterAStep) {
 // A steady rate v: the column follows at v, and the force is that of the track, c v.
 TEST(InertiaTrack, CarriesTheResistanceAtASteadyRate) {
   for (const double mass : {250.0, 9.0 /* critical: c^2/(4 k) */, 0.5}) {
-    const element::InertiaTrack law(mass, kDamping, kStiffness, 0.0);
-    Driver<element::InertiaTrack> driver(law);
+    Driver driver(element::InertiaTrack(mass, kDamping, kStiffness, 0.0));
     EXPECT_NEAR(driver.step(100.0, 1.0), kDamping * 0.01, 1e-9 * kDamping) << mass;
   }
 }
@@ -65,8 +63,7 @@ TEST(InertiaTrack, HasThePeakOfAHydraulicMount) {
 // of half a microsecond.
 double errorOf(double free, double quadratic, double dt) {
   constexpr double kFine = 5e-7;
-  const element::InertiaTrack law(kMass, kDamping, kStiffness, free, quadratic);
-  Driver<element::InertiaTrack> driver(law);
+  Driver driver(element::InertiaTrack(kMass, kDamping, kStiffness, free, quadratic));
   const int parts = static_cast<int>(std::lround(dt / kFine));
   double q = 0.0;
   double rate = 0.0;
@@ -119,9 +116,8 @@ TEST(InertiaTrack, HasTheQuadraticLossOfItsFluid) {
                                            {"pumping_area", {area}},
                                            {"quadratic_resistance", {1.6e12}}}};
   const auto made = std::get<std::shared_ptr<const element::ParallelElement>>(element::makeElement(fluid));
-  const element::InertiaTrack mechanical(kMass, kDamping, kStiffness, 0.0, 2e5);
-  Driver<element::ParallelElement> of_fluid(*made);
-  Driver<element::InertiaTrack> driver(mechanical);
+  Driver<element::ParallelElement> of_fluid(made);
+  Driver driver(element::InertiaTrack(kMass, kDamping, kStiffness, 0.0, 2e5));
   for (const double z : {1e-3, 2e-3, -1e-3}) {
     const double expected = driver.step(5e-3, z);
     EXPECT_NEAR(of_fluid.step(5e-3, z), expected, 1e-9 * std::abs(expected));
@@ -130,15 +126,13 @@ TEST(InertiaTrack, HasTheQuadraticLossOfItsFluid) {
 
 // A steady rate v is resisted by c v + c_2 v^2. Steps of 1 ms leave some 1e-4 of the quadratic part, see above.
 TEST(InertiaTrack, IsResistedByTheSquareOfASteadyRate) {
-  const element::InertiaTrack law(kMass, kDamping, kStiffness, 0.0, 2e5);
-  Driver<element::InertiaTrack> driver(law);
+  Driver driver(element::InertiaTrack(kMass, kDamping, kStiffness, 0.0, 2e5));
   driver.walk(1.0, 0.05, 1000);
   EXPECT_NEAR(driver.output(), kDamping * 0.05 + 2e5 * 0.05 * 0.05, 0.5);
 }
 
 TEST(InertiaTrack, WithinItsFreeTravelHasNoForce) {
-  const element::InertiaTrack law(kMass, kDamping, kStiffness, 2e-4);
-  Driver<element::InertiaTrack> driver(law);
+  Driver driver(element::InertiaTrack(kMass, kDamping, kStiffness, 2e-4));
   for (const double z : {1e-4, -1.9e-4, 1.9e-4, 0.0}) {
     EXPECT_EQ(driver.step(1e-3, z), 0.0);
   }

@@ -153,11 +153,10 @@ TEST(Springpot, AllElementsArePassive) {
 TEST(Springpot, OrderZeroIsASpringOrderOneADashpot) {
   const element::Springpot almost_spring({1e6, 1.0, 1e-6, 0.01, 100.0});
   const element::Springpot almost_dashpot({1e6, 1.0, 1.0 - 1e-6, 0.01, 100.0});
-  const element::Spring spring(1e6);
   const element::Dashpot dashpot(1e6 / (2.0 * element::kPi));
   Driver<element::MaxwellBank> a(almost_spring);
   Driver<element::MaxwellBank> c(almost_dashpot);
-  Driver<element::Spring> b(spring);
+  Driver b(element::Spring(1e6));
   Driver<element::Dashpot> d(dashpot);
   for (int i = 1; i < 200; ++i) {
     const double z = 1e-3 * std::sin(0.1 * i);

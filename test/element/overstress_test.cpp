@@ -28,8 +28,7 @@ constexpr double kYield = 2e-4;
 constexpr double kRate = 0.01;
 
 TEST(Overstress, IsElasticBelowItsLimit) {
-  const element::Overstress law({kStiffness, kYield, kRate, 2.0});
-  Driver<element::Overstress> driver(law);
+  Driver driver(element::Overstress({kStiffness, kYield, kRate, 2.0}));
   for (const double z : {1e-4, 1.9e-4, -1.5e-4, 0.0}) {
     EXPECT_NEAR(driver.step(1e3, z), kStiffness * z, 1e-9);
   }
@@ -38,8 +37,7 @@ TEST(Overstress, IsElasticBelowItsLimit) {
 TEST(Overstress, FlowsAtASteadyRate) {
   for (const double power : {1.0, 2.0, 3.5}) {
     for (const double rate : {1e-3, 0.01, 0.3}) {
-      const element::Overstress law({kStiffness, kYield, kRate, power});
-      Driver<element::Overstress> driver(law);
+      Driver driver(element::Overstress({kStiffness, kYield, kRate, power}));
       driver.walk(10.0, 10.0 * rate, 4000);
       const double expected = kStiffness * kYield * (1.0 + std::pow(rate / kRate, 1.0 / power));
       EXPECT_NEAR(driver.output(), expected, 1e-4 * expected) << power << ' ' << rate;
@@ -48,8 +46,7 @@ TEST(Overstress, FlowsAtASteadyRate) {
 }
 
 TEST(Overstress, KeepsItsLimitInAHold) {
-  const element::Overstress law({kStiffness, kYield, kRate, 2.0});
-  Driver<element::Overstress> driver(law);
+  Driver driver(element::Overstress({kStiffness, kYield, kRate, 2.0}));
   driver.walk(1.0, 0.01, 1000);
   driver.walk(1e4, 0.01, 1000);  // x' = -v_r/y x^2 leaves y/(v_r t) = 2e-6 of the limit
   EXPECT_NEAR(driver.output(), kStiffness * kYield, 1e-5 * kStiffness * kYield);

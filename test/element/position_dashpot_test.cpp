@@ -25,12 +25,10 @@ TEST(PositionDashpot, GrowsTowardsItsSideByAPower) {
 
 // Both sides of power 1 are a linear dashpot.
 TEST(PositionDashpot, SidesAddUpToALinearOne) {
-  const element::PositionDashpot upper(kDamping, kReference, 1.0);
   const element::PositionDashpot lower(kDamping, -kReference, 1.0);
-  const element::SmoothDashpot linear(kDamping);
-  Driver<element::PositionDashpot> a(upper);
+  Driver a(element::PositionDashpot(kDamping, kReference, 1.0));
   Driver<element::PositionDashpot> b(lower);
-  Driver<element::SmoothDashpot> c(linear);
+  Driver c(element::SmoothDashpot{kDamping});
   for (const double z : {2e-4, 7e-4, -3e-4, -9e-4, 0.0}) {
     const double expected = c.step(0.01, z);
     EXPECT_NEAR(a.step(0.01, z) + b.step(0.01, z), expected, 1e-9);

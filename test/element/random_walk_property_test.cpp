@@ -66,10 +66,9 @@ RC_GTEST_PROP(AnyPath, CanBeContinuedFromSavedNumbers, ()) {
 }
 
 RC_GTEST_PROP(AnyPath, FrictionStaysWithinItsMaximum, ()) {
-  const element::BergFriction berg(5e3, 2e-4, 0.0);
   const element::BergFriction with_dead_band(5e3, 2e-4, 1e-4);
   const element::Iwan iwan(5e3, 2e-4, 16);
-  Driver<element::BergFriction> a(berg);
+  Driver a(element::BergFriction(5e3, 2e-4, 0.0));
   Driver<element::BergFriction> b(with_dead_band);
   Driver<element::SliderBank> c(iwan);
   for (const Move& move : anyPath()) {

@@ -59,8 +59,7 @@ TEST(SeriesCompliance, NeverYieldsLessToALargerForce) {
 }
 
 TEST(Inertia, IsExactForACubicAtUnequalSteps) {
-  const element::Inertia law(12.0);
-  Driver<element::Inertia> driver(law);
+  Driver driver(element::Inertia(12.0));
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> dt(0.01, 0.1);
   double t = 0.0;
@@ -125,8 +124,7 @@ TEST(SmoothedInertia, StepsExactlyWhateverTheSteps) {
 
 TEST(SmoothedInertia, MakesLittleForceOfNoise) {
   constexpr double kStep = 2e-3;
-  const element::SmoothedInertia law(1.0, 1.0 / (2.0 * element::kPi * kStep));
-  Driver<element::SmoothedInertia> driver(law);
+  Driver driver(element::SmoothedInertia(1.0, 1.0 / (2.0 * element::kPi * kStep)));
   std::mt19937 generator(11);
   std::normal_distribution<double> noise(0.0, kStep * kStep);
   double sum = 0.0;
@@ -139,9 +137,8 @@ TEST(SmoothedInertia, MakesLittleForceOfNoise) {
 }
 
 TEST(PowerDashpot, OfPowerOneIsADashpot) {
-  const element::PowerDashpot law(2e4, 0.05, 1.0);
   const element::SmoothDashpot linear(2e4);
-  Driver<element::PowerDashpot> driver(law);
+  Driver driver(element::PowerDashpot(2e4, 0.05, 1.0));
   Driver<element::SmoothDashpot> reference(linear);
   std::mt19937 generator(13);
   std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
@@ -168,15 +165,13 @@ TEST(PowerDashpot, FollowsThePowerOfTheRate) {
 }
 
 TEST(ForceOffset, IsThereFromTheStart) {
-  const element::ForceOffset law(-150.0);
-  Driver<element::ForceOffset> driver(law);
+  Driver driver(element::ForceOffset(-150.0));
   EXPECT_EQ(driver.output(), -150.0);
   EXPECT_EQ(driver.step(1.0, 3e-3), -150.0);
 }
 
 TEST(ForceDrift, GrowsWithTimeAlone) {
-  const element::ForceDrift law(2.5);
-  Driver<element::ForceDrift> driver(law, 1e-3);
+  Driver driver(element::ForceDrift(2.5), 1e-3);
   EXPECT_EQ(driver.output(), 0.0);
   driver.step(1.0, 3e-3);
   EXPECT_DOUBLE_EQ(driver.step(3.0, -1.0), 10.0);
@@ -197,8 +192,7 @@ TEST(FreePlay, LosesAShareOfTheMotionWithinTheGap) {
 }
 
 TEST(TimeDelay, LineIsExactAtUnequalSteps) {
-  const element::TimeDelay law(7e-3);
-  Driver<element::TimeDelay> driver(law);
+  Driver driver(element::TimeDelay(7e-3));
   std::mt19937 generator(6);
   std::uniform_real_distribution<double> dt(1e-4, 4e-3);
   double t = 0.0;
@@ -211,8 +205,7 @@ TEST(TimeDelay, LineIsExactAtUnequalSteps) {
 
 // Linear in between, also where a past step was much longer than the delay.
 TEST(TimeDelay, ReproducesTheBentLineBetweenSamples) {
-  const element::TimeDelay law(0.05);
-  Driver<element::TimeDelay> driver(law, 1.0);
+  Driver driver(element::TimeDelay(0.05), 1.0);
   EXPECT_DOUBLE_EQ(driver.step(0.04, 2.0), 1.0) << "before the start at rest";
   EXPECT_DOUBLE_EQ(driver.step(1.0, 5.0), 5.0 - 3.0 * 0.05);
   EXPECT_NEAR(driver.step(0.02, 0.0), 5.0 - 3.0 * 0.03, 1e-12);
@@ -224,8 +217,7 @@ TEST(TimeDelay, ThinsWhereTheRingWouldBeTooShort) {
   constexpr double kDelay = 0.05;
   constexpr double kDt = 5e-5;
   constexpr double kOmega = 2.0 * element::kPi * 10.0;
-  const element::TimeDelay law(kDelay);
-  Driver<element::TimeDelay> driver(law);
+  Driver driver(element::TimeDelay{kDelay});
   const double chord = std::pow(kOmega * (kDelay / 126.0), 2) / 8.0;
   for (int i = 1; i < 20000; ++i) {
     const double behind = driver.step(kDt, 1.0 - std::cos(kOmega * kDt * i));

@@ -87,8 +87,7 @@ TEST(SliderBank, LossOfASettledLoopInClosedForm) {
 }
 
 TEST(SliderBank, RestsAnywhereWithoutForce) {
-  const element::SliderBank law({{2.0, 400.0}, {0.1, 2000.0}});
-  Driver<element::SliderBank> driver(law, 5.0);
+  Driver driver(element::SliderBank({{2.0, 400.0}, {0.1, 2000.0}}), 5.0);
   EXPECT_EQ(driver.output(), 0.0);
   EXPECT_NEAR(driver.step(1.0, 5.05), 0.05 * 2400.0, 1e-9);
 }

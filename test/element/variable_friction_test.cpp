@@ -15,9 +15,8 @@ constexpr double kStiffness = 1e6;
 constexpr double kYield = 4e-4;
 
 TEST(VariableFriction, IsCoulombsWithoutGrowthAndWear) {
-  const element::VariableFriction law({kStiffness, kYield});
   const element::CoulombFriction coulomb(kStiffness * kYield, kStiffness);
-  Driver<element::VariableFriction> driver(law);
+  Driver driver(element::VariableFriction({kStiffness, kYield}));
   Driver<element::SliderBank> reference(coulomb);
   for (const double z : {1e-4, 1e-3, 8e-4, -2e-3, 5e-4, 5.5e-4}) {
     EXPECT_NEAR(driver.step(0.01, z), reference.step(0.01, z), 1e-9);
@@ -27,8 +26,7 @@ TEST(VariableFriction, IsCoulombsWithoutGrowthAndWear) {
 TEST(VariableFriction, LimitGrowsWithDisplacementToEitherSide) {
   element::VariableFriction::Parameters parameters{kStiffness, kYield};
   parameters.growth_displacement = 1e-3;
-  const element::VariableFriction law(parameters);
-  Driver<element::VariableFriction> driver(law);
+  Driver driver{element::VariableFriction{parameters}};
   EXPECT_NEAR(driver.step(0.01, 2e-3), 3.0 * kStiffness * kYield, 1e-9);
   EXPECT_NEAR(driver.step(0.01, -4e-3), -5.0 * kStiffness * kYield, 1e-9);
 }
@@ -47,8 +45,7 @@ TEST(VariableFriction, WearsAlongTheTravelForGood) {
 }
 
 TEST(VariableFriction, NoiseWithinTheDeadBandWearsNothing) {
-  const element::VariableFriction law({kStiffness, kYield, 0.0, 0.05, 0.0, 1e-5});
-  Driver<element::VariableFriction> driver(law);
+  Driver driver(element::VariableFriction({kStiffness, kYield, 0.0, 0.05, 0.0, 1e-5}));
   driver.step(0.01, 0.05);
   const double worn = driver.memory()[1];
   for (int i = 0; i < 1000; ++i) {
@@ -60,8 +57,7 @@ TEST(VariableFriction, NoiseWithinTheDeadBandWearsNothing) {
 
 // Balance of wear and build-up at a steady rate v: m = 1/(1 + v T_b/s).
 TEST(VariableFriction, SettlesAtTheBalanceOfWearAndBuildUp) {
-  const element::VariableFriction law({kStiffness, kYield, 0.0, 2e-3, 0.5});
-  Driver<element::VariableFriction> driver(law);
+  Driver driver(element::VariableFriction({kStiffness, kYield, 0.0, 2e-3, 0.5}));
   constexpr double kRate = 0.01;
   driver.step(20.0, 20.0 * kRate);
   EXPECT_NEAR(driver.output(), kStiffness * kYield / (1.0 + kRate * 0.5 / 2e-3), 1e-9);

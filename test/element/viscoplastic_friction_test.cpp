@@ -31,9 +31,8 @@ TEST(ViscoplasticFriction, HasHalfOfItsLimitAtTheHalfRate) {
 }
 
 TEST(ViscoplasticFriction, IsCoulombsFrictionFarAboveTheHalfRate) {
-  const element::ViscoplasticFriction law(kStiffness, kYield, 1e-12);
   const element::CoulombFriction coulomb(kLimit, kStiffness);
-  Driver<element::ViscoplasticFriction> driver(law);
+  Driver driver(element::ViscoplasticFriction(kStiffness, kYield, 1e-12));
   Driver<element::SliderBank> reference(coulomb);
   for (const double z : {1e-4, 1e-3, 8e-4, -2e-3, 5e-4, 5.5e-4}) {
     // Where it slides, the implicit step falls short of the limit by the share v_0 dt/(dz - ...) < 1e-10.
@@ -42,9 +41,8 @@ TEST(ViscoplasticFriction, IsCoulombsFrictionFarAboveTheHalfRate) {
 }
 
 TEST(ViscoplasticFriction, IsAMaxwellElementOfSmallForce) {
-  const element::ViscoplasticFriction law(kStiffness, kYield, kHalfRate);
   const element::Maxwell maxwell(kStiffness, kHalfRate / kYield / (2.0 * element::kPi));
-  Driver<element::ViscoplasticFriction> driver(law);
+  Driver driver(element::ViscoplasticFriction(kStiffness, kYield, kHalfRate));
   Driver<element::Maxwell> reference(maxwell);
   constexpr double kAmplitude = 1e-7;  // a 4000th of y
   constexpr int kSamples = 2000;
@@ -57,8 +55,7 @@ TEST(ViscoplasticFriction, IsAMaxwellElementOfSmallForce) {
 
 // Against 1e6 explicit steps over a cycle, which err by 1e-5; 4000 implicit ones err by dt v_0/y, 3e-3 of the limit.
 TEST(ViscoplasticFriction, StepsSolveTheEquation) {
-  const element::ViscoplasticFriction law(kStiffness, kYield, kHalfRate);
-  Driver<element::ViscoplasticFriction> driver(law);
+  Driver driver(element::ViscoplasticFriction(kStiffness, kYield, kHalfRate));
   constexpr int kSteps = 4000;
   constexpr int kParts = 250;
   constexpr double kDt = 1.0 / kSteps;
@@ -78,8 +75,7 @@ TEST(ViscoplasticFriction, StepsSolveTheEquation) {
 }
 
 TEST(ViscoplasticFriction, StaysBelowItsLimitInAnyStep) {
-  const element::ViscoplasticFriction law(kStiffness, kYield, kHalfRate);
-  Driver<element::ViscoplasticFriction> driver(law);
+  Driver driver(element::ViscoplasticFriction(kStiffness, kYield, kHalfRate));
   for (const double z : {1.0, -1e6, 3e-9, 1e6, 0.0}) {
     for (const double dt : {1e-6, 1.0, 1e6}) {
       EXPECT_LE(std::abs(driver.step(dt, z)), kLimit) << z << ' ' << dt;
