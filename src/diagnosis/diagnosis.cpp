@@ -21,7 +21,6 @@
 #include "diagnosis/prepare/log_survey.h"
 #include "diagnosis/prepare/memory.h"
 #include "diagnosis/prepare/rig.h"
-#include "diagnosis/refused.h"
 #include "diagnosis/results/describe.h"
 #include "diagnosis/words/sentence.h"
 #include "diagnosis/words/text.h"
@@ -88,8 +87,7 @@ std::unique_ptr<hypotheses::PreparedCase> withRigPriors(const io::ComponentDescr
   const fit::ModelParameters model(component, fit::Level::specification);
   prepare::LogsOfRig logs = prepare::withRigPriors(model, component.rig.value_or(io::RigTolerances{}),
                                                    hypotheses::errorScale(), std::move(training), std::move(held_out));
-  return std::make_unique<hypotheses::PreparedCase>(component, std::move(logs.training), std::move(logs.held_out),
-                                                    std::move(logs.zeros));
+  return std::make_unique<hypotheses::PreparedCase>(component, std::move(logs.training), std::move(logs.held_out));
 }
 
 // What measurement/ tells of a rotation, which it takes for a displacement.
@@ -141,7 +139,8 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
   if (measurement::anyFatal(findings)) {
     auto evidence =
         std::make_shared<BenchEvidence>(prepare::benchEvidence(component.allElements(), training, findings));
-    Diagnosis result = refused(component, options.turns ? ofRotation(std::move(findings)) : std::move(findings));
+    Diagnosis result =
+        prepare::refused(component, options.turns ? ofRotation(std::move(findings)) : std::move(findings));
     result.turns = options.turns;
     result.bench_evidence = std::move(evidence);
     result.samples = {excerpts.samples, excerpts.of};

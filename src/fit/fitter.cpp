@@ -96,9 +96,10 @@ void Fitter::freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis
     depends =
         depends || (hypothesis.terms[t].depends_on_place && parameters.scales[static_cast<Eigen::Index>(t)] != 0.0);
   }
-  const auto elements = depends && !zeros_.empty() ? elementsOf(model(), hypothesis, parameters) : std::nullopt;
+  const bool known = records().front().rig.one_deviation > 0.0;
+  const auto elements = depends && known ? elementsOf(model(), hypothesis, parameters) : std::nullopt;
   if (elements) {
-    hypothesis.free_in_log.by_zero = columnOf(byZero(*elements, records(), zeros_));
+    hypothesis.free_in_log.by_zero = columnOf(byZero(*elements, records()));
   }
 }
 

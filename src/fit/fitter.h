@@ -31,18 +31,14 @@ class Fitter final : public HypothesisFitter {
   /// need not find again. Not while fits run.
   void prepare(std::vector<Candidate>& candidates, int threads);
 
-  /// The effect of zeros of the displacement on the force of a hypothesis; frees them where that matters. None without
-  /// setZeros().
+  /// The effect of zeros of the displacement on the force of a hypothesis; frees them where that matters. None where
+  /// nothing is known of the rig.
   void freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis) const override;
 
   void freeFactors(const ParameterVector& parameters, Hypothesis& hypothesis) const override;
 
   /// The factor on the friction of each log at a parameter vector; empty where none is free.
   std::vector<double> factors(Hypothesis hypothesis, const ParameterVector& parameters) const;
-
-  /// Priors of the zeros of the displacement of each log.
-  void setZeros(std::vector<DisplacementZero> zeros) { zeros_ = std::move(zeros); }
-  const std::vector<DisplacementZero>& zeros() const { return zeros_; }
 
  private:
   std::optional<gap::Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const override {
@@ -64,7 +60,6 @@ class Fitter final : public HypothesisFitter {
   HypothesisForces forces_;
   std::unique_ptr<const LogBlocks> blocks_;
   bool model_depends_on_place_ = false;
-  std::vector<DisplacementZero> zeros_;
 };
 
 }  // namespace rubber_suspension::fit

@@ -103,15 +103,14 @@ gap::PreparedRecord FreeInLog::addedTo(const gap::PreparedRecord& record, std::s
 }
 
 gap::Forces byZero(const std::vector<element::ElementDescription>& elements,
-                   const std::vector<gap::PreparedRecord>& records, const std::vector<DisplacementZero>& zeros) {
+                   const std::vector<gap::PreparedRecord>& records) {
   constexpr double kStep = 0.1;  // of a standard deviation
   gap::Forces columns = gap::simulate(elements, records);
-  std::size_t next = 0;  // records come one after the other
-  const auto moved = gap::simulate(elements, records, [&](const log::Record& record) -> Eigen::VectorXd {
-    return record.displacement.array() - kStep * zeros[next++].deviation;
+  const auto moved = gap::simulate(elements, records, [&](const gap::PreparedRecord& record) -> Eigen::VectorXd {
+    return record.displacement.array() - kStep * record.rig.displacement_zero;
   });
   for (std::size_t r = 0; r < records.size(); ++r) {
-    columns[r] = (moved[r] - columns[r]) / (kStep * zeros[r].one_deviation);
+    columns[r] = (moved[r] - columns[r]) / (kStep * records[r].rig.one_deviation);
     columns[r].array() -= columns[r].mean();
   }
   return columns;

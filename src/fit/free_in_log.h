@@ -74,16 +74,10 @@ struct FreeInLog {
                               const Eigen::VectorXd& simulated) const;
 };
 
-/// The knowledge before any fit of a displacement that was recorded too high by the same amount throughout a log.
-struct DisplacementZero {
-  double deviation = 0.0;      ///< standard deviation [m]; 0: there is none
-  double one_deviation = 0.0;  ///< what that counts as, in units of the standard deviation of the force
-};
-
-/// The effect of one standard deviation of the zero on the force of elements on each record [N], its mean taken out,
-/// which is a zero of the force; over what it counts as.
+/// The effect of one standard deviation of the displacement's zero (gap::RigPrior) on the force of elements on each
+/// record [N], its mean taken out, which is a zero of the force; over what it counts as.
 gap::Forces byZero(const std::vector<element::ElementDescription>& elements,
-                   const std::vector<gap::PreparedRecord>& records, const std::vector<DisplacementZero>& zeros);
+                   const std::vector<gap::PreparedRecord>& records);
 
 /// The force of all friction of a component on each record [N]: what it has more than without these elements.
 gap::Forces frictionOf(const std::vector<element::ElementDescription>& elements,

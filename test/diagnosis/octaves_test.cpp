@@ -1,12 +1,11 @@
 // Shares of octaves in the energy of forces.
-#include "diagnosis/hypotheses/octaves.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "diagnosis/hypotheses/log_table.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::test {

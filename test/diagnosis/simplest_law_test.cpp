@@ -58,7 +58,7 @@ class SimplestLaw : public testing::Test {
     fit::findUnitEffects(candidates_, records, 1);
     full_.hypothesis = fit::makeHypothesis(candidates_, {member});
     full_.fit = fitter_->fit(full_.hypothesis, fitter_->configured(full_.hypothesis), {10});
-    simple_ = diagnosis::results::simplestLaw(*fitter_, candidates_, full_, {none_, no_zeros_}, 1.0, 1);
+    simple_ = diagnosis::results::simplestLaw(*fitter_, candidates_, full_, {}, 1.0, 1);
   }
 
   diagnosis::results::Entries found() const {
@@ -73,8 +73,6 @@ class SimplestLaw : public testing::Test {
   }
 
   const fit::ModelParameters model_{rigComponent(), fit::Level::specification};
-  const std::vector<gap::PreparedRecord> none_ = {};
-  const std::vector<fit::DisplacementZero> no_zeros_ = {};
   std::unique_ptr<fit::Fitter> fitter_;
   std::vector<fit::Candidate> candidates_;
   diagnosis::hypotheses::FittedHypothesis full_;

@@ -39,7 +39,7 @@ class TakenOutTest : public ::testing::Test {
     deviation_ = record.force_deviation;
     const auto elements = rigComponent().allElements();
     const results::LogAccount account =
-        results::accountsOf(elements, {record}, {}, prepare::rawChannels({log_}, {}), {}, {}).front();
+        results::accountsOf(elements, {record}, {}, prepare::rawChannels({log_}, {}), {}).front();
     left_ = std::sqrt(account.left());
     double left = account.recorded();
     for (const TakenOut& part : account.entries()) {
@@ -110,8 +110,7 @@ TEST_F(TakenOutTest, TellsAGain) {
   gap::PreparedRecord record = measurement::prepareLog(log).record;
   const auto elements = rigComponent().allElements();
   record.rig.columns = gap::simulate(elements, {record}).front().normalized();
-  const auto parts =
-      results::accountsOf(elements, {record}, {}, prepare::rawChannels({log}, {}), {}, {}).front().entries();
+  const auto parts = results::accountsOf(elements, {record}, {}, prepare::rawChannels({log}, {}), {}).front().entries();
   EXPECT_NEAR(shareOf(parts, results::taken_out::kGain), 0.03 / 1.03, 0.002);
 }
 
@@ -133,7 +132,7 @@ TEST_F(TakenOutTest, LeavesOutWhatWasNotMeasured) {
   }
   const gap::PreparedRecord record = measurement::prepareLog(log).record;
   const auto account =
-      results::accountsOf(rigComponent().allElements(), {record}, {}, prepare::rawChannels({log}, {}), {}, {}).front();
+      results::accountsOf(rigComponent().allElements(), {record}, {}, prepare::rawChannels({log}, {}), {}).front();
   EXPECT_LT(std::abs(shareOf(account.entries(), results::taken_out::kSpikes)), 1e-3);
   EXPECT_NEAR(std::sqrt(account.recorded()), 2.0 / record.force_deviation, 0.2 / record.force_deviation);
 }

@@ -11,7 +11,7 @@ import sys
 
 JUDGE = "src/diagnosis/judge/"
 # The verdict; of logs that were never judged; of a report that contradicts itself.
-SAYS = {JUDGE + "answer.cpp", "src/diagnosis/refused.cpp", "src/diagnosis/invariants.cpp"}
+SAYS = {JUDGE + "answer.cpp", "src/diagnosis/prepare/bench_evidence.cpp", "src/diagnosis/invariants.cpp"}
 SEES = {"diagnosis/judge/answer.h", "diagnosis/judge/set_posterior.h", "rubber_suspension/diagnosis/posterior.h",
         "rubber_suspension/diagnosis/verdict.h"}              # what a verdict is a function of
 COMPARE = {JUDGE + "answer.cpp", JUDGE + "set_posterior.cpp"}  # probabilities with each other

@@ -18,6 +18,8 @@ struct RigPrior {
   double one_deviation = 0.0;
   /// Most that noise slower than the motion, or a drift, may add and still be noise [N]: its standard deviation.
   double slow_noise = std::numeric_limits<double>::infinity();
+  /// By which all of the displacement may have been recorded too high: standard deviation [m].
+  double displacement_zero = 0.0;
 };
 
 /// A record, its rig and its weight. One that is made of a record alone is of a rig that adds nothing.

@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "diagnosis/hypotheses/fitted_component.h"
-#include "diagnosis/hypotheses/octaves.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "fit/free_in_log.h"
 #include "fit/parallel.h"
+#include "numerics/fourier.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 
@@ -139,8 +140,7 @@ class LogTable {
   void predictUnseen() {
     unseen_.resize(prepared_.held_out.empty() ? 0 : evidence_.hypotheses.size());
     fit::parallelFor(unseen_.size(), threads_, [&](std::size_t h) {
-      unseen_[h] =
-          unseenErrors(prepared_.model, search_.at(static_cast<int>(h)), prepared_.held_out, prepared_.zeros.held_out);
+      unseen_[h] = unseenErrors(prepared_.model, search_.at(static_cast<int>(h)), prepared_.held_out);
     });
   }
 
@@ -282,6 +282,26 @@ std::vector<double> floorsOfUnseen(const PreparedCase& prepared, const Search& s
 
 judge::Evidence evidenceOfLogs(const PreparedCase& prepared, const Search& search, int threads) {
   return LogTable(prepared, search, threads).run();
+}
+
+std::vector<double> octaveShares(const Eigen::VectorXd& values) {
+  const auto spectrum = numerics::paddedSpectrum({values.data(), values.data() + values.size()});
+  std::vector<double> shares = {std::norm(spectrum.front())};
+  for (std::size_t first = 1; first < spectrum.size(); first *= 2) {
+    const std::size_t end = std::min(2 * first, spectrum.size());
+    shares.push_back(0.0);
+    for (std::size_t line = first; line < end; ++line) {
+      shares.back() += std::norm(spectrum[line]);
+    }
+  }
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  if (!(std::isfinite(sum) && sum > 0.0)) {
+    return {};
+  }
+  for (double& share : shares) {
+    share /= sum;
+  }
+  return shares;
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

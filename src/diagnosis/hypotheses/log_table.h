@@ -28,4 +28,9 @@ std::vector<double> floorsOfUnseen(const PreparedCase& prepared, const Search& s
 /// The evidence of a search, which has these floors, over the logs of the fit and then the unseen ones.
 judge::Evidence evidenceOfLogs(const PreparedCase& prepared, const Search& search, int threads);
 
+/// Shares of octaves of frequency in the energy of evenly spaced samples: of their mean, then of the octaves from the
+/// lowest frequency of the transform on (numerics::paddedSpectrum), so that they do not depend on the unit of time.
+/// Empty where there is no energy or it is not finite.
+std::vector<double> octaveShares(const Eigen::VectorXd& values);
+
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -29,19 +29,17 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 }
 
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                          const std::vector<gap::PreparedRecord>& records,
-                          const std::vector<fit::DisplacementZero>& zeros) {
+                          const std::vector<gap::PreparedRecord>& records) {
   return unseenErrors(fitted.hypothesis, *fit::elementsOf(model, fitted.hypothesis, fitted.fit.parameters),
-                      predict(model, fitted, records), records, zeros);
+                      predict(model, fitted, records), records);
 }
 
 UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
-                          const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records,
-                          const std::vector<fit::DisplacementZero>& zeros) {
+                          const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records) {
   if (hypothesis.free_in_log.by_zero) {
     gap::Forces columns;
     for (std::size_t r = 0; r < records.size(); ++r) {
-      columns.push_back(fit::byZero(elements, {records[r]}, {zeros[r]}).front());
+      columns.push_back(fit::byZero(elements, {records[r]}).front());
     }
     hypothesis.free_in_log.by_zero = fit::columnOf(std::move(columns));
   }

@@ -22,15 +22,13 @@ using UnseenErrors = std::vector<gap::PartError>;
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                     const std::vector<gap::PreparedRecord>& records);
 
-/// Of a fitted hypothesis over records, each of them recorded on a new component. `zeros`: of their displacement.
+/// Of a fitted hypothesis over records, each of them recorded on a new component.
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                          const std::vector<gap::PreparedRecord>& records,
-                          const std::vector<fit::DisplacementZero>& zeros);
+                          const std::vector<gap::PreparedRecord>& records);
 
 /// Of forces that elements predict, under a hypothesis that says what is free in each log.
 UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
-                          const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records,
-                          const std::vector<fit::DisplacementZero>& zeros);
+                          const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records);
 
 /// The friction of a component on each record, each of them recorded on a new one (fit::frictionOf()).
 fit::ForceColumn frictionOfEach(const std::vector<element::ElementDescription>& elements,

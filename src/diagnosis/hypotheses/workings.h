@@ -11,7 +11,6 @@
 #include "diagnosis/judge/answer.h"
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
-#include "fit/zero_priors.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/gap/prepared_record.h"
@@ -25,16 +24,13 @@ std::vector<std::string> excludedEffects(const io::ComponentDescription& compone
 /// A component and its logs, ready for the fits.
 struct PreparedCase {
   PreparedCase(const io::ComponentDescription& configured, std::vector<gap::PreparedRecord> logs,
-               std::vector<gap::PreparedRecord> hold_out, fit::ZeroPriors priors = {})
+               std::vector<gap::PreparedRecord> hold_out)
       : component(configured),
         records(std::make_shared<const std::vector<gap::PreparedRecord>>(std::move(logs))),
         training(*records),
         held_out(std::move(hold_out)),
         model(component, fit::Level::specification),
-        fitter(records, model, errorScale().oneOfSheet()),
-        zeros(std::move(priors)) {
-    fitter.setZeros(zeros.training);
-  }
+        fitter(records, model, errorScale().oneOfSheet()) {}
   PreparedCase(const PreparedCase&) = delete;  // the fitters refer to the models
   PreparedCase& operator=(const PreparedCase&) = delete;
 
@@ -44,7 +40,6 @@ struct PreparedCase {
   std::vector<gap::PreparedRecord> held_out;
   fit::ModelParameters model;
   fit::Fitter fitter;
-  fit::ZeroPriors zeros;
 };
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

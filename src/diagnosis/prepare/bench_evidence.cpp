@@ -1,4 +1,4 @@
-// Logs that cannot be what they say, as they are and corrected.
+// Logs with a wrong sign, unit, column or component, as they are and corrected.
 #include "diagnosis/prepare/bench_evidence.h"
 
 #include <algorithm>
@@ -41,6 +41,21 @@ BenchEvidence benchEvidence(const std::vector<element::ElementDescription>& elem
     }
   }
   return evidence;
+}
+
+Diagnosis refused(const io::ComponentDescription& component, std::vector<measurement::RigFinding> findings) {
+  Diagnosis result;
+  result.component = component.name;
+  result.answer.verdict = Verdict::check_bench;
+  for (const measurement::RigFinding& finding : findings) {
+    if (finding.fatal) {
+      result.sentence = "Check the bench: " + finding.log + ": " + finding.text + ".";
+      break;
+    }
+  }
+  result.next.text = "Correct what was measured, or measure it again, and diagnose again.";
+  result.rig_findings = std::move(findings);
+  return result;
 }
 
 }  // namespace rubber_suspension::diagnosis::prepare

@@ -1,4 +1,5 @@
-// Figures of the verdict check_bench: logs with a wrong sign, unit, column or component, as they are and corrected.
+// The verdict check_bench and its figures: logs with a wrong sign, unit, column or component, as they are and
+// corrected.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/log/record.h"
 #include "rubber_suspension/measurement/rig_finding.h"
@@ -42,5 +44,9 @@ namespace rubber_suspension::diagnosis::prepare {
 BenchEvidence benchEvidence(const std::vector<element::ElementDescription>& elements,
                             const std::vector<log::Record>& records,
                             const std::vector<measurement::RigFinding>& findings);
+
+/// The diagnosis of a measurement with a wrong sign, unit, column or component: check_bench, by the first fatal
+/// finding.
+Diagnosis refused(const io::ComponentDescription& component, std::vector<measurement::RigFinding> findings);
 
 }  // namespace rubber_suspension::diagnosis::prepare

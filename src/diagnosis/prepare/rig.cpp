@@ -134,6 +134,12 @@ Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& l
   return columns.leftCols(used + starts.cols() + slow.cols());
 }
 
+// An excerpt is of a log whose zero others of it have, too: there, none is free [m].
+double zeroOfDisplacement(const log::Record& record, const io::RigTolerances& tolerances) {
+  const double range = record.displacement.maxCoeff() - record.displacement.minCoeff();
+  return record.lead_in.displacement.empty() ? tolerances.displacement_zero.of(range) : 0.0;
+}
+
 std::vector<gap::RigPrior> priorsOf(const std::vector<element::ElementDescription>& elements,
                                     const gap::Forces& simulated, const io::RigTolerances& tolerances,
                                     const Limits& limits, const std::vector<double>& one_deviation,
@@ -152,7 +158,8 @@ std::vector<gap::RigPrior> priorsOf(const std::vector<element::ElementDescriptio
     if (record.counts.size() > 0) {
       columns.array().colwise() *= record.counts.array();
     }
-    priors.push_back({numerics::whiteningColumns(columns), one_deviation[r], io::kTolerated * slow});
+    priors.push_back({numerics::whiteningColumns(columns), one_deviation[r], io::kTolerated * slow,
+                      zeroOfDisplacement(record, tolerances)});
   }
   return priors;
 }
@@ -210,17 +217,6 @@ std::vector<double> oneDeviations(const measurement::ErrorScale& scale, const st
   return element::each(floors, [&](double floor) { return scale.oneDeviation(floor, logs); });
 }
 
-// An excerpt is of a log whose zero others of it have, too: there, none is free.
-std::vector<fit::DisplacementZero> zerosOf(const Records& records, const io::RigTolerances& tolerances) {
-  std::vector<fit::DisplacementZero> zeros;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const double range = records[r].displacement.maxCoeff() - records[r].displacement.minCoeff();
-    const bool whole = records[r].lead_in.displacement.empty();
-    zeros.push_back({whole ? tolerances.displacement_zero.of(range) : 0.0, records[r].rig.one_deviation});
-  }
-  return zeros;
-}
-
 }  // namespace
 
 LogsOfRig withRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
@@ -244,11 +240,8 @@ LogsOfRig withRigPriors(const fit::ModelParameters& model, const io::RigToleranc
   };
   const gap::Forces forces = gap::simulate(elements, of_the_fit);
   const gap::Forces of_unseen = gap::simulateEach(elements, unseen);
-  LogsOfRig result{prepared(std::move(of_the_fit), forces, noise.training),
-                   prepared(std::move(unseen), of_unseen, noise.held_out),
-                   {}};
-  result.zeros = {zerosOf(result.training, tolerances), zerosOf(result.held_out, tolerances)};
-  return result;
+  return {prepared(std::move(of_the_fit), forces, noise.training),
+          prepared(std::move(unseen), of_unseen, noise.held_out)};
 }
 
 }  // namespace rubber_suspension::diagnosis::prepare

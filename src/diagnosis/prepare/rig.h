@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fit/model_parameters.h"
-#include "fit/zero_priors.h"
 #include "measurement/rig_noise.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/gap/prepared_record.h"
@@ -21,7 +20,6 @@ enum class RigScatter { as_found, as_tolerated };
 struct LogsOfRig {
   std::vector<gap::PreparedRecord> training;
   std::vector<gap::PreparedRecord> held_out;
-  fit::ZeroPriors zeros;
 };
 
 /// The records with what the rig may have added to each (gap::RigPrior): zero, lag, clock, gain, what a motion before

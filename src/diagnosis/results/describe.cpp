@@ -81,7 +81,8 @@ class Describer {
         answer_(workings_.answer),
         judged_(search_.at(answer_.model)),
         re_estimated_(prepared_.model.apply(search_.re_estimated.fit.parameters.model)),
-        before_(replayed(prepared_.fitter, fullLaw(search_.re_estimated), re_estimated_.allElements(), held_out_)),
+        before_(
+            replayed(prepared_.fitter, fullLaw(search_.re_estimated), re_estimated_.allElements(), prepared_.held_out)),
         written_(writtenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_.unseen()), options_)),
         law_(written_.law) {
     workings_.simulated = simulateAll();
@@ -171,7 +172,8 @@ class Describer {
         // take slow noise, or a law's error, with it.
         alone.law.about.free_in_log = {};
       }
-      gaps[c] = gap::gapOfParts(unseenErrors(prepared_.fitter, alone, elementsOf(prepared_.model, alone), held_out_));
+      gaps[c] = gap::gapOfParts(
+          unseenErrors(prepared_.fitter, alone, elementsOf(prepared_.model, alone), prepared_.held_out));
     });
     return gaps;
   }
@@ -265,7 +267,6 @@ class Describer {
     Findings findings;
     for (const bool held_out : {false, true}) {
       const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
-                                     held_out ? prepared_.zeros.held_out : prepared_.zeros.training,
                                      judged_.hypothesis.free_in_log, options_.threads);
       findings.insert(findings.end(), found.begin(), found.end());
     }
@@ -281,9 +282,8 @@ class Describer {
   }
 
   AdmittedLogs admittedLogs() const {
-    const std::vector<LogAccount> accounts =
-        accountsOf(law_.augmented.allElements(), prepared_.training, prepared_.held_out, raw_,
-                   judged_.hypothesis.free_in_log, prepared_.zeros);
+    const std::vector<LogAccount> accounts = accountsOf(law_.augmented.allElements(), prepared_.training,
+                                                        prepared_.held_out, raw_, judged_.hypothesis.free_in_log);
     const std::size_t training = prepared_.training.size();
     AdmittedLogs logs;
     logs.admission.resize(accounts.size());
@@ -319,7 +319,6 @@ class Describer {
   const hypotheses::Search& search_;
   const judge::Answer& answer_;
   const hypotheses::FittedHypothesis& judged_;
-  const HeldOut held_out_{prepared_.held_out, prepared_.zeros.held_out};
   const io::ComponentDescription re_estimated_;
   const Replayed before_;
   MeasuredLaw written_;

@@ -17,9 +17,8 @@ namespace rubber_suspension::diagnosis::results {
 namespace {
 
 std::vector<gap::PartError> heldOutErrors(const fit::Hypothesis& hypothesis, const Entries& elements,
-                                          const HeldOut& held_out) {
-  return hypotheses::unseenErrors(hypothesis, elements, gap::simulateEach(elements, held_out.records), held_out.records,
-                                  held_out.zeros);
+                                          const std::vector<gap::PreparedRecord>& held_out) {
+  return hypotheses::unseenErrors(hypothesis, elements, gap::simulateEach(elements, held_out), held_out);
 }
 
 // Replayed, and what each block leaves more where it took no part in the fit: over a log never less than is replayed,
@@ -31,9 +30,7 @@ std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const Fitt
   // Zeros of the displacement are those of the component that is replayed.
   const std::vector<double> none(records.size(), 0.0);
   const std::vector<double> replay = hypotheses::errorsByLog(
-      hypotheses::unseenErrors(hypothesis, elements, gap::simulate(elements, records, gap::asRecorded), records,
-                               fitter.zeros()),
-      none);
+      hypotheses::unseenErrors(hypothesis, elements, gap::simulate(elements, records, gap::asRecorded), records), none);
   const gap::Forces fit = *fitter.forces().at(hypothesis, fitted.fit.parameters);
   const std::vector<double> of_fit = hypotheses::errorsByLog(hypotheses::partErrorsOf(hypothesis, records, fit), none);
   std::vector<gap::PartError> blocks = fitted.fit.blocks;
@@ -163,16 +160,16 @@ Entries elementsOf(const fit::ModelParameters& model, const FittedLaw& fitted) {
 }
 
 Replayed replayed(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
-                  const HeldOut& held_out) {
-  return {errorsOfTheFit(fitter, fitted, elements), held_out.records.empty()
+                  const std::vector<gap::PreparedRecord>& held_out) {
+  return {errorsOfTheFit(fitter, fitted, elements), held_out.empty()
                                                         ? std::vector<gap::PartError>()
                                                         : heldOutErrors(fitted.law.hypothesis(), elements, held_out)};
 }
 
 std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
-                                         const HeldOut& held_out) {
-  return held_out.records.empty() ? errorsOfTheFit(fitter, fitted, elements)
-                                  : heldOutErrors(fitted.law.hypothesis(), elements, held_out);
+                                         const std::vector<gap::PreparedRecord>& held_out) {
+  return held_out.empty() ? errorsOfTheFit(fitter, fitted, elements)
+                          : heldOutErrors(fitted.law.hypothesis(), elements, held_out);
 }
 
 std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementDescription>>& models,

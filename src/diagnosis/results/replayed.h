@@ -11,12 +11,6 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Logs that take no part in the fit, and what is known of the zeros of their displacement.
-struct HeldOut {
-  const std::vector<gap::PreparedRecord>& records;
-  const std::vector<fit::DisplacementZero>& zeros;
-};
-
 /// Errors of parts of logs, what the rig did to each log taken out.
 struct Replayed {
   std::vector<gap::PartError> of_the_fit;  ///< on blocks that took no part in the fit
@@ -29,14 +23,16 @@ struct Replayed {
 /// The elements of a model with a law.
 Entries elementsOf(const fit::ModelParameters& model, const FittedLaw& fitted);
 
-/// Errors of a fitted law that is written as these elements. Of the logs of the fit they are the cross-validated errors
-/// of the fit and, log by log, what `replay` leaves there more than the forces that were fitted: the noise of the
-/// displacement's sensor, and samples to come that a simulation does not know.
-Replayed replayed(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements, const HeldOut& held_out);
+/// Errors of a fitted law that is written as these elements, on the logs of the fit and on those held out. Of the logs
+/// of the fit they are the cross-validated errors of the fit and, log by log, what `replay` leaves there more than the
+/// forces that were fitted: the noise of the displacement's sensor, and samples to come that a simulation does not
+/// know.
+Replayed replayed(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
+                  const std::vector<gap::PreparedRecord>& held_out);
 
 /// Of these the errors that gaps are of.
 std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
-                                         const HeldOut& held_out);
+                                         const std::vector<gap::PreparedRecord>& held_out);
 
 /// Whether the logs were recorded on one component, which relaxes between them, or each on a new one.
 enum class Recorded { on_one_component, each_on_a_new_one };

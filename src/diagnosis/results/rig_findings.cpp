@@ -20,8 +20,8 @@ namespace {
 
 // The same values by a model that may err by what is accepted: then the logs tell no more of them than a few errors of
 // that size would, however many samples they have.
-void allowError(const log::Record& record, double one_deviation, measurement::RigFit& fit) {
-  const double unit = one_deviation * record.force_deviation * std::sqrt(record.counted());
+void allowError(const gap::PreparedRecord& record, measurement::RigFit& fit) {
+  const double unit = record.rig.one_deviation * record.force_deviation * std::sqrt(record.counted());
   Eigen::MatrixXd columns = fit.rig.columns * (fit.rig.priors / unit).asDiagonal();
   Eigen::VectorXd residual = (record.force - fit.rig.base) / unit;
   if (record.counts.size() > 0) {
@@ -37,14 +37,13 @@ void allowError(const log::Record& record, double one_deviation, measurement::Ri
 
 // The rig's part in each record about a model.
 std::vector<measurement::RigFit> fitRig(const measurement::RigModel& rig,
-                                        const std::vector<element::ElementDescription>& elements,
-                                        const std::vector<fit::DisplacementZero>& zeros) {
+                                        const std::vector<element::ElementDescription>& elements) {
   auto fits =
       rig.fitAll(gap::simulate(elements, rig.records()), [&](const std::vector<Eigen::VectorXd>& displacements) {
         return gap::simulate(elements, rig.records(), gap::drivenBy(displacements, rig.records()));
       });
   for (std::size_t r = 0; r < fits.size(); ++r) {
-    allowError(rig.records()[r], zeros[r].one_deviation, fits[r]);
+    allowError(rig.records()[r], fits[r]);
   }
   return fits;
 }
@@ -81,11 +80,10 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
                                                  const std::vector<gap::PreparedRecord>& records,
-                                                 const std::vector<fit::DisplacementZero>& zeros,
                                                  const fit::FreeInLog& named, int threads) {
   const measurement::RigModel rig(records, element::each(records, measurement::maskOf), withAny(named, tolerances));
   std::array<std::vector<measurement::RigFit>, 2> by;
-  fit::parallelFor(by.size(), threads, [&](std::size_t i) { by[i] = fitRig(rig, i == 0 ? judged : rival, zeros); });
+  fit::parallelFor(by.size(), threads, [&](std::size_t i) { by[i] = fitRig(rig, i == 0 ? judged : rival); });
   const auto& [fits, by_rival] = by;
   const auto findingsBy = [&](std::size_t r, const measurement::RigFit& fit) {
     std::vector<measurement::RigFinding> all = rig.findings(r, fit);

@@ -14,12 +14,11 @@ namespace rubber_suspension::diagnosis::results {
 /// The faults of the rig in each record, by what `judged` leaves of it: the values that the priors and the accepted
 /// error allow, each with the uncertainty that the accepted error leaves it. Not told where `rival`, the next likely
 /// elements, gives a value outside of its interval, but for zeros and gains of each log that the verdict names: those
-/// of `named`. `zeros`: of the records.
+/// of `named`.
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
                                                  const std::vector<gap::PreparedRecord>& records,
-                                                 const std::vector<fit::DisplacementZero>& zeros,
                                                  const fit::FreeInLog& named, int threads);
 
 }  // namespace rubber_suspension::diagnosis::results

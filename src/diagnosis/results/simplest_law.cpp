@@ -135,7 +135,8 @@ class Subsets {
 class Chooser {
  public:
   Chooser(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
-          const hypotheses::FittedHypothesis& judged, const HeldOut& held_out, double before, int threads)
+          const hypotheses::FittedHypothesis& judged, const std::vector<gap::PreparedRecord>& held_out, double before,
+          int threads)
       : fitter_(fitter),
         candidates_(candidates),
         judged_(judged),
@@ -345,7 +346,7 @@ class Chooser {
   const fit::Fitter& fitter_;
   const std::vector<fit::Candidate>& candidates_;
   const hypotheses::FittedHypothesis& judged_;
-  const HeldOut& held_out_;
+  const std::vector<gap::PreparedRecord>& held_out_;
   const double before_;
   const int threads_;
   fit::Hypothesis extended_;
@@ -385,8 +386,8 @@ FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged) {
 }
 
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
-                        const hypotheses::FittedHypothesis& judged, const HeldOut& held_out, double before,
-                        int threads) {
+                        const hypotheses::FittedHypothesis& judged, const std::vector<gap::PreparedRecord>& held_out,
+                        double before, int threads) {
   return Chooser(fitter, candidates, judged, held_out, before, threads).run();
 }
 

@@ -27,7 +27,7 @@ struct SimplestLaw {
 /// places; no term of what an effect contains stands for it. Gaps are those of `replay` on the logs held out, or else
 /// on held-out blocks (replayed.h). It closes more than half of what the full law closes of the squared gap `before`.
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
-                        const hypotheses::FittedHypothesis& judged, const HeldOut& held_out, double before,
-                        int threads);
+                        const hypotheses::FittedHypothesis& judged, const std::vector<gap::PreparedRecord>& held_out,
+                        double before, int threads);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -171,10 +171,10 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
 // The effect of a zero of the displacement on each record.
 std::vector<VectorXd> byZeros(const std::vector<element::ElementDescription>& elements,
                               const std::vector<gap::PreparedRecord>& of_the_fit,
-                              const std::vector<gap::PreparedRecord>& held_out, const fit::ZeroPriors& zeros) {
-  std::vector<VectorXd> columns = fit::byZero(elements, of_the_fit, zeros.training);
-  for (std::size_t i = 0; i < held_out.size(); ++i) {
-    columns.push_back(fit::byZero(elements, {held_out[i]}, {zeros.held_out[i]}).front());
+                              const std::vector<gap::PreparedRecord>& held_out) {
+  std::vector<VectorXd> columns = fit::byZero(elements, of_the_fit);
+  for (const gap::PreparedRecord& record : held_out) {
+    columns.push_back(fit::byZero(elements, {record}).front());
   }
   return columns;
 }
@@ -208,8 +208,7 @@ std::vector<TakenOut> LogAccount::entries() const {
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<gap::PreparedRecord>& of_the_fit,
                                    const std::vector<gap::PreparedRecord>& held_out,
-                                   const std::vector<prepare::RawChannels>& raw, fit::FreeInLog free,
-                                   const fit::ZeroPriors& zeros) {
+                                   const std::vector<prepare::RawChannels>& raw, fit::FreeInLog free) {
   const Displacements recorded = element::each(raw, &prepare::RawChannels::displacement);
   Displacements bridged;
   for (const auto* list : {&of_the_fit, &held_out}) {
@@ -222,7 +221,7 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
   forces.recorded = over(recorded);
   forces.bridged = bridged == recorded ? forces.recorded : over(bridged);
   if (free.by_zero) {
-    free.by_zero = fit::columnOf(byZeros(elements, of_the_fit, held_out, zeros));
+    free.by_zero = fit::columnOf(byZeros(elements, of_the_fit, held_out));
   }
   if (free.by_factor) {
     gap::Forces friction = fit::frictionOf(elements, of_the_fit);

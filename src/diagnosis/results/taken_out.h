@@ -7,7 +7,6 @@
 
 #include "diagnosis/prepare/excerpts.h"
 #include "fit/free_in_log.h"
-#include "fit/zero_priors.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/element/parameter.h"
@@ -50,12 +49,10 @@ class LogAccount {
 };
 
 /// The accounts of records against elements, those of the fit first, which were recorded on one component; each other
-/// was on a new one. `free`: what the judged hypothesis frees in each log; `zeros`: of the displacement, as it knows
-/// them.
+/// was on a new one. `free`: what the judged hypothesis frees in each log.
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<gap::PreparedRecord>& of_the_fit,
                                    const std::vector<gap::PreparedRecord>& held_out,
-                                   const std::vector<prepare::RawChannels>& raw, fit::FreeInLog free,
-                                   const fit::ZeroPriors& zeros);
+                                   const std::vector<prepare::RawChannels>& raw, fit::FreeInLog free);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -112,17 +112,18 @@ std::string roundedText(const SizedValue& size, const std::string& unit, int fin
 
 MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
                        const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options) {
-  const HeldOut held_out{prepared.held_out, prepared.zeros.held_out};
-  const SimplestLaw chosen = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
+  const SimplestLaw chosen =
+      simplestLaw(prepared.fitter, candidates, judged, prepared.held_out, before, options.threads);
   const FittedLaw& simple = chosen.fitted;
   const FittedLaw full = fullLaw(judged);
   std::vector<WeighedLaw> laws = {{simple}};
   laws.insert(laws.end(), chosen.others.begin(), chosen.others.end());
   Sizes sizes = sizesOf(prepared.fitter, laws, chosen.form_error, candidates, options);
   Rounded rounded = roundTo(componentOf(prepared, simple), prepared.training, sizes.written);
-  Replayed errors = replayed(prepared.fitter, simple, rounded.component.allElements(), held_out);
+  Replayed errors = replayed(prepared.fitter, simple, rounded.component.allElements(), prepared.held_out);
   io::ComponentDescription of_full = componentOf(prepared, full);
-  const double gap_of_full = gap::gapOfParts(unseenErrors(prepared.fitter, full, of_full.allElements(), held_out));
+  const double gap_of_full =
+      gap::gapOfParts(unseenErrors(prepared.fitter, full, of_full.allElements(), prepared.held_out));
   return {{std::move(rounded.component), std::move(of_full), gap_of_full, ownersOf(simple, candidates),
            std::move(rounded.written), std::move(sizes.model), std::move(sizes.effects)},
           std::move(errors)};

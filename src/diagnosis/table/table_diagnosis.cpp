@@ -19,7 +19,7 @@
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/invariants.h"
 #include "diagnosis/judge/evidence.h"
-#include "diagnosis/refused.h"
+#include "diagnosis/prepare/bench_evidence.h"
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/sizes.h"
@@ -415,7 +415,7 @@ Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::Me
   checkRows(component, table);
   const MeasuredRows measured(component, table.points, table::scatterOf(table.points, table.uncertainty));
   if (const auto finding = benchFinding(component, table, measured)) {
-    Diagnosis result = refused(component, {*finding});
+    Diagnosis result = prepare::refused(component, {*finding});
     result.table = DiagnosedTable{table.name, {}, table::neverShownByTables(), table.notes};
     return result;
   }

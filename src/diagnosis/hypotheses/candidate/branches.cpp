@@ -1,7 +1,16 @@
 // Branches of relaxation.
 #include "diagnosis/hypotheses/candidate/branches.h"
 
+#include <algorithm>
+
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
+
+double longestRelaxationTime(const fit::Excitation& excitation) {
+  constexpr double kCycles = 30.0;
+  constexpr double kOfLog = 0.1;
+  const double slower_than_motion = std::min(kCycles / excitation.mean_frequency, kOfLog * excitation.longest_duration);
+  return std::max(slower_than_motion, excitation.slowest_loop);
+}
 
 void addBranches(const std::vector<double>& frequencies, double typical, const fit::Excitation& excitation,
                  fit::Candidate& candidate) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "diagnosis/hypotheses/candidate/branches.h"
-#include "diagnosis/hypotheses/candidate/creep_time.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 

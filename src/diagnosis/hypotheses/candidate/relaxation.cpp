@@ -1,6 +1,5 @@
 // Candidate effect: further relaxation times within the band of the excitation.
 #include "diagnosis/hypotheses/candidate/branches.h"
-#include "diagnosis/hypotheses/candidate/creep_time.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 
