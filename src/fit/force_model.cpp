@@ -7,14 +7,18 @@
 
 #include "element/each.h"
 #include "fit/difference_quotient.h"
+#include "kernel/maxwell_forces.h"
+#include "kernel/sample_checks.h"
 #include "log/even_blocks.h"
 #include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension::fit {
 namespace {
 
 constexpr double kSearchReach = 1e3;  // factor to either side of the given value where the log sets no scale
 constexpr double kStartReach = 10.0;
+constexpr double kNanoseconds = 1e9;  // in a second
 
 // Limits that rate, length and amplitude of the logs set.
 struct LogScales {
@@ -27,6 +31,30 @@ bool allParallel(const std::vector<element::ElementDescription>& elements) {
   return std::all_of(elements.begin(), elements.end(), [](const element::ElementDescription& element) {
     return element::lawOf(element::makeElement(element)).action() == element::Action::adds_force;
   });
+}
+
+bool canBeMade(const std::vector<element::ElementDescription>& elements) {
+  try {
+    component::Component{elements};
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+// Where elements are a Maxwell element and nothing else.
+std::optional<element::BasicLaws::MaxwellNumbers> maxwellOf(const std::vector<element::ElementDescription>& elements) {
+  element::BasicLaws laws;
+  if (elements.size() == 1) {
+    const element::ElementPointer element = element::makeElement(elements.front());
+    const element::ParallelElement* const law = element::parallelLaw(element);
+    if (law != nullptr && !law->onRig()) {
+      law->addTo(laws);
+    }
+  }
+  const bool alone =
+      laws.maxwells.size() == 1 && laws.stiffness == 0.0 && laws.damping == 0.0 && laws.frictions.empty();
+  return alone ? std::optional(laws.maxwells.front()) : std::nullopt;
 }
 
 LogScales scalesOf(const std::vector<log::Log>& logs) {
@@ -182,16 +210,34 @@ void ForceModel::makeColumns(const std::vector<Eigen::MatrixXd>& rig) {
     row += static_cast<Eigen::Index>(logs_[i].stamp.size());
   }
   all_.resize(size == measured().size() ? 0 : size);
+  const std::size_t shared =
+      std::accumulate(parts_.begin(), parts_.end(), std::size_t{0},
+                      [](std::size_t sum, const Part& part) { return sum + part.unknowns.size(); }) -
+      nonlinear_.size();
+  moved_.resize(measured().size(), static_cast<Eigen::Index>(shared));
+  for (const log::Log& log : logs_) {
+    const std::int64_t step = log.stamp[1] - log.stamp[0];
+    if (all_.size() > 0 || !kernel::allEven(log.stamp.data(), log.size() - 1, static_cast<std::uint64_t>(step))) {
+      dt_.clear();
+      break;
+    }
+    dt_.push_back(static_cast<double>(step) / kNanoseconds);
+  }
 }
 
-void ForceModel::simulate(const Part& part, const Eigen::VectorXd& values, Force force) {
-  std::vector<element::ElementDescription> elements = part.elements;
+ForceModel::Elements ForceModel::elementsAt(const Part& part, const Eigen::VectorXd& values) const {
+  Elements elements = part.elements;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     const Unknown& unknown = nonlinear_[static_cast<std::size_t>(part.unknowns[static_cast<std::size_t>(i)])];
     elements[elements.size() == 1 ? 0 : unknown.element].values[unknown.name] = {unknown.toValue(values[i])};
   }
-  const component::Component component(elements);
-  double* first = all_.size() > 0 ? all_.data() : force.data();
+  return elements;
+}
+
+void ForceModel::simulate(const Simulation& simulation) {
+  const component::Component component(simulation.elements);
+  double* const begin = all_.size() > 0 ? all_.data() : simulation.force;
+  double* first = begin;
   for (const log::Log& log : logs_) {
     const std::size_t size = log.stamp.size();
     component::SampleStream stream(component);
@@ -205,20 +251,47 @@ void ForceModel::simulate(const Part& part, const Eigen::VectorXd& values, Force
     first += size;
   }
   if (all_.size() > 0) {
-    force = all_(compared_.rows);
+    Eigen::Map<Eigen::VectorXd>(simulation.force, measured().size()) = all_(compared_.rows);
+  }
+}
+
+// Maxwell elements by themselves side by side.
+void ForceModel::simulate(const std::vector<Simulation>& simulations) {
+  std::vector<element::BasicLaws::MaxwellNumbers> maxwells;
+  std::vector<double*> forces;
+  for (const Simulation& simulation : simulations) {
+    const auto maxwell = dt_.empty() ? std::nullopt : maxwellOf(simulation.elements);
+    if (maxwell) {
+      maxwells.push_back(*maxwell);
+      forces.push_back(simulation.force);
+    } else {
+      simulate(simulation);
+    }
+  }
+  for (std::size_t i = 0; i < dt_.size(); ++i) {
+    const std::vector<double>& displacement = logs_[i].displacement;
+    kernel::maxwellForces(maxwells, dt_[i], displacement[0], displacement.data(), displacement.size(), forces);
+    for (double*& force : forces) {
+      force += displacement.size();
+    }
   }
 }
 
 void ForceModel::evaluate(const Eigen::VectorXd& search) {
-  columns_.col(0) = measured();
+  std::vector<Simulation> simulations;
   for (Part& part : parts_) {
     const Eigen::VectorXd values = search(part.unknowns);
     if (!part.simulated || values != part.values) {
+      part.simulated = false;
       part.force.resize(part.column < 0 ? measured().size() : 0);
-      simulate(part, values, forceOf(part));
+      simulations.push_back({elementsAt(part, values), forceOf(part).data()});
       part.values = values;
-      part.simulated = true;
     }
+  }
+  simulate(simulations);
+  columns_.col(0) = measured();
+  for (Part& part : parts_) {
+    part.simulated = true;
     if (part.column < 0) {
       columns_.col(0) -= part.force;
     }
@@ -226,24 +299,43 @@ void ForceModel::evaluate(const Eigen::VectorXd& search) {
 }
 
 void ForceModel::differentiate(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients) {
+  struct Quotient {
+    Part& part;
+    Eigen::Index unknown;
+    double step;
+    Eigen::Map<Eigen::VectorXd> moved;
+  };
   auto derivatives = columns_.rightCols(search.size());
-  derivatives.setZero();
-  moved_.resize(measured().size());
+  std::vector<Quotient> quotients;
+  std::vector<Simulation> simulations;
+  std::vector<bool> begun(nonlinear_.size());
+  Eigen::Index others = 0;
   for (Part& part : parts_) {
     for (const Eigen::Index unknown : part.unknowns) {
+      double* const moved =
+          begun[static_cast<std::size_t>(unknown)] ? moved_.col(others++).data() : derivatives.col(unknown).data();
+      begun[static_cast<std::size_t>(unknown)] = true;
+      Simulation simulation{{}, moved};
       const double step = takenStep(kSearchStep, [&](double by) {
-        try {
-          const Eigen::VectorXd place = search + by * Eigen::VectorXd::Unit(search.size(), unknown);
-          simulate(part, place(part.unknowns), moved_);
-          return true;
-        } catch (const std::invalid_argument&) {
-          return false;  // beyond the border of what the law accepts
-        }
+        const Eigen::VectorXd place = search + by * Eigen::VectorXd::Unit(search.size(), unknown);
+        simulation.elements = elementsAt(part, place(part.unknowns));
+        return canBeMade(simulation.elements);
       });
+      quotients.push_back({part, unknown, step, {moved, measured().size()}});
       if (step != 0.0) {
-        const double coefficient = part.column < 0 ? 1.0 : coefficients[part.column];
-        derivatives.col(unknown) += coefficient / step * (moved_ - forceOf(part));
+        simulations.push_back(std::move(simulation));
       }
+    }
+  }
+  simulate(simulations);
+  for (const auto& [part, unknown, step, moved] : quotients) {
+    const double factor = step == 0.0 ? 0.0 : (part.column < 0 ? 1.0 : coefficients[part.column]) / step;
+    if (moved.data() != derivatives.col(unknown).data()) {
+      derivatives.col(unknown) += factor * (moved - forceOf(part));
+    } else if (factor != 0.0) {
+      derivatives.col(unknown) = factor * (moved - forceOf(part));
+    } else {
+      derivatives.col(unknown).setZero();
     }
   }
 }

@@ -90,13 +90,21 @@ class ForceModel {
     Eigen::VectorXd force = {};  // of the rest
   };
   using Force = Eigen::Ref<Eigen::VectorXd>;
+  using Elements = std::vector<element::ElementDescription>;
+  /// A simulation over all logs, and where its force goes.
+  struct Simulation {
+    Elements elements;
+    double* force;
+  };
 
   Eigen::Index bases() const { return static_cast<Eigen::Index>(signed_columns_.size()); }
   Force forceOf(Part& part) { return part.column < 0 ? Force(part.force) : Force(columns_.col(1 + part.column)); }
   void addNonlinear(const Unknown& unknown, Part& part);
   void addElement(std::size_t position, const std::vector<Unknown>& unknowns);
   void makeColumns(const std::vector<Eigen::MatrixXd>& rig);
-  void simulate(const Part& part, const Eigen::VectorXd& values, Force force);
+  Elements elementsAt(const Part& part, const Eigen::VectorXd& values) const;
+  void simulate(const std::vector<Simulation>& simulations);
+  void simulate(const Simulation& simulation);
 
   std::vector<element::ElementDescription> elements_;
   const std::vector<log::Log>& logs_;
@@ -107,7 +115,8 @@ class ForceModel {
   std::vector<Part> parts_;
   Eigen::MatrixXd columns_;  // columns()
   Eigen::VectorXd all_;      // force at all samples; none where all are compared
-  Eigen::VectorXd moved_;    // force of a part for a difference quotient
+  Eigen::MatrixXd moved_;    // moved forces of parts with an unknown that another part has, too
+  std::vector<double> dt_;   // of each log [s]; empty where not all have even steps or are compared throughout
 };
 
 }  // namespace rubber_suspension::fit

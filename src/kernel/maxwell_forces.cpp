@@ -1,0 +1,43 @@
+// Coefficients of Maxwell elements that are stepped side by side.
+#include "kernel/maxwell_forces.h"
+
+#include <algorithm>
+
+#include "rubber_suspension/element/maxwell.h"
+
+namespace rubber_suspension::kernel {
+namespace {
+
+// Coefficients of the step of some elements.
+struct MaxwellLanes {
+  static constexpr std::size_t kSize = 8;
+  std::size_t count = 0;
+  double decay[kSize] = {};
+  double gain[kSize] = {};
+};
+
+}  // namespace
+}  // namespace rubber_suspension::kernel
+
+#define RUBBER_SUSPENSION_LAYER kernel
+#define RUBBER_SUSPENSION_KERNELS "kernel/maxwell_forces_kernels.h"
+#include "processor/instruction_sets.h"
+
+namespace rubber_suspension::kernel {
+
+void maxwellForces(const std::vector<element::BasicLaws::MaxwellNumbers>& elements, double dt, double start,
+                   const double* displacement, std::size_t count, const std::vector<double*>& force) {
+  for (std::size_t first = 0; first < elements.size(); first += MaxwellLanes::kSize) {
+    MaxwellLanes lanes;
+    lanes.count = std::min(MaxwellLanes::kSize, elements.size() - first);
+    for (std::size_t e = 0; e < lanes.count; ++e) {
+      const auto& [stiffness, rate] = elements[first + e];
+      const element::MaxwellStep step(stiffness, element::Relaxation::over(dt * rate));
+      lanes.decay[e] = step.decay;
+      lanes.gain[e] = step.gain;
+    }
+    RUBBER_SUSPENSION_KERNEL(stepSideBySide)(lanes, start, displacement, count, force.data() + first);
+  }
+}
+
+}  // namespace rubber_suspension::kernel

@@ -1,0 +1,57 @@
+// Maxwell elements side by side against the law, one by one: the same bits, on any processor.
+#include "kernel/maxwell_forces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "rubber_suspension/element/maxwell.h"
+#include "rubber_suspension/processor/instructions.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+TEST(MaxwellForces, AreTheBitsOfTheLawOnAnyProcessor) {
+  constexpr double kStep = 1e-3;   // [s]
+  constexpr double kStart = 2e-4;  // [m]
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (const std::size_t samples : {std::size_t{1}, std::size_t{64}, std::size_t{333}}) {
+    std::vector<double> displacement(samples);
+    for (double& z : displacement) {
+      z = 1e-3 * uniform(random);
+    }
+    for (std::size_t count = 0; count <= 18; ++count) {  // up to two vectors of eight, and some
+      element::BasicLaws laws;
+      std::vector<element::Maxwell> elements;
+      for (std::size_t e = 0; e < count; ++e) {
+        elements.emplace_back(1e6 * uniform(random), 0.01 * std::pow(1e6, uniform(random)));
+        elements.back().addTo(laws);
+      }
+      for (const auto instructions :
+           {processor::Instructions::any, processor::Instructions::avx2, processor::Instructions::avx512}) {
+        processor::useAtMost(instructions);
+        std::vector<std::vector<double>> forces(count, std::vector<double>(samples));
+        std::vector<double*> to;
+        for (std::vector<double>& force : forces) {
+          to.push_back(force.data());
+        }
+        kernel::maxwellForces(laws.maxwells, kStep, kStart, displacement.data(), samples, to);
+        for (std::size_t e = 0; e < count; ++e) {
+          double memory = 0.0;
+          double last = kStart;
+          for (std::size_t i = 0; i < samples; ++i) {
+            const double increment = displacement[i] - last;
+            last = displacement[i];
+            ASSERT_EQ(forces[e][i], elements[e].step({kStep, last, increment}, &memory)) << e << " " << i;
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test
