@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/words/model_values.h"
 #include "diagnosis/words/text.h"
