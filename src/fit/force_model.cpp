@@ -35,7 +35,7 @@ bool allParallel(const std::vector<element::ElementDescription>& elements) {
 
 bool canBeMade(const std::vector<element::ElementDescription>& elements) {
   try {
-    component::Component{elements};
+    static_cast<void>(component::Component(elements));
     return true;
   } catch (const std::invalid_argument&) {
     return false;
