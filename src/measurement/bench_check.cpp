@@ -164,6 +164,8 @@ struct Evidence {
   }
 };
 
+constexpr double kClearPhase = 0.3;  // between distances of phases: half a right angle's worth, 1 - cos 45 deg
+
 // Effects that look like a finding: a delay turns the phase alone, a mass in fast motion lowers or turns the
 // stiffness. Both are effects, where most logs of a bench are right.
 enum class LooksLike { nothing_else, delay, mass };
@@ -311,8 +313,8 @@ std::optional<Suspicion> energySuspicion(const Examined& log) {
   if (only_delay && delay <= std::max(kMostBehind, kLongestBehind / record.dt) && delay >= -kMostAhead) {
     return std::nullopt;
   }
-  // A delay has a free number; it has to be better than both by half a right angle's worth (1 - cos 45 deg).
-  if (only_delay || late + 0.3 < std::min(sign, swap)) {
+  // A delay has a free number; it has to be better than both.
+  if (only_delay || late + kClearPhase < std::min(sign, swap)) {
     const std::string text = fmt::format(
         "the loops give energy: the force is {:.3g} s {} the displacement, {:.2g} of a cycle: bring both "
         "channels to one time",
@@ -322,11 +324,28 @@ std::optional<Suspicion> energySuspicion(const Examined& log) {
   return Suspicion{sign < swap ? signFinding(record, e) : swapFinding(record, e), looks_like};
 }
 
+// Whether a mass that turns the stiffness at the log's mean frequency has its phases: slow motion it would not turn.
+bool isTurnedAsByMass(const log::Record& record, const VectorXd& simulated, const Evidence& e) {
+  const std::vector<Octave> measured = CrossSpectrum(record.displacement, record.force).octaves();
+  const std::vector<Octave> expected = CrossSpectrum(record.displacement, simulated).octaves();
+  std::vector<Octave> with_mass = expected;
+  for (Octave& octave : with_mass) {
+    const double times = octave.frequency / (record.mean_frequency * record.dt);
+    octave.cross -= (e.configured.stiffness - e.measured.stiffness) * times * times * octave.power;
+  }
+  const double mass = phaseDistance(measured, with_mass, [](double phase, double) { return phase; });
+  const double sign = phaseDistance(measured, expected, [](double phase, double) { return phase + element::kPi; });
+  return mass < sign + kClearPhase;
+}
+
 // The force falls where the displacement rises.
 std::optional<Suspicion> signSuspicion(const Examined& log) {
   const Evidence& e = *log.evidence;
-  return e.falls() && e.surelyGivesEnergy() ? std::optional(Suspicion{signFinding(log.record, e), LooksLike::mass})
-                                            : std::nullopt;
+  if (!e.falls() || !e.surelyGivesEnergy()) {
+    return std::nullopt;
+  }
+  return Suspicion{signFinding(log.record, e),
+                   isTurnedAsByMass(log.record, log.simulated, e) ? LooksLike::mass : LooksLike::nothing_else};
 }
 
 // The unit of a channel, where nobody named it.
@@ -530,13 +549,13 @@ Examined examine(const component::Component& component, const log::Record& recor
 }
 
 // A sign that is reversed, columns that are exchanged or a unit are so in all logs of a bench. Where fewer than half of
-// them give energy, or are faster than most and less stiff, a delay or a mass has done it: that is found among the
-// effects.
+// them give energy, or are faster than all that are right and less stiff, a delay or a mass has done it: that is found
+// among the effects.
 void leaveFastLogsToEffects(std::vector<Examined>& logs) {
-  std::vector<double> frequencies;
-  std::transform(logs.begin(), logs.end(), std::back_inserter(frequencies),
-                 [](const Examined& log) { return log.record.mean_frequency; });
-  const double typical = medianOf(frequencies);
+  double fastest_right = 0.0;  // [Hz]
+  for (const Examined& log : logs) {
+    fastest_right = log.suspicion ? fastest_right : std::max(fastest_right, log.record.mean_frequency);
+  }
   const auto looksLikeAnEffect = [](const Examined& log) {
     return log.suspicion && log.suspicion->looks_like != LooksLike::nothing_else;
   };
@@ -544,7 +563,7 @@ void leaveFastLogsToEffects(std::vector<Examined>& logs) {
     return;
   }
   for (Examined& log : logs) {
-    const bool fast = log.record.mean_frequency > typical;
+    const bool fast = log.record.mean_frequency > fastest_right;
     if (looksLikeAnEffect(log) && (fast || log.suspicion->looks_like == LooksLike::delay)) {
       log.suspicion.reset();
     }
@@ -552,7 +571,8 @@ void leaveFastLogsToEffects(std::vector<Examined>& logs) {
 }
 
 // A spring with next to no loss tells nothing by its work. Its force with the other sign is that of a reversed channel,
-// where no log that is slower has the right one: a mass would turn the fast logs first.
+// where no log that is slower has the right one, as a mass would turn the fast logs first, or where none has its
+// phases.
 void nameReversedSprings(std::vector<Examined>& logs) {
   double slowest_right = HUGE_VAL;  // [Hz]
   for (const Examined& log : logs) {
@@ -561,7 +581,7 @@ void nameReversedSprings(std::vector<Examined>& logs) {
   }
   for (Examined& log : logs) {
     if (log.evidence && log.evidence->fallsWithoutWork() && !log.suspicion &&
-        log.record.mean_frequency < slowest_right) {
+        (log.record.mean_frequency < slowest_right || !isTurnedAsByMass(log.record, log.simulated, *log.evidence))) {
       log.suspicion = signFinding(log.record, *log.evidence);
     }
   }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -95,6 +96,19 @@ std::string originOfParameter(const std::string& name) {
                      launched ? " of a launch file" : ", as it stands at the master");
 }
 
+namespace {
+
+// roscpp ends in order at SIGINT alone; a service manager sends SIGTERM, a closed terminal SIGHUP.
+void endLikeAtInterrupt() {
+  struct sigaction at_interrupt {};
+  sigaction(SIGINT, nullptr, &at_interrupt);
+  for (const int number : {SIGTERM, SIGHUP}) {
+    sigaction(number, &at_interrupt, nullptr);
+  }
+}
+
+}  // namespace
+
 // roscpp waits for its master without a limit, and before a signal can end it.
 bool RosCommandLine::waitForMaster(double timeout) const {
   constexpr double kTurn = 1.0;      // [s]
@@ -122,6 +136,9 @@ bool RosCommandLine::initialise(const std::string& node_name, std::uint32_t opti
   std::vector<char*> pointers = pointersTo(all_);
   int count = static_cast<int>(pointers.size());
   ros::init(count, pointers.data(), node_name, options);
+  if ((options & ros::init_options::NoSigintHandler) == 0) {
+    endLikeAtInterrupt();
+  }
   initialised_ = true;
   return true;
 }

@@ -207,6 +207,18 @@ TEST(BenchCheck, NamesTheReversedSignOfASpringWithoutLoss) {
   EXPECT_TRUE(checkBench(kSpring, {sine(1.0, 1e6), sine(4.0, -0.5e6), sine(5.0, -1e6)}).empty());
 }
 
+// The fastest of three logs has slow motion as well, which no mass turns.
+TEST(BenchCheck, NamesTheReversedSignOfAFastLogWithSlowMotion) {
+  log::Record wide = sine(8.0, -1e6);
+  const Eigen::ArrayXd cycles = Eigen::ArrayXd::LinSpaced(wide.size(), 0.0, wide.duration());
+  wide.raw_displacement.array() += 3e-3 * (2.0 * element::kPi * cycles).sin();
+  wide.mean_frequency = std::sqrt((9.0 * 1.0 + 1.0 * 64.0) / (9.0 + 1.0));
+  wide.displacement = wide.raw_displacement;
+  wide.force = -1e6 * wide.displacement;
+  EXPECT_THAT(namesOf(checkBench(kSpring, {sine(1.0, 1e6), sine(2.0, 1e6), wide})), ElementsAre(finding::kSign));
+  EXPECT_TRUE(checkBench(kSpring, {sine(1.0, 1e6), sine(2.0, 1e6), sine(8.0, -1e6)}).empty()) << "as by a mass";
+}
+
 // The stiffness of the file may be a guess, and the unit a wrong one besides.
 TEST(BenchCheck, NamesTheReversedSignAtAnySizeOfTheSlope) {
   for (const double factor : {0.1, 0.5, 2.0, 10.0, 1000.0}) {
