@@ -98,12 +98,14 @@ std::string originOfParameter(const std::string& name) {
 
 namespace {
 
-// roscpp ends in order at SIGINT alone; a service manager sends SIGTERM, a closed terminal SIGHUP.
+void requestEnd(int /*signal*/) { ros::requestShutdown(); }
+
+// roscpp ends in order at SIGINT alone; a service manager sends SIGTERM, a closed terminal SIGHUP, but for nohup.
 void endLikeAtInterrupt() {
-  struct sigaction at_interrupt {};
-  sigaction(SIGINT, nullptr, &at_interrupt);
   for (const int number : {SIGTERM, SIGHUP}) {
-    sigaction(number, &at_interrupt, nullptr);
+    if (std::signal(number, requestEnd) == SIG_IGN) {
+      std::signal(number, SIG_IGN);
+    }
   }
 }
 
