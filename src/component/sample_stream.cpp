@@ -93,7 +93,7 @@ void SampleStream::rollBack() {
 element::ComponentForce SampleStream::initialise(double displacement) {
   save();
   const element::ComponentForce force = component_.initialise(state_, displacement);
-  if (std::isfinite(force.total)) {
+  if (std::isfinite(force.total) && state_.isFinite()) {
     save();
   }
   return force;
@@ -118,7 +118,7 @@ StreamForce SampleStream::pushAny(std::int64_t stamp, double displacement) {
   StreamForce result{judge(stamp, std::isfinite(displacement)), {}};
   if (isAccepted(result.acceptance)) {
     result.force = advance(result.acceptance, stamp, displacement);
-    if (!std::isfinite(result.force.total)) {
+    if (!std::isfinite(result.force.total) || (std::abs(displacement) > kLargestUnasked && !state_.isFinite())) {
       return refuseForce();
     }
     last_stamp_ = stamp;
@@ -128,7 +128,8 @@ StreamForce SampleStream::pushAny(std::int64_t stamp, double displacement) {
   return result;
 }
 
-// A displacement can be finite and yet too large for a law that stiffens; the state must not keep that.
+// A displacement can be finite and yet too large for a law that stiffens, or for what is kept of it until a delay is
+// over; the state must not keep that.
 StreamForce SampleStream::refuseForce() {
   rollBack();
   count(Acceptance::force_not_finite);
@@ -161,7 +162,7 @@ bool SampleStream::pushRun(const std::int64_t* stamp, const double* displacement
   }
   save();
   component_.simulate(state_, secondsBetween(last_stamp_, stamp[0]), displacement, count, force);
-  if (!kernel::allFinite(force, count)) {
+  if (!kernel::allFinite(force, count) || !state_.isFinite()) {
     rollBack();
     return false;
   }

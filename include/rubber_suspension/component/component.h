@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
+#include <cmath>
 #include <complex>
 #include <limits>
 #include <memory>
@@ -21,6 +22,9 @@ class alignas(kernel::kCacheLine) ComponentState {
  public:
   double displacement() const { return displacement_; }  ///< at the last sample [m]
   std::vector<double> memory() const { return {memory_.begin(), memory_.end()}; }
+  bool isFinite() const {
+    return std::all_of(memory_.begin(), memory_.end(), [](double number) { return std::isfinite(number); });
+  }
   /// The same into a list that is used again, so that saving takes no memory.
   void saveMemory(std::vector<double>& numbers) const { numbers.assign(memory_.begin(), memory_.end()); }
 

@@ -87,8 +87,8 @@ class SampleStream : public StampedStream {
   /// rest at its displacement. A dropped sample leaves the state as it was. Allocates nothing.
   __attribute__((always_inline)) StreamForce push(std::int64_t stamp, double displacement) {
     // As far from the sample before as one that was accepted: nothing is left to check but the numbers.
-    if (stamp <= last_stamp_ || between(last_stamp_, stamp) != usual_.nanoseconds || !std::isfinite(displacement) ||
-        step_count_ == kMostSteps) {
+    if (stamp <= last_stamp_ || between(last_stamp_, stamp) != usual_.nanoseconds ||
+        !(std::abs(displacement) <= kLargestUnasked) || step_count_ == kMostSteps) {
       return pushAny(stamp, displacement);
     }
     steps_[step_count_++] = {usual_.seconds, displacement};
@@ -128,7 +128,8 @@ class SampleStream : public StampedStream {
     double dt;            // [s]
     double displacement;  // [m]
   };
-  static constexpr std::size_t kMostSteps = 64;  // all of which are repeated where a force is not finite
+  static constexpr std::size_t kMostSteps = 64;    // all of which are repeated where a force is not finite
+  static constexpr double kLargestUnasked = 1e30;  // [m]; beyond it the state may overflow before the force does
 
   // A time between samples that was accepted; none before the first.
   struct Interval {
