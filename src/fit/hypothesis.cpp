@@ -179,7 +179,7 @@ void findUnitEffects(std::vector<Candidate>& candidates, const std::vector<gap::
   std::vector<BasisTerm*> known;
   for (Candidate& candidate : candidates) {
     for (BasisTerm& term : candidate.terms) {
-      if (term.additive || term.softening) {
+      if (term.hasUnitEffect()) {
         known.push_back(&term);
       }
     }

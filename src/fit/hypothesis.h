@@ -37,6 +37,9 @@ struct BasisTerm {
   /// The effect of the entry on each log at scale 1: the force that it adds [N], or the share of the component's force
   /// that it takes [-]. Set by findUnitEffects for additive and softening terms.
   ForceColumn unit_effect;
+
+  /// Whether the displacement alone decides what the term adds or takes at scale 1.
+  bool hasUnitEffect() const { return additive || softening; }
 };
 
 /// A stiffness that grows with the displacement.

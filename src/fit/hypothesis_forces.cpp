@@ -55,6 +55,21 @@ std::optional<std::vector<element::ElementDescription>> lawOf(const Hypothesis& 
   }
 }
 
+// Records with the displacement that is left behind elements that act on it alone: what a spring of 1 N/m feels.
+std::vector<gap::PreparedRecord> displacedBy(std::vector<element::ElementDescription> path,
+                                             const std::vector<gap::PreparedRecord>& records) {
+  path.push_back({"spring", {{"stiffness", {1.0}}}});
+  gap::Forces displaced = gap::simulate(path, records);
+  std::vector<gap::PreparedRecord> behind(records.size());
+  for (std::size_t r = 0; r < behind.size(); ++r) {
+    behind[r].dt = records[r].dt;
+    behind[r].displacement = std::move(displaced[r]);
+    behind[r].temperature = records[r].temperature;
+    behind[r].across = records[r].across;
+  }
+  return behind;
+}
+
 }  // namespace
 
 std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelParameters& model,
@@ -110,7 +125,7 @@ HypothesisForces::Interaction HypothesisForces::interactionOf(const Hypothesis& 
     const BasisTerm& term = hypothesis.terms[t];
     const bool at_work = scaleOf(parameters, t) != 0.0;
     interaction.softens = interaction.softens || (at_work && term.softening);
-    interaction.displaces = interaction.displaces || (at_work && !term.softening && !term.additive);
+    interaction.displaces = interaction.displaces || (at_work && !term.hasUnitEffect());
   }
   return interaction;
 }
@@ -204,7 +219,7 @@ std::vector<element::ElementDescription> HypothesisForces::pathOf(const Place& p
     if (term.on_rig && !term.unit_effect) {
       return {};
     }
-    if (!term.softening && !term.additive) {
+    if (!term.hasUnitEffect()) {
       path.push_back(term.at(scale));
       if (!std::holds_alternative<std::shared_ptr<const element::DisplacementEffect>>(
               element::makeElement(path.back()))) {
@@ -219,21 +234,13 @@ std::vector<element::ElementDescription> HypothesisForces::pathOf(const Place& p
 std::vector<ForceColumn> HypothesisForces::columnsBehind(std::vector<element::ElementDescription> path,
                                                          const Place& place, const std::vector<bool>& active,
                                                          int threads) const {
-  path.push_back({"spring", {{"stiffness", {1.0}}}});
-  gap::Forces displaced = gap::simulate(path, records());
-  std::vector<gap::PreparedRecord> behind(records().size());
-  for (std::size_t r = 0; r < behind.size(); ++r) {
-    behind[r].dt = records()[r].dt;
-    behind[r].displacement = std::move(displaced[r]);
-    behind[r].temperature = records()[r].temperature;
-    behind[r].across = records()[r].across;
-  }
+  const std::vector<gap::PreparedRecord> behind = displacedBy(std::move(path), records());
   Hypothesis hypothesis = place.hypothesis;
   ParameterVector parameters = place.parameters;
   const auto atWork = [&](std::size_t t) { return scaleOf(place.parameters, t) != 0.0; };
   const auto isKnownBehind = [&](std::size_t t) {
     const BasisTerm& term = hypothesis.terms[t];
-    return (term.additive || term.softening) && !term.on_rig;
+    return term.hasUnitEffect() && !term.on_rig;
   };
   parallelFor(hypothesis.terms.size(), threads, [&](std::size_t t) {
     if (atWork(t) && isKnownBehind(t)) {
@@ -242,7 +249,7 @@ std::vector<ForceColumn> HypothesisForces::columnsBehind(std::vector<element::El
   });
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
     const BasisTerm& term = hypothesis.terms[t];
-    parameters.scales[static_cast<Eigen::Index>(t)] *= term.additive || term.softening ? 1.0 : 0.0;
+    parameters.scales[static_cast<Eigen::Index>(t)] *= term.hasUnitEffect() ? 1.0 : 0.0;
   }
   const HypothesisForces forces(behind, model_);
   const auto base = forces.at(hypothesis, parameters);

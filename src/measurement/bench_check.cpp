@@ -284,6 +284,11 @@ bool looksSwapped(const component::Component& component, const log::Record& reco
   return e.work.forward <= 3.0 * e.work.deviation && unitsOfSwap(component, record, e.sheet);
 }
 
+// How far the measured phases are from those of the simulated force with the other sign.
+double distanceOfSign(const std::vector<Octave>& measured, const std::vector<Octave>& expected) {
+  return phaseDistance(measured, expected, [](double phase, double) { return phase + element::kPi; });
+}
+
 // The loops give energy or run backwards, at a stiffness that is right: which of sign, swap and delay has the phases
 // that were measured.
 std::optional<Suspicion> energySuspicion(const Examined& log) {
@@ -300,7 +305,7 @@ std::optional<Suspicion> energySuspicion(const Examined& log) {
   }
   const std::vector<Octave> measured = CrossSpectrum(record.displacement, record.force).octaves();
   const std::vector<Octave> expected = CrossSpectrum(record.displacement, log.simulated).octaves();
-  const double sign = phaseDistance(measured, expected, [](double phase, double) { return phase + element::kPi; });
+  const double sign = distanceOfSign(measured, expected);
   const double swap = phaseDistance(measured, expected, [](double phase, double) { return -phase; });
   // As stiff as configured, and not with the columns exchanged: nothing but a delay, however short. What the effect
   // time_delay reaches is found among the effects.
@@ -334,7 +339,7 @@ bool isTurnedAsByMass(const log::Record& record, const VectorXd& simulated, cons
     octave.cross -= (e.configured.stiffness - e.measured.stiffness) * times * times * octave.power;
   }
   const double mass = phaseDistance(measured, with_mass, [](double phase, double) { return phase; });
-  const double sign = phaseDistance(measured, expected, [](double phase, double) { return phase + element::kPi; });
+  const double sign = distanceOfSign(measured, expected);
   return mass < sign + kClearPhase;
 }
 
