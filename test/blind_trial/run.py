@@ -6,6 +6,7 @@ import argparse
 import concurrent.futures
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -17,10 +18,21 @@ import time
 DEFECT = 3  # exit status of a report that contradicts itself
 
 
+def description(folder):
+    """What case.json holds; for a folder without it the component and the logs log_*.csv that lie in it."""
+    path = os.path.join(folder, "case.json")
+    if os.path.isfile(path):
+        with open(path, encoding="utf-8") as file:
+            return json.load(file)
+    with open(os.path.join(folder, "component.yaml"), encoding="utf-8") as file:
+        component = re.search(r"^components:\s*\n\s+(\w+):", file.read(), re.MULTILINE).group(1)
+    logs = sorted(name for name in os.listdir(folder) if re.fullmatch(r"log_.*\.csv", name))
+    return {"component": component, "logs": logs, "hold_out": []}
+
+
 def command(binary, folder, report_folder, evidence):
     """The command line for one case."""
-    with open(os.path.join(folder, "case.json"), encoding="utf-8") as file:
-        case = json.load(file)
+    case = description(folder)
     out = [binary, "--config", os.path.join(folder, "component.yaml"), "--component", case["component"],
            "--output", report_folder] + ["--evidence"] * evidence
     if case.get("table"):  # of a sheet that is some times off, not its units
