@@ -8,20 +8,31 @@ LISTED = 0.02           # a set that holds a less probable effect is not listed
 WORTH_SAYING = 0.02     # logarithm of a changed value
 SLACK = 1e-3            # of sums, fractions and gaps, which are rounded
 NAMING = ("named", "confounded", "partly")
+WEIGHED = ("none", "parameter_error", "unknown", *NAMING)  # verdicts for which an answer was weighed
+CHECKS = {}             # by name
 
 
+def rule(name, verdicts=None):
+    """Register a check, which applies to reports of these verdicts, by default to all."""
+    def register(check):
+        CHECKS[name] = lambda report: None if verdicts and report["verdict"] not in verdicts else check(report)
+        return check
+    return register
+
+
+@rule("no invariant was broken within the diagnosis")
 def tells_a_verdict(report):
     return report["verdict"] != "defect"
 
 
+@rule("effects if and only if the verdict names any")
 def verdict_has_its_effects(report):
     return bool(report["effects"]) == (report["verdict"] in NAMING)
 
 
+@rule("named: the gap falls and the interval excludes 0, or the data sheet holds", NAMING)
 def named_closes(report):
     """The gap falls and the interval of what is closed excludes 0, or values are nearer to the data sheet."""
-    if report["verdict"] not in NAMING:
-        return None
     gap = report["gap"]
     if gap["augmented"] < gap["re_estimated"] and report["closed"]["interval_95"][0] > 0.0:
         return True
@@ -30,9 +41,8 @@ def named_closes(report):
     return gap["augmented"] < gap["as_configured"] and named < values
 
 
+@rule("closed is of the gaps", NAMING)
 def closed_is_of_the_gaps(report):
-    if report["verdict"] not in NAMING:
-        return None
     gap = report["gap"]
     span = gap["re_estimated"] - gap["noise_floor"]
     if span <= 0.0:
@@ -42,16 +52,16 @@ def closed_is_of_the_gaps(report):
     return abs(min(fraction, 1.0) - min(report["closed"]["fraction"], 1.0)) <= SLACK
 
 
+@rule("the interval holds what is closed", NAMING)
 def interval_holds_the_fraction(report):
-    if report["verdict"] not in NAMING:
-        return None
     low, high = report["closed"]["interval_95"]
     return low - SLACK <= report["closed"]["fraction"] <= high + SLACK
 
 
+@rule("what was taken out adds up", WEIGHED)
 def taken_out_adds_up(report):
     """In squares: what a log leaves as recorded, less what was taken out of it, is what it leaves."""
-    if "taken_out" not in report or report["verdict"] == "check_bench":
+    if "taken_out" not in report:
         return None
     for log in report["admission"]:
         shares = [t["share_of_force"] for t in report["taken_out"] if t["log"] == log["log"]]
@@ -61,6 +71,7 @@ def taken_out_adds_up(report):
     return True
 
 
+@rule("the floor is no more than any gap")
 def floor_is_least(report):
     """The floor is no more than the least gap of any model."""
     gap = report["gap"]
@@ -69,18 +80,16 @@ def floor_is_least(report):
     return gap["noise_floor"] <= min(g for g in gaps if g is not None) * (1.0 + SLACK)
 
 
+@rule("the posterior adds up to 1", WEIGHED)
 def posterior_is_one(report):
-    if report["verdict"] == "check_bench":  # no answer was weighed
-        return None
     return abs(sum(report["posterior"].values()) - 1.0) <= SLACK
 
 
+@rule("the verdict is the likeliest", WEIGHED)
 def verdict_is_the_likeliest(report):
     """`unknown` only if none of these is the likeliest, and so for the others."""
     says = {"none": "none", "parameter_error": "parameter_error", "unknown": "none_of_these", "named": "effects",
-            "confounded": "effects", "partly": "effects"}.get(report["verdict"])
-    if says is None:
-        return None
+            "confounded": "effects", "partly": "effects"}[report["verdict"]]
     return report["posterior"][says] >= max(report["posterior"].values()) - SLACK
 
 
@@ -88,10 +97,9 @@ def probability_of(report, effect):
     return max((c["probability"] for c in report["candidates"] if c["effect"] == effect), default=0.0)
 
 
+@rule("effects are as probable as their sets", WEIGHED)
 def candidates_are_of_the_sets(report):
     """An effect is as probable as the sets that hold it: none more than all of them, all together no less."""
-    if report["verdict"] == "check_bench":
-        return None
     effects = report["posterior"]["effects"]
     probabilities = [c["probability"] for c in report["candidates"]]
     if any(probability_of(report, one["effect"]) > 0.0 for one in report.get("excluded", [])):
@@ -99,25 +107,25 @@ def candidates_are_of_the_sets(report):
     return max(probabilities) <= effects + SLACK and sum(probabilities) >= effects - SLACK
 
 
+@rule("the first set is the one named", NAMING)
 def first_set_is_named(report):
-    return None if report["verdict"] not in NAMING else sorted(report["confounded"][0]) == sorted(report["effects"])
+    return sorted(report["confounded"][0]) == sorted(report["effects"])
 
 
+@rule("no set holds an improbable effect", NAMING)
 def sets_are_probable(report):
     """No other set holds an effect that the table gives below 2 %."""
-    if report["verdict"] not in NAMING:
-        return None
     return all(probability_of(report, effect) >= LISTED - SLACK for s in report["confounded"][1:] for effect in s)
 
 
+@rule("alternatives follow by probability", WEIGHED)
 def alternatives_follow(report):
     """By probability, and no more than 1 with what is said."""
-    if report["verdict"] == "check_bench":
-        return None
     others = [a["probability"] for a in report["alternatives"]]
     return others == sorted(others, reverse=True) and report["probability"] + sum(others) <= 1.0 + SLACK
 
 
+@rule("the headline has the largest change")
 def headline_is_the_largest(report):
     """Where the sentence says how far one of the specification's values is off, no other value is farther off beyond its
     interval, but for the band of frequencies and values at a bound of the fit."""
@@ -137,56 +145,34 @@ def headline_is_the_largest(report):
     return f" is {percent} too " in said
 
 
+@rule("shares add up to what is removed", WEIGHED)
 def shares_add_up(report):
     """What values and effects remove of the gap as configured is what is removed."""
-    if report["verdict"] == "check_bench":
-        return None
     gap = report["gap"]
     removed = 1.0 - gap["augmented"] / gap["as_configured"]
     return abs(sum(report["share_of_configured_gap"].values()) - removed) <= SLACK
 
 
+@rule("an interval that ends at a bound says so")
 def bounds_are_said(report):
     """An interval of an effect's size that ends at 0 says that this is a bound."""
     return all(size["at_bound"][0] for size in report.get("effect_sizes", [])
                if size["interval_95"][0] == 0.0 and size["value"] > 0.0)
 
 
+@rule("where adds up to 1")
 def where_is_one(report):
     return None if not report["where"] else abs(sum(cell["share"] for cell in report["where"]) - 1.0) <= SLACK
 
 
+@rule("a next experiment where confounded or unknown", ("confounded", "unknown"))
 def next_experiment_is_there(report):
-    return None if report["verdict"] not in ("confounded", "unknown") else bool(report["next_experiment"].strip())
+    return bool(report["next_experiment"].strip())
 
 
+@rule("a surrogate where unknown or partly", ("unknown", "partly"))
 def surrogate_is_there(report):
-    if report["verdict"] not in ("unknown", "partly") or "table" in report:
-        return None
-    return "surrogate" in report
-
-
-CHECKS = {
-    "no invariant was broken within the diagnosis": tells_a_verdict,
-    "effects if and only if the verdict names any": verdict_has_its_effects,
-    "named: the gap falls and the interval excludes 0, or the data sheet holds": named_closes,
-    "closed is of the gaps": closed_is_of_the_gaps,
-    "the interval holds what is closed": interval_holds_the_fraction,
-    "what was taken out adds up": taken_out_adds_up,
-    "the floor is no more than any gap": floor_is_least,
-    "the posterior adds up to 1": posterior_is_one,
-    "the verdict is the likeliest": verdict_is_the_likeliest,
-    "effects are as probable as their sets": candidates_are_of_the_sets,
-    "the first set is the one named": first_set_is_named,
-    "no set holds an improbable effect": sets_are_probable,
-    "alternatives follow by probability": alternatives_follow,
-    "the headline has the largest change": headline_is_the_largest,
-    "shares add up to what is removed": shares_add_up,
-    "an interval that ends at a bound says so": bounds_are_said,
-    "where adds up to 1": where_is_one,
-    "a next experiment where confounded or unknown": next_experiment_is_there,
-    "a surrogate where unknown or partly": surrogate_is_there,
-}
+    return None if "table" in report else "surrogate" in report
 
 
 def checked(report):

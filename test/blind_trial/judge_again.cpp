@@ -2,7 +2,7 @@
 // of the judgement's numbers.
 //
 // Cases are folders FOLDER with FOLDER_labels and FOLDER_reports beside them, as `generate.py` and `run.py --evidence`
-// leave them, or those of a campaign that folders of labels have labels of.
+// write them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -232,8 +232,6 @@ void printVerdicts(const std::vector<TrialCase>& cases) {
 
 struct Options {
   std::vector<std::string> folders;
-  std::string campaign;
-  std::vector<std::string> labels;
   std::string numbers;
   int folds = 0;  // 0: numbers as fitted last
   bool verdicts = false;
@@ -242,13 +240,10 @@ struct Options {
     using command_line::Option;
     command_line::OptionTable options = {
         Option("folders", folders, "FOLDER", "folders of cases, with FOLDER_labels and FOLDER_reports beside each"),
-        Option("--campaign", campaign, "FOLDER", "campaign whose jobs are the cases"),
-        Option("--labels", labels, "FOLDER", "folders of the labels of its cases"),
         Option("--calibrate", numbers, "FILE", "fit the numbers of the judgement and write this source"),
         Option("--folds", folds, "NUMBER", "judge each of so many parts by numbers fitted to the others")
             .within(2, 100),
         Option("--verdicts", verdicts, "print the verdict of each case alone")};
-    options.needs({"--labels"}, {"--campaign"});
     options.excludes({"--folds", "--verdicts"}, {"--calibrate"});
     options.excludes({"--folds"}, {"--verdicts"});
     return options;
@@ -256,15 +251,13 @@ struct Options {
 };
 
 std::vector<TrialCase> casesOf(const Options& options) {
-  std::vector<TrialCase> cases =
-      options.campaign.empty() ? std::vector<TrialCase>{} : casesOfCampaign(options.campaign, options.labels);
+  std::vector<TrialCase> cases;
   for (const std::string& folder : options.folders) {
     const std::vector<TrialCase> more = casesOfFolder(folder);
     cases.insert(cases.end(), more.begin(), more.end());
   }
   if (cases.empty()) {
-    throw std::invalid_argument(
-        "no cases; accepted: folders of cases with labels and reports, or --campaign and --labels");
+    throw std::invalid_argument("no cases; accepted: folders of cases with labels and reports");
   }
   return cases;
 }

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "campaign/manifest.h"
 #include "judge/read_evidence.h"
 
 namespace rubber_suspension::blind_trial {
@@ -155,23 +154,6 @@ std::vector<TrialCase> casesOfFolder(const std::string& folder) {
     if (fs::exists(stem + "_reports/" + name + "/run.json")) {  // not while it runs
       cases.push_back(
           caseOf(fs::path(stem).filename().string() + "/" + name, label, stem + "_reports/" + name + "/evidence.json"));
-    }
-  }
-  return cases;
-}
-
-std::vector<TrialCase> casesOfCampaign(const std::string& campaign, const std::vector<std::string>& label_folders) {
-  const campaign::Manifest manifest = campaign::readManifest(campaign);
-  std::vector<TrialCase> cases;
-  for (const std::string& labels : label_folders) {
-    const std::string name = fs::path(withoutSlash(labels)).filename().string();
-    const std::string prefix = name.substr(0, name.rfind("_labels")) + "_";
-    for (const campaign::Job& job : manifest.jobs) {
-      const fs::path label = labels + "/" + job.group.substr(std::min(prefix.size(), job.group.size())) + ".json";
-      if (job.group.compare(0, prefix.size(), prefix) == 0 && fs::exists(label)) {
-        cases.push_back(caseOf(job.group, label,
-                               campaign + "/" + rubber_suspension::campaign::reportFolder(job.id) + "/evidence.json"));
-      }
     }
   }
   return cases;

@@ -47,8 +47,4 @@ struct TrialCase {
 /// std::runtime_error or std::invalid_argument that names the file.
 std::vector<TrialCase> casesOfFolder(const std::string& folder);
 
-/// Of a campaign, the cases that folders of labels, SET_labels, have labels of: SET_labels/CASE.json goes with the job
-/// SET_CASE.
-std::vector<TrialCase> casesOfCampaign(const std::string& campaign, const std::vector<std::string>& label_folders);
-
 }  // namespace rubber_suspension::blind_trial

@@ -13,9 +13,13 @@ import sys
 
 for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
     os.environ.setdefault(variable, "1")
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from virtual_rig import implant  # noqa: E402
+import numpy as np  # noqa: E402
+from scipy.signal import savgol_filter  # noqa: E402
+
+UNITS = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "N": 1.0, "kN": 1e3, "MN": 1e6}
+PACKAGE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+DATA = os.environ.get("RUBBER_SUSPENSION_DATA") or os.path.join(PACKAGE, "data")
 
 
 @dataclasses.dataclass
@@ -30,6 +34,7 @@ class Machine:
     config: str = ""  # of a table
 
 
+FRICTION_AND_OFFSET = (("friction", "force_offset"), ("viscous_damping",))
 DAMPER = ("the fluid yields, the gas accumulator adds a constant force", "mr_damper")
 SEAL = ("pressure times area, and the friction of the seal, which grows with pressure", "rod_seal")
 CLEARANCE = ("dry friction of a band, with play in its joints", "friction_damper")
@@ -47,10 +52,10 @@ FIT = {
                            ("progressive_stiffness", "asymmetric_stiffness", "bump_stop"),
                            "the force falls by 15 to 67 % in the holds, and rises steeply at the largest strain; creep is "
                            "relaxation slower than the motion", "film"),
-    "seal": Machine("rod_seal/*.csv", ("friction", "force_offset"), ("viscous_damping",), *SEAL),
-    "x_ring": Machine("seals/x_ring_*.csv", ("friction", "force_offset"), ("viscous_damping",), *SEAL),
-    "damper": Machine("mr_damper/low_*.csv", ("friction", "force_offset"), ("viscous_damping",), *DAMPER),
-    "energised_damper": Machine("mr_damper/high_*.csv", ("friction", "force_offset"), ("viscous_damping",), *DAMPER),
+    "seal": Machine("rod_seal/*.csv", *FRICTION_AND_OFFSET, *SEAL),
+    "x_ring": Machine("seals/x_ring_*.csv", *FRICTION_AND_OFFSET, *SEAL),
+    "damper": Machine("mr_damper/low_*.csv", *FRICTION_AND_OFFSET, *DAMPER),
+    "energised_damper": Machine("mr_damper/high_*.csv", *FRICTION_AND_OFFSET, *DAMPER),
     "silverbox": Machine("silverbox/*.csv", ("inertia",),
                          ("progressive_stiffness", "asymmetric_stiffness", "viscous_damping", "force_offset"),
                          "a mass on a spring with a cubic part, a little damping and an offset, as a circuit", "silverbox"),
@@ -60,9 +65,9 @@ JUDGE = {
     "friction_damper_70": Machine("friction_damper/*70*.csv", ("friction", "backlash"), (), *CLEARANCE),
     "friction_pair": Machine("friction_pair/*.csv", ("friction",), (), "two dry bodies rub against each other",
                              "friction_pair"),
-    "damper_run_4_1": Machine("mr_damper/sine_4_1*.csv", ("friction", "force_offset"), ("viscous_damping",), *DAMPER),
-    "damper_run_4_2": Machine("mr_damper/sine_4_2*.csv", ("friction", "force_offset"), ("viscous_damping",), *DAMPER),
-    "lip_seal": Machine("seals/lip_seal_*.csv", ("friction", "force_offset"), ("viscous_damping",), *SEAL),
+    "damper_run_4_1": Machine("mr_damper/sine_4_1*.csv", *FRICTION_AND_OFFSET, *DAMPER),
+    "damper_run_4_2": Machine("mr_damper/sine_4_2*.csv", *FRICTION_AND_OFFSET, *DAMPER),
+    "lip_seal": Machine("seals/lip_seal_*.csv", *FRICTION_AND_OFFSET, *SEAL),
     "dma_mid": Machine("dma_temperature/mid.csv", ("temperature",), (), *POLYMER, "dma_temperature/mid.yaml"),
     "dma_narrow": Machine("dma_temperature/narrow.csv", ("temperature",), (), *POLYMER, "dma_temperature/narrow.yaml"),
 }
@@ -70,11 +75,37 @@ COMPONENT_OF_TABLES = "c"  # in their component files
 HALVES = {"fit": FIT, "judge": JUDGE}
 
 
-def guess_yaml(name, base):
+def read_log(path):
+    """Time [s], displacement [m], force [N]."""
+    with open(path, encoding="utf-8") as file:
+        units = [column.split("_")[-1] for column in file.readline().strip().split(",")]
+    t, z, f = np.loadtxt(path, delimiter=",", skiprows=1, usecols=(0, 1, 2)).T
+    return t, z * UNITS[units[1]], f * UNITS[units[2]]
+
+
+def spring_and_dashpot(paths):
+    """Stiffness [N/m] and damping [N s/m] by least squares beside a zero, to two digits, as somebody would write them
+    down. All logs are taken on one even grid, with the displacement smoothed."""
+    logs = [read_log(path) for path in paths]
+    rate = 1.0 / min(float(np.median(np.diff(t))) for t, _, _ in logs)
+    displacement, force, columns = [], [], []
+    for t, z, f in logs:
+        grid = np.arange(t[0], t[-1] + 0.5 / rate, 1.0 / rate)
+        smooth = savgol_filter(np.interp(grid, t, z), 9, 3)
+        displacement.append(smooth)
+        force.append(np.interp(grid, t, f))
+        columns.append(np.stack([smooth, np.gradient(smooth) * rate, np.ones_like(smooth)], axis=1))
+    force = np.concatenate(force)
+    k, c, _ = np.linalg.lstsq(np.concatenate(columns), force, rcond=None)[0]
+    spring = max(k, 0.02 * np.std(force) / np.std(np.concatenate(displacement)))
+    return float(f"{spring:.2g}"), float(f"{max(c, 0.0):.2g}")
+
+
+def guess_yaml(name, stiffness, dashpot):
     """Spring and dashpot as a data sheet that is a guess; without dashpot next to none."""
-    damping = 1e-3 if base.c0 > 0.0 else 1e-4
-    frequency = damping * base.k0 / (math.pi * base.c0) if base.c0 > 0.0 else 1.0
-    numbers = {"dynamic_stiffness": base.k0, "nominal_frequency": frequency, "relative_damping": damping}
+    damping = 1e-3 if dashpot > 0.0 else 1e-4
+    frequency = damping * stiffness / (math.pi * dashpot) if dashpot > 0.0 else 1.0
+    numbers = {"dynamic_stiffness": stiffness, "nominal_frequency": frequency, "relative_damping": damping}
     lines = ["components:", f"  {name}:", "    model: kelvin_voigt", "    specification:", "      tolerance: guess"]
     return "\n".join(lines + [f"      {key}: {float(value)!r}" for key, value in numbers.items()]) + "\n"
 
@@ -94,10 +125,8 @@ def write(name, machine, data, output, labels):
         case = {"component": COMPONENT_OF_TABLES, "logs": [], "hold_out": [], "table": names[0]}
         shutil.copy(os.path.join(data, machine.config), os.path.join(folder, "component.yaml"))
     else:
-        logs = tuple(os.path.relpath(path, data) for path in paths)
-        base = implant.Measured(implant.Machine("", logs, (), True, ())).base
         with open(os.path.join(folder, "component.yaml"), "w", encoding="utf-8") as file:
-            file.write(guess_yaml(name, base))
+            file.write(guess_yaml(name, *spring_and_dashpot(paths)))
     with open(os.path.join(folder, "case.json"), "w", encoding="utf-8") as file:
         json.dump(case, file, indent=1)
     with open(os.path.join(labels, name + ".json"), "w", encoding="utf-8") as file:
@@ -110,10 +139,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("output", help="folder of the cases; labels are in OUTPUT_labels")
     parser.add_argument("--half", choices=list(HALVES), default="fit", help="fit: numbers; judge: once per version")
-    parser.add_argument("--data", default=implant.data_folder(),
+    parser.add_argument("--data", default=DATA,
                         help="folder of the measured logs (default: RUBBER_SUSPENSION_DATA, or data/ of the package)")
     arguments = parser.parse_args()
-    os.environ["RUBBER_SUSPENSION_DATA"] = arguments.data  # where implant.Measured reads
     labels = arguments.output.rstrip("/") + "_labels"
     os.makedirs(labels, exist_ok=True)
     written = 0

@@ -1,5 +1,5 @@
-# What `replay` makes of the component files of a report, on logs that the report knows and on further logs of the rig.
-# Further logs lie with the sealed label; no diagnosis has seen them.
+# What `replay` makes of the component files of a report: on logs that the report knows, and on further logs of the rig,
+# which lie with the sealed label (generate.py --further) and which no diagnosis has seen.
 """Gaps of component files by `replay`."""
 import json
 import math
@@ -9,10 +9,9 @@ import tempfile
 
 import numpy as np
 
-from figures import number, rate
-from trial_case import read_json
+from virtual_rig.case import RATE, TRAINING, HOLD_OUT
 
-SAME_GAP = 0.01        # relative: a gap is found again by replay
+SAME_GAP = 0.01        # relative: replay finds the gap again
 UNITS = {"N": 1.0, "kN": 1e3, "MN": 1e6}
 
 
@@ -23,6 +22,37 @@ def replay(binary, config, component, log):
         subprocess.run([binary, "--config", config, "--component", component, "--log", log, "--output", out],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         return np.loadtxt(out, delimiter=",", skiprows=1, usecols=2)
+
+
+def read_json(path):
+    """The content of a file; None where there is none, or no JSON."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            return json.load(file)
+    except (OSError, ValueError):
+        return None
+
+
+class Case:
+    """A sealed label beside the report on its case."""
+
+    def __init__(self, label, cases, report):
+        self.label, self.folder, self.report_folder = label, os.path.join(cases, label["case"]), report
+        self.report = read_json(os.path.join(report, "report.json"))
+        self.run = read_json(os.path.join(report, "run.json"))
+        self.info = read_json(os.path.join(self.folder, "case.json"))
+        self.further = None  # gaps on further logs, once they are measured
+
+    def file(self, name):
+        """Path of a component file of the report, or None where it has none."""
+        path = os.path.join(self.report_folder, name + ".yaml")
+        return path if os.path.isfile(path) else None
+
+    def hold_out_gap(self, binary, config):
+        """Gap of a component file on the hold-out logs, as recorded."""
+        logs = [os.path.join(self.folder, log) for log in self.info["hold_out"]]
+        forces = [(replay(binary, config, self.info["component"], log), recorded_force(log)) for log in logs]
+        return gap_of([(rig - force, rig) for force, rig in forces])
 
 
 def recorded_force(path):
@@ -37,72 +67,48 @@ def gap_of(parts):
     return math.sqrt(np.mean([np.mean(d**2) / np.var(f) for d, f in parts]))
 
 
-def hold_out_gaps(binary, case, folder, config, component):
-    """Gap of a component file on the hold-out logs: (against the measured force, against the true one)."""
-    stored, measured, true = np.load(case.sealed), [], []
-    for i, log in enumerate(read_json(os.path.join(folder, "case.json"))["hold_out"]):
-        force = replay(binary, config, component, os.path.join(folder, log))
-        rig = recorded_force(os.path.join(folder, log))
-        measured.append((rig - force, rig))
-        # A bench that cuts the beginning of a log leaves it shorter than what is sealed.
-        if len(stored[f"hold_out_{i + 1}"]) == len(force):
-            true.append((stored[f"hold_out_{i + 1}"] - force, rig))
-    return gap_of(measured), gap_of(true) if true else None
-
-
-def replay_rows(binary, cases, cases_folder):
-    """How many reports' gap.augmented is found again by replay, to 1 %; and the gap to the noise-free force."""
-    agree, rest = [], []
-    for case in cases:
-        folder = os.path.join(cases_folder, case.name)
-        info = read_json(os.path.join(folder, "case.json"))
-        if not case.named or case.file("augmented.yaml") is None or not info["hold_out"]:
-            continue
-        try:
-            gap, true = hold_out_gaps(binary, case, folder, case.file("augmented.yaml"), info["component"])
-        except (subprocess.CalledProcessError, OSError, ValueError):
-            agree.append(False)
-            continue
-        agree.append(abs(gap - case.gaps_as_recorded["augmented"]) <= SAME_GAP * gap)
-        rest.append(true)
-    return {"agree": rate(agree), "gap_to_true_force": number(rest)}
+def is_found_again(binary, case):
+    """Whether `replay` of augmented.yaml finds gap_as_recorded.augmented on the hold-out logs; None without the file."""
+    config = case.file("augmented")
+    if config is None or not case.info["hold_out"]:
+        return None
+    try:
+        gap = case.hold_out_gap(binary, config)
+    except (subprocess.CalledProcessError, OSError, ValueError):
+        return False
+    return abs(gap - case.report["gap_as_recorded"]["augmented"]) <= SAME_GAP * gap
 
 
 # ---- further logs ----------------------------------------------------------------------------------------------------
 
 
-def re_estimated(label, component, ratios):
-    """The component file (JSON, which is YAML) with the values of the sealed label's file times the report's ratios."""
-    file, used = label["file"], set()
+def re_estimated(file, component, ratios):
+    """The component file (JSON, which is YAML) of a label's `file`, its values times the report's ratios."""
+    used = set()
 
     def times(key, value):
         used.add(key)
-        ratio = ratios.get(key)
-        return value if ratio is None else value * ratio
-    if "elements" in file:
+        return value * ratios.get(key, 1.0)
+    if file["elements"]:
         entries = [dict({k: times(f"{kind}[{i}].{k}", v) for k, v in values.items()}, type=kind)
                    for i, (kind, values) in enumerate(file["elements"])]
         content = {"model": "elements", "elements": entries}
     else:
-        content = {"model": file["model"],
-                   "specification": {k: times(k, v) for k, v in file["specification"].items()}}
+        content = {"model": file["model"], "specification": {k: times(k, v) for k, v in file["specification"].items()}}
     if set(ratios) - used:
         raise ValueError(f"the report re-estimates {sorted(set(ratios) - used)}, which the file does not have")
     return json.dumps({"components": {component: content}})
 
 
-def write_further(case, folder):
-    """The sealed further logs as files; returns [(path, force [N])]."""
-    stored, label, out = np.load(case.sealed), case.label, []
-    ambient = label["parameters"].get("temperature")
-    before = label["factors"]["logs"] + label["factors"]["hold_out"]
-    count = sum(name.startswith("further_") and name.endswith("_force") for name in stored.files)
-    for i in range(count):
+def write_further(sealed, ambient, folder):
+    """The sealed further logs as files; returns [(path, force [N])]. `ambient` is the temperature where it is an effect."""
+    stored, out = np.load(sealed), []
+    for i in range(sum(name.startswith("further_") and name.endswith("_force") for name in stored.files)):
         z, force = (stored[f"further_{i + 1}_{what}"].astype(float) for what in ("displacement", "force"))
-        columns = [np.arange(len(z)) / label["factors"]["sampling_rate"], z, force]
-        header = "time_s,displacement_m,force_N"
+        columns, header = [np.arange(len(z)) / RATE, z, force], "time_s,displacement_m,force_N"
         if ambient:
-            columns.append(ambient["start"][before + i] + ambient["rise"][before + i] * np.linspace(0.0, 1.0, len(z)))
+            log = TRAINING + HOLD_OUT + i
+            columns.append(ambient["start"][log] + ambient["rise"][log] * np.linspace(0.0, 1.0, len(z)))
             header += ",temperature_degC"
         path = os.path.join(folder, f"further_{i + 1}.csv")
         np.savetxt(path, np.stack(columns, axis=1), "%.9g", ",", header=header, comments="")
@@ -139,43 +145,27 @@ def after_rig(difference, force, zero=True):
     return difference - matrix @ np.linalg.solve(normal, matrix.T @ difference / variance)
 
 
-def further_gaps(binary, case, cases_folder):
+def further_gaps(binary, case, sealed):
     """Gaps on the further logs of {re_estimated, augmented, surrogate} as far as the report has them; and whether the
     re-estimated component is the report's: `replay` of it finds the gap that the report gives on the hold-out logs."""
-    folder = os.path.join(cases_folder, case.name)
-    info = read_json(os.path.join(folder, "case.json"))
-    ratios = {k: v for k, v in case.report["own_parameters"]["ratio_to_configured"].items() if v is not None}
+    report, component = case.report, case.info["component"]
+    effects = report["effects"]
+    ratios = {k: v for k, v in report["own_parameters"]["ratio_to_configured"].items() if v is not None}
+    zero = not {"force_offset", "force_drift"} & set(effects)
     with tempfile.TemporaryDirectory() as scratch:
         configs = {"re_estimated": os.path.join(scratch, "re_estimated.yaml")}
         with open(configs["re_estimated"], "w", encoding="utf-8") as file:
-            file.write(re_estimated(case.label, info["component"], ratios))
-        for what in ("augmented", "surrogate"):
-            if case.file(what + ".yaml"):
-                configs[what] = case.file(what + ".yaml")
-        logs, zero = write_further(case, scratch), not {"force_offset", "force_drift"} & set(case.named)
+            file.write(re_estimated(case.label["file"], component, ratios))
+        configs.update({what: case.file(what) for what in ("augmented", "surrogate") if case.file(what)})
+        logs = write_further(sealed, case.label["parameters"].get("temperature"), scratch)
 
         def left(what, path, force):
-            named = case.named if what == "augmented" else []
-            simulated = replay(binary, configs[what], info["component"], path)
+            named = effects if what == "augmented" else []
+            simulated = replay(binary, configs[what], component, path)
             if "sensor_gain" in named:
                 simulated = with_own_gain(simulated, force)
             rest = after_rig(force - simulated, force, zero)
             return without_trend(rest) if "force_drift" in named else rest
         gaps = {what: gap_of([(left(what, path, force), force) for path, force in logs]) for what in configs}
-        gaps["same_re_estimated"] = None
-        if info["hold_out"]:
-            again, _ = hold_out_gaps(binary, case, folder, configs["re_estimated"], info["component"])
-            stated = case.gaps_as_recorded["re_estimated"]
-            gaps["same_re_estimated"] = abs(again - stated) <= SAME_GAP * stated
-    return gaps
-
-
-def measure_further(binary, cases, cases_folder):
-    """Sets `further` of each case of trial 2 that has a report with gaps; what `replay` refuses is told in `error`."""
-    for case in cases:
-        if case.report is None or case.verdict == "check_bench" or case.gaps.get("re_estimated") is None:
-            continue
-        try:
-            case.further = further_gaps(binary, case, cases_folder)
-        except (subprocess.CalledProcessError, OSError, ValueError, KeyError) as error:
-            case.further = {"error": str(error)}
+        again, stated = case.hold_out_gap(binary, configs["re_estimated"]), report["gap_as_recorded"]["re_estimated"]
+        return dict(gaps, same_re_estimated=abs(again - stated) <= SAME_GAP * stated)

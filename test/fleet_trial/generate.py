@@ -86,7 +86,7 @@ def piece_of(plan, wrong, specification, rng):
 
 def compliance(size):
     """The rig gives way by `size` [m/N]."""
-    return Effect("series_compliance", "linear", "mount", lambda force, strength: strength * force, size, {})
+    return Effect("mount", lambda force, strength: strength * force, size, {}, "series_compliance", "linear")
 
 
 def programme(rng, seconds):
@@ -141,7 +141,7 @@ def measured(plan, base, z, rng, has_effect, seconds):
     effects, strengths = [], {}
     if has_effect:
         scale = scale_of(base, z, seconds)
-        effects.append(laws.draw(rng, scale, plan["effect"], False))
+        effects.append(laws.draw(rng, scale, plan["effect"]))
         ruler = Ruler(Rig(base, z, RATE * FINE, effects), FINE)
         strengths[id(effects[0])] = ruler.strength_for(effects[0], plan["gap"], True)[0]
     if "compliance" in plan:

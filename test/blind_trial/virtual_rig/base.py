@@ -9,6 +9,9 @@ from scipy.optimize import brentq
 from scipy.signal import lfilter
 
 
+FRICTION_RATE = 500.0  # that of the logs [Hz]
+
+
 class Unsolvable(ValueError):
     """The specification has no solution."""
 
@@ -49,7 +52,6 @@ class Base:
     friction_force: float = 0.0
     friction_z2: float = 0.0
     dead_band: float = 0.0
-    friction_rate: float = 500.0  # of the logs, and so of the friction [Hz]
 
     def parts(self, z, rate):
         """Elastic force and the rest [N], each a list over the logs z [m] sampled at `rate` [Hz]."""
@@ -67,8 +69,7 @@ class Base:
         if self.c0 > 0.0:
             rest += self.c0 * np.gradient(z) * rate
         if self.friction_force > 0.0:
-            rest += self.friction_force * friction_on_grid(z, self.friction_z2, rate, self.dead_band,
-                                                             self.friction_rate)
+            rest += self.friction_force * friction_on_grid(z, self.friction_z2, rate, self.dead_band)
         return rest
 
     def tangent(self, z, rate):
@@ -105,11 +106,6 @@ class Base:
             copy.c0 *= factors["c0"]
         return copy, factors
 
-    @property
-    def highest_stiffness(self):
-        berg = self.friction_force / self.friction_z2 if self.friction_force > 0.0 else 0.0
-        return self.k0 + sum(self.k) + berg
-
 
 def maxwell_response(z, tau, rate):
     """Force over stiffness of a Maxwell element, exact for a displacement that is linear between samples [m]."""
@@ -118,13 +114,13 @@ def maxwell_response(z, tau, rate):
     return lfilter([gain], [1.0, -math.exp(decay)], np.diff(z, prepend=z[0]))
 
 
-def friction_on_grid(z, z2, rate, dead_band, highest_rate):
-    """Berg's element at no more than `highest_rate` [Hz], linear in between.
+def friction_on_grid(z, z2, rate, dead_band):
+    """Berg's element at no more than FRICTION_RATE, linear in between.
 
     It has no memory beyond the last reversal, so a small reversal between two samples of a log would shift all that
     follows; a base is to be what its model says, so it sees the samples of the log.
     """
-    skip = max(1, int(round(rate / highest_rate)))
+    skip = max(1, int(round(rate / FRICTION_RATE)))
     if skip == 1:
         return berg_response(z, z2, dead_band)
     n = np.arange(len(z))
@@ -136,22 +132,15 @@ def friction_on_grid(z, z2, rate, dead_band, highest_rate):
 
 def from_specification(model, s):
     """The base of a component file's `model` with specification `s` (a dict, SI). Raises Unsolvable."""
-    return {"kelvin_voigt": kelvin_voigt, "maxwell": maxwell, "maxwell_dashpot": maxwell_dashpot, "friction": friction,
-            "friction_dashpot": friction_dashpot, "berg": berg, "multi_maxwell": multi_maxwell}[model](s)
-
-
-def kelvin_voigt(s):
-    """Storage stiffness K_n and loss angle at f_n (Polach Eq. 11)."""
-    k, delta = s["dynamic_stiffness"], s["loss_angle"]
-    return Base(k, [], [], c0=k * math.tan(delta) / (2.0 * math.pi * s["nominal_frequency"]))
+    return {"maxwell": maxwell, "maxwell_dashpot": maxwell_dashpot, "berg": berg, "multi_maxwell": multi_maxwell}[model](s)
 
 
 def multi_maxwell(s):
     """Polach Eqs. 17-22 with the low edge f_l = n f_h / 10^(n-1)."""
-    n = int(s.get("maxwell_elements", 5))
+    n = int(s["maxwell_elements"])
     low_k, mid_k, high_k = s["static_stiffness"], s["dynamic_stiffness"], s["maximum_stiffness"]
     f_n, f_h = s["nominal_frequency"], s["high_frequency"]
-    f_l = s.get("low_frequency", n * f_h / 10.0 ** (n - 1))
+    f_l = n * f_h / 10.0 ** (n - 1)
     edges = np.geomspace(f_l, f_h, n + 1)
     breaks = 0.5 * (edges[1:] + edges[:-1])
     if not low_k < mid_k < high_k:
@@ -201,44 +190,24 @@ def berg_steady_state(z0, z2):
     return peak, 2.0 * (2.0 * z0 - near * (1.0 + peak) * math.log1p(2.0 * z0 / near))
 
 
-def settled_friction(stiffness, energy, a):
-    """(F_max, z2) of the Berg element whose settled loop of amplitude a has the peak force `stiffness` * a, and loses
-    `energy` times that peak force times a."""
+def berg(s):
+    """Berg friction and one Maxwell element that share the loss energy at (f_n, A_n), four to one."""
+    low_k, mid_k, delta, a = s["static_stiffness"], s["dynamic_stiffness"], s["loss_angle"], s["nominal_amplitude"]
+    share = 0.2
+    r = s["nominal_frequency"] / s["break_frequency"]
+    loss = mid_k * math.sin(delta)
+    k1 = share * loss * (1 + r * r) / r
+    stiffness = math.sqrt(mid_k**2 - (share * loss) ** 2) - k1 * r * r / (1 + r * r) - low_k
+    energy = (1.0 - share) * math.pi * loss / stiffness
+
     def excess(log_z2):
-        peak, loss = berg_steady_state(a, a * math.exp(log_z2))
-        return loss / (peak * a) - energy
+        peak, lost = berg_steady_state(a, a * math.exp(log_z2))
+        return lost / (peak * a) - energy
 
     if stiffness <= 0.0:
         raise Unsolvable("nothing left for the friction")
     if excess(-9.0) * excess(6.0) > 0.0:
         raise Unsolvable("loss angle out of reach")
     z2 = a * math.exp(brentq(excess, -9.0, 6.0, xtol=1e-12))
-    return stiffness * a / berg_steady_state(a, z2)[0], z2
-
-
-def friction(s):
-    """Berg friction alone has the loss energy at (f_n, A_n)."""
-    return friction_dashpot(dict(s, viscous_share=0.0))
-
-
-def friction_dashpot(s):
-    """Berg friction and a dashpot that share the loss energy at (f_n, A_n); K_n from turning point to turning point,
-    where the dashpot has no force."""
-    mid_k, share = s["dynamic_stiffness"], s.get("viscous_share", 0.2)
-    loss = mid_k * math.sin(s["loss_angle"])
-    stiffness = mid_k - s["static_stiffness"]
-    force, z2 = settled_friction(stiffness, (1.0 - share) * math.pi * loss / stiffness, s["nominal_amplitude"])
-    return Base(s["static_stiffness"], [], [], c0=share * loss / (2.0 * math.pi * s["nominal_frequency"]),
-                friction_force=force, friction_z2=z2)
-
-
-def berg(s):
-    """Berg friction and one Maxwell element that share the loss energy at (f_n, A_n)."""
-    low_k, mid_k, delta, a = s["static_stiffness"], s["dynamic_stiffness"], s["loss_angle"], s["nominal_amplitude"]
-    share = s.get("viscous_share", 0.2)
-    r = s["nominal_frequency"] / s["break_frequency"]
-    loss = mid_k * math.sin(delta)
-    k1 = share * loss * (1 + r * r) / r
-    stiffness = math.sqrt(mid_k**2 - (share * loss) ** 2) - k1 * r * r / (1 + r * r) - low_k
-    force, z2 = settled_friction(stiffness, (1.0 - share) * math.pi * loss / stiffness, a)
-    return Base(low_k, [k1], [1.0 / (2.0 * math.pi * s["break_frequency"])], friction_force=force, friction_z2=z2)
+    return Base(low_k, [k1], [1.0 / (2.0 * math.pi * s["break_frequency"])],
+                friction_force=stiffness * a / berg_steady_state(a, z2)[0], friction_z2=z2)

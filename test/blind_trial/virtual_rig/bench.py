@@ -1,5 +1,5 @@
 # What a bench does to a log besides the component: zeros that nobody set, a recording that starts in motion, spikes,
-# coloured noise, gain, and the faults that make a log another one (sign, factor, columns swapped).
+# coloured noise, gain, delay and held values.
 """Faults of the bench, applied to logs that are finished."""
 import numpy as np
 
@@ -13,14 +13,13 @@ NUISANCES = {
     "delay": 0.25,          # of the sampling interval, the force late or early, new in each log: in all it is a cause
     "held": 0.002,          # share of the samples that repeat the one before, in runs of 5 to 20, force alone
 }
-FAULTS = ("sign", "newton_for_kilonewton", "metre_for_millimetre", "swapped", "clipped")
 
 
 def apply(logs, names, size, rng):
-    """The logs as a bench with these nuisances and faults writes them; also what was done, for the label."""
-    unknown = [name for name in names if name not in NUISANCES and name not in FAULTS]
+    """The logs as a bench with these nuisances writes them; also what was done, for the label."""
+    unknown = [name for name in names if name not in NUISANCES]
     if unknown:
-        raise ValueError(f"no fault of a bench: {unknown}; known are {sorted(NUISANCES)} and {sorted(FAULTS)}")
+        raise ValueError(f"no fault of a bench: {unknown}; known are {sorted(NUISANCES)}")
     done = {"size": size, "faults": list(names)}
     common = {"gain": 1.0 + rng.choice([-1.0, 1.0]) * NUISANCES["gain"] * size}
     out = []
@@ -87,16 +86,5 @@ def held(z, f, size, rng, common):
     return z, f
 
 
-def clipped(z, f, size, rng, common):
-    limit = np.quantile(np.abs(f), 0.8)
-    return z, np.clip(f, -limit, limit)
-
-
-APPLY = {
-    "zeros": zeros, "running_start": running_start, "spikes": spikes, "pink": pink, "gain": gain, "delay": delay,
-    "held": held, "clipped": clipped,
-    "sign": lambda z, f, *_: (z, -f),
-    "newton_for_kilonewton": lambda z, f, *_: (z, f * 1e3),
-    "metre_for_millimetre": lambda z, f, *_: (z * 1e-3, f),
-    "swapped": lambda z, f, *_: (f, z),
-}
+APPLY = {"zeros": zeros, "running_start": running_start, "spikes": spikes, "pink": pink, "gain": gain, "delay": delay,
+         "held": held}

@@ -1,11 +1,10 @@
 # One case of the trial: draws component, programme, effects and noise, runs the rig, writes the folder and the label.
-# Everything follows from (set, seed, number); the label goes to another folder than what a diagnosis may see.
+# Everything follows from seed and number; the label goes to another folder than what a diagnosis may see.
 """Cases of the blind trial."""
 import dataclasses
 import json
 import math
 import os
-from typing import Callable
 
 import numpy as np
 
@@ -17,35 +16,10 @@ from .rig import Rig, Ruler, gap
 RATE = 500.0          # of the logs [Hz]
 FINE = 4              # samples of the rig's own grid per sample of a log
 TRAINING, HOLD_OUT = 6, 2
-SETS = {"bank": 11, "test": 23}
+SEEN = TRAINING + HOLD_OUT  # by a diagnosis
+BANK = 11             # of the seeds
 # With form error: of each law, in RMS; how often two laws are mixed; stiffness of the base that its model lacks.
 FORM_ERROR, MIXED, BASE_ERROR = (0.10, 0.30), 0.5, (0.02, 0.10)
-
-
-@dataclasses.dataclass
-class Layout:
-    """How many logs, how long and how dense."""
-
-    rate: float = RATE        # of the logs [Hz]
-    pace: float = 1.0         # how much faster than usual everything on this rig happens
-    training: int = TRAINING
-    hold_out: int = HOLD_OUT
-    further: int = 0          # logs of the same rig that no diagnosis sees
-    duration: float = 1.0     # of the logs, as a share of 30 to 60 s at the usual pace
-
-    @property
-    def seen(self):
-        return self.training + self.hold_out
-
-
-@dataclasses.dataclass
-class Recipe:
-    """What a case is made of: `draw_component(rng, effects, pace)` and `draw_effect(rng, scale, name)` draw the rig."""
-
-    draw_component: Callable
-    draw_effect: Callable
-    wanted: float             # gap
-    by_visible: bool          # whether that is the visible gap
 
 
 NAMES = ("left_secondary", "right_secondary", "bush_1", "engine_mount", "emergency_spring", "chevron", "traction_rod",
@@ -65,17 +39,15 @@ ALONE = ("rate_amplitude_coupling", "lift_off")
 PAIRED = [effect for effect in laws.EFFECTS if effect not in ALONE]
 
 
-def plan(case_set, cases, seed):
+def plan(cases, seed):
     """Kinds of all cases, shuffled: 60 % single effects, 12 % pairs, 8 % none, 8 % parameter error, 12 % unknown."""
-    rng = np.random.default_rng(np.random.SeedSequence([SETS[case_set], seed, 10**6]))
-    test_set = case_set == "test"
+    rng = np.random.default_rng(np.random.SeedSequence([BANK, seed, 10**6]))
     quota = {"single": 0.60, "pair": 0.12, "none": 0.08, "parameter_error": 0.08, "unknown": 0.12}
     kinds = []
     for kind, share in quota.items():
         kinds += [kind] * int(round(share * cases))
     kinds = (kinds + ["single"] * cases)[:cases]
-    unknown = laws.available(laws.UNKNOWN, test_set)
-    order = {"single": list(rng.permutation(laws.EFFECTS)), "unknown": list(rng.permutation(unknown))}
+    order = {"single": list(rng.permutation(laws.EFFECTS)), "unknown": list(rng.permutation(laws.UNKNOWN))}
     counters = {"single": 0, "unknown": 0}
     out = []
     for kind in kinds:
@@ -101,36 +73,26 @@ def draw_pair(rng):
 # ---- the component ---------------------------------------------------------------------------------------------------
 
 
-def draw_specification(rng, effects, pace=1.0):
+def draw_specification(rng, effects):
     """(model, specification, base, amplitude): a component that its model describes exactly."""
-    return specified(rng, pace, *draw_model(rng, effects))
-
-
-# What a model's specification does not have of what `specified` draws.
-UNUSED = {"kelvin_voigt": ("static_stiffness", "break_frequency"), "friction": ("break_frequency",),
-          "friction_dashpot": ("break_frequency",)}
-
-
-def specified(rng, pace, model, extra):
-    """The same for a given model, with `extra` in its specification."""
+    model, extra = draw_model(rng, effects)
     for _ in range(1000):
         family = FAMILIES[int(rng.integers(len(FAMILIES)))]
         static = laws.log_uniform(rng, *family[0])
         amplitude = laws.log_uniform(rng, *family[1])
         s = {"static_stiffness": static, "dynamic_stiffness": static * rng.uniform(1.12, 1.6),
-             "nominal_frequency": pace * float(rng.uniform(2.0, 10.0))}
+             "nominal_frequency": float(rng.uniform(2.0, 10.0))}
         s["maximum_stiffness"] = s["dynamic_stiffness"] * rng.uniform(1.06, 1.35)
         s.update(extra)
         if model == "multi_maxwell":
-            s["high_frequency"] = pace * float(rng.uniform(18.0, 45.0))
+            s["high_frequency"] = float(rng.uniform(18.0, 45.0))
         elif model != "maxwell":
             del s["maximum_stiffness"]
             s["loss_angle"] = float(rng.uniform(0.06, 0.16))
             s["break_frequency"] = s["nominal_frequency"] * laws.log_uniform(rng, 0.12, 1.0)
-        if model in ("berg", "friction", "friction_dashpot"):
+        if model == "berg":
             s["nominal_amplitude"] = amplitude * rng.uniform(0.3, 0.8)
-        s = {k: v if k == "maxwell_elements" else float(f"{v:.5g}") for k, v in s.items()
-             if k not in UNUSED.get(model, ())}
+        s = {k: v if k == "maxwell_elements" else float(f"{v:.5g}") for k, v in s.items()}
         try:
             return model, s, bases.from_specification(model, s), amplitude
         except bases.Unsolvable:
@@ -173,12 +135,11 @@ def wrong_specification(rng, model, s, spread):
 # ---- the programme ---------------------------------------------------------------------------------------------------
 
 
-def draw_logs(rng, amplitude, layout):
-    """Displacements on the fine grid, their kinds and the actuator, whose clock is that of a usual pace."""
-    rig = excitation.Actuator(rng, amplitude, layout.rate * FINE / layout.pace)
-    kinds, held, programme, repeat = excitation.draw_programme(rng, rig, layout.training,
-                                                               layout.hold_out + layout.further)
-    z = [excitation.make(rng, rig, k, layout.duration * float(int(rng.uniform(30.0, 60.0)))) for k in kinds + held]
+def draw_logs(rng, amplitude, further, duration):
+    """Displacements on the fine grid, their kinds and the actuator."""
+    rig = excitation.Actuator(rng, amplitude, RATE * FINE)
+    kinds, held, programme, repeat = excitation.draw_programme(rng, rig, TRAINING, HOLD_OUT + further)
+    z = [excitation.make(rng, rig, k, duration * float(int(rng.uniform(30.0, 60.0)))) for k in kinds + held]
     if repeat is not None:
         z[repeat[1]] = z[repeat[0]].copy()
     return z, kinds, held, programme, repeat, rig
@@ -194,73 +155,69 @@ def loaded_to_one_side(rng, z, amplitude, rate):
 # ---- the whole case --------------------------------------------------------------------------------------------------
 
 
-def inexact_recipe(recipe, rng):
-    """The same rig with form error: laws of no textbook, and a base off the ladder of its model."""
-    def draw_component(component_rng, effects, pace):
-        model, specification, base, amplitude = recipe.draw_component(component_rng, effects, pace)
-        return model, specification, form_error.off_ladder(rng, base, rng.uniform(*BASE_ERROR), 10.0 / pace,
-                                                           0.005 / pace), amplitude
+def build(seed, number, kind, effect_names, small, further=0, duration=1.0, inexact=False):
+    """Everything about a case in memory: a dict with logs, component file and label.
 
-    def draw_effect(effect_rng, scale, name):
-        effect = recipe.draw_effect(effect_rng, scale, name)
-        other = recipe.draw_effect(rng, scale, name) if rng.random() < MIXED else None
-        return form_error.inexact(rng, scale, effect, other, rng.uniform(*FORM_ERROR))
-
-    return dataclasses.replace(recipe, draw_component=draw_component, draw_effect=draw_effect)
-
-
-def build(case_set, seed, number, kind, effect_names, small, layout=Layout(), inexact=False):
-    """Everything about a case in memory: a dict with logs, component file and label."""
-    rng = np.random.default_rng(np.random.SeedSequence([SETS[case_set], seed, number]))
-    test_set = case_set == "test"
+    `further` logs are of the same rig, and no diagnosis sees them; `duration` is a share of the usual 30 to 60 s.
+    `inexact` rigs have form error: laws of no textbook, and a base off the ladder of its model.
+    """
+    rng = np.random.default_rng(np.random.SeedSequence([BANK, seed, number]))
     wanted = rng.uniform(0.028, 0.034) if small else laws.log_uniform(rng, 0.05, 0.30)
-    recipe = Recipe(draw_specification, lambda rng, scale, name: laws.draw(rng, scale, name, test_set), wanted,
-                    bool(rng.random() < 0.7))
-    if inexact:
-        recipe = inexact_recipe(recipe, np.random.default_rng([SETS[case_set], seed, number, 1]))
-    case = dict(best_of(rng, effect_names, recipe, layout), kind=kind)
+    by_visible = bool(rng.random() < 0.7)
+    form = np.random.default_rng([BANK, seed, number, 1]) if inexact else None
+    attempts = (arrange(rng, effect_names, wanted, by_visible, further, duration, form) for _ in range(4))
+    case = dict(best_of(attempts, wanted, 0.85 if by_visible else 0.3), rng=rng, kind=kind, wanted=wanted,
+                by_visible=by_visible, further=further)
     # One component in eight is described by its elements, one with friction more often.
     share = {"berg": 0.6, "maxwell_dashpot": 0.3}.get(case["model"], 0.12)
     case["as_elements"] = bool(rng.random() < share)
     apply_parameter_error(case)
     measure(case)
-    return finish(case, case_set, seed, number)
+    return finish(case, seed, number)
 
 
-def best_of(rng, effect_names, recipe, layout):
-    """The first of four rigs whose effects reach the wanted gap, or the one that comes closest."""
-    best = None
-    for _ in range(4):
-        attempt = arrange(rng, effect_names, recipe, layout)
-        reached = attempt["visible"] / recipe.wanted if effect_names else 1.0
-        if best is None or reached > best["reached"]:
-            best = dict(attempt, reached=reached)
-        if reached > (0.85 if recipe.by_visible else 0.3):
+def best_of(attempts, wanted, enough):
+    """The first rig whose effects reach enough of the wanted gap, or the one that comes closest."""
+    best, most = None, -1.0
+    for attempt in attempts:
+        reached = attempt["visible"] / wanted if attempt["effects"] else 1.0
+        if reached > most:
+            best, most = attempt, reached
+        if reached > enough:
             break
-    return dict(best, rng=rng, wanted=recipe.wanted, by_visible=recipe.by_visible, layout=layout)
+    return best
 
 
-def arrange(rng, effect_names, recipe, layout):
+def draw_effect(rng, scale, name, form):
+    """An effect by one of its laws; with form error where there is a generator for it."""
+    effect = laws.draw(rng, scale, name)
+    if form is None:
+        return effect
+    other = laws.draw(form, scale, name) if form.random() < MIXED else None
+    return form_error.inexact(form, scale, effect, other, form.uniform(*FORM_ERROR))
+
+
+def arrange(rng, effect_names, wanted, by_visible, further, duration, form):
     """Component, programme and effects with their strengths."""
-    model, specification, base, amplitude = recipe.draw_component(rng, effect_names, layout.pace)
-    z, kinds, held, programme, repeat, actuator = draw_logs(rng, amplitude, layout)
-    rate = layout.rate * FINE
+    model, specification, base, amplitude = draw_specification(rng, effect_names)
+    if form is not None:
+        base = form_error.off_ladder(form, base, form.uniform(*BASE_ERROR), 10.0, 0.005)
+    z, kinds, held, programme, repeat, actuator = draw_logs(rng, amplitude, further, duration)
+    rate = RATE * FINE
     if "lift_off" in effect_names:
-        z = loaded_to_one_side(rng, z, amplitude, rate / layout.pace)
-    ruler = Ruler(Rig(base, z[:layout.seen], rate, []), FINE)
-    scale = scale_of(z, rate, specification.get("dynamic_stiffness", base.highest_stiffness), ruler.reference,
-                     actuator.top_frequency * layout.pace, layout)
-    effects = [recipe.draw_effect(rng, scale, name) for name in effect_names]
+        z = loaded_to_one_side(rng, z, amplitude, rate)
+    ruler = Ruler(Rig(base, z[:SEEN], rate, []), FINE)
+    scale = scale_of(z, rate, specification["dynamic_stiffness"], ruler.reference, actuator.top_frequency)
+    effects = [draw_effect(rng, scale, name, form) for name in effect_names]
     rig = Rig(base, z, rate, effects)
     ruler.rig.effects = rig.effects
     strengths, single = {}, {}
     for effect, share in zip(effects, shares_of(rng, len(effects))):
-        strengths[id(effect)], single[effect.name] = strength_of(ruler, effect, recipe.wanted * share,
-                                                                 recipe.by_visible)
+        strengths[id(effect)], single[effect.name] = strength_of(ruler, effect, wanted * share, by_visible)
     full, visible = ruler.gaps(strengths) if effects else (0.0, 0.0)
     return {"model": model, "specification": specification, "base": base, "z": z, "kinds": kinds + held,
-            "programme": programme, "repeat": repeat, "actuator": actuator, "rig": rig, "effects": effects,
-            "strengths": strengths, "single": single, "full": full, "visible": visible, "scale": scale}
+            "programme": programme, "repeat": repeat, "rig": rig, "effects": effects, "strengths": strengths,
+            "single": single, "full": full, "visible": visible, "scale": scale}
 
 
 def strength_of(ruler, effect, wanted, by_visible):
@@ -270,29 +227,21 @@ def strength_of(ruler, effect, wanted, by_visible):
     return ruler.strength_for(effect, wanted, by_visible)
 
 
-def scale_of(z, rate, stiffness, force, top_frequency, layout):
+def scale_of(z, rate, stiffness, force, top_frequency):
     """Sizes of the logs that a diagnosis sees; the lengths are those of all."""
-    seen = z[:layout.seen]
+    seen = z[:SEEN]
     peaks = [float(np.max(np.abs(x))) for x in seen]
     return Scale(stiffness=stiffness, amplitude=max(peaks), least_amplitude=min(peaks),
                  speed=float(np.sqrt(np.mean([np.mean((np.gradient(x) * rate) ** 2) for x in seen]))),
                  force=float(np.mean([np.std(f) for f in force])), top_frequency=top_frequency,
-                 training=layout.training, lengths=[len(x) for x in z], rate=rate,
+                 training=TRAINING, lengths=[len(x) for x in z], rate=rate,
                  side=-1.0 if sum(float(np.mean(x)) for x in seen) < 0.0 else 1.0)
 
 
 def shares_of(rng, count):
-    """How effects divide the gap: squares add up to 1 and none is below half of another."""
+    """How the effects of a pair divide the gap: squares add up to 1 and none is below half of the other."""
     if count < 2:
         return [1.0]
-    if count == 2:
-        return pair_shares(rng)
-    sizes = rng.uniform(0.5, 1.0, count)
-    return (sizes / np.linalg.norm(sizes)).tolist()
-
-
-def pair_shares(rng):
-    """The same for a pair."""
     angle = rng.uniform(math.atan(0.5), math.atan(2.0))
     return [math.cos(angle), math.sin(angle)]
 
@@ -314,12 +263,9 @@ def apply_parameter_error(case):
 
 def wrong_file(case, spread):
     """The file's values are off by up to `spread`, those of the rig are not."""
-    if case["specification"]:
-        s, factors, base = wrong_specification(case["rng"], case["model"], case["specification"], spread)
-        case["file_specification"], case["file_base"] = s, base
-    else:
-        case["file_base"], factors = case["file_base"].scaled(case["rng"], spread)
-    case["parameter_error"] = {"level": "specification" if case["specification"] else "element", "factors": factors}
+    s, factors, base = wrong_specification(case["rng"], case["model"], case["specification"], spread)
+    case["file_specification"], case["file_base"] = s, base
+    case["parameter_error"] = {"level": "specification", "factors": factors}
 
 
 def measure(case):
@@ -364,7 +310,7 @@ def noise_floor(case, logs):
     The model sees samples with noise: a dashpot differentiates that, and a Berg element takes it for reversals unless
     it has a dead band, after which its path is another one.
     """
-    base, rate, difference = case["base"], case["layout"].rate, []
+    base, rate, difference = case["base"], RATE, []
     model_base = dataclasses.replace(base, dead_band=case["dead_band"], c0=0.0)
     for i in logs:
         seen, clean = case["displacement"][i], case["coarse"][i]
@@ -375,17 +321,17 @@ def noise_floor(case, logs):
     return gap(difference, [case["force"][i] for i in logs])
 
 
-def finish(case, case_set, seed, number):
+def finish(case, seed, number):
     """What a diagnosis sees, and the label."""
-    rng, layout = case["rng"], case["layout"]
-    everything = list(range(layout.seen))
-    held = everything[layout.training:] or everything
-    reference = case["file_base"].force(case["coarse"][:layout.seen], layout.rate)
-    configured = gap([a - b for a, b in zip(case["true"], reference)], case["true"][:layout.seen])
+    rng, further = case["rng"], case["further"]
+    everything = list(range(SEEN))
+    held = everything[TRAINING:]
+    reference = case["file_base"].force(case["coarse"][:SEEN], RATE)
+    configured = gap([a - b for a, b in zip(case["true"], reference)], case["true"][:SEEN])
     order = sorted(case["single"], key=lambda name: -case["single"][name][1])
     unlisted = [name.split(":")[1] for name in order if name.startswith("unknown:")]
     label = {
-        "case": f"case_{number:03d}", "set": case_set, "seed": seed, "kind": case["kind"],
+        "case": f"case_{number:03d}", "set": "bank", "seed": seed, "kind": case["kind"],
         "effects": [name for name in order if not name.startswith("unknown:")],
         "unknown": unlisted[0] if unlisted else None,
         "laws": {e.name: e.law for e in case["effects"]}, "parameters": {e.name: e.parameters for e in case["effects"]},
@@ -398,11 +344,14 @@ def finish(case, case_set, seed, number):
         "programme": case["programme"], "base_error": list(getattr(case["base"], "extra_k", [])),
         "kinds": case["kinds"], "repeat": case["repeat"],
     }
+    elements = element_entries(case["file_base"], case["dead_band"]) if case["as_elements"] else None
+    if further:
+        label["noise"]["floor_further"] = noise_floor(case, range(SEEN, SEEN + further))
+        label["file"] = {"model": case["model"], "specification": case["file_specification"], "elements": elements}
     logs = list(zip(case["kinds"], case["displacement"], case["force"]))
-    return {"label": label, "layout": layout, "logs": logs[:layout.seen], "further": logs[layout.seen:],
-            "true": case["true"][:layout.seen], "rng": rng, "model": case["model"],
-            "specification": case["file_specification"],
-            "elements": element_entries(case["file_base"], case["dead_band"]) if case["as_elements"] else None}
+    return {"label": label, "logs": logs[:SEEN], "further": logs[SEEN:],
+            "true": case["true"][:SEEN], "rng": rng, "model": case["model"],
+            "specification": case["file_specification"], "elements": elements}
 
 
 # ---- files -----------------------------------------------------------------------------------------------------------
@@ -413,7 +362,7 @@ UNITS_F = (("N", 1.0, 3), ("kN", 1e-3, 6), ("MN", 1e-6, 9))
 
 def write(case, folder, label_folder):
     """The case's folder (component.yaml, logs, case.json) and its sealed label (json, and the true forces)."""
-    rng, label, layout = case["rng"], case["label"], case["layout"]
+    rng, label = case["rng"], case["label"]
     os.makedirs(folder, exist_ok=True)
     os.makedirs(label_folder, exist_ok=True)
     name = str(rng.choice(NAMES))
@@ -423,10 +372,10 @@ def write(case, folder, label_folder):
     ambient = label["parameters"].get("temperature")  # where it is the effect
     files = []
     for i, (kind, z, f) in enumerate(case["logs"]):
-        prefix, before = ("log", 0) if i < layout.training else ("hold_out", layout.training)
+        prefix, before = ("log", 0) if i < TRAINING else ("hold_out", TRAINING)
         files.append(f"{prefix}_{i + 1 - before}_{kind}.csv")
         course = warm if ambient is None else ambient["start"][i] + ambient["rise"][i] * np.linspace(0.0, 1.0, len(z))
-        write_log(os.path.join(folder, files[-1]), layout.rate, z, f, z_unit, f_unit,
+        write_log(os.path.join(folder, files[-1]), RATE, z, f, z_unit, f_unit,
                   None if course is None else course + 0.05 * rng.standard_normal(len(z)))
     with open(os.path.join(folder, "component.yaml"), "w", encoding="utf-8") as out:
         if case["elements"]:
@@ -434,11 +383,11 @@ def write(case, folder, label_folder):
         else:
             out.write(component_yaml(rng, name, case["model"], case["specification"]))
     with open(os.path.join(folder, "case.json"), "w", encoding="utf-8") as out:
-        json.dump({"component": name, "logs": files[:layout.training], "hold_out": files[layout.training:]}, out,
+        json.dump({"component": name, "logs": files[:TRAINING], "hold_out": files[TRAINING:]}, out,
                   indent=1)
     with open(os.path.join(label_folder, label["case"] + ".json"), "w", encoding="utf-8") as out:
         json.dump(label, out, indent=1)
-    sealed = {f"hold_out_{i + 1}": x for i, x in enumerate(case["true"][layout.training:])}
+    sealed = {f"hold_out_{i + 1}": x for i, x in enumerate(case["true"][TRAINING:])}
     for i, (_, z, f) in enumerate(case["further"]):
         sealed.update({f"further_{i + 1}_displacement": z, f"further_{i + 1}_force": f})
     np.savez_compressed(os.path.join(label_folder, label["case"] + ".npz"),

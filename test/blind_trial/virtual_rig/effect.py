@@ -13,8 +13,6 @@ STAGES = ("displacement", "mount", "contact", "play", "parallel", "factor", "add
 class Effect:
     """An effect of one rig.
 
-    name: as in the reports; for what is in no list, the prefix `unknown:` and what it is.
-    law: the functional form.
     stage: one of STAGES. By stage, `function` is called with
       displacement, play: (z, rate, strength) -> z            lists over the logs
       mount:              (force, strength) -> displacement of the mount, one log
@@ -24,18 +22,16 @@ class Effect:
       transducer:         (force, rate, strength) -> force, a list over the logs
     strongest: largest plausible strength.
     parameters: for the sealed label.
+    name: as in the reports; for what is in no list, the prefix `unknown:` and what it is.
+    law: the functional form.
     """
 
-    name: str
-    law: str
     stage: str
     function: Callable
     strongest: float
     parameters: dict
-
-    @property
-    def linear(self):
-        return self.stage in ("parallel", "added")
+    name: str = ""
+    law: str = ""
 
 
 @dataclasses.dataclass

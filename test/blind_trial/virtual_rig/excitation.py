@@ -50,7 +50,7 @@ def envelope(n, edge):
     return window
 
 
-def _blocks(rng, rig, n, amplitude_scale=1.0):
+def sines(rng, rig, n, amplitude_scale=1.0):
     """Sine blocks of random frequency and amplitude; a block may come back at the end as a repeat."""
     count = int(rng.integers(4, 10))
     length = n // count
@@ -66,10 +66,6 @@ def _blocks(rng, rig, n, amplitude_scale=1.0):
     return out
 
 
-def sines(rng, rig, n):
-    return _blocks(rng, rig, n)
-
-
 def sweep(rng, rig, n):
     low, high = rng.uniform(0.1, 0.5), rig.top_frequency
     f = np.geomspace(low, high, n)
@@ -79,20 +75,15 @@ def sweep(rng, rig, n):
     return rig.level(rng) ** 0.5 * rig.limit(f) * np.sin(phase) * envelope(n, int(rig.rate))
 
 
-def coloured_noise(rng, n, rate, low, high, slope):
-    """Noise between two frequencies whose amplitude spectrum falls with f^-slope; peak about 1."""
-    f = np.fft.rfftfreq(n, 1.0 / rate)
+def track(rng, rig, n):
+    """Noise between two frequencies whose amplitude spectrum falls with a power of the frequency."""
+    low, high, slope = rng.uniform(0.1, 0.6), rig.top_frequency * rng.uniform(0.4, 1.0), rng.uniform(0.6, 1.8)
+    f = np.fft.rfftfreq(n, 1.0 / rig.rate)
     shape = np.zeros_like(f)
     band = (f >= low) & (f <= high)
     shape[band] = f[band] ** -slope
-    spectrum = shape * (rng.standard_normal(len(f)) + 1j * rng.standard_normal(len(f)))
-    x = np.fft.irfft(spectrum, n)
-    return x / np.max(np.abs(x))
-
-
-def track(rng, rig, n):
-    x = coloured_noise(rng, n, rig.rate, rng.uniform(0.1, 0.6), rig.top_frequency * rng.uniform(0.4, 1.0),
-                       rng.uniform(0.6, 1.8))
+    x = np.fft.irfft(shape * (rng.standard_normal(len(f)) + 1j * rng.standard_normal(len(f))), n)
+    x = x / np.max(np.abs(x))
     return rig.amplitude * rng.uniform(0.5, 1.0) * x * envelope(n, int(rig.rate))
 
 
@@ -113,7 +104,7 @@ def preloaded_sines(rng, rig, n):
     ramp = int(rng.uniform(0.5, 2.0) * rig.rate)
     out = np.full(n, preload)
     out[:ramp] = preload * (0.5 - 0.5 * np.cos(np.pi * np.arange(ramp) / ramp))
-    out[ramp:] += _blocks(rng, rig, n - ramp, rng.uniform(0.3, 0.6))
+    out[ramp:] += sines(rng, rig, n - ramp, rng.uniform(0.3, 0.6))
     return out
 
 
