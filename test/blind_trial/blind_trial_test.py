@@ -358,15 +358,6 @@ class FurtherTest(unittest.TestCase):
         with self.assertRaises(ValueError):
             replayed.re_estimated(file, "a", {"spring[1].stiffness": 2.0})
 
-    def test_only_what_a_rig_tolerates_is_taken_out(self):
-        t = np.arange(5000) / 500.0
-        force = np.sin(2 * np.pi * 2.0 * t)
-        zero = replayed.after_rig(np.full_like(force, 0.1), force)
-        self.assertLess(np.std(zero) + abs(np.mean(zero)), 0.01)
-        self.assertGreater(np.mean(replayed.after_rig(np.full_like(force, 0.1), force, zero=False)), 0.09)
-        gain = replayed.after_rig(0.1 * force, force)
-        self.assertGreater(np.std(gain), 0.85 * 0.1 * np.std(force))
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -24,6 +24,20 @@ def replay(binary, config, component, log):
         return np.loadtxt(out, delimiter=",", skiprows=1, usecols=2)
 
 
+def write_log(path, columns, digits=9):
+    """A log of time [s], displacement [m], force [N] and temperature [degC], as far as there are columns."""
+    names = ("time_s", "displacement_m", "force_N", "temperature_degC")[:len(columns)]
+    np.savetxt(path, np.column_stack(columns), f"%.{digits}g", ",", header=",".join(names), comments="")
+
+
+def force_along(binary, config, component, time, displacement, digits=9):
+    """Forces [N] of a component along a motion. Throws subprocess.CalledProcessError where its sheet has no solution."""
+    with tempfile.TemporaryDirectory() as scratch:
+        motion = os.path.join(scratch, "motion.csv")
+        write_log(motion, (time, displacement), digits)
+        return replay(binary, config, component, motion)
+
+
 def read_json(path):
     """The content of a file; None where there is none, or no JSON."""
     try:
@@ -105,67 +119,38 @@ def write_further(sealed, ambient, folder):
     stored, out = np.load(sealed), []
     for i in range(sum(name.startswith("further_") and name.endswith("_force") for name in stored.files)):
         z, force = (stored[f"further_{i + 1}_{what}"].astype(float) for what in ("displacement", "force"))
-        columns, header = [np.arange(len(z)) / RATE, z, force], "time_s,displacement_m,force_N"
+        columns = [np.arange(len(z)) / RATE, z, force]
         if ambient:
             log = TRAINING + HOLD_OUT + i
             columns.append(ambient["start"][log] + ambient["rise"][log] * np.linspace(0.0, 1.0, len(z)))
-            header += ",temperature_degC"
         path = os.path.join(folder, f"further_{i + 1}.csv")
-        np.savetxt(path, np.stack(columns, axis=1), "%.9g", ",", header=header, comments="")
+        write_log(path, columns)
         out.append((path, force))
     return out
 
 
-# What a rig may do to a log by default (docs/parameters.md, keys of `rig`), as standard deviations: zero of the force,
-# of its range; gain; delay in samples. Residuals have about so many values that do not depend on each other.
-ZERO, GAIN, DELAY, INDEPENDENT = 0.10, 0.005, 0.5, 50
-
-
-def without_trend(difference):
-    """Without a slow trend of the log's own, which no simulation predicts (`kTrendsPerLog` in fit/free_in_log.h)."""
-    time = np.linspace(0.0, 1.0, len(difference))
-    columns = np.stack([time - 0.5] + [np.cos(np.pi * k * time) for k in range(1, 9)], axis=1)
-    return difference - columns @ np.linalg.lstsq(columns, difference, rcond=None)[0]
-
-
-def with_own_gain(simulated, force):
-    """With the log's own gain of the force's channel, which no simulation predicts."""
-    centred = simulated - simulated.mean()
-    square = centred @ centred
-    return simulated * (centred @ force / square) if square > 0.0 else simulated
-
-
-def after_rig(difference, force, zero=True):
-    """What a log differs by once a zero, a gain and a delay of the force within a rig's tolerances are taken out of it:
-    the gaps of a report are measured like that. Where an offset or drift is named, the zero stays."""
-    columns = [GAIN * force, DELAY * np.gradient(force)] + [np.full_like(force, ZERO * np.ptp(force))] * zero
-    matrix = np.stack(columns, axis=1)
-    variance = np.mean(difference**2) * len(force) / INDEPENDENT
-    normal = matrix.T @ matrix / variance + np.eye(len(columns))
-    return difference - matrix @ np.linalg.solve(normal, matrix.T @ difference / variance)
-
-
 def further_gaps(binary, case, sealed):
     """Gaps on the further logs of {re_estimated, augmented, surrogate} as far as the report has them; and whether the
-    re-estimated component is the report's: `replay` of it finds the gap that the report gives on the hold-out logs."""
+    re-estimated component is the report's: `replay` of it finds the gap that the report gives on the hold-out logs.
+
+    A zero of the force is taken out of each log, as reports do, unless the report names an offset. A drift or a gain
+    that is new in each log cannot be predicted: a report that names one has no gap of the augmented component.
+    """
     report, component = case.report, case.info["component"]
-    effects = report["effects"]
     ratios = {k: v for k, v in report["own_parameters"]["ratio_to_configured"].items() if v is not None}
-    zero = not {"force_offset", "force_drift"} & set(effects)
+    share_of_mean = 0.0 if "force_offset" in report["effects"] else 1.0
     with tempfile.TemporaryDirectory() as scratch:
         configs = {"re_estimated": os.path.join(scratch, "re_estimated.yaml")}
         with open(configs["re_estimated"], "w", encoding="utf-8") as file:
             file.write(re_estimated(case.label["file"], component, ratios))
         configs.update({what: case.file(what) for what in ("augmented", "surrogate") if case.file(what)})
+        if {"force_drift", "sensor_gain"} & set(report["effects"]):
+            configs.pop("augmented", None)
         logs = write_further(sealed, case.label["parameters"].get("temperature"), scratch)
 
-        def left(what, path, force):
-            named = effects if what == "augmented" else []
-            simulated = replay(binary, configs[what], component, path)
-            if "sensor_gain" in named:
-                simulated = with_own_gain(simulated, force)
-            rest = after_rig(force - simulated, force, zero)
-            return without_trend(rest) if "force_drift" in named else rest
-        gaps = {what: gap_of([(left(what, path, force), force) for path, force in logs]) for what in configs}
+        def left(config, path, force):
+            difference = force - replay(binary, config, component, path)
+            return difference - share_of_mean * np.mean(difference), force
+        gaps = {what: gap_of([left(config, *log) for log in logs]) for what, config in configs.items()}
         again, stated = case.hold_out_gap(binary, configs["re_estimated"]), report["gap_as_recorded"]["re_estimated"]
         return dict(gaps, same_re_estimated=abs(again - stated) <= SAME_GAP * stated)

@@ -14,7 +14,7 @@ import subprocess
 
 import numpy as np
 
-import replayed
+from replayed import force_along, write_log
 
 RATE = 250.0
 SECONDS = 20.0
@@ -135,12 +135,6 @@ KINDS = {"friction": dahl, "bump_stop": stop, "relaxation": relaxation, "creep":
          "free_play": play, "time_delay": delay}
 
 
-def base_force(replay, folder, z):
-    np.savetxt(f"{folder}/z.csv", np.column_stack([TIME, z]), delimiter=",", header="time_s,displacement_m",
-               comments="", fmt="%.12g")
-    return replayed.replay(replay, f"{folder}/true.yaml", "bush", f"{folder}/z.csv")
-
-
 def write_bench(folder, kind, rng, replay):
     os.makedirs(folder, exist_ok=True)
     values = np.array([1e6, 1.3e6, 3.0])
@@ -152,15 +146,14 @@ def write_bench(folder, kind, rng, replay):
             file.write(SHEET.format(*numbers))
     truth, law, other = KINDS[kind](rng)
     for name, z in motions(rng).items():
-        force = base_force(replay, folder, other(z) if law == "play" else z)
+        force = force_along(replay, f"{folder}/true.yaml", "bush", TIME, other(z) if law == "play" else z, 12)
         if law == "filter":
             force = other(force)
         elif law != "play":
             force = force + law(z)
         force = force + 0.005 * force.std() * rng.standard_normal(force.size) + rng.normal(0.0, 10.0)
         z = z + 0.5e-6 * rng.standard_normal(z.size)
-        np.savetxt(f"{folder}/{name}.csv", np.column_stack([TIME, z, force]), delimiter=",",
-                   header="time_s,displacement_m,force_N", comments="", fmt="%.7g")
+        write_log(f"{folder}/{name}.csv", (TIME, z, force), 7)
     with open(f"{folder}/truth.json", "w", encoding="utf-8") as file:
         json.dump({"kind": kind, "sizes": truth}, file)
 

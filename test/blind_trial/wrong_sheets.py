@@ -13,7 +13,7 @@ import subprocess
 
 import numpy as np
 
-import replayed
+from replayed import force_along, write_log
 
 RATE = 500.0
 TIME = np.arange(0.0, 20.0, 1.0 / RATE)
@@ -56,24 +56,9 @@ def motions(rng):
             "road": 0.8e-3 * road / road.std() * fade}
 
 
-def write_log(path, columns):
-    names = ("time_s", "displacement_m", "force_N")[:len(columns)]
-    np.savetxt(path, np.column_stack(columns), "%.9g", ",", header=",".join(names), comments="")
-
-
-def force_of(replay, folder, component, displacement):
-    """The force of a component [N]. Throws subprocess.CalledProcessError where its sheet has no solution."""
-    motion = f"{folder}/motion.csv"
-    write_log(motion, (TIME, displacement))
+def has_solution(replay, component, displacement):
     try:
-        return replayed.replay(replay, component, "bush", motion)
-    finally:
-        os.remove(motion)
-
-
-def has_solution(replay, folder, component, displacement):
-    try:
-        force_of(replay, folder, component, displacement)
+        force_along(replay, component, "bush", TIME, displacement)
     except subprocess.CalledProcessError:
         return False
     return True
@@ -87,12 +72,12 @@ def write_case(number, options):
     os.makedirs(folder, exist_ok=True)
     logs, config = motions(rng), f"{folder}/component.yaml"
     write_component(config, model, MODELS[model])
-    forces = {log: force_of(options.replay, folder, config, z) for log, z in logs.items()}
+    forces = {log: force_along(options.replay, config, "bush", TIME, z) for log, z in logs.items()}
     share = OFF_BESIDE_GAIN if options.gain else 1.0
     while True:  # until the model has a solution for the sheet
         sheet = {key: value * (1.0 + share * OFF.get(key, 0.0) * rng.standard_normal()) for key, value in MODELS[model].items()}
         write_component(config, model, sheet)
-        if has_solution(options.replay, folder, config, logs["road"]):
+        if has_solution(options.replay, config, logs["road"]):
             break
     gain = np.exp(rng.choice([-1, 1]) * rng.uniform(*np.log(GAINS))) if options.gain else 1.0
     for log, z in logs.items():
