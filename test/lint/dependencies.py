@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Holds package.xml, the build files, the imports, scripts/dependencies.txt and scripts/rosdep.yaml to the same set of
-dependencies.
+dependencies, and package.xml, the build files, the scripts and the citation to the version of the last release.
 
 Usage: dependencies.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """
@@ -81,6 +81,15 @@ INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "pyt
 STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {
     "rubber_suspension", "rubber_suspension_core", "mpl_toolkits", "genpy", "actionlib"}
 
+# Where the version stands; the first heading of CHANGELOG.rst that is a version is that of the last release.
+VERSIONS = {
+    "CHANGELOG.rst": r"^(\d+\.\d+\.\d+) \(\d{4}-\d\d-\d\d\)$",
+    "package.xml": r"<version>(.*)</version>",
+    "CMakeLists.txt": r"^project\(\w+ VERSION (\S+)",
+    "CITATION.cff": r"^version: (.*)$",
+    **{f"scripts/{name}": r'^VERSION = "(.*)"$' for name in ("generate_track", "live_plot", "show_bush")},
+}
+
 FIND_PACKAGE = re.compile(r"^\s*find_package\((\w[\w+-]*)([^)]*)\)", re.MULTILINE | re.DOTALL)
 FIND_OTHER = re.compile(r"^\s*(?:find_library|find_path)\((\w+)", re.MULTILINE)
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([\w.+-]+)/", re.MULTILINE)
@@ -155,6 +164,17 @@ def own_rosdep_problems(root, declared):
             yield f"scripts/rosdep.yaml: `{key}` is {package}, not {', '.join(KEYS[key][1])}"
 
 
+def version_problems(root):
+    found = {}
+    for path, pattern in VERSIONS.items():
+        match = re.search(pattern, (root / path).read_text(), re.MULTILINE)
+        found[path] = match.group(1) if match else "none"
+    released = found["CHANGELOG.rst"]
+    for path, version in found.items():
+        if version != released:
+            yield f"{path}: version {version}, but the last release in CHANGELOG.rst is {released}"
+
+
 def check(root):
     key_of = {name: key for key, (names, _) in KEYS.items() for name in names}
     problems, used = set(), {"catkin", "message_runtime"}
@@ -168,7 +188,7 @@ def check(root):
             else:
                 used.add(key)
     declared, installed = declared_keys(root), debian_packages(root)
-    problems |= set(own_rosdep_problems(root, declared))
+    problems |= set(own_rosdep_problems(root, declared)) | set(version_problems(root))
     problems |= {f"package.xml: does not name `{key}`, which is used" for key in used - declared}
     problems |= {f"package.xml: names `{key}`, which nothing uses" for key in declared - used}
     known = {package for _, packages in KEYS.values() for package in packages}
