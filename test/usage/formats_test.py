@@ -186,16 +186,6 @@ class Formats(unittest.TestCase):
         lines = [line for line in self.path(name).read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
         return [(float(row["stiffness_N_per_m"]), float(row["loss_angle_rad"])) for row in csv.DictReader(io.StringIO("\n".join(lines)))]
 
-    def test_replaced_commands_say_so(self):
-        for line in ("export_table --frequencies 4 --amplitudes 1e-3", "export_bushing --largest-displacement 0.01 --frequency 4",
-                     "export_fmu --fmi 3"):
-            command, *options = line.split()
-            answer = run(command, "--config", self.config, "--output", self.path(command), *options)
-            if "has no FMU" not in answer.stderr:
-                self.assertEqual(answer.returncode, 0, answer.stderr)
-                self.assertTrue(self.path(command).exists())
-            self.assertIn(f"{command}: note: goes with the next version", answer.stderr)
-
     def test_agreement_as_a_program_reads_it(self):
         time = np.arange(2000) * 1e-3
         z = 1e-3 * np.exp(-((time - 1) / 0.3) ** 2)
