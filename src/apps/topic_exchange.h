@@ -1,65 +1,93 @@
 // The node as the partner of a vehicle that steps at fixed times: the bundled topics.
 #pragma once
 
+#include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ros_interface/pose_messages.h"
 #include "rubber_suspension/ros_interface/bundle_client.h"
-#include "vehicle/force_exchange.h"
+#include "vehicle/simulation.h"
 
 namespace rubber_suspension::vehicle {
 
-constexpr std::int64_t kFirstStamp = 1000000000;  ///< [ns]; 0 stands for "no stamp" in many a tool
-
-inline std::vector<double> samplesOf(const PerStrut& displacement) {
-  return {displacement.begin(), displacement.end()};
-}
-
-inline std::vector<geometry_msgs::Pose> samplesOf(const PerBush<Eigen::Isometry3d>& motions) {
-  std::vector<geometry_msgs::Pose> poses;
-  for (const Eigen::Isometry3d& motion : motions) {
-    poses.push_back(ros_interface::messageOf(motion.translation(), Eigen::Quaterniond(motion.linear())));
-  }
-  return poses;
-}
-
-inline PerStrut loadsOf(const ForceArray& answer) { return {answer.force[0], answer.force[1], answer.force[2]}; }
-
-inline PerBush<component::Wrench> loadsOf(const WrenchArray& answer) {
-  PerBush<component::Wrench> wrenches;
-  for (const geometry_msgs::Wrench& wrench : answer.wrenches) {
-    wrenches.push_back(ros_interface::wrenchOf(wrench));
-  }
-  return wrenches;
-}
-
-template <class Client, class Motions, class Loads>
-class ClientExchange final : public Exchange<Motions, Loads> {
+/// Of either kind of bundle. It waits for the node that serves the components, and calls its service `reset` unless
+/// that is empty. Throws BundleError.
+template <class Client>
+class TopicExchange : public Exchange {
  public:
-  /// Waits for the node that serves these components, and calls its service `reset` unless that is empty. Throws
-  /// BundleError.
-  ClientExchange(const ros::NodeHandle& handle, const std::vector<std::string>& components, const std::string& reset)
-      : client_(handle, components) {
+  TopicExchange(Kind kind, const std::string& reset) : client_(ros::NodeHandle(), bushNames(kind)) {
     client_.connect();
     if (!reset.empty()) {
       client_.call(reset);
     }
   }
 
-  void send(std::int64_t stamp, const Motions& motions) override {
-    client_.send(stamp + kFirstStamp, samplesOf(motions));
-  }
-  Loads receive(std::int64_t stamp) override { return loadsOf(client_.receive(stamp + kFirstStamp)); }
+ protected:
+  static constexpr std::int64_t kFirstStamp = 1000000000;  // [ns]; 0 stands for "no stamp" in many a tool
 
- private:
   Client client_;
 };
 
-using TopicExchange = ClientExchange<ros_interface::BundleClient, PerStrut, PerStrut>;
+/// Components of six directions: poses and wrenches.
+class PoseExchange final : public TopicExchange<ros_interface::PoseClient> {
+ public:
+  using TopicExchange::TopicExchange;
 
-/// The same with components of six directions.
-using TopicWrenchExchange =
-    ClientExchange<ros_interface::PoseClient, PerBush<Eigen::Isometry3d>, PerBush<component::Wrench>>;
+  void send(std::int64_t stamp, const Poses& poses) override {
+    std::vector<geometry_msgs::Pose> messages;
+    for (const Eigen::Isometry3d& pose : poses) {
+      messages.push_back(ros_interface::messageOf(pose.translation(), Eigen::Quaterniond(pose.linear())));
+    }
+    client_.send(stamp + kFirstStamp, messages);
+  }
+
+  Wrenches receive(std::int64_t stamp) override {
+    Wrenches wrenches;
+    for (const geometry_msgs::Wrench& wrench : client_.receive(stamp + kFirstStamp).wrenches) {
+      wrenches.push_back(ros_interface::wrenchOf(wrench));
+    }
+    return wrenches;
+  }
+};
+
+/// Struts: displacements and forces along the z axis of each.
+class StrutExchange final : public TopicExchange<ros_interface::BundleClient> {
+ public:
+  /// The struts must outlive this object.
+  StrutExchange(const Bushes& struts, const std::string& reset) : TopicExchange(Kind::struts, reset), struts_(struts) {}
+
+  void send(std::int64_t stamp, const Poses& poses) override {
+    std::vector<double> displacements;
+    sent_.emplace_back(stamp, Poses());
+    for (std::size_t i = 0; i < struts_.size(); ++i) {
+      // Through a quaternion and back, as a component in the same process gets it.
+      const auto pose = component::poseOf(poses[i].translation(), Eigen::Quaterniond(poses[i].linear()));
+      displacements.push_back(struts_[i].coordinates(pose)[component::kZ]);
+      sent_.back().second.push_back(pose);
+    }
+    client_.send(stamp + kFirstStamp, displacements);
+  }
+
+  Wrenches receive(std::int64_t stamp) override {
+    const ForceArray answer = client_.receive(stamp + kFirstStamp);
+    while (sent_.front().first < stamp) {
+      sent_.pop_front();
+    }
+    Wrenches wrenches;
+    for (std::size_t i = 0; i < struts_.size(); ++i) {
+      const component::SixDirectionsLaws& laws = struts_[i].laws();
+      const Eigen::Vector3d force = laws.on_a.linear() * Eigen::Vector3d(0.0, 0.0, answer.force[i]);
+      const Eigen::Vector3d arm = sent_.front().second[i].linear() * laws.on_b.translation();
+      wrenches.push_back({force, arm.cross(force)});
+    }
+    return wrenches;
+  }
+
+ private:
+  const Bushes& struts_;
+  std::deque<std::pair<std::int64_t, Poses>> sent_;
+};
 
 }  // namespace rubber_suspension::vehicle

@@ -4,49 +4,32 @@
 #include <string>
 #include <vector>
 
-#include "rubber_suspension/component/six_directions.h"
 #include "rubber_suspension/io/figure.h"
-#include "vehicle/parameters.h"
+#include "vehicle/bushes.h"
 
 namespace rubber_suspension::vehicle {
 
 struct History {
-  std::vector<double> time;           ///< [s]
-  std::vector<Coordinates> position;  ///< [m, rad, m]
-  std::vector<PerStrut> compression;  ///< [m]
-  std::vector<PerStrut> force;        ///< [N]
+  std::vector<double> time;                   ///< [s]
+  std::vector<std::vector<double>> position;  ///< coordinates of the vehicle [m, rad]
+  std::vector<Poses> pose;
+  std::vector<Wrenches> wrench;
 
   std::size_t size() const { return time.size(); }
 };
 
-/// The same with components of six directions.
-struct BushedHistory {
-  std::vector<double> time;                        ///< [s]
-  std::vector<PerBush<Eigen::Isometry3d>> pose;    ///< of B in A [m]
-  std::vector<PerBush<component::Wrench>> wrench;  ///< on B, in A's axes [N, N m]
-
-  std::size_t size() const { return time.size(); }
-};
-
-/// RMS of the difference of the compressions over the RMS of those of `reference`, per component [-]: how differently
-/// the vehicle has moved. (Forces that are held over a step are no measure: one at the start of a step stands for its
+/// RMS of the difference of the displacements over the RMS of those of `reference`, per component [-]: how differently
+/// the vehicle has moved. (Wrenches that are held over a step are no measure: one at the start of a step stands for its
 /// middle.) Throws std::invalid_argument where the two are not of the same length.
-PerStrut displacementDifference(const History& history, const History& reference);
+PerBush<double> displacementDifference(const Bushes& components, const History& history, const History& reference);
 
-/// The same of the bushes' translations.
-PerBush<double> displacementDifference(const PerBush<component::SixDirections>& components,
-                                       const BushedHistory& history, const BushedHistory& reference);
-
-/// Write time_s, frame_m, pitch_rad, body_m, <component>_displacement_m and <component>_force_N.
+/// Write time_s and, of struts, frame_m, pitch_rad, body_m, <component>_displacement_m and <component>_force_N; of
+/// others, behind the name of each component, the coordinates x_m to rz_rad and the wrench Fx_N to Mz_Nm.
 /// Throws std::runtime_error.
-void writeHistoryCsv(const std::string& path, const History& history);
+void writeHistoryCsv(const std::string& path, Kind kind, const Bushes& components, const History& history);
 
-/// Write time_s and, behind the name of each component, the coordinates x_m to rz_rad and the wrench Fx_N to Mz_Nm.
-/// Throws std::runtime_error.
-void writeHistoryCsv(const std::string& path, const PerBush<std::string>& names,
-                     const PerBush<component::SixDirections>& components, const BushedHistory& history);
-
-/// The displacements of a run and their difference to a reference, over time.
-io::Figure historyFigure(const History& history, const History& reference, const std::string& title);
+/// The vertical displacements of a run and their difference to a reference, over time.
+io::Figure historyFigure(Kind kind, const Bushes& components, const History& history, const History& reference,
+                         const std::string& title);
 
 }  // namespace rubber_suspension::vehicle

@@ -1,29 +1,17 @@
-// The data of the vehicle: its rubber components, coordinates, masses and lengths.
+// The data of the vehicles: masses and lengths.
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
 
 namespace rubber_suspension::vehicle {
 
-/// The rubber components of the vehicle, in the order of all arrays below.
-constexpr std::size_t kStruts = 3;
-using PerStrut = std::array<double, kStruts>;
-const std::array<std::string, kStruts>& strutNames();  ///< front_primary, rear_primary, secondary
-
-/// Which vehicle stands on components of six directions.
-enum class BushedKind {
-  body,        ///< a rigid body, such as a cab, on four bushes; all six freedoms
-  half_bogie,  ///< that of the struts, each of which is a component of six directions
+/// What is simulated, and on what components. Half a bogie is a frame on two primary springs with a body on a secondary
+/// one; the body is a rigid one, such as a cab, on four bushes, with all six freedoms.
+enum class Kind {
+  struts,  ///< half a bogie on components of one direction
+  bushes,  ///< half a bogie on components of six directions
+  body,    ///< a body on components of six directions
 };
-
-/// The components in the order of all lists below: those of the body are front_left, front_right, rear_left,
-/// rear_right; those of the half bogie are the struts.
-const std::vector<std::string>& bushNames(BushedKind kind);
-template <class Value>
-using PerBush = std::vector<Value>;
 
 /// A body on four bushes; round numbers of a truck's cab.
 struct HungBody {
@@ -43,19 +31,5 @@ struct VehicleParameters {
   double speed = 160.0 / 3.6;         ///< [m/s]
   HungBody hung;
 };
-
-/// Where a vehicle gets the loads of its components from.
-template <class Motion, class Load>
-class LoadLaw {
- public:
-  virtual ~LoadLaw() = default;
-
-  /// The load of a component at a time [s] and motion. Called for trial steps that may be taken back.
-  virtual Load load(std::size_t component, double time, const Motion& motion) = 0;
-};
-
-/// Height of the frame [m], its pitch [rad] (positive lifts the front), height of the body [m].
-constexpr std::size_t kCoordinates = 3;
-using Coordinates = std::array<double, kCoordinates>;
 
 }  // namespace rubber_suspension::vehicle

@@ -1,11 +1,11 @@
-// Three ways to step the vehicle: variable steps with trials, an implicit method, and a loop with held forces.
+// Two ways to step a vehicle: variable steps with trials, and a loop with held wrenches, from the library or elsewhere.
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <deque>
+#include <utility>
 
-#include "rubber_suspension/component/component.h"
-#include "vehicle/force_exchange.h"
+#include "rubber_suspension/component/pose_stream.h"
 #include "vehicle/history.h"
 #include "vehicle/track.h"
 
@@ -13,11 +13,12 @@ namespace rubber_suspension::vehicle {
 
 /// The settings of every run.
 struct Scene {
+  Kind kind = Kind::struts;
   VehicleParameters parameters;
   Track track;
-  double duration = 0.0;        ///< [s]
-  std::int64_t step = 1000000;  ///< between records, and of the fixed steps [ns]
-  Coordinates kick = {};        ///< speeds at the start [m/s, rad/s, m/s]
+  double duration = 0.0;         ///< [s]
+  std::int64_t step = 1000000;   ///< between records, and of the fixed steps [ns]
+  std::array<double, 3> kick{};  ///< speeds of half a bogie at the start [m/s, rad/s, m/s]
 
   std::int64_t steps() const;
   double time(std::int64_t n) const { return 1e-9 * static_cast<double>(n * step); }  ///< [s]
@@ -26,7 +27,7 @@ struct Scene {
 /// How an explicit integrator chooses its steps.
 struct VariableStep {
   double accuracy = 1e-8;   ///< Simbody's measure of the error of a step
-  double longest = 0.5e-3;  ///< [s]; see TrialStepper for why there is such a bound
+  double longest = 0.5e-3;  ///< [s]; the pose is linear between accepted steps, which no error measure sees
 };
 
 /// The counts of an integrator.
@@ -35,28 +36,44 @@ struct StepCount {
   int taken_back = 0;  ///< steps tried and rejected
 };
 
-/// Runge-Kutta-Merson with variable steps: forces of trial steps, the components' memory advances with accepted ones.
-/// No delay: the reference for the others. Throws std::runtime_error where the integrator gives up.
-History runVariableStep(const Scene& scene, const std::vector<component::Component>& components,
-                        const VariableStep& options, StepCount* count = nullptr);
+/// Runge-Kutta-Merson with variable steps: wrenches of trial steps, the components' memory advances with accepted ones.
+/// No delay: the reference for the loop. Throws std::runtime_error where the integrator gives up, and where a rotation
+/// goes beyond the end of a component's measure.
+History runVariableStep(const Scene& scene, const Bushes& components, const VariableStep& options,
+                        StepCount* count = nullptr);
 
-/// Newmark's method (average acceleration) with Newton iterations on the residual of the multibody system, with the
-/// tangents of the components. Throws std::runtime_error where an iteration does not converge.
-History runImplicit(const Scene& scene, const std::vector<component::Component>& components, int* iterations = nullptr);
+/// Poses go out, wrenches come back, one of each component; several may be under way.
+class Exchange {
+ public:
+  virtual ~Exchange() = default;
 
-/// A loop with a partner that answers displacements with forces at fixed steps. The forces of step n - delay act,
-/// constant, from step n to step n + 1: they are late by (delay + 1/2) steps in the mean. With delay 0 each step waits
-/// for its answer; with 1 the partner computes while the vehicle does. The history holds the forces that act.
-/// `stop_at` ends the run early where a speed exceeds it [m/s, rad/s].
-History runExchange(const Scene& scene, ForceExchange& exchange, int delay, double stop_at = 1e9);
+  /// Send the poses at a stamp [ns].
+  virtual void send(std::int64_t stamp, const Poses& poses) = 0;
 
-/// The same with components of six directions, from rest. Throw std::runtime_error as above, and where a rotation goes
-/// beyond the end of a component's measure.
-BushedHistory runVariableStep(const Scene& scene, BushedKind kind, const PerBush<component::SixDirections>& components,
-                              const VariableStep& options);
-BushedHistory runExchange(const Scene& scene, BushedKind kind, WrenchExchange& exchange, int delay);
+  /// Wait for the wrenches that answer the poses sent at a stamp. Throws std::runtime_error where none come.
+  virtual Wrenches receive(std::int64_t stamp) = 0;
+};
 
-/// The mean delay of forces in such a loop [s].
+/// The library in the same process, by the streams that the node feeds: the same numbers to the last bit.
+class LibraryExchange final : public Exchange {
+ public:
+  /// The components must outlive this object.
+  explicit LibraryExchange(const Bushes& components) : streams_(components.begin(), components.end()) {}
+
+  void send(std::int64_t stamp, const Poses& poses) override;
+  Wrenches receive(std::int64_t stamp) override;
+
+ private:
+  std::vector<component::PoseStream> streams_;
+  std::deque<std::pair<std::int64_t, Wrenches>> answers_;
+};
+
+/// A loop with a partner that answers poses with wrenches at fixed steps. The wrenches of step n - delay act, constant,
+/// from step n to step n + 1: they are late by (delay + 1/2) steps in the mean. With delay 0 each step waits for its
+/// answer; with 1 the partner computes while the vehicle does. The history holds the wrenches that act.
+History runExchange(const Scene& scene, Exchange& exchange, int delay);
+
+/// The mean delay of wrenches in such a loop [s].
 inline double loopDelay(double step, int delay) { return (delay + 0.5) * step; }
 
 }  // namespace rubber_suspension::vehicle

@@ -4,8 +4,6 @@
 
 #include "apps/topic_exchange.h"
 #include "bench.h"
-#include "vehicle/components.h"
-#include "vehicle/simulation.h"
 
 namespace rubber_suspension::vehicle {
 namespace {
@@ -19,6 +17,7 @@ Scene someTrack() {
     log.displacement.push_back(std::min(1.0, 4.0 * t * t) * (2e-3 * std::sin(9.0 * t) + 1e-3 * std::sin(41.0 * t)));
   }
   Scene scene;
+  scene.kind = Kind::body;
   scene.track = Track(log);
   scene.duration = 1.0;
   scene.step = 500000;
@@ -28,11 +27,11 @@ Scene someTrack() {
 class VehicleBushes : public testing::TestWithParam<int> {};
 
 TEST_P(VehicleBushes, GiveTheWrenchesOfTheLibraryToTheLastBit) {
-  const auto components = loadBushes(BushedKind::body, ros::NodeHandle("~").param<std::string>("config_file", ""));
-  LibraryWrenchExchange library(components);
-  const BushedHistory expected = runExchange(someTrack(), BushedKind::body, library, GetParam());
-  TopicWrenchExchange topics(ros::NodeHandle(), bushNames(BushedKind::body), "/simulate/reset");
-  const BushedHistory loop = runExchange(someTrack(), BushedKind::body, topics, GetParam());
+  const Bushes components = loadBushes(Kind::body, ros::NodeHandle("~").param<std::string>("config_file", ""));
+  LibraryExchange library(components);
+  const History expected = runExchange(someTrack(), library, GetParam());
+  PoseExchange topics(Kind::body, "/simulate/reset");
+  const History loop = runExchange(someTrack(), topics, GetParam());
   ASSERT_EQ(loop.size(), expected.size());
   ASSERT_EQ(loop.size(), 2001U);
   double largest = 0.0;

@@ -5,16 +5,14 @@
 
 #include "apps/topic_exchange.h"
 #include "bench.h"
-#include "vehicle/components.h"
-#include "vehicle/simulation.h"
 
 namespace rubber_suspension::vehicle {
 namespace {
 
 constexpr std::int64_t kStep = 500000;  // [ns]
 
-std::vector<component::Component> loadedComponents(const std::vector<element::ElementDescription>& further = {}) {
-  return loadStruts(ros::NodeHandle("~").param<std::string>("config_file", ""), further);
+Bushes loadedComponents(const std::vector<element::ElementDescription>& further = {}) {
+  return loadBushes(Kind::struts, ros::NodeHandle("~").param<std::string>("config_file", ""), further);
 }
 
 class VehicleLoop : public testing::TestWithParam<int> {
@@ -39,7 +37,8 @@ class VehicleLoop : public testing::TestWithParam<int> {
   static const History& overTopics(int delay) {
     static std::map<int, History> runs;
     if (runs.count(delay) == 0) {
-      TopicExchange exchange(ros::NodeHandle(), {strutNames().begin(), strutNames().end()}, "/simulate/reset");
+      const Bushes struts = loadedComponents();
+      StrutExchange exchange(struts, "/simulate/reset");
       runs[delay] = runExchange(scene(), exchange, delay);
     }
     return runs[delay];
@@ -54,8 +53,12 @@ TEST_P(VehicleLoop, GivesTheForcesOfTheLibraryToTheLastBit) {
   ASSERT_EQ(loop.size(), expected.size());
   ASSERT_GT(loop.size(), 5000U);
   for (std::size_t n = 0; n < loop.size(); ++n) {
-    ASSERT_EQ(loop.force[n], expected.force[n]) << "step " << n;
-    ASSERT_EQ(loop.compression[n], expected.compression[n]) << "step " << n;
+    ASSERT_EQ(loop.position[n], expected.position[n]) << "step " << n;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+      ASSERT_EQ(loop.pose[n][i].matrix(), expected.pose[n][i].matrix()) << "step " << n;
+      ASSERT_EQ(loop.wrench[n][i].force, expected.wrench[n][i].force) << "step " << n;
+      ASSERT_EQ(loop.wrench[n][i].moment, expected.wrench[n][i].moment) << "step " << n;
+    }
   }
 }
 
@@ -64,14 +67,16 @@ TEST_P(VehicleLoop, GivesTheForcesOfTheLibraryToTheLastBit) {
 // the forces are held, and not only late, is of the next order in the step.
 TEST_P(VehicleLoop, DiffersFromARunWithoutDelayByWhatTheDelayExplains) {
   const double delay = loopDelay(1e-9 * kStep, GetParam());
-  const History undelayed = runVariableStep(scene(), loadedComponents(), {});
+  const Bushes components = loadedComponents();
+  const History undelayed = runVariableStep(scene(), components, {});
   const History delayed = runVariableStep(scene(), loadedComponents({{"time_delay", {{"delay", {delay}}}}}), {});
-  const PerStrut whole = displacementDifference(overTopics(GetParam()), undelayed);
-  const PerStrut rest = displacementDifference(overTopics(GetParam()), delayed);
-  for (std::size_t i = 0; i < kStruts; ++i) {
-    EXPECT_LT(rest[i], 0.02 * whole[i]) << strutNames()[i] << ": " << whole[i] << " of the displacement";
-    RecordProperty(strutNames()[i] + "_difference", std::to_string(whole[i]));
-    RecordProperty(strutNames()[i] + "_not_explained", std::to_string(rest[i]));
+  const PerBush<double> whole = displacementDifference(components, overTopics(GetParam()), undelayed);
+  const PerBush<double> rest = displacementDifference(components, overTopics(GetParam()), delayed);
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const std::string& name = bushNames(Kind::struts)[i];
+    EXPECT_LT(rest[i], 0.02 * whole[i]) << name << ": " << whole[i] << " of the displacement";
+    RecordProperty(name + "_difference", std::to_string(whole[i]));
+    RecordProperty(name + "_not_explained", std::to_string(rest[i]));
   }
 }
 

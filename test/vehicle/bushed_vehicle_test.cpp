@@ -1,7 +1,6 @@
-// Components of six directions in a multibody simulation: against Simbody's own bushing, against components of one
-// direction, and against closed forms.
-#include "vehicle/bushed_vehicle.h"
+// Components of six directions in a multibody simulation: against Simbody's own bushing, and against closed forms.
 
+#include <Simbody.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +8,6 @@
 
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/io/component_file.h"
-#include "vehicle/components.h"
 #include "vehicle/simulation.h"
 #include "vehicle/soft_track.h"
 
@@ -181,42 +179,18 @@ TEST(SixDirectionsInSimbody, RotationVectorComesToItInProportionToTheAngle) {
   EXPECT_NEAR(coarse / fine, 2.0, 0.1);
 }
 
-Scene someTrack() { return softTrack({{4e-3, 9.0, 0.0}, {2e-3, 31.0, 1.0}}, 1.0); }
-
-// With vertical laws alone the half bogie is that of the struts. The secondary one's axes turn with the frame, and the
-// arms of the primary ones with it: of second order in the pitch of 1 mrad.
-TEST(BushedVehicle, HalfBogieWithVerticalLawsAloneIsThatOfTheStruts) {
-  const Scene scene = someTrack();
-  const auto struts = loadStruts(kFolder + "half_bogie.yaml");
-  PerBush<SixDirections> bushes;
-  for (std::size_t i = 0; i < kStruts; ++i) {
-    component::SixDirectionsLaws laws;
-    laws.elements[component::kZ] = struts[i].elements();
-    laws.on_a.translation().x() = laws.on_b.translation().x() = i == 0 ? 1.28 : i == 1 ? -1.28 : 0.0;
-    bushes.emplace_back(laws);
-  }
-  const History expected = runVariableStep(scene, struts, {});
-  const BushedHistory history = runVariableStep(scene, BushedKind::half_bogie, bushes, {});
-  ASSERT_EQ(history.size(), expected.size());
-  for (std::size_t i = 0; i < kStruts; ++i) {
-    double error = 0.0;
-    double size = 0.0;
-    for (std::size_t n = 0; n < history.size(); ++n) {
-      const double z = bushes[i].coordinates(history.pose[n][i])[component::kZ];
-      error = std::max(error, std::abs(z + expected.compression[n][i]));  // a strut is compressed, a bush extended
-      size = std::max(size, std::abs(z));
-    }
-    EXPECT_GT(size, 1e-3) << strutNames()[i];
-    EXPECT_LT(error, 1e-4 * size) << strutNames()[i];
-  }
+Scene someTrack(Kind kind) {
+  Scene scene = softTrack({{4e-3, 9.0, 0.0}, {2e-3, 31.0, 1.0}}, 1.0);
+  scene.kind = kind;
+  return scene;
 }
 
 // All four bushes at once on the same track: the body goes up and down as a mass on four springs, and does nothing
 // else.
-TEST(BushedVehicle, BodyOnSpringsIsAnOscillator) {
-  Scene scene = someTrack();
+TEST(Vehicle, BodyOnSpringsIsAnOscillator) {
+  Scene scene = someTrack(Kind::body);
   scene.parameters.speed = 1e9;  // no delay to the rear
-  PerBush<SixDirections> bushes;
+  Bushes bushes;
   for (const double x : {1.1, -1.1}) {
     for (const double y : {0.6, -0.6}) {
       component::SixDirectionsLaws laws;
@@ -227,7 +201,7 @@ TEST(BushedVehicle, BodyOnSpringsIsAnOscillator) {
       bushes.emplace_back(laws);
     }
   }
-  const BushedHistory history = runVariableStep(scene, BushedKind::body, bushes, {});
+  const History history = runVariableStep(scene, bushes, {});
   const double omega2 = 4.0 * 2e5 / scene.parameters.hung.mass;
   double height = 0.0;
   double speed = 0.0;
@@ -248,16 +222,15 @@ TEST(BushedVehicle, BodyOnSpringsIsAnOscillator) {
 }
 
 // Held wrenches are late by half a step: the difference to variable steps halves with the step.
-TEST(BushedVehicle, LoopsWithHeldWrenchesComeToVariableStepsWithTheStep) {
+TEST(Vehicle, LoopsWithHeldWrenchesComeToVariableStepsWithTheStep) {
   for (const auto& [kind, file] :
-       {std::pair(BushedKind::body, "hung_body.yaml"), std::pair(BushedKind::half_bogie, "half_bogie_six.yaml")}) {
+       {std::pair(Kind::body, "hung_body.yaml"), std::pair(Kind::bushes, "half_bogie_six.yaml")}) {
     const auto bushes = loadBushes(kind, kFolder + file);
     const auto difference = [&, which = kind](std::int64_t step) {
-      Scene scene = someTrack();
+      Scene scene = someTrack(which);
       scene.step = step;
-      LibraryWrenchExchange exchange(bushes);
-      const BushedHistory loop = runExchange(scene, which, exchange, 0);
-      return displacementDifference(bushes, loop, runVariableStep(scene, which, bushes, {}));
+      LibraryExchange exchange(bushes);
+      return displacementDifference(bushes, runExchange(scene, exchange, 0), runVariableStep(scene, bushes, {}));
     };
     const PerBush<double> coarse = difference(500000);
     const PerBush<double> fine = difference(250000);
@@ -270,9 +243,9 @@ TEST(BushedVehicle, LoopsWithHeldWrenchesComeToVariableStepsWithTheStep) {
 
 // A body on a track that comes later to the rear pitches and moves along; its bushes are loaded in all these
 // directions.
-TEST(BushedVehicle, ATrackLoadsSeveralDirections) {
-  const auto bushes = loadBushes(BushedKind::body, kFolder + "hung_body.yaml");
-  const BushedHistory history = runVariableStep(someTrack(), BushedKind::body, bushes, {});
+TEST(Vehicle, ATrackLoadsSeveralDirections) {
+  const auto bushes = loadBushes(Kind::body, kFolder + "hung_body.yaml");
+  const History history = runVariableStep(someTrack(Kind::body), bushes, {});
   SixNumbers largest = SixNumbers::Zero();
   for (const auto& poses : history.pose) {
     largest = largest.cwiseMax(bushes[0].coordinates(poses[0]).cwiseAbs());
@@ -283,8 +256,8 @@ TEST(BushedVehicle, ATrackLoadsSeveralDirections) {
   EXPECT_LT(largest[component::kRx], 1e-9);  // both sides have the same track
 }
 
-TEST(BushedVehicle, ComponentsOfOneDirectionAreRefused) {
-  EXPECT_THROW(loadBushes(BushedKind::half_bogie, kFolder + "half_bogie.yaml"), io::ComponentFileError);
+TEST(Vehicle, ComponentsOfOneDirectionAreRefused) {
+  EXPECT_THROW(loadBushes(Kind::bushes, kFolder + "half_bogie.yaml"), io::ComponentFileError);
 }
 
 }  // namespace

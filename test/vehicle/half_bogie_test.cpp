@@ -1,72 +1,62 @@
-// The vehicle's geometry and motion against closed forms: heights, directions, free flight, a pitch oscillation.
-#include "vehicle/half_bogie.h"
-
+// The half bogie's geometry and motion against closed forms: heights, free flight, a pitch oscillation.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "vehicle/simulation.h"
+#include "vehicle/vehicle.h"
 
 namespace rubber_suspension::vehicle {
 namespace {
 
-class NoForce final : public StrutLaw {
+class NoForce final : public WrenchLaw {
  public:
-  double load(std::size_t, double, const double&) override { return 0.0; }
+  component::Wrench wrench(std::size_t, double, const Eigen::Isometry3d&) override { return {}; }
 };
 
-// The same forces whatever the displacements.
-class ConstantForces final : public ForceExchange {
+// Forces on both primaries that do not depend on the displacements; up in every other step only, if they alternate.
+class GivenForces final : public Exchange {
  public:
-  explicit ConstantForces(const PerStrut& force) : force_(force) {}
-  void send(std::int64_t, const PerStrut&) override {}
-  PerStrut receive(std::int64_t) override { return force_; }
+  GivenForces(double force, bool alternates) : force_(force), alternates_(alternates) {}
+
+  void send(std::int64_t stamp, const Poses& /*poses*/) override { odd_ = (stamp / 1000000) % 2 != 0; }
+
+  Wrenches receive(std::int64_t /*stamp*/) override {
+    component::Wrench up;  // what the bush exerts; the wrench holds the pose against it
+    up.force.z() = alternates_ && odd_ ? force_ : -force_;
+    return {up, up, {}};
+  }
 
  private:
-  PerStrut force_;
+  double force_;
+  bool alternates_;
+  bool odd_ = false;
 };
 
-std::vector<component::Component> springs(double primary, double secondary) {
-  const component::Component front({{"spring", {{"stiffness", {primary}}}}});
-  return {front, front, component::Component({{"spring", {{"stiffness", {secondary}}}}})};
+Bushes springs(double primary, double secondary) {
+  const double front = VehicleParameters().semi_wheelbase;
+  const auto spring = [](double stiffness, double station) {
+    return makeStrut({{"spring", {{"stiffness", {stiffness}}}}}, station);
+  };
+  return {spring(primary, front), spring(primary, -front), spring(secondary, 0.0)};
 }
 
 TEST(HalfBogie, CompressionsFollowFromHeightsAndPitch) {
   const Track track;
   NoForce law;
   const VehicleParameters parameters;
-  const HalfBogie bogie(parameters, track, law);
+  const Vehicle bogie(Kind::struts, parameters, track, law);
   SimTK::State state = bogie.restState();
   const double frame = 2e-3;
   const double pitch = 3e-3;
   const double body = 5e-3;
   state.updQ() = SimTK::Vector(SimTK::Vec3(frame, pitch, body));
-  const PerStrut compression = bogie.compressions(state);
-  EXPECT_NEAR(compression[0], -frame - parameters.semi_wheelbase * std::sin(pitch), 1e-15);
-  EXPECT_NEAR(compression[1], -frame + parameters.semi_wheelbase * std::sin(pitch), 1e-15);
-  EXPECT_NEAR(compression[2], frame - body, 1e-15);
-}
-
-// Virtual work: a force in a component does the work -F dz in a motion, so its generalised force is -dz/dq.
-TEST(HalfBogie, DirectionsAreThoseOfVirtualWork) {
-  const Track track;
-  NoForce law;
-  const HalfBogie bogie(VehicleParameters(), track, law);
-  SimTK::State state = bogie.restState();
-  state.updQ() = SimTK::Vector(SimTK::Vec3(1e-3, 0.2, -1e-3));
-  bogie.compressions(state);
-  constexpr double kDistance = 1e-6;
-  for (std::size_t i = 0; i < kStruts; ++i) {
-    const SimTK::Vector direction = bogie.direction(state, i);
-    for (int j = 0; j < direction.size(); ++j) {
-      SimTK::State above = state;
-      SimTK::State below = state;
-      above.updQ()[j] += kDistance;
-      below.updQ()[j] -= kDistance;
-      const double slope = (bogie.compressions(above)[i] - bogie.compressions(below)[i]) / (2.0 * kDistance);
-      EXPECT_NEAR(direction[j], -slope, 1e-9) << strutNames()[i] << ", coordinate " << j;
-    }
-  }
+  const Poses poses = bogie.poses(state);
+  const Bushes struts = springs(1.0, 1.0);
+  const auto compression = [&](std::size_t i) { return struts[i].coordinates(poses[i])[component::kZ]; };
+  EXPECT_NEAR(compression(0), -frame - parameters.semi_wheelbase * std::sin(pitch), 1e-15);
+  EXPECT_NEAR(compression(1), -frame + parameters.semi_wheelbase * std::sin(pitch), 1e-15);
+  EXPECT_NEAR(compression(2), (frame - body) * std::cos(pitch), 1e-15);  // along the axis of the frame
 }
 
 // With constant forces on both primaries the frame falls upwards: z = F t^2/m.
@@ -74,7 +64,7 @@ TEST(HalfBogie, FliesFreelyUnderHeldForces) {
   Scene scene;
   scene.parameters.secondary_damping = 0.0;
   scene.duration = 0.1;
-  ConstantForces exchange({100.0, 100.0, 0.0});
+  GivenForces exchange(100.0, false);
   const History history = runExchange(scene, exchange, 0);
   const double time = history.time.back();
   EXPECT_NEAR(time, 0.1, 1e-12);
@@ -84,18 +74,10 @@ TEST(HalfBogie, FliesFreelyUnderHeldForces) {
 
 // Held forces that alternate: a force that lingered over the end of its step would leave a trace of the first order.
 TEST(HalfBogie, TakesEachHeldForceFromTheStartOfItsStep) {
-  class Alternating final : public ForceExchange {
-   public:
-    void send(std::int64_t stamp, const PerStrut&) override { even_ = (stamp / 1000000) % 2 == 0; }
-    PerStrut receive(std::int64_t) override { return even_ ? PerStrut{1e3, 1e3, 0.0} : PerStrut{-1e3, -1e3, 0.0}; }
-
-   private:
-    bool even_ = true;
-  };
   Scene scene;
   scene.parameters.secondary_damping = 0.0;
   scene.duration = 0.1;
-  Alternating exchange;
+  GivenForces exchange(1e3, true);
   const History history = runExchange(scene, exchange, 0);
   // Two steps end at rest, h^2 a further.
   const double expected = 50.0 * 1e-6 * 2e3 / scene.parameters.frame_mass;

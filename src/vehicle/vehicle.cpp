@@ -1,5 +1,5 @@
-// Vehicles on components of six directions as Simbody models.
-#include "vehicle/bushed_vehicle.h"
+// Vehicles on rubber components as Simbody models.
+#include "vehicle/vehicle.h"
 
 namespace rubber_suspension::vehicle {
 namespace {
@@ -7,9 +7,9 @@ namespace {
 using SimTK::MobilizedBody;
 using SimTK::Vec3;
 
-// Frames of a slider along z and of a pin about y: those of Simbody move along their x and about their z.
+// Frames of a slider along z and of a pin about -y: those of Simbody move along their x and about their z.
 SimTK::Transform alongZ() { return {SimTK::Rotation(-SimTK::Pi / 2, SimTK::YAxis)}; }
-SimTK::Transform aboutY() { return {SimTK::Rotation(-SimTK::Pi / 2, SimTK::XAxis)}; }
+SimTK::Transform aboutMinusY() { return {SimTK::Rotation(SimTK::Pi / 2, SimTK::XAxis)}; }
 
 SimTK::Body solid(double mass, const Vec3& inertia) {
   return SimTK::Body::Rigid({mass, Vec3(0.0), SimTK::Inertia(inertia)});
@@ -20,15 +20,15 @@ Vec3 toSimbody(const Eigen::Vector3d& vector) { return {vector[0], vector[1], ve
 }  // namespace
 
 // The bridge to Simbody, which asks for forces at every stage of every step that it tries.
-class BushedVehicle::BushForces final : public SimTK::Force::Custom::Implementation {
+class Vehicle::BushForces final : public SimTK::Force::Custom::Implementation {
  public:
-  BushForces(const BushedVehicle& vehicle, WrenchLaw& law) : vehicle_(vehicle), law_(law) {}
+  BushForces(const Vehicle& vehicle, WrenchLaw& law) : vehicle_(vehicle), law_(law) {}
 
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
                  SimTK::Vector_<Vec3>& /*particle_forces*/, SimTK::Vector& /*mobility_forces*/) const override {
     for (std::size_t i = 0; i < vehicle_.mounts_.size(); ++i) {
-      const Eigen::Isometry3d pose = vehicle_.motion(state, vehicle_.mounts_[i]);
-      const component::Wrench wrench = law_.load(i, state.getTime(), pose);
+      const Eigen::Isometry3d pose = vehicle_.pose(state, vehicle_.mounts_[i]);
+      const component::Wrench wrench = law_.wrench(i, state.getTime(), pose);
       vehicle_.apply(state, vehicle_.mounts_[i], component::SixDirections::reactions(pose, wrench), body_forces);
     }
   }
@@ -37,18 +37,18 @@ class BushedVehicle::BushForces final : public SimTK::Force::Custom::Implementat
   double calcPotentialEnergy(const SimTK::State& /*state*/) const override { return 0.0; }
 
  private:
-  const BushedVehicle& vehicle_;
+  const Vehicle& vehicle_;
   WrenchLaw& law_;
 };
 
-BushedVehicle::BushedVehicle(BushedKind kind, const VehicleParameters& parameters, const Track& track, WrenchLaw& law)
+Vehicle::Vehicle(Kind kind, const VehicleParameters& parameters, const Track& track, WrenchLaw& law)
     : track_(track), matter_(system_), forces_(system_) {
-  kind == BushedKind::body ? makeBody(parameters) : makeHalfBogie(parameters);
+  kind == Kind::body ? makeBody(parameters) : makeHalfBogie(parameters);
   const SimTK::Force::Custom bushes(forces_, new BushForces(*this, law));  // the subsystem owns it
   system_.realizeTopology();
 }
 
-void BushedVehicle::makeBody(const VehicleParameters& parameters) {
+void Vehicle::makeBody(const VehicleParameters& parameters) {
   const HungBody& hung = parameters.hung;
   const MobilizedBody::Free body(matter_.Ground(), SimTK::Transform(),
                                  solid(hung.mass, Vec3(hung.inertia[0], hung.inertia[1], hung.inertia[2])),
@@ -59,11 +59,11 @@ void BushedVehicle::makeBody(const VehicleParameters& parameters) {
   }
 }
 
-void BushedVehicle::makeHalfBogie(const VehicleParameters& parameters) {
+void Vehicle::makeHalfBogie(const VehicleParameters& parameters) {
   // Height and pitch of the frame are two joints with a massless body in between.
   MobilizedBody::Slider carrier(matter_.Ground(), alongZ(), SimTK::Body::Massless(), alongZ());
-  const MobilizedBody::Pin frame(carrier, aboutY(), solid(parameters.frame_mass, Vec3(parameters.frame_inertia)),
-                                 aboutY());
+  const MobilizedBody::Pin frame(carrier, aboutMinusY(), solid(parameters.frame_mass, Vec3(parameters.frame_inertia)),
+                                 aboutMinusY());
   const MobilizedBody::Slider body(matter_.Ground(), alongZ(), solid(parameters.body_mass, Vec3(parameters.body_mass)),
                                    alongZ());
   const Vec3 above(0.0, 0.0, 1.0);  // [m], for the damper to have a direction
@@ -74,7 +74,7 @@ void BushedVehicle::makeHalfBogie(const VehicleParameters& parameters) {
              {frame_index, body.getMobilizedBodyIndex(), 0.0}};
 }
 
-Eigen::Isometry3d BushedVehicle::motion(const SimTK::State& state, const Mount& mount) const {
+Eigen::Isometry3d Vehicle::pose(const SimTK::State& state, const Mount& mount) const {
   SimTK::Transform a = matter_.getMobilizedBody(mount.a).getBodyTransform(state);
   if (mount.a == SimTK::GroundIndex) {
     a.updP()[2] += track_.height(state.getTime() - mount.delay);
@@ -90,18 +90,18 @@ Eigen::Isometry3d BushedVehicle::motion(const SimTK::State& state, const Mount& 
   return result;
 }
 
-PerBush<Eigen::Isometry3d> BushedVehicle::motions(const SimTK::State& state) const {
+Poses Vehicle::poses(const SimTK::State& state) const {
   system_.realize(state, SimTK::Stage::Position);
-  PerBush<Eigen::Isometry3d> poses;
+  Poses poses;
   for (const Mount& mount : mounts_) {
-    poses.push_back(motion(state, mount));
+    poses.push_back(pose(state, mount));
   }
   return poses;
 }
 
 // A force on the ground moves nothing.
-void BushedVehicle::apply(const SimTK::State& state, const Mount& mount, const component::Reactions& reactions,
-                          SimTK::Vector_<SimTK::SpatialVec>& body_forces) const {
+void Vehicle::apply(const SimTK::State& state, const Mount& mount, const component::Reactions& reactions,
+                    SimTK::Vector_<SimTK::SpatialVec>& body_forces) const {
   const auto& a = matter_.getMobilizedBody(mount.a);
   const SimTK::Rotation& axes = a.getBodyRotation(state);
   const auto add = [&](const SimTK::MobilizedBody& body, const component::Wrench& wrench) {

@@ -1,4 +1,4 @@
-// Vehicles on components of six directions as Simbody models: a body on four bushes, and half a bogie.
+// Vehicles on rubber components as Simbody models: half a bogie, and a body on four bushes.
 // Simbody's headers take long to compile: include this file only where the model itself is stepped.
 #pragma once
 
@@ -6,32 +6,37 @@
 
 #include <vector>
 
-#include "rubber_suspension/component/six_directions.h"
-#include "vehicle/parameters.h"
+#include "vehicle/bushes.h"
 #include "vehicle/track.h"
 
 namespace rubber_suspension::vehicle {
 
-/// The wrench of a component as it is to be applied to its body B, at a pose of B in A.
-using WrenchLaw = LoadLaw<Eigen::Isometry3d, component::Wrench>;
+/// Where a vehicle gets the wrenches of its components from.
+class WrenchLaw {
+ public:
+  virtual ~WrenchLaw() = default;
+
+  /// The wrench of a component at a time [s] and pose. Called for trial steps that may be taken back.
+  virtual component::Wrench wrench(std::size_t bush, double time, const Eigen::Isometry3d& pose) = 0;
+};
 
 /// Motion about the equilibrium, so without gravity and preload. Axes as in REP 103: x forward, z up. The bodies'
 /// frames lie at their centres of gravity, A of a component on the track in that frame as well: where the bush sits is
-/// up to its own frames.
-class BushedVehicle {
+/// up to its own frames. The coordinates of half a bogie are the height of the frame [m], its pitch [rad] (positive
+/// lifts the front) and the height of the body [m].
+class Vehicle {
  public:
   /// Track and law must outlive the vehicle.
-  BushedVehicle(BushedKind kind, const VehicleParameters& parameters, const Track& track, WrenchLaw& law);
-  BushedVehicle(const BushedVehicle&) = delete;
-  BushedVehicle& operator=(const BushedVehicle&) = delete;
+  Vehicle(Kind kind, const VehicleParameters& parameters, const Track& track, WrenchLaw& law);
+  Vehicle(const Vehicle&) = delete;
+  Vehicle& operator=(const Vehicle&) = delete;
 
   const SimTK::MultibodySystem& system() const { return system_; }
 
   /// At rest at time 0.
   SimTK::State restState() const { return system_.getDefaultState(); }
 
-  /// Pose of B in A of each component.
-  PerBush<Eigen::Isometry3d> motions(const SimTK::State& state) const;
+  Poses poses(const SimTK::State& state) const;
 
  private:
   class BushForces;
@@ -44,7 +49,7 @@ class BushedVehicle {
 
   void makeBody(const VehicleParameters& parameters);
   void makeHalfBogie(const VehicleParameters& parameters);
-  Eigen::Isometry3d motion(const SimTK::State& state, const Mount& mount) const;
+  Eigen::Isometry3d pose(const SimTK::State& state, const Mount& mount) const;
   void apply(const SimTK::State& state, const Mount& mount, const component::Reactions& reactions,
              SimTK::Vector_<SimTK::SpatialVec>& body_forces) const;
 
