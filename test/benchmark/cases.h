@@ -19,10 +19,4 @@ std::vector<Case> forceCases(const BenchmarkSize& size);
 std::vector<Case> sixDirectionCases(const BenchmarkSize& size);
 std::vector<Case> bundleCases(const BenchmarkSize& size);
 
-/// Time `simulate` (the force of a log, median of some runs) or `fit` (of the only component of the file to the log,
-/// from one start), in seconds of the thread, for scripts that time others by turns with it. Returns JSON: seconds, and
-/// of a fit its cost, the sum of squared residuals [N^2]. Throws ComponentFileError, LogError and
-/// std::invalid_argument.
-std::string singleWork(const std::string& work, const std::string& component_file, const std::string& log);
-
 }  // namespace rubber_suspension::benchmark

@@ -5,7 +5,6 @@
 #include "benchmark/cases.h"
 #include "command_line/command.h"
 #include "command_line/plot_option.h"
-#include "element/refuse.h"
 
 namespace {
 
@@ -17,32 +16,20 @@ struct Options {
   std::size_t samples = 0;
   int pairs = 0;
   std::string plot;
-  std::string work;
-  std::string config;
-  std::string log;
 
   OptionTable table();
 };
 
 OptionTable Options::table() {
-  OptionTable options = {
-      Option("--quick", quick, "shorter logs and fewer pairs: under a minute"),
-      Option("--samples", samples, "COUNT",
-             "samples of the logs that are simulated; if absent 100000, with --quick 20000")
-          .within(10, 10000000),
-      Option("--pairs", pairs, "COUNT",
-             "pairs of runs of plain loop and library, per row; if absent 101, with --quick 15")
-          .rare()
-          .within(1, 100000),
-      plotOption(plot, "the ratios"),
-      Option("--work", work, "WORK",
-             "only time the library on this, once, and print JSON, for the script peers: simulate, the force of a log; "
-             "fit, from the component as given")
-          .oneOf({"simulate", "fit"}),
-      Option("--config", config, "FILE", "with --work: component file of one component").reads(),
-      Option("--log", log, "FILE", "with --work: CSV log").reads()};
-  options.needs({"--config", "--log"}, {"--work"});
-  return options.excludes({"--quick", "--samples", "--pairs", "--plot"}, {"--work"});
+  return {Option("--quick", quick, "shorter logs and fewer pairs: under a minute"),
+          Option("--samples", samples, "COUNT",
+                 "samples of the logs that are simulated; if absent 100000, with --quick 20000")
+              .within(10, 10000000),
+          Option("--pairs", pairs, "COUNT",
+                 "pairs of runs of plain loop and library, per row; if absent 101, with --quick 15")
+              .rare()
+              .within(1, 100000),
+          plotOption(plot, "the ratios")};
 }
 
 std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
@@ -55,17 +42,7 @@ std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
   return all;
 }
 
-int runSingle(const Options& options) {
-  element::refuseIf<UsageError>(options.config.empty() || options.log.empty(), "--work {} needs --config and --log",
-                                options.work);
-  std::cout << benchmark::singleWork(options.work, options.config, options.log) << '\n';
-  return kSuccess;
-}
-
 int run(const Options& options) {
-  if (!options.work.empty()) {
-    return runSingle(options);
-  }
   benchmark::BenchmarkSize size;
   size.samples = options.samples > 0 ? options.samples : options.quick ? 20000 : 100000;
   const int pairs = options.pairs > 0 ? options.pairs : options.quick ? 15 : 101;
@@ -100,6 +77,6 @@ int main(int argc, char** argv) {
        "beside them. Times are CPU times of the thread, so that other programs matter little.",
        {{"In a minute", "--quick"},
         {"All of it, with a picture", "--plot ratios.svg"},
-        {"One work alone", "--work simulate --config component.yaml --log log.csv"}}},
+        {"With short logs", "--samples 500 --pairs 15"}}},
       run);
 }

@@ -71,11 +71,9 @@ IMPLIED = {"rosconsole", "rostime", "xmlrpcpp", "Threads", "CTest", "bits", "sys
            "Python3"}
 # Found where they are, done without where not: no rosdep key names them.
 OPTIONAL = {"rapidcheck", "rapidcheck.h"}
-# The same: a compiled Python that test/benchmark/peers compares with.
-OPTIONAL |= {"numba"}
 # For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.
 TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev",
-         "python3-numba", "dpkg-dev", "file", "munge", "slurm-client", "slurmctld", "slurmd", "g++-mingw-w64-x86-64", "wine64", "rviz", "chromium"}
+         "dpkg-dev", "file", "munge", "slurm-client", "slurmctld", "slurmd", "g++-mingw-w64-x86-64", "wine64", "rviz", "chromium"}
 TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz")
 INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "python3-rostopic", "python3-roslaunch"}
 STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {
@@ -98,7 +96,7 @@ LAUNCHED = re.compile(r'\bpkg="(\w+)"')
 
 
 def cmake_names(root):
-    for folder in (".", "src/benchmark", "test", "test/fuzz"):
+    for folder in (".", "test", "test/fuzz"):
         path = root / folder / "CMakeLists.txt"
         text = path.read_text() if path.exists() else ""
         for name, rest in FIND_PACKAGE.findall(text):

@@ -24,8 +24,6 @@ WRITTEN = {"augmented.yaml", "augmented_full.yaml", "components.yaml", "surrogat
 # These of them have a plain meaning in comments, too.
 PLAIN_IN_COMMENTS = {"own parameter"}
 OTHER_PROGRAMS = re.compile(r"\b(squeue|sbatch|SBATCH)\b")
-# Options that a program gives to itself or to another.
-NO_MESSAGES = {"benchmark_latency": {"--echo", "--core"}, "benchmark_node": {"--echo"}}
 FENCE = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```$", re.M | re.S)
 
 
@@ -125,7 +123,7 @@ def message_violations(path, text, known):
     every = set().union(*known.values())
     reading = set.intersection(*(options for options in known.values() if "--columns" in options))
     accepted = {"log": reading, "bag": reading, "diagnosis": known["diagnose"], "campaign": known["campaign"],
-                "apps": known.get(name, every)}.get(folder, every) | NO_MESSAGES.get(name, set())
+                "apps": known.get(name, every)}.get(folder, every)
     code = re.sub(r"^\s*//.*", "", text, flags=re.M)
     for literal in re.findall(r'"((?:[^"\\\n]|\\.)*)"', code):
         if not OTHER_PROGRAMS.search(literal):

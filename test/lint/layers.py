@@ -41,8 +41,7 @@ BELOW = {
     "ros_interface": {
         "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis", "node",
         "bag", "roscpp_fixes"},
-    "benchmark": {
-        "element", "component", "estimation", "numerics", "log", "io", "gap", "diagnosis", "ros_interface"},
+    "benchmark": {"element", "component", "estimation", "numerics", "log", "io", "gap", "diagnosis"},
 }
 # What each folder of diagnosis/ may include of the others; what lies beside the folders may include all of them.
 WITHIN_DIAGNOSIS = {
@@ -56,7 +55,7 @@ WITHIN_DIAGNOSIS = {
     "table": {"words", "prepare", "judge", "hypotheses", "experiment", "results"},
     "report": {"words", "prepare", "judge", "hypotheses", "results"},
 }
-KNOW_ROS = {"bag", "roscpp_fixes", "ros_interface", "benchmark", "apps"}
+KNOW_ROS = {"bag", "roscpp_fixes", "ros_interface", "apps"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(
     r"^(ros|rosbag|roscpp|rosgraph_msgs|nodelet|pluginlib|class_loader|diagnostic_updater|xmlrpcpp|tf2?|actionlib"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "benchmark/temporary_file.h"
+#include "benchmark/latency/temporary_file.h"
 #include "numerics/quantile.h"
 #include "ros_interface/child_process.h"
 #include "ros_interface/serving_thread.h"

@@ -58,16 +58,4 @@ void printMarkdown(const SoakResult& result, std::ostream& out) {
                      mebibytes(*std::max_element(result.memory.begin(), result.memory.end())));
 }
 
-io::Figure soakFigure(const SoakResult& result) {
-  io::Axes axes{"", "samples served [millions]", "resident memory of the node [MiB]"};
-  io::Curve curve{"", {}, {}, "-", 0};
-  const double per_piece = 1e-6 * static_cast<double>(result.sent) / static_cast<double>(result.memory.size());
-  for (std::size_t i = 0; i < result.memory.size(); ++i) {
-    curve.x.push_back(per_piece * static_cast<double>(i + 1));
-    curve.y.push_back(mebibytes(result.memory[i]));
-  }
-  axes.curves.push_back(std::move(curve));
-  return {fmt::format("Memory over samples, {} components", result.components), {axes}, 1};
-}
-
 }  // namespace rubber_suspension::benchmark

@@ -1,4 +1,4 @@
-// The command `benchmark_latency`: what the node adds to the latency of an empty echo node.
+// The program `benchmark_latency`: what the node adds to the latency of an empty echo node.
 #include <fmt/format.h>
 #include <ros/init.h>
 #include <ros/master.h>
@@ -11,7 +11,6 @@
 #include "benchmark/latency/benchmark_node.h"
 #include "benchmark/latency/latency_benchmark.h"
 #include "command_line/command.h"
-#include "command_line/plot_option.h"
 #include "element/refuse.h"
 #include "ros_interface/child_process.h"
 #include "ros_interface/command_line.h"
@@ -25,7 +24,6 @@ struct Options {
   benchmark::BenchmarkOptions benchmark;
   int echo = 0;
   std::uint64_t soak = 0;
-  std::string plot;
 
   OptionTable table();
 };
@@ -62,14 +60,12 @@ int measureLatency(const Options& options) {
   const auto rows =
       benchmark::benchmarkLatency(options.benchmark, [](const std::string& what) { tell("measuring " + what); });
   benchmark::printMarkdown(rows, std::cout);
-  drawPlot(options.plot, [&] { return benchmark::latencyFigure(rows); });
   return kSuccess;
 }
 
 int measureSoak(const Options& options) {
   const benchmark::SoakResult result = benchmark::soak(options.soak, options.benchmark.components.front(), tell);
   benchmark::printMarkdown(result, std::cout);
-  drawPlot(options.plot, [&] { return benchmark::soakFigure(result); });
   element::refuseIf<std::runtime_error>(!result.exact(), "not every sample had exactly one force");
   return kSuccess;
 }
@@ -99,7 +95,6 @@ OptionTable Options::table() {
              "number of samples to send as fast as the node answers, to the first number of --components; reports the "
              "memory of the node instead of the latency")
           .within(1000, 1e11),
-      plotOption(plot, "latencies, or of memory over the samples of --soak,"),
       // For the command itself, which starts its echo node so.
       Option("--echo", echo, "COUNT", "be the echo node of this number of components").within(1, 500).hidden()};
   return options.excludes({"--sampling-rate", "--total-sampling-rate", "--duration", "--pairs", "--diagnose"},
@@ -121,7 +116,7 @@ int main(int argc, char** argv) {
        "with a master of their own, and prints a Markdown table. Ratios are medians over the pairs of runs, with "
        "quartiles in brackets; those of the echo node to itself show how much the machine alone changes such a ratio.",
        {{"One component", "--components 1 --pairs 11"},
-        {"With and without the live diagnosis", "--components 10 --diagnose --plot latency.svg"},
+        {"With and without the live diagnosis", "--components 10 --diagnose"},
         {"The node's memory over a million samples", "--soak 1000000"}}},
       [&](Options& options) { return run(line, options); });
 }

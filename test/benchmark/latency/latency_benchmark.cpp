@@ -79,38 +79,6 @@ LatencyRow measureRow(int components, bool bundled, const BenchmarkOptions& opti
   return row;
 }
 
-// Values of each row for an axis of the figure.
-struct Series {
-  std::string label;
-  std::function<io::Spread(const LatencyRow&)> value;
-};
-
-io::Axes axesOf(const std::vector<LatencyRow>& rows, const std::string& x_label, const std::vector<Series>& all) {
-  io::Axes axes{"", x_label, ""};
-  for (const LatencyRow& row : rows) {
-    axes.rows.push_back(fmt::format("{} component{}\n{:.0f} Hz{}", row.components, row.components == 1 ? "" : "s",
-                                    row.rate, row.bundled ? ", one message" : ""));
-  }
-  constexpr double kOffsets[] = {-0.14, 0.14};  // of two values of one row, from its middle
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    std::vector<io::Spread> values(rows.size());
-    std::transform(rows.begin(), rows.end(), values.begin(), all[i].value);
-    io::addSpreads(axes, all[i].label, values, kOffsets[i], static_cast<int>(i));
-  }
-  return axes;
-}
-
-io::Axes ratioAxes(const std::vector<LatencyRow>& rows, const std::string& of, LatencyQuantile LatencyRow::*quantile) {
-  io::Axes axes = axesOf(rows, "ratio of the " + of + " [-]",
-                         {{"node / echo", [=](const LatencyRow& row) { return (row.*quantile).node; }},
-                          {"echo / itself", [=](const LatencyRow& row) { return (row.*quantile).again; }}});
-  axes.curves.push_back({"", {1.0, 1.0}, {-0.5, static_cast<double>(rows.size()) - 0.5}, ":", 7});
-  return axes;
-}
-
-// Without quartiles.
-io::Spread single(double value) { return {value, value, value}; }
-
 }  // namespace
 
 std::vector<LatencyRow> benchmarkLatency(const BenchmarkOptions& options,
@@ -148,20 +116,6 @@ void printMarkdown(const std::vector<LatencyRow>& rows, std::ostream& out) {
                        1e6 * row.late.echo, show(row.median.node, 3), show(row.median.again, 3), show(row.late.node, 2),
                        show(row.late.again, 2), row.lost, row.echo_highest, row.node_highest);
   }
-}
-
-io::Figure latencyFigure(const std::vector<LatencyRow>& rows) {
-  io::Figure figure{
-      "Round trips through the node and an empty echo node",
-      {ratioAxes(rows, "medians", &LatencyRow::median), ratioAxes(rows, "99th percentiles", &LatencyRow::late),
-       axesOf(rows, "round trip through the echo node [ms]",
-              {{"median", [](const LatencyRow& row) { return single(1e3 * row.median.echo); }},
-               {"99 %", [](const LatencyRow& row) { return single(1e3 * row.late.echo); }}}),
-       axesOf(rows, "highest rate, all components [1000 samples/s]",
-              {{"node", [](const LatencyRow& row) { return single(1e-3 * row.node_highest); }},
-               {"echo", [](const LatencyRow& row) { return single(1e-3 * row.echo_highest); }}})}};
-  figure.axes[2].log_x = figure.axes[3].log_x = true;
-  return figure;
 }
 
 }  // namespace rubber_suspension::benchmark

@@ -49,9 +49,6 @@ std::vector<LatencyRow> benchmarkLatency(const BenchmarkOptions& options,
 /// The rows as a Markdown table.
 void printMarkdown(const std::vector<LatencyRow>& rows, std::ostream& out);
 
-/// Round trips, the ratios of the node to the echo node and of the echo node to itself, and the highest rates.
-io::Figure latencyFigure(const std::vector<LatencyRow>& rows);
-
 // Millions of samples through the node, as fast as it answers: every one has its force, and the memory does not grow.
 
 struct SoakResult {
@@ -71,9 +68,6 @@ SoakResult soak(std::uint64_t samples, int components, const std::function<void(
 
 /// The result as a Markdown table.
 void printMarkdown(const SoakResult& result, std::ostream& out);
-
-/// Resident memory over the samples served.
-io::Figure soakFigure(const SoakResult& result);
 
 /// Memory of a process that is resident [bytes]; 0 where there is no such process.
 long residentMemory(int process);
