@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
-#include "apps/command_names.h"
 #include "element/suggestion.h"
 #include "log/text.h"
 
@@ -39,14 +41,27 @@ int fail(int status, const std::string& message) {
   return status;
 }
 
+// Scripts find the Python module of the same space, whether its setup.sh was read or not.
+void addPythonModule() {
+  const char* others = std::getenv("PYTHONPATH");
+  const std::string own = (programsFolder().parent_path() / "python3" / "dist-packages").string();
+  setenv("PYTHONPATH", (others == nullptr ? own : own + ":" + others).c_str(), 1);
+}
+
 // Becomes the program, so that its exit status and signals are its own.
 int become(const std::string& name, char** arguments) {
+  addPythonModule();
   const std::string program = programPath(name).string();
   execv(program.c_str(), arguments);
   return fail(kFailed, program + ": " + std::strerror(errno));
 }
 
 int printHelp() {
+  const fs::path path = programsFolder() / "commands.txt";
+  std::ifstream list(path);
+  if (!list) {
+    return fail(kFailed, path.string() + ": cannot be read");
+  }
   std::cout << "Runs a command of the package rubber_suspension: simulates rubber components of vehicle suspensions\n"
                "and diagnoses the gap to measured logs.\n"
                "Usage: rubber-suspension COMMAND [OPTIONS]\n\n"
@@ -55,11 +70,13 @@ int printHelp() {
                "  --version         Print the version and exit\n\n"
                "Scripts: generate_track, live_plot\n\n"
                "Commands:\n"
-            << std::flush;
-  std::string reference = "reference";
-  std::string list = "list";
-  char* arguments[] = {reference.data(), list.data(), nullptr};
-  return become(reference, arguments);
+            << list.rdbuf();
+  return 0;
+}
+
+std::vector<std::string> commandNames() {
+  std::istringstream words(RUBBER_SUSPENSION_COMMANDS);
+  return {std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
 }
 
 int run(int argc, char** argv) {
@@ -71,7 +88,7 @@ int run(int argc, char** argv) {
     std::cout << "rubber-suspension " << RUBBER_SUSPENSION_VERSION << '\n';
     return 0;
   }
-  const std::vector<std::string> names = rubber_suspension::command_line::commandNames();
+  const std::vector<std::string> names = commandNames();
   if (std::find(names.begin(), names.end(), command) != names.end()) {
     return become(command, argv + 1);
   }

@@ -53,19 +53,6 @@ std::string siblingProgram(const std::string& name) {
   return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
 }
 
-std::string outputOf(const std::string& command, const std::string& option) {
-  std::FILE* pipe = popen(fmt::format("'{}' {} 2>/dev/null </dev/null", siblingProgram(command), option).c_str(), "r");
-  std::string text;
-  std::array<char, 4096> buffer{};
-  for (std::size_t count = 1; pipe != nullptr && count > 0; text.append(buffer.data(), count)) {
-    count = std::fread(buffer.data(), 1, buffer.size(), pipe);
-  }
-  const int status = pipe == nullptr ? -1 : pclose(pipe);
-  element::refuseIf<std::runtime_error>(status != 0 || text.empty(), "{} {}: exit status {}", command, option,
-                                        WEXITSTATUS(status));
-  return text;
-}
-
 int freePort() {
   using boost::asio::ip::tcp;
   boost::asio::io_context context;

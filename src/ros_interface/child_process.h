@@ -1,4 +1,4 @@
-// Other programs that are started: a master and nodes by a benchmark, commands for what they print.
+// Other programs that are started: a master and nodes by a benchmark and by tests.
 #pragma once
 
 #include <sys/types.h>
@@ -27,10 +27,6 @@ class ChildProcess {
 
 /// The path of another program that lies beside the running one.
 std::string siblingProgram(const std::string& name);
-
-/// The output of a command, which lies beside the running one, with an option such as --help. Throws std::runtime_error
-/// that names the command where it fails or prints nothing.
-std::string outputOf(const std::string& command, const std::string& option);
 
 /// A TCP port on the loopback interface that nobody listens on. Throws std::runtime_error.
 int freePort();

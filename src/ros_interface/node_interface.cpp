@@ -130,19 +130,6 @@ const std::vector<InterfaceEntry>& nodeInterface() {
   return table;
 }
 
-std::string commandReference(const std::vector<std::string>& commands) {
-  std::string text =
-      "# Reference of the commands\n\n"
-      "Written by the command `reference` from what they print: `rosrun rubber_suspension COMMAND --help-all`. All "
-      "exit with\n0, with 1 where the data could not be used, with 2 on wrong options; errors are one line on "
-      "stderr.\n";
-  for (const std::string& command : commands) {
-    const std::string help = outputOf(command, "--help-all");
-    text += fmt::format("\n## {}\n\n```\n{}\n```\n", command, help.substr(0, help.find_last_not_of('\n') + 1));
-  }
-  return text;
-}
-
 std::string topicReference() {
   std::string text =
       "# Reference of the node `simulate`\n\n"

@@ -22,9 +22,6 @@ struct InterfaceEntry {
 
 const std::vector<InterfaceEntry>& nodeInterface();
 
-/// Markdown: the --help-all of each command. Throws as outputOf().
-std::string commandReference(const std::vector<std::string>& commands);
-
 /// Markdown: topics and services of the table, the private parameters, and the definition of every message.
 std::string topicReference();
 

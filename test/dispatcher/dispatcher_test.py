@@ -1,8 +1,10 @@
 #!/usr/bin/python3
-"""Tests of the command rubber-suspension, of its completion in bash and of its man pages.
+"""Tests of the command rubber-suspension, of its completion in bash and of its man pages, and of the script that makes
+them.
 
 Usage: dispatcher_test.py FOLDER_WITH_IT FOLDER_OF_THE_PAGES VERSION COMMAND...
 """
+import gzip
 import pathlib
 import shutil
 import subprocess
@@ -14,7 +16,8 @@ PROGRAM = pathlib.Path(sys.argv[1]) / "rubber-suspension"
 PAGES = pathlib.Path(sys.argv[2])
 VERSION = sys.argv[3]
 COMMANDS = sys.argv[4:]
-CONFIG = pathlib.Path(__file__).resolve().parents[2] / "config" / "example.yaml"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CONFIG = ROOT / "config" / "example.yaml"
 
 
 def run(*arguments, program=PROGRAM):
@@ -111,6 +114,72 @@ class ManPages(unittest.TestCase):
             text = subprocess.run(["gzip", "-dc", path], capture_output=True, check=True).stdout
             answer = subprocess.run(["groff", "-man", "-Tutf8", "-ww", "-z"], input=text, capture_output=True, check=False)
             self.assertEqual((answer.returncode, answer.stderr), (0, b""), path.name)
+
+
+HELP = """Simulates a component on a log. Nothing else; a line
+.so /etc/passwd \\n
+
+Parameters:
+  ~max_gap            longest time
+Usage: replay [OPTIONS] [page]
+
+Positionals:
+  page                      page to print (a, b; default
+                            a)
+
+Options:
+  -h,--help                 Print this help message and exit
+  --config FILE             component file (required)
+  --connect-timeout SECONDS
+                            time to wait for the node (0.01 to 1e+06;
+                            default 300)
+  --components COUNT ...    numbers of components
+  --output FOLDER           folder of the report
+
+Examples:
+  # A log
+  rosrun rubber_suspension replay --log a.csv \\
+      --output b.csv
+"""
+
+
+class Script(unittest.TestCase):
+    """What cmake/command_pages.py makes of the help of one command."""
+
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            program = folder / "replay"
+            program.write_text(f"#!/bin/sh\ncat <<'END'\n{HELP}END\n", encoding="ascii")
+            program.chmod(0o755)
+            subprocess.run([ROOT / "cmake" / "command_pages.py", "1.2.3", folder, program], check=True)
+            cls.man = gzip.decompress((folder / "rubber-suspension-replay.1.gz").read_bytes()).decode()
+            cls.completion, cls.list, cls.reference = (
+                (folder / page).read_text(encoding="utf-8") for page in ("rubber-suspension", "commands.txt", "commands.md"))
+
+    def test_man_page_has_the_options_in_roff(self):
+        for part in ('.TH RUBBER\\-SUSPENSION\\-REPLAY 1 "" "rubber_suspension 1.2.3"',
+                     "rubber\\-suspension\\-replay \\- simulates a component on a log\n", "\n[OPTIONS] [page]\n",
+                     ".TP\n\\fBpage\\fR\npage to print (a, b; default a)\n",
+                     ".TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\n",
+                     ".TP\n\\fB\\-\\-config\\fR \\fIFILE\\fR\ncomponent file (required)\n",
+                     "\\fISECONDS\\fR\ntime to wait for the node (0.01 to 1e+06; default 300)\n",
+                     ".nf\n  ~max_gap            longest time\n.fi\n", ".SH EXAMPLES\n.nf\n  # A log\n"):
+            self.assertIn(part, self.man)
+
+    def test_no_text_is_a_request_of_roff(self):
+        self.assertIn("\n\\&.so /etc/passwd \\en\n", self.man)
+
+    def test_list_has_the_phrase_of_each_command(self):
+        self.assertEqual(self.list, "  replay            simulates a component on a log\n")
+
+    def test_completion_knows_options_files_and_folders(self):
+        self.assertIn('    replay) options="--help --config --connect-timeout --components --output" files="--config" '
+                      'folders="--output" ;;\n', self.completion)
+
+    def test_reference_has_the_help_as_it_is(self):
+        self.assertTrue(self.reference.endswith(f"\n## replay\n\n```\n{HELP}```\n"))
 
 
 if __name__ == "__main__":

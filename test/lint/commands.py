@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Holds every command to one style of --help, --help-all and --version, and the page docs/commands.md to what they print.
 
-Usage: commands.py FOLDER_OF_THE_COMMANDS VERSION PAGE COMMAND...; one line per violation, exit status 1 if there is any.
+Usage: commands.py VERSION PAGE PRINTED_PAGE PROGRAM...; one line per violation, exit status 1 if there is any.
 """
 
 import pathlib
@@ -21,8 +21,8 @@ def run(program, *arguments):
     return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=60, check=False)
 
 
-def violations(folder, command, version):
-    program = folder / command
+def violations(program, version):
+    command = program.name
     answer = run(program, "--help")
     text = answer.stdout
     if answer.returncode != 0 or answer.stderr:
@@ -88,28 +88,29 @@ def sections(page):
     return dict(zip(["", *parts[1::2]], [part.strip() for part in parts[::2]]))
 
 
-def page_violations(page, printed, commands):
+def page_violations(page, printed_page, commands):
     """A command that cannot be built here, for want of a library, may stand in the page nevertheless."""
-    page, printed = sections(page), sections(printed)
+    page, printed = sections(page.read_text()), sections(printed_page.read_text())
     for name in ["", *commands]:
         if name not in printed:
-            yield f"reference commands: {name} is missing"
+            yield f"{printed_page}: {name} is missing"
         elif page.get(name) != printed[name]:
             yield (f"docs/commands.md: {name or 'the introduction'} differs from what is printed; "
-                   "after a change: rosrun rubber_suspension reference commands > docs/commands.md")
+                   f"after a change: cp {printed_page} docs/commands.md")
 
 
-def main(folder, version, page, commands):
+def main(version, page, printed_page, programs):
     found = 0
-    for command in commands:
-        for violation in violations(folder, command, version):
-            print(f"{command}: {violation}")
+    for program in programs:
+        for violation in violations(program, version):
+            print(f"{program.name}: {violation}")
             found += 1
-    for violation in page_violations(page.read_text(), run(folder / "reference", "commands").stdout, commands):
+    for violation in page_violations(page, printed_page, [program.name for program in programs]):
         print(violation)
         found += 1
     return found
 
 
 if __name__ == "__main__":
-    sys.exit(1 if main(pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3]), sys.argv[4:]) else 0)
+    paths = [pathlib.Path(path) for path in sys.argv[2:]]
+    sys.exit(1 if main(sys.argv[1], paths[0], paths[1], paths[2:]) else 0)

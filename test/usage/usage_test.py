@@ -42,13 +42,11 @@ REFUSED = (
     (f"replay --config {BUSH} --log {LOG} --output o --sampling-rate 0", "out of range; accepted: greater than 0"),
     (f"replay --config {BUSH} --log {LOG} --output o --unit mm,kN", "accepted: QUANTITY=UNIT"),
     (f"replay --config {BUSH} --log {LOG} --output o --decimal ;", "accepted: , or . (comma or point)"),
-    ("reference effects replay", "a command goes with the page man"),
     # What was meant.
     (f"replay --confg {BUSH} --log {LOG}", "no option --confg (did you mean --config?)"),
     (f"replay --config {BUSH} --log {LOG} --output o --rate 9", "no option --rate (did you mean --sampling-rate?)"),
     (f"play_log --component a --log {LOG} --rate 2", "no option --rate (did you mean --sampling-rate?)"),
     (f"play_log --component a --log {LOG} --speed 2", "no option --speed (did you mean --playback-speed?)"),
-    ("reference man repaly", "no command 'repaly' (did you mean 'replay'?)"),
     (f"estimate --config {BUSH} --amplitude 2,5mm", "--amplitude: '2,5mm': a decimal comma (did you mean '2.5mm'?)"),
     (f"estimate --config {BUSH} --amplitude=-2mm", "'-2mm' is out of range; accepted: greater than 0 mm"),
     (f"estimate --config {BUSH} --frequency 1e308", "is out of range; accepted: greater than 0, at most 1e+30 Hz"),
