@@ -12,6 +12,7 @@
 #include "python/bindings.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/response/sweep.h"
 
 namespace rubber_suspension::python {
 namespace {
@@ -102,6 +103,30 @@ py::object stiffness(const ComponentDescription& description,
     return py::cast(*at(*frequency.data()));
   }
   return py::vectorize([&](double f) { return *at(f); })(frequency);
+}
+
+// Stiffness and loss angle of the settled loops at pairs of frequency and amplitude.
+py::tuple characteristics(const ComponentDescription& description, const py::object& frequency,
+                          const py::object& amplitude) {
+  const std::vector<double> frequencies = toVector(frequency, "frequency");
+  const std::vector<double> amplitudes = toVector(amplitude, "amplitude");
+  element::refuseIf(frequencies.size() != amplitudes.size(), "{} frequencies and {} amplitudes; accepted: as many",
+                    frequencies.size(), amplitudes.size());
+  std::vector<double> stiffness;
+  std::vector<double> loss_angle;
+  {
+    const py::gil_scoped_release others_run;
+    const component::Component component = description.makeComponent();
+    for (std::size_t i = 0; i < frequencies.size(); ++i) {
+      element::refuseIf(frequencies[i] <= 0.0 || amplitudes[i] <= 0.0,
+                        "{:g} Hz and {:g} m make no loop; accepted: greater than 0", frequencies[i], amplitudes[i]);
+      const response::SweepPoint point = response::characteristicsAt(component, frequencies[i], amplitudes[i]);
+      element::refuseIf(!point.settled, "{:g} Hz and {:g} m: the loop does not settle", frequencies[i], amplitudes[i]);
+      stiffness.push_back(point.characteristics.stiffness);
+      loss_angle.push_back(point.characteristics.loss_angle);
+    }
+  }
+  return py::make_tuple(toArray(stiffness), toArray(loss_angle));
 }
 
 double toShare(const py::handle& value) {
@@ -214,6 +239,9 @@ void addComponents(py::module_& module) {
            "Complex dynamic stiffness [N/m] at a frequency [Hz], or at each of an array, and, for a component that "
            "shifts with it, a temperature "
            "[degC]; None of a nonlinear component. Raises ValueError.")
+      .def("characteristics", &characteristics, py::arg("frequency"), py::arg("amplitude"),
+           "Stiffness [N/m] and loss angle [rad] under sines, at each of an array of frequencies [Hz] with an array of "
+           "amplitudes [m]: in closed form of a linear component, of a settled loop of any other. Raises ValueError.")
       .def(
           "to_yaml", [](const ComponentDescription& d) { return io::toYaml({d}); }, "The text of a component file.")
       .def("__repr__", [](const ComponentDescription& d) {

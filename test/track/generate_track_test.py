@@ -5,11 +5,13 @@ import importlib.machinery
 import importlib.util
 import math
 import pathlib
+import sys
 import unittest
 
 import numpy
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "generate_track"
+sys.path.insert(0, str(SCRIPT.parent))  # of the module that it imports
 LOADER = importlib.machinery.SourceFileLoader("generate_track", str(SCRIPT))
 SPEC = importlib.util.spec_from_loader("generate_track", LOADER)
 generate_track = importlib.util.module_from_spec(SPEC)
