@@ -67,7 +67,10 @@ class HeldWrenches final : public WrenchLaw {
 // Add a state and the wrenches that act there.
 void add(History& history, const Vehicle& vehicle, const State& state, const Wrenches& wrenches) {
   history.time.push_back(state.getTime());
-  history.position.emplace_back(state.getQ().begin(), state.getQ().end());
+  history.position.emplace_back();
+  for (int i = 0; i < state.getQ().size(); ++i) {
+    history.position.back().push_back(state.getQ()[i]);
+  }
   history.pose.push_back(vehicle.poses(state));
   history.wrench.push_back(wrenches);
 }
