@@ -2,31 +2,20 @@
 // table_bank NOISE TABLES [few]: noise of K* [-], tables for each component, 12 rows in place of 24.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "diagnosis/laboratory.h"
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
-#include "rubber_suspension/response/sweep.h"
 
 namespace {
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::diagnosis;
 
-const std::string kZener =
-    "model: maxwell, specification: {static_stiffness: 1.0e6, dynamic_stiffness: 1.3e6, nominal_frequency: 4.0, "
-    "break_frequency: 3.0}";
-const std::string kZenerOff =
-    "model: maxwell, specification: {static_stiffness: 1.1e6, dynamic_stiffness: 1.4e6, nominal_frequency: 4.0, "
-    "break_frequency: 3.5}";
-const std::string kManyMaxwell =
-    "model: multi_maxwell, specification: {static_stiffness: 3.0e6, dynamic_stiffness: 4.2e6, nominal_frequency: 4.0, "
-    "maximum_stiffness: 4.9e6, high_frequency: 25}";
-const std::string kKelvinVoigt =
-    "model: kelvin_voigt, specification: {dynamic_stiffness: 1.3e6, nominal_frequency: 4.0, relative_damping: 0.05}";
+const char* const kKelvinVoigt =
+    "{model: kelvin_voigt, specification: {dynamic_stiffness: 1.3e6, nominal_frequency: 4.0, relative_damping: 0.05}";
 
 struct Case {
   std::string configured;
@@ -61,34 +50,13 @@ const std::vector<Case>& cases() {
   return list;
 }
 
-io::ComponentDescription componentOf(const std::string& model, const std::string& added) {
-  const std::string add = added.empty() ? "" : ", add: [" + added + "]";
-  return io::parseComponentFile("components:\n  bush: {" + model + add + "}\n", "bank").front();
+fit::MeasuredTable tableOf(const Case& one, double noise, unsigned seed, bool few) {
+  const io::ComponentDescription truth = one.added.empty() ? without(one.truth) : with(one.truth, one.added);
+  Laboratory laboratory(seed, noise);
+  return few ? laboratory.table(truth, {0.5, 2.0, 5.0, 15.0}, {1e-4, 5e-4, 2e-3}) : laboratory.table(truth);
 }
 
-fit::MeasuredTable tableOf(const io::ComponentDescription& truth, double noise, unsigned seed, bool few) {
-  const component::Component component = truth.makeComponent();
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> normal(0.0, noise / std::sqrt(2.0));
-  response::LoopOptions options;
-  options.maximum_cycles = 3000;
-  fit::MeasuredTable table;
-  table.name = "table";
-  const std::vector<double> amplitudes =
-      few ? std::vector<double>{1e-4, 5e-4, 2e-3} : std::vector<double>{1e-4, 3e-4, 1e-3, 2e-3};
-  const std::vector<double> frequencies =
-      few ? std::vector<double>{0.5, 2.0, 5.0, 15.0} : std::vector<double>{0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
-  for (const double amplitude : amplitudes) {
-    for (const double frequency : frequencies) {
-      const auto loop = response::characteristicsAt(component, frequency, amplitude, options).characteristics;
-      const double stiffness = loop.stiffness * (1.0 + normal(generator));
-      table.points.push_back({frequency, amplitude, stiffness, loop.loss_angle + normal(generator)});
-    }
-  }
-  return table;
-}
-
-std::string setOf(const diagnosis::Diagnosis& diagnosis) {
+std::string setOf(const Diagnosis& diagnosis) {
   std::string text;
   for (const auto& set : diagnosis.answer.confounded) {
     for (const std::string& member : set) {
@@ -107,8 +75,7 @@ int main(int argc, char** argv) {
   int right = 0;
   for (const Case& one : cases()) {
     for (unsigned seed = 1; seed <= tables; ++seed) {
-      const auto found = diagnosis::diagnoseTable(componentOf(one.configured, ""),
-                                                  tableOf(componentOf(one.truth, one.added), noise, seed, few));
+      const auto found = diagnoseTable(without(one.configured), tableOf(one, noise, seed, few));
       const std::string first =
           found.answer.effects.empty() ? toString(found.answer.verdict) : found.answer.effects.front();
       const bool is_right = first == one.right && found.answer.effects.size() < 2;

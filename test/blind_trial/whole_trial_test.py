@@ -36,7 +36,7 @@ class TrialTest(unittest.TestCase):
         script("generate.py", "--cases", "3", "--seed", "3", "--duration", "0.2", "--further", "2", "--bench",
                "zeros,gain", "--form-error", "--output", cls.cases)
         script("run.py", "--cases", cls.cases, "--diagnose", os.path.join(PROGRAMS, "diagnose"), "--reports", cls.reports,
-               "--evidence")
+               "--evidence", "--timeout", "600")
 
     def judged(self, *words):
         return subprocess.run([os.path.join(PROGRAMS, "judge_again"), *words, self.cases], check=True,

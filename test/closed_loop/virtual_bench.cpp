@@ -1,14 +1,17 @@
 // The virtual bench.
 #include "virtual_bench.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <stdexcept>
 #include <utility>
 
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/gap/gap.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::closed_loop {
 namespace {
@@ -34,22 +37,16 @@ Programme programmeOf(const std::string& name, double duration, const std::funct
   return programme;
 }
 
-std::string yamlOf(double static_stiffness, double dynamic_stiffness, double break_frequency) {
-  return "components:\n  bush:\n    model: maxwell\n    specification:\n      static_stiffness: " +
-         std::to_string(static_stiffness) + "\n      dynamic_stiffness: " + std::to_string(dynamic_stiffness) +
-         "\n      nominal_frequency: 4.0\n      break_frequency: " + std::to_string(break_frequency) + "\n";
+io::ComponentDescription zener(double static_stiffness, double dynamic_stiffness, double break_frequency) {
+  return componentOf(fmt::format(
+      "components: {{bush: {{model: maxwell, specification: {{static_stiffness: {:f}, dynamic_stiffness: {:f}, "
+      "nominal_frequency: 4.0, break_frequency: {:f}}}}}}}",
+      static_stiffness, dynamic_stiffness, break_frequency));
 }
 
 double standardDeviation(const std::vector<double>& values) {
-  double mean = 0.0;
-  double square = 0.0;
-  for (const double value : values) {
-    mean += value / static_cast<double>(values.size());
-  }
-  for (const double value : values) {
-    square += (value - mean) * (value - mean) / static_cast<double>(values.size());
-  }
-  return std::sqrt(square);
+  return gap::standardDeviation(
+      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
 }
 
 constexpr std::size_t kFiner = 8;  // steps of the component for one of a log: it moves smoothly between samples
@@ -89,8 +86,18 @@ std::vector<double> forceAtSamples(const component::Component& component, compon
 struct Effect {
   const char* name;
   double strength;  // where the search for the wanted gap begins
-  std::function<std::vector<ElementDescription>(double strength)> at;
+  std::function<ElementDescription(double strength)> at;
 };
+
+// The element whose parameter is the strength, but no more than `most`.
+std::function<ElementDescription(double)> one(const char* type, const char* parameter,
+                                              const element::ParameterValues& others = {}, double most = HUGE_VAL) {
+  return [=](double strength) {
+    ElementDescription element{type, others};
+    element.values[parameter] = {std::min(strength, most)};
+    return element;
+  };
+}
 
 }  // namespace
 
@@ -99,71 +106,32 @@ VirtualBench::VirtualBench(unsigned seed) : draw_(seed) {
   const double ratio = uniform(1.15, 1.5);
   const double frequency = uniform(1.5, 6.0);
   const auto wrong = [&] { return uniform(0.97, 1.03); };
-  component_ =
-      io::parseComponentFile(yamlOf(stiffness * wrong(), ratio * stiffness * wrong(), frequency * wrong()), "bench")
-          .front();
-  const io::ComponentDescription right =
-      io::parseComponentFile(yamlOf(stiffness, ratio * stiffness, frequency), "bench").front();
+  component_ = zener(stiffness * wrong(), ratio * stiffness * wrong(), frequency * wrong());
   limits_.stroke = kStroke;
   limits_.speed = 0.08;
   limits_.frequency = kFrequency;
   limits_.force = 1e3 * stiffness;
   limits_.duration = 60.0;
-  addEffect(right.allElements());
+  addEffect(zener(stiffness, ratio * stiffness, frequency).allElements());
 }
 
 void VirtualBench::addEffect(std::vector<ElementDescription> elements) {
   const double k = elements.front().value("stiffness");
   const double shape = uniform(0.0, 1.0);
   const double z = kStroke;
-  const auto one = [](const char* type, element::ParameterValues values) {
-    return std::vector<ElementDescription>{{type, std::move(values)}};
-  };
   const std::vector<Effect> effects = {
-      {"friction", 0.1 * k * z,
-       [=](double s) {
-         return one("friction", {{"maximum_force", {s}}, {"displacement", {(0.02 + 0.2 * shape) * z}}});
-       }},
-      {"relaxation", 0.2 * k,
-       [=](double s) {
-         return one("maxwell", {{"stiffness", {s}}, {"break_frequency", {0.3 + 8.0 * shape}}});
-       }},
-      {"viscous_damping", 1e-3 * k,
-       [=](double s) {
-         return one("dashpot", {{"damping", {s}}});
-       }},
-      {"progressive_stiffness", 0.2 * k / (z * z),
-       [=](double s) {
-         return one("progressive_stiffness", {{"cubic", {s}}});
-       }},
-      {"asymmetric_stiffness", 0.2 * k / z,
-       [=](double s) {
-         return one("asymmetric_stiffness", {{"quadratic", {s}}});
-       }},
-      {"bump_stop", k,
-       [=](double s) {
-         return one("bump_stop", {{"stiffness", {s}}, {"gap", {(0.45 + 0.4 * shape) * z}}});
-       }},
-      {"free_play", 0.05 * z,
-       [=](double s) {
-         return one("free_play", {{"gap", {s}}});
-       }},
+      {"friction", 0.1 * k * z, [=](double s) { return friction(s, (0.02 + 0.2 * shape) * z); }},
+      {"relaxation", 0.2 * k, [=](double s) { return maxwell(s, 0.3 + 8.0 * shape); }},
+      {"viscous_damping", 1e-3 * k, dashpot},
+      {"progressive_stiffness", 0.2 * k / (z * z), one("progressive_stiffness", "cubic")},
+      {"asymmetric_stiffness", 0.2 * k / z, one("asymmetric_stiffness", "quadratic")},
+      {"bump_stop", k, one("bump_stop", "stiffness", {{"gap", {(0.45 + 0.4 * shape) * z}}})},
+      {"free_play", 0.05 * z, one("free_play", "gap")},
       {"stress_softening", 0.2,
-       [=](double s) {
-         return one("stress_softening",
-                    {{"reduction", {std::min(s, 0.7)}}, {"width", {0.3 + shape}}, {"path", {4.0 * z}}});
-       }},
-      {"inertia", 20.0,
-       [=](double s) {
-         return one("inertia", {{"mass", {s}}, {"bandwidth", {60.0}}});
-       }},
-      {"time_delay", 0.004,
-       [=](double s) {
-         return one("time_delay", {{"delay", {std::min(s, 0.03)}}});
-       }},
-      {"creep", 0.2 * k, [=](double s) {
-         return one("maxwell", {{"stiffness", {s}}, {"break_frequency", {0.006 + 0.01 * shape}}});
-       }}};
+       one("stress_softening", "reduction", {{"width", {0.3 + shape}}, {"path", {4.0 * z}}}, 0.7)},
+      {"inertia", 20.0, one("inertia", "mass", {{"bandwidth", {60.0}}})},
+      {"time_delay", 0.004, one("time_delay", "delay", {}, 0.03)},
+      {"creep", 0.2 * k, [=](double s) { return maxwell(s, 0.006 + 0.01 * shape); }}};
   const Effect& effect = effects[std::uniform_int_distribution<std::size_t>(0, effects.size() - 1)(draw_)];
   effect_ = effect.name;
   // The strength that makes the wanted gap on a sweep of amplitude and frequency within the machine's limits.
@@ -176,16 +144,14 @@ void VirtualBench::addEffect(std::vector<ElementDescription> elements) {
   double strength = effect.strength;
   for (int i = 0; i < 6; ++i) {
     std::vector<ElementDescription> all = elements;
-    const auto more = effect.at(strength);
-    all.insert(all.end(), more.begin(), more.end());
+    all.push_back(effect.at(strength));
     std::vector<double> difference = forceOf(component::Component(all), probe);
     for (std::size_t j = 0; j < difference.size(); ++j) {
       difference[j] -= without[j];
     }
     strength *= std::clamp(wanted * standardDeviation(without) / standardDeviation(difference), 0.2, 5.0);
   }
-  const auto entries = effect.at(strength);
-  elements.insert(elements.end(), entries.begin(), entries.end());
+  elements.push_back(effect.at(strength));
   true_component_.emplace_back(elements);
   memory_.state = true_component_.front().makeState();
   memory_.noise.seed(std::uniform_int_distribution<unsigned>()(draw_));

@@ -10,6 +10,7 @@
 #include "diagnosis/experiment/explanation.h"
 #include "diagnosis/hypotheses/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/diagnosis/table_diagnosis.h"
 
 namespace rubber_suspension {
 
@@ -41,6 +42,12 @@ inline diagnosis::Diagnosis checkedDiagnosis(const io::ComponentDescription& com
   if (result.workings) {
     checkContainment(result);
   }
+  return result;
+}
+
+inline diagnosis::Diagnosis checkedTable(const io::ComponentDescription& component, const fit::MeasuredTable& table) {
+  diagnosis::Diagnosis result = diagnosis::diagnoseTable(component, table);
+  EXPECT_EQ(result.defect, "");
   return result;
 }
 

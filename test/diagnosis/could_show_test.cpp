@@ -137,8 +137,7 @@ TEST(Plan, WritesWhatItSays) {
 // What projection says is left is what a fit leaves of a force to which the effect was really added.
 TEST(Implants, LeaveWhatAFitLeaves) {
   const fit::ModelParameters model(rigComponent(), fit::Level::specification);
-  const std::vector<gap::PreparedRecord> records = {log::makeRecord(runRig(
-      "plain", 1, [](double, double, double) { return 0.0; }, 2.0))};
+  const std::vector<gap::PreparedRecord> records = {log::makeRecord(runRig("plain", 1, nothing, 2.0))};
   const fit::Fitter fitter(records, model, kOneDeviation);
   auto candidates = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
   fit::findUnitEffects(candidates, records, 1);

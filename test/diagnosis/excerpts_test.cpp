@@ -35,7 +35,7 @@ log::Log stairs(const std::vector<double>& amplitudes, double seconds) {
 }
 
 Excerpts makeExcerpts(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out, std::size_t most) {
-  const component::Component component({{"spring", {{"stiffness", {1e6}}}}});
+  const component::Component component({spring(1e6)});
   const auto surveys = [&](const std::vector<log::Log>& list) {
     std::vector<diagnosis::prepare::LogSurvey> result;
     for (const log::Log& log : list) {
@@ -130,8 +130,8 @@ TEST(Excerpts, AHoldOutGivesItsBeginning) {
 // What remembers longest and most: heat, the largest displacement, a slow Maxwell element.
 TEST(Excerpts, AreLedInByWhatLiesBetweenThem) {
   const std::vector<element::ElementDescription> elements = {
-      {"spring", {{"stiffness", {1e6}}}},
-      {"maxwell", {{"stiffness", {3e5}}, {"break_frequency", {0.01}}}},
+      spring(1e6),
+      maxwell(3e5, 0.01),
       {"stress_softening", {{"reduction", {0.3}}}},
       {"self_heating", {{"energy_sensitivity", {0.05}}, {"time_constant", {300.0}}}}};
   log::Log log = stairs({1.0, 2.0, 0.5, 1.5, 0.0, 1.0, 2.5, 0.8}, 100.0);
@@ -163,10 +163,7 @@ TEST(Excerpts, AreLedInByWhatLiesBetweenThem) {
 // A pause of 1e6 s is one step for the force, as in `replay` and the node, and nothing to spectra.
 TEST(Excerpts, BeginAnewBehindATimeGap) {
   const std::vector<element::ElementDescription> elements = {
-      {"spring", {{"stiffness", {1e6}}}},
-      {"maxwell", {{"stiffness", {3e5}}, {"break_frequency", {0.01}}}},
-      {"friction", {{"maximum_force", {300.0}}, {"displacement", {3e-4}}}},
-      {"stress_softening", {{"reduction", {0.3}}}}};
+      spring(1e6), maxwell(3e5, 0.01), friction(300.0, 3e-4), {"stress_softening", {{"reduction", {0.3}}}}};
   log::Log log = stairs({1.0, 2.0, 0.5}, 20.0);
   for (std::size_t i = 0; i < log.size(); ++i) {
     log.stamp[i] += i < 2000 ? 0 : i < 4030 ? 70000000000 : 1000000000000000;  // behind the first and a short stretch

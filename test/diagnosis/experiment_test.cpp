@@ -139,7 +139,7 @@ class Rivals : public testing::Test {
   }
 
   static log::Log slowLog() {
-    log::Log log = runRig("slow", 1, [](double, double, double) { return 0.0; });
+    log::Log log = runRig("slow", 1, nothing);
     for (std::size_t i = 0; i < log.size(); ++i) {
       const double t = log.time(i);
       log.displacement[i] = 0.002 / 1.5707963 * std::asin(std::sin(0.5 * t));

@@ -23,10 +23,6 @@ RigEffect beside(RigEffect effect, double offset) {
   };
 }
 
-RigEffect nothing() {
-  return [](double, double, double) { return 0.0; };
-}
-
 double zeroFound(const diagnosis::Diagnosis& result, const std::string& log) {
   const auto found = std::find_if(result.rig_findings.begin(), result.rig_findings.end(), [&](const auto& finding) {
     return finding.log == log && finding.finding == "force_zero";
@@ -50,9 +46,8 @@ TEST(ForceOffset, OfEachLogStandsBesideFriction) {
 
 // One zero for all logs is the same effect with one number.
 TEST(ForceOffset, OfAllLogsIsOneNumber) {
-  const diagnosis::Diagnosis result = checkedDiagnosis(
-      rigComponent(), {runRig("one", 1, beside(nothing(), 900.0)), runRig("two", 2, beside(nothing(), 900.0))},
-      {runRig("unseen", 3, beside(nothing(), 900.0))});
+  const RigEffect zero = [](double, double, double) { return 900.0; };
+  const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), runRigs({1, 2}, zero), runRigs({3}, zero));
   EXPECT_THAT(result.answer.effects, ElementsAre("force_offset")) << result.sentence;
   ASSERT_EQ(result.law.augmented.add.size(), 1U);
   EXPECT_NEAR(result.law.augmented.add.front().value("offset"), 900.0, 20.0);

@@ -18,13 +18,11 @@ constexpr double kMaximumForce = 2e3;
 
 std::vector<element::ElementDescription> elementsWithBerg(double displacement) {
   auto elements = rigComponent().allElements();
-  elements.push_back({"friction", {{"maximum_force", {kMaximumForce}}, {"displacement", {displacement}}}});
+  elements.push_back(friction(kMaximumForce, displacement));
   return elements;
 }
 
-std::vector<gap::PreparedRecord> records() {
-  return {log::makeRecord(runRig("one", 1, [](double, double, double) { return 0.0; }))};
-}
+std::vector<gap::PreparedRecord> records() { return {log::makeRecord(runRig("one", 1, nothing))}; }
 
 double deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
 

@@ -8,6 +8,7 @@
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/log/record.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -69,8 +70,7 @@ TEST(HeldDisplacement, KeepsTheForceOfAnyLawThatIsWritten) {
     const auto curved = candidate.along ? candidate.along({2.0, 0.0}) : std::vector<fit::BasisTerm>();
     for (const auto* laws : {&candidate.terms, &candidate.laws, &curved}) {
       for (const fit::BasisTerm& law : *laws) {
-        const std::vector<element::ElementDescription> elements = {{"spring", {{"stiffness", {kSpringBeside}}}},
-                                                                   law.at(law.typical)};
+        const std::vector<element::ElementDescription> elements = {spring(kSpringBeside), law.at(law.typical)};
         const Eigen::VectorXd clean = gap::simulate(elements, {record})[0];
         const Eigen::VectorXd taken = clean - gap::simulate(elements, {record}, gap::asRecorded)[0];
         const double own = law.softening ? law.typical * kSpringBeside * kHeldAt

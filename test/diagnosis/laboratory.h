@@ -1,14 +1,12 @@
 // A virtual laboratory that measures tables of stiffness and loss angle, and what tests of their diagnosis share.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "fit/table_fit.h"
-#include "rubber_suspension/diagnosis/table_diagnosis.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/response/sweep.h"
 #include "support/kit.h"
@@ -30,6 +28,9 @@ inline const char* const kZenerOff =
 inline const char* const kManyMaxwell =
     "{model: multi_maxwell, specification: {static_stiffness: 3.0e6, dynamic_stiffness: 4.2e6, nominal_frequency: 4.0, "
     "maximum_stiffness: 4.9e6, high_frequency: 25.0}";
+
+/// Friction of 200 N.
+inline const char* const kFriction = "{type: friction, maximum_force: 200, displacement: 4.0e-4}";
 
 inline io::ComponentDescription without(const std::string& model) { return bush(model + "}"); }
 inline io::ComponentDescription with(const std::string& model, const std::string& entry) {
@@ -57,13 +58,15 @@ class Laboratory {
     return point;
   }
 
-  fit::MeasuredTable table(const io::ComponentDescription& truth, double time_scale = 1.0) {
+  fit::MeasuredTable table(const io::ComponentDescription& truth,
+                           const std::vector<double>& frequencies = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0},
+                           const std::vector<double>& amplitudes = {1e-4, 3e-4, 1e-3, 2e-3}) {
     const component::Component component = truth.makeComponent();
     fit::MeasuredTable table;
     table.name = "lab";
-    for (const double amplitude : {1e-4, 3e-4, 1e-3, 2e-3}) {
-      for (const double frequency : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
-        table.points.push_back(measured(pointOf(component, frequency / time_scale, amplitude)));
+    for (const double amplitude : amplitudes) {
+      for (const double frequency : frequencies) {
+        table.points.push_back(measured(pointOf(component, frequency, amplitude)));
       }
     }
     return table;
@@ -73,25 +76,5 @@ class Laboratory {
   std::mt19937 generator_;
   std::normal_distribution<double> normal_;
 };
-
-// Its statements agree.
-inline Diagnosis checkedTable(const io::ComponentDescription& component, const fit::MeasuredTable& table) {
-  Diagnosis result = diagnoseTable(component, table);
-  EXPECT_EQ(result.defect, "");
-  return result;
-}
-
-/// Friction of 200 N beside a Zener solid: its table, and one diagnosis for all that is asserted of it.
-inline const char* const kFriction = "{type: friction, maximum_force: 200, displacement: 4.0e-4}";
-
-inline const fit::MeasuredTable& frictionTable() {
-  static const fit::MeasuredTable table = Laboratory(1).table(with(kZener, kFriction));
-  return table;
-}
-
-inline const Diagnosis& ofFrictionTable() {
-  static const Diagnosis run = checkedTable(without(kZener), frictionTable());
-  return run;
-}
 
 }  // namespace rubber_suspension::diagnosis

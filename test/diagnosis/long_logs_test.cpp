@@ -23,9 +23,7 @@ using diagnosis::prepare::MotionSurvey;
 using diagnosis::results::Recorded;
 
 const std::vector<element::ElementDescription> kElements = {
-    {"spring", {{"stiffness", {1e6}}}},
-    {"friction", {{"maximum_force", {50.0}}, {"displacement", {1e-4}}}},
-    {"stress_softening", {{"reduction", {0.3}}}}};
+    spring(1e6), friction(50.0, 1e-4), {"stress_softening", {{"reduction", {0.3}}}}};
 
 double deviationOf(const std::vector<double>& z, std::size_t first, std::size_t last) {
   const auto begin = z.begin() + static_cast<std::ptrdiff_t>(first);

@@ -40,7 +40,7 @@ TEST(MemoryOfADiagnosis, TheRefusalSaysHowMuchIsNeededAndWhatIsAccepted) {
 }
 
 TEST(MemoryOfADiagnosis, IsAskedForBeforeTheSearch) {
-  const std::vector<log::Log> logs = {runRig("a", 1, [](double, double, double) { return 0.0; })};
+  const std::vector<log::Log> logs = {runRig("a", 1, nothing)};
   const std::size_t both = 2 * logs.front().size();  // one of the two is held out
   diagnosis::DiagnosisOptions options;
   options.available_memory = diagnosis::prepare::memoryNeeded({both, 1}, options.threads) - 1;

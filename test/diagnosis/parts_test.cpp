@@ -61,7 +61,7 @@ TEST(ModelParameters, HaveAModelEverywhere) {
 }
 
 TEST(Record, EstimatesTheNoiseOfTheDisplacement) {
-  log::Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
+  log::Log log = runRig("log", 1, nothing);
   std::mt19937 generator(5);
   std::normal_distribution<double> noise(0.0, 1e-6);
   for (double& z : log.displacement) {
@@ -73,7 +73,7 @@ TEST(Record, EstimatesTheNoiseOfTheDisplacement) {
 }
 
 TEST(Record, FiltersOnlyTheNoiseOutOfTheDisplacement) {
-  const log::Log clean = runRig("log", 1, [](double, double, double) { return 0.0; });
+  const log::Log clean = runRig("log", 1, nothing);
   log::Log noisy = clean;
   std::mt19937 generator(5);
   std::normal_distribution<double> noise(0.0, 1e-6);
@@ -94,7 +94,7 @@ TEST(Record, FiltersOnlyTheNoiseOutOfTheDisplacement) {
 }
 
 log::Log noisyLog(double noise) {
-  log::Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
+  log::Log log = runRig("log", 1, nothing);
   std::mt19937 generator(5);
   std::normal_distribution<double> normal(0.0, noise);
   for (double& z : log.displacement) {
@@ -138,7 +138,7 @@ TEST(MassBandwidth, FiltersOnlyWhereThereIsNoise) {
 }
 
 TEST(Record, ResamplesAnUnevenTimeBaseAndSaysSo) {
-  log::Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
+  log::Log log = runRig("log", 1, nothing);
   for (std::size_t i = 0; i < log.size(); i += 2) {
     log.stamp[i] += 1000000;
   }
@@ -148,7 +148,7 @@ TEST(Record, ResamplesAnUnevenTimeBaseAndSaysSo) {
 }
 
 TEST(Record, RefusesALogThatDoesNotMove) {
-  log::Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
+  log::Log log = runRig("log", 1, nothing);
   std::fill(log.displacement.begin(), log.displacement.end(), 0.001);
   EXPECT_THROW(log::makeRecord(log), log::LogError);
 }
@@ -318,7 +318,6 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(KnownEffects, AreWhatSimulationGives) {
   io::ComponentDescription component = rigComponent();
   component.add = GetParam();
-  const auto nothing = [](double, double, double) { return 0.0; };
   std::vector<gap::PreparedRecord> records = {log::makeRecord(runRig("first", 1, nothing)),
                                               log::makeRecord(runRig("second", 2, nothing))};
   const fit::ModelParameters model(component, fit::Level::specification);

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/io/component_file.h"
@@ -27,13 +28,25 @@ inline io::ComponentDescription rigComponent() {
 /// What a rig does besides the component's own force; [N] of time [s], displacement [m] and rate [m/s].
 using RigEffect = std::function<double(double time, double displacement, double rate)>;
 
-/// Friction that remembers where it turned: one for each log.
-inline RigEffect rigFriction() {
-  return [force = 0.0, last = 0.0](double time, double z, double /*rate*/) mutable {
-    force = time == 0.0 ? 0.0 : std::clamp(force + 1.2e6 * (z - last), -150.0, 150.0);
+inline double nothing(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
+
+/// An effect that follows from the steps of the displacement [m]; it begins anew at the time 0 of each log.
+inline RigEffect ofSteps(const std::function<double(double step)>& law) {
+  return [law, running = law, last = 0.0](double time, double z, double /*rate*/) mutable {
+    if (time == 0.0) {
+      running = law;
+      last = z;
+    }
+    const double step = z - last;
     last = z;
-    return force;
+    return running(step);
   };
+}
+
+/// Friction that remembers where it turned.
+inline RigEffect rigFriction() {
+  return ofSteps(
+      [force = 0.0](double step) mutable { return force = std::clamp(force + 1.2e6 * step, -150.0, 150.0); });
 }
 
 /// Displacement [m] and rate [m/s] at a time [s]; asked for each sample once, in order.
@@ -44,17 +57,9 @@ inline log::Log runMotion(const std::string& name, std::mt19937& generator, cons
                           const RigEffect& effect, double noise, double step) {
   constexpr int kSamples = 5000;
   const auto elements = rigComponent().allElements();
-  double spring = 0.0;
-  double stiffness = 0.0;
-  double frequency = 0.0;
-  for (const auto& element : elements) {
-    if (element.type == "spring") {
-      spring = element.value("stiffness");
-    } else {
-      stiffness = element.value("stiffness");
-      frequency = element.value("break_frequency");
-    }
-  }
+  const double spring = elements[0].value("stiffness");
+  const double stiffness = elements[1].value("stiffness");
+  const double frequency = elements[1].value("break_frequency");
   std::normal_distribution<double> normal(0.0, noise);
   log::Log log;
   log.name = name;
@@ -89,6 +94,15 @@ inline log::Log runRig(const std::string& name, unsigned seed, const RigEffect& 
     return std::make_pair(amplitude * std::sin(phase), amplitude * 2.0 * element::kPi * f * std::cos(phase));
   };
   return runMotion(name, generator, motion, effect, noise, kStep);
+}
+
+/// Such a log of each seed.
+inline std::vector<log::Log> runRigs(const std::vector<unsigned>& seeds, const RigEffect& effect, double noise = 20.0) {
+  std::vector<log::Log> logs;
+  for (const unsigned seed : seeds) {
+    logs.push_back(runRig("log " + std::to_string(seed), seed, effect, noise));
+  }
+  return logs;
 }
 
 }  // namespace rubber_suspension

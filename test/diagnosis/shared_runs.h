@@ -3,15 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include "checked_diagnosis.h"
 #include "rig.h"
 
 namespace rubber_suspension {
-
-inline double nothing(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
 
 inline double stop(double /*time*/, double z, double /*rate*/) {
   const double depth = std::max(0.0, std::abs(z) - 0.0012);
@@ -24,14 +20,6 @@ inline double linearStop(double /*time*/, double z, double /*rate*/) {
 
 /// Mains hum: in the force, but no function of the motion.
 inline double hum(double time, double /*displacement*/, double /*rate*/) { return 120.0 * std::sin(314.159 * time); }
-
-inline std::vector<log::Log> runRigs(const std::vector<unsigned>& seeds, const RigEffect& effect) {
-  std::vector<log::Log> logs;
-  for (const unsigned seed : seeds) {
-    logs.push_back(runRig("log " + std::to_string(seed), seed, effect));
-  }
-  return logs;
-}
 
 /// Three logs and an unseen one.
 inline diagnosis::Diagnosis diagnoseRig(const RigEffect& effect,

@@ -43,7 +43,7 @@ class SimplestLaw : public testing::Test {
   void fit(const std::string& effect, const diagnosis::results::Entries& missing) {
     std::vector<gap::PreparedRecord> records;
     for (const int seed : {1, 2}) {
-      records.push_back(log::makeRecord(runRig("log", seed, [](double, double, double) { return 0.0; })));
+      records.push_back(log::makeRecord(runRig("log", seed, nothing)));
     }
     const gap::Forces added = gap::simulate(missing, records);
     for (std::size_t r = 0; r < records.size(); ++r) {
@@ -82,7 +82,7 @@ class SimplestLaw : public testing::Test {
 // Iwan's law with the numbers of Berg's has up to 2.37 over 1.99 times the force on a settled loop (element/iwan.h),
 // and so a limit between 672 and 800 N where Berg's is 800 N.
 TEST_F(SimplestLaw, OfFrictionHasTwoNumbers) {
-  fit("friction", {{"friction", {{"maximum_force", {800.0}}, {"displacement", {1e-4}}}}});
+  fit("friction", {friction(800.0, 1e-4)});
   expectPaid();
   ASSERT_EQ(found().size(), 1U);
   EXPECT_EQ(numbersIn(found()), 2U);
@@ -155,7 +155,7 @@ TEST(WrittenComponent, HasNumbersThatAreKnown) {
   diagnosis::Diagnosis d;
   d.component = "bush";
   io::ComponentDescription exact = inUnits();
-  exact.add = {{"friction", {{"maximum_force", {216.18}}, {"displacement", {1.2345678e-4}}}}};
+  exact.add = {friction(216.18, 1.2345678e-4)};
   auto specification = exact.specification();
   specification.set("static_stiffness", 896345.6789);
   exact.specify(specification);
@@ -193,8 +193,8 @@ TEST(Headline, TellsFrictionOverAllTerms) {
   const auto iwan = headlineOf({{"iwan", {{"maximum_force", {300.0}}, {"displacement", {1e-4}}}}});
   EXPECT_NEAR(iwan.at("maximum_force"), 300.0, 1e-9);
   EXPECT_NEAR(iwan.at("displacement"), 1e-4, 1e-12);
-  const auto both = headlineOf({{"friction", {{"maximum_force", {200.0}}, {"displacement", {1e-4}}}},
-                                {"iwan_table", {{"yield_displacement", {1e-4}}, {"stiffness", {2e6}}}}});
+  const auto both =
+      headlineOf({friction(200.0, 1e-4), {"iwan_table", {{"yield_displacement", {1e-4}}, {"stiffness", {2e6}}}}});
   EXPECT_NEAR(both.at("maximum_force"), 400.0, 1e-9);
   EXPECT_NEAR(both.at("displacement"), (std::sqrt(5.0) - 1.0) / 2.0 * 1e-4, 1e-9) << "z: 200 z/(z + 1) + 200 z = 200";
 }

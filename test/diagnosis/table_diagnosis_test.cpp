@@ -6,16 +6,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 
+#include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/laboratory.h"
 #include "diagnosis/report/page.h"
 #include "diagnosis/table/measured_rows.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/files.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -25,6 +25,17 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::ThrowsMessage;
+
+// The table of friction beside a Zener solid, and one diagnosis for all that is asserted of it.
+const fit::MeasuredTable& frictionTable() {
+  static const fit::MeasuredTable table = Laboratory(1).table(with(kZener, kFriction));
+  return table;
+}
+
+const Diagnosis& ofFrictionTable() {
+  static const Diagnosis run = checkedTable(without(kZener), frictionTable());
+  return run;
+}
 
 TEST(TableDiagnosis, NeverNamesWhatNoTableShows) {
   const Diagnosis& found = ofFrictionTable();
@@ -56,7 +67,7 @@ double gapOf(const io::ComponentDescription& description, const fit::MeasuredTab
 TEST(TableDiagnosis, TheAugmentedComponentLeavesWhatTheReportSays) {
   const fit::MeasuredTable table = Laboratory(3).table(with(kZener, kFriction));
   const Diagnosis found = checkedTable(without(kZener), table);
-  const auto reloaded = io::parseComponentFile(io::toYaml({found.law.augmented}), "augmented.yaml").front();
+  const auto reloaded = componentOf(io::toYaml({found.law.augmented}));
   // Other samples of a cycle, which move the area of a loop with friction by some 1e-4.
   EXPECT_NEAR(gapOf(reloaded, table), found.gap_as_recorded.augmented, 1e-3);
   EXPECT_NEAR(gapOf(found.configured, table), found.gap_as_recorded.as_configured, 1e-3);
@@ -122,11 +133,8 @@ TEST(TableDiagnosis, NamesTemperatureWhereOneCurveHoldsAllRows) {
       table.points.push_back({frequency, 1e-5, std::abs(k), std::arg(k), 0.0, temperature});
     }
   }
-  const auto maxwell = [](double frequency) {
-    return element::ElementDescription{"maxwell", {{"stiffness", {2.5e5}}, {"break_frequency", {frequency}}}};
-  };
   const io::ComponentDescription model{
-      "bush", {{"spring", {{"stiffness", {2.4e6}}}}, maxwell(0.1), maxwell(1.0), maxwell(10.0), maxwell(100.0)}};
+      "bush", {spring(2.4e6), maxwell(2.5e5, 0.1), maxwell(2.5e5, 1.0), maxwell(2.5e5, 10.0), maxwell(2.5e5, 100.0)}};
   const Diagnosis found = checkedTable(model, table);
   EXPECT_THAT(found.answer.verdict, testing::AnyOf(Verdict::named, Verdict::partly));
   EXPECT_THAT(found.answer.effects, testing::ElementsAre("temperature"));
@@ -143,15 +151,12 @@ TEST(TableDiagnosis, WritesTheReport) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "table_report";
   std::filesystem::remove_all(folder);
   writeReport(ofFrictionTable(), folder.string());
-  std::ifstream page(folder / "report.html");
-  EXPECT_THAT(std::string(std::istreambuf_iterator<char>(page), {}),
-              HasSubstr(report::tableSection(ofFrictionTable())));
+  EXPECT_THAT(contentOf(folder / "report.html"), HasSubstr(report::tableSection(ofFrictionTable())));
   for (const char* name : {"report.json", "report.html", "augmented.yaml", "figure_stiffness.csv",
                            "figure_loss_angle.csv", "figure_where.csv"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
-  std::ifstream stream(folder / "report.json");
-  const auto report = nlohmann::json::parse(stream);
+  const auto report = nlohmann::json::parse(contentOf(folder / "report.json"));
   EXPECT_EQ(report.at("schema"), "rubber_suspension/gap_report/1");
   EXPECT_EQ(report.at("verdict"), "named");
   EXPECT_EQ(report.at("table").at("rows").size(), frictionTable().points.size());

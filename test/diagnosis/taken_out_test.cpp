@@ -102,8 +102,7 @@ TEST_F(TakenOutTest, TellsWhatIsLeftFromBefore) {
 
 // Of a force that is recorded 3 % too large.
 TEST_F(TakenOutTest, TellsAGain) {
-  log::Log log = runRig(
-      "log", 3, [](double, double, double) { return 0.0; }, 2.0);
+  log::Log log = runRig("log", 3, nothing, 2.0);
   for (double& force : log.force) {
     force *= 1.03;
   }
@@ -116,15 +115,14 @@ TEST_F(TakenOutTest, TellsAGain) {
 
 TEST_F(TakenOutTest, TellsSpikes) {
   spike_ = 4000.0;
-  const auto parts = accountFor([](double, double, double) { return 0.0; }, {});
+  const auto parts = accountFor(nothing, {});
   EXPECT_NEAR(shareOf(parts, results::taken_out::kSpikes), 4000.0 / std::sqrt(5000.0) / deviation_,
               0.05 * 4000.0 / std::sqrt(5000.0) / deviation_);
 }
 
 // What stands in for a force that was not measured is no spike.
 TEST_F(TakenOutTest, LeavesOutWhatWasNotMeasured) {
-  log::Log log = runRig(
-      "log", 3, [](double, double, double) { return 0.0; }, 2.0);
+  log::Log log = runRig("log", 3, nothing, 2.0);
   log.counts.assign(log.size(), 1.0);
   for (std::size_t i = 1000; i < 1200; ++i) {
     log.counts[i] = 0.0;

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <functional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -15,14 +14,11 @@ using TemperatureOf = std::function<double(double time)>;
 
 // The log of runRig, its force computed again: relaxation by WLF (natural rubber at 20 degC), stiffness by T/T_0.
 inline log::Log runAt(const std::string& name, unsigned seed, const TemperatureOf& temperature) {
-  log::Log log = runRig(
-      name, seed, [](double, double, double) { return 0.0; }, 0.0);
+  log::Log log = runRig(name, seed, nothing, 0.0);
   const auto elements = rigComponent().allElements();
   const double spring = elements[0].value("stiffness");
   const double stiffness = elements[1].value("stiffness");
   const double rate = 2.0 * element::kPi * elements[1].value("break_frequency");
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> normal(0.0, 10.0);
   constexpr double kStep = 0.004;
   double relaxing = 0.0;
   for (std::size_t i = 0; i < log.size(); ++i) {
@@ -33,8 +29,9 @@ inline log::Log runAt(const std::string& name, unsigned seed, const TemperatureO
     const double increment = i == 0 ? 0.0 : log.displacement[i] - log.displacement[i - 1];
     relaxing = decay * relaxing + stiffness * increment / (kStep * shifted) * (1.0 - decay);
     log.temperature.push_back(celsius);
-    log.force[i] = (spring * log.displacement[i] + relaxing) * (celsius + 273.15) / 293.15 + normal(generator);
+    log.force[i] = (spring * log.displacement[i] + relaxing) * (celsius + 273.15) / 293.15;
   }
+  addNoise(log.force, 10.0, seed);
   return log;
 }
 

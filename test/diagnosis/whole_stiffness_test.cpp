@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnosis/results/characteristics.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -22,8 +23,7 @@ log::Record sine() {
 // Heat of hours would leave a fifth of the stiffness. That of 20 cycles takes 0.16 %: the sensitivity of 1e-4 1/J times
 // the work of 4 * 100 N * 2 mm in each.
 TEST(WholeStiffness, IsToldBeforeTheComponentHasWarmed) {
-  io::ComponentDescription before("bush", {{"spring", {{"stiffness", {1e6}}}},
-                                           {"friction", {{"maximum_force", {100.0}}, {"displacement", {1e-5}}}}});
+  io::ComponentDescription before("bush", {spring(1e6), friction(100.0, 1e-5)});
   io::ComponentDescription after = before;
   after.add = {{"self_heating", {{"energy_sensitivity", {1e-4}}, {"time_constant", {1e5}}}}};
   const auto whole = diagnosis::results::wholeStiffness(before, after, {sine()});
@@ -35,7 +35,7 @@ TEST(WholeStiffness, IsToldBeforeTheComponentHasWarmed) {
 }
 
 TEST(WholeStiffness, IsThatOfTheRubber) {
-  const io::ComponentDescription before("bush", {{"spring", {{"stiffness", {1e6}}}}});
+  const io::ComponentDescription before("bush", {spring(1e6)});
   io::ComponentDescription after = before;
   after.add = {{"time_delay", {{"delay", {1e-3}}}}, {"inertia", {{"mass", {100.0}}}, true}};
   const auto whole = diagnosis::results::wholeStiffness(before, after, {sine()});

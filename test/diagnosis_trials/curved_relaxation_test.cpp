@@ -1,17 +1,15 @@
 // Ramps and holds: relaxation along a curve, and linear relaxation beside a cubic spring.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "diagnosis/checked_diagnosis.h"
-#include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/log/log.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -42,8 +40,6 @@ log::Log runFilm(const Film& film, const std::string& name, unsigned seed, const
   constexpr int kRamp = 40;
   constexpr int kOfLevel = 400;
   constexpr int kFiner = 20;
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> normal(0.0, kFilmNoise);
   log::Log log;
   log.name = name;
   double slow = 0.0;
@@ -63,15 +59,14 @@ log::Log runFilm(const Film& film, const std::string& name, unsigned seed, const
     z = next;
     log.stamp.push_back(static_cast<std::int64_t>(i) * std::llround(kStep * 1e9));
     log.displacement.push_back(z);
-    log.force.push_back(kFilmSpring * z + film.cubic * std::pow(z / kFilmReach, 3) + slow + fast + normal(generator));
+    log.force.push_back(kFilmSpring * z + film.cubic * std::pow(z / kFilmReach, 3) + slow + fast);
   }
+  addNoise(log.force, kFilmNoise, seed);
   return log;
 }
 
 diagnosis::Diagnosis diagnoseFilm(const Film& film, double lesser) {
-  const auto component = io::parseComponentFile(
-      "components: {film: {model: elements, elements: [{type: spring, stiffness: 1.0e6}]}}", "film");
-  return checkedDiagnosis(component.front(),
+  return checkedDiagnosis({"film", {spring(kFilmSpring)}},
                           {runFilm(film, "one", 1, {lesser, 0.0, -lesser, 1.0, 0.0, -1.0, 0.25 * lesser, 0.0}),
                            runFilm(film, "two", 2, {1.0, lesser, -1.0, 0.0, -lesser, lesser, 0.0})},
                           {});
@@ -82,11 +77,6 @@ bool hasTypeAdded(const io::ComponentDescription& component, const std::string& 
                      [&](const element::ElementDescription& entry) { return entry.type == type; });
 }
 
-std::vector<std::string> sorted(std::vector<std::string> names) {
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 TEST(CurvedRelaxation, IsRelaxationWhereHoldsAtTwoAmplitudesShowIt) {
   const diagnosis::Diagnosis found = diagnoseFilm(alongCurve(), 0.5);
   EXPECT_EQ(found.answer.effects, std::vector<std::string>{"relaxation"}) << found.sentence;
@@ -95,7 +85,7 @@ TEST(CurvedRelaxation, IsRelaxationWhereHoldsAtTwoAmplitudesShowIt) {
 
 TEST(CurvedRelaxation, StaysLinearBesideACubicSpring) {
   const diagnosis::Diagnosis found = diagnoseFilm(linearBesideCubic(), 0.5);
-  EXPECT_EQ(sorted(found.answer.effects), (std::vector<std::string>{"progressive_stiffness", "relaxation"}))
+  EXPECT_THAT(found.answer.effects, testing::UnorderedElementsAre("progressive_stiffness", "relaxation"))
       << found.sentence;
   EXPECT_FALSE(hasTypeAdded(found.law.full, "maxwell_along_curve")) << io::toYaml({found.law.full});
 }

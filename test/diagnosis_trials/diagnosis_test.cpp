@@ -15,14 +15,13 @@ namespace rubber_suspension {
 namespace {
 
 diagnosis::Diagnosis diagnoseTwo(const RigEffect& effect) {
-  return checkedDiagnosis(rigComponent(), {runRig("one", 1, effect), runRig("two", 2, effect)},
-                          {runRig("unseen", 3, effect)});
+  return checkedDiagnosis(rigComponent(), runRigs({1, 2}, effect), runRigs({3}, effect));
 }
 
 // What the logs of the fit do not show cannot be named, but is no agreement either.
 TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotConfirm) {
-  const diagnosis::Diagnosis result = checkedDiagnosis(
-      rigComponent(), {runRig("one", 1, nothing), runRig("two", 2, nothing)}, {runRig("unseen", 3, stop)});
+  const diagnosis::Diagnosis result =
+      checkedDiagnosis(rigComponent(), runRigs({1, 2}, nothing), {runRig("unseen", 3, stop)});
   EXPECT_GT(result.gaps.unseen.as_configured, 0.05);
   EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::unknown);
   EXPECT_TRUE(result.answer.effects.empty());
@@ -63,28 +62,11 @@ TEST(Diagnosis, NamesADriftThatIsNewInEachLog) {
 }
 
 TEST(Diagnosis, NamesDryFriction) {
-  double force = 0.0;
-  double last = 0.0;
-  const auto friction = [&](double time, double z, double) {
-    if (time == 0.0) {
-      force = 0.0;
-      last = z;
-    }
-    force = std::clamp(force + 2e6 * (z - last), -150.0, 150.0);
-    last = z;
-    return force;
-  };
+  const RigEffect friction =
+      ofSteps([force = 0.0](double step) mutable { return force = std::clamp(force + 2e6 * step, -150.0, 150.0); });
   const diagnosis::Diagnosis result = diagnoseTwo(friction);
   ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
   EXPECT_EQ(result.answer.effects.front(), "friction");
-}
-
-void addNoise(std::vector<double>& values, double deviation, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> normal(0.0, deviation);
-  for (double& value : values) {
-    value += normal(generator);
-  }
 }
 
 // With a mount in series a linear component is again linear: other values of the model do as well.
@@ -173,18 +155,14 @@ TEST(Diagnosis, FindsAMassThroughTheNoiseOfTheDisplacement) {
 
 // Flow that stress hastens (Eyring's hyperbolic sine): neither friction nor relaxation nor both come close.
 TEST(Diagnosis, ClosesMostOfCouplingOfRateAndAmplitudeByCouplingAlone) {
-  double force = 0.0;
-  double last = 0.0;
-  const auto flow = [&](double time, double z, double) {
+  const RigEffect flow = ofSteps([force = 0.0](double step) mutable {
     constexpr int kSubsteps = 50;
-    force = time == 0.0 ? 0.0 : force;
-    const double step = time == 0.0 ? 0.0 : (z - last) / kSubsteps;
     for (int i = 0; i < kSubsteps; ++i) {
-      force += 5e5 * step - 0.004 / kSubsteps * 15.0 * 200.0 * std::sinh(std::clamp(force / 200.0, -20.0, 20.0));
+      force += 5e5 * (step / kSubsteps) -
+               0.004 / kSubsteps * 15.0 * 200.0 * std::sinh(std::clamp(force / 200.0, -20.0, 20.0));
     }
-    last = z;
     return force;
-  };
+  });
   const diagnosis::Diagnosis result = diagnoseTwo(flow);
   ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
   // It is named only where no others explain the gap, and here relaxation and friction together come close.

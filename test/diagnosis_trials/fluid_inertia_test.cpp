@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <functional>
 #include <iostream>
 #include <random>
 #include <string>
@@ -36,6 +35,7 @@ RigEffect fluidOf(const Column& column) {
     const double w = column.resonance;
     if (time == 0.0) {
       last = q = z;
+      rate = 0.0;
     }
     constexpr double kPart = kStep / kParts;
     for (int part = 1; part <= kParts; ++part) {
@@ -50,7 +50,7 @@ RigEffect fluidOf(const Column& column) {
 }
 
 /// Drawn for each bench: a turbulent track, a chamber that stiffens, both, or two tracks of different length.
-std::function<RigEffect()> drawMount(int number) {
+RigEffect drawMount(int number) {
   std::mt19937 generator(static_cast<unsigned>(number));
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(generator);
@@ -68,12 +68,10 @@ std::function<RigEffect()> drawMount(int number) {
   Column second = column;
   second.resonance *= between(1.3, 1.8);
   if (kind != 3) {
-    return [=] { return fluidOf(column); };
+    return fluidOf(column);
   }
-  return [=] {
-    return [one = fluidOf(column), two = fluidOf(second)](double time, double z, double rate) {
-      return 0.6 * one(time, z, rate) + 0.4 * two(time, z, rate);
-    };
+  return [one = fluidOf(column), two = fluidOf(second)](double time, double z, double rate) {
+    return 0.6 * one(time, z, rate) + 0.4 * two(time, z, rate);
   };
 }
 
@@ -85,21 +83,16 @@ RigEffect mass(double of) {
   };
 }
 
-RigEffect friction(double limit) {
-  return [limit, force = 0.0, last = 0.0](double time, double z, double /*rate*/) mutable {  // Dahl's, of power 1.5
-    const double step = time == 0.0 ? 0.0 : z - last;
-    last = z;
+RigEffect dahl(double limit) {  // of power 1.5
+  return ofSteps([limit, force = 0.0](double step) mutable {
     const double left = std::max(0.0, 1.0 - std::copysign(1.0, step) * force / limit);
-    force = std::clamp(force + 1e6 * step * std::pow(left, 1.5), -limit, limit);
-    return force;
-  };
+    return force = std::clamp(force + 1e6 * step * std::pow(left, 1.5), -limit, limit);
+  });
 }
 
 /// A spectrum from 0.05 to 50 Hz, by a power of the frequency.
 RigEffect relaxation(double stiffness) {
-  return [stiffness, forces = std::array<double, 10>{}, last = 0.0](double time, double z, double /*rate*/) mutable {
-    const double step = time == 0.0 ? 0.0 : z - last;
-    last = z;
+  return ofSteps([stiffness, forces = std::array<double, 10>{}](double step) mutable {
     double sum = 0.0;
     for (std::size_t i = 0; i < forces.size(); ++i) {
       const double frequency = 0.05 * std::pow(10.0, static_cast<double>(i) / 3.0);
@@ -107,23 +100,23 @@ RigEffect relaxation(double stiffness) {
       sum += stiffness * std::pow(frequency, 0.3) * forces[i];
     }
     return sum;
-  };
+  });
 }
 
 /// Flow that large forces accelerate.
 RigEffect eyring(double stiffness) {
-  return [stiffness, x = 0.0, last = 0.0](double time, double z, double /*rate*/) mutable {
-    const double step = time == 0.0 ? 0.0 : z - last;
-    last = z;
+  return ofSteps([stiffness, x = 0.0](double step) mutable {
     x += step - kStep * 6.0 * 3e-4 * std::sinh(x / 3e-4);
     return stiffness * x;
-  };
+  });
 }
 
 /// The rig's component, recorded late by some samples.
 RigEffect late(int samples) {
-  return [past = std::deque<double>(static_cast<std::size_t>(samples), 0.0)](double /*time*/, double z,
-                                                                             double /*rate*/) mutable {
+  return [=, past = std::deque<double>()](double time, double z, double /*rate*/) mutable {
+    if (time == 0.0) {
+      past.assign(static_cast<std::size_t>(samples), 0.0);
+    }
     past.push_back(z);
     const double before = past.front();
     past.pop_front();
@@ -132,38 +125,32 @@ RigEffect late(int samples) {
 }
 
 /// What the benches without fluid have, in three sizes.
-std::function<RigEffect()> without(int number) {
+RigEffect without(int number) {
   const double size = std::array{0.4, 1.0, 2.0}[static_cast<std::size_t>(number / 10)];
-  const std::vector<std::function<RigEffect()>> kinds = {
-      [] { return [](double, double, double) { return 0.0; }; },
-      [=] { return friction(200.0 * size); },
-      [=] { return [=](double, double, double rate) { return 4.7e4 * size * rate * std::abs(rate); }; },
-      [=] { return mass(150.0 * size); },
-      [=] { return relaxation(2e5 * size); },
-      [=] { return [=](double, double z, double) { return 300.0 * size * std::sinh(z / 1e-3); }; },
-      [=] {
-        return [=](double, double z, double) { return 1.5e6 * size * std::pow(std::max(0.0, z - 1.2e-3) / 1e-3, 1.5); };
-      },
-      [=] { return late(1 + static_cast<int>(size)); },
-      [=] { return [=](double, double z, double rate) { return size * (1.5e5 * z + 2e3 * rate); }; },
-      [=] { return eyring(4e5 * size); }};
+  const std::vector<RigEffect> kinds = {
+      nothing,
+      dahl(200.0 * size),
+      [=](double, double, double rate) { return 4.7e4 * size * rate * std::abs(rate); },
+      mass(150.0 * size),
+      relaxation(2e5 * size),
+      [=](double, double z, double) { return 300.0 * size * std::sinh(z / 1e-3); },
+      [=](double, double z, double) { return 1.5e6 * size * std::pow(std::max(0.0, z - 1.2e-3) / 1e-3, 1.5); },
+      late(1 + static_cast<int>(size)),
+      [=](double, double z, double rate) { return size * (1.5e5 * z + 2e3 * rate); },
+      eyring(4e5 * size)};
   return kinds[static_cast<std::size_t>(number % 10)];
 }
 
 /// Of two logs of one component: so few leave wide intervals, which say nothing of the names.
-diagnosis::Diagnosis diagnosisOf(int number, const std::function<RigEffect()>& effect) {
-  std::vector<log::Log> logs;
-  for (int i = 0; i < 2; ++i) {
-    logs.push_back(runRig("log " + std::to_string(i + 1), static_cast<unsigned>(2 * number + i), effect()));
-  }
-  return diagnosis::diagnose(rigComponent(), logs, {});
+diagnosis::Diagnosis diagnosisOf(unsigned number, const RigEffect& effect) {
+  return diagnosis::diagnose(rigComponent(), runRigs({2 * number, 2 * number + 1}, effect), {});
 }
 
 TEST(FluidInertia, IsNamedFirstWhereTheLawOfTheMountIsAnother) {
   constexpr int kBenches = 20;
   int named = 0;
   for (int i = 0; i < kBenches; ++i) {
-    const diagnosis::Diagnosis result = diagnosisOf(i, drawMount(i));
+    const diagnosis::Diagnosis result = diagnosisOf(static_cast<unsigned>(i), drawMount(i));
     const bool first = !result.answer.effects.empty() && result.answer.effects.front() == "fluid_inertia";
     named += first ? 1 : 0;
     EXPECT_GT(result.gaps.unseen.as_configured, 0.03) << i << ": there is something to be found";
@@ -179,10 +166,7 @@ TEST(FluidInertia, IsNamedFirstWhereTheLawOfTheMountIsAnother) {
 TEST(FluidInertia, OfQuadraticLossIsOneTrack) {
   const Column orifice{5e5, 2.0 * element::kPi * 4.0, 0.05, 0.15, 0.0};
   const double mass = orifice.stiffness / std::pow(orifice.resonance, 2);
-  std::vector<log::Log> logs;
-  for (unsigned i = 1; i <= 2; ++i) {
-    logs.push_back(runRig("log " + std::to_string(i), i, fluidOf(orifice)));
-  }
+  const std::vector<log::Log> logs = runRigs({1, 2}, fluidOf(orifice));
   io::ComponentDescription component = rigComponent();
   const diagnosis::Diagnosis result = diagnosis::diagnose(component, logs, {});
   ASSERT_EQ(result.answer.effects, std::vector<std::string>{"fluid_inertia"}) << result.sentence;
@@ -206,7 +190,7 @@ TEST(FluidInertia, IsNamedOnHardlyABenchWithoutIt) {
   constexpr int kBenches = 30;
   int named = 0;
   for (int i = 0; i < kBenches; ++i) {
-    const diagnosis::Diagnosis result = diagnosisOf(100 + i, without(i));
+    const diagnosis::Diagnosis result = diagnosisOf(static_cast<unsigned>(100 + i), without(i));
     if (std::count(result.answer.effects.begin(), result.answer.effects.end(), "fluid_inertia") > 0) {
       ++named;
       std::cout << i << ": " << result.sentence << std::endl;

@@ -1,7 +1,6 @@
 // A drift beside Berg's friction, whose past nobody knows.
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
 #include <vector>
 
@@ -16,24 +15,15 @@ namespace {
 // A drift of the load cell beside friction that forgets in the course of a log where it came from.
 TEST(FrictionStarts, HideNoDrift) {
   constexpr double kRate = 12.0;  // [N/s], over 20 s of a force of some 1 kN
-  const io::ComponentDescription component =
-      io::parseComponentFile(
-          "components:\n  bush:\n    model: elements\n    elements:\n"
-          "      - {type: spring, stiffness: 1.0e6}\n"
-          "      - {type: friction, maximum_force: 2000, displacement: 5.0e-3}\n",
-          "rig")
-          .front();
-  std::vector<log::Log> logs;
-  for (const unsigned seed : {1U, 2U, 3U}) {
-    log::Log log = runRig("log " + std::to_string(seed), seed, [](double, double, double) { return 0.0; });
-    const log::Record record = log::makeRecord(log);
+  const io::ComponentDescription component("bush", {spring(1e6), friction(2e3, 5e-3)});
+  std::vector<log::Log> logs = runRigs({1, 2, 3}, nothing);
+  for (unsigned log = 0; log < logs.size(); ++log) {
+    const log::Record record = log::makeRecord(logs[log]);
     const Eigen::VectorXd force = gap::simulate(component.allElements(), {record}).front();
-    std::mt19937 generator(seed);
-    std::normal_distribution<double> noise(0.0, 5.0);
     for (Eigen::Index i = 0; i < force.size(); ++i) {
-      log.force[static_cast<std::size_t>(i)] = force[i] + kRate * record.dt * static_cast<double>(i) + noise(generator);
+      logs[log].force[static_cast<std::size_t>(i)] = force[i] + kRate * record.dt * static_cast<double>(i);
     }
-    logs.push_back(log);
+    addNoise(logs[log].force, 5.0, log + 1);
   }
   const diagnosis::Diagnosis result = checkedDiagnosis(component, logs, {});
   EXPECT_EQ(result.answer.effects, std::vector<std::string>{"force_drift"}) << result.sentence;

@@ -15,11 +15,7 @@ namespace {
 constexpr double kSensorNoise = 1e-6;  // standard deviation [m]
 
 log::Log withNoise(log::Log log, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> normal(0.0, kSensorNoise);
-  for (double& z : log.displacement) {
-    z += normal(generator);
-  }
+  addNoise(log.displacement, kSensorNoise, seed);
   return log;
 }
 
@@ -46,8 +42,7 @@ TEST(HeldForce, IsThatOfTheFileThatIsWritten) {
       checkedDiagnosis(rigComponent(), {moved("one", 1), moved("two", 2), held("hold", 3, 2e-3, -1.5e-3)},
                        {held("held", 4, 1.6e-3, -1e-3)});
   ASSERT_EQ(found.answer.effects, std::vector<std::string>{"friction"}) << found.sentence;
-  const component::Component written =
-      io::parseComponentFile(io::toYaml({found.law.augmented}), "augmented.yaml").front().makeComponent();
+  const component::Component written = componentOf(io::toYaml({found.law.augmented})).makeComponent();
   // At the lower end of what is said to be closed of further logs.
   const double most = found.gaps.unseen.re_estimated -
                       found.gaps.closed_interval[0] * (found.gaps.unseen.re_estimated - found.gaps.unseen.noise_floor);

@@ -10,7 +10,6 @@
 #include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
-#include "rubber_suspension/io/component_file.h"
 #include "support/kit.h"
 
 namespace rubber_suspension {
@@ -19,11 +18,7 @@ namespace {
 constexpr double kSampleStep = 0.004;  // [s]
 constexpr double kBushNoise = 3.0;     // [N]
 
-io::ComponentDescription bush() {
-  return componentOf(
-      "components:\n  bush:\n    model: elements\n    elements:\n      - {type: spring, stiffness: 4.0e5}\n"
-      "      - {type: friction, maximum_force: 60.0, displacement: 1.0e-4}\n");
-}
+io::ComponentDescription bush() { return {"bush", {spring(4e5), friction(60.0, 1e-4)}}; }
 
 // A rise to the load in a second, a hold, then motions about it that grow until friction has forgotten the rise.
 std::vector<double> loadedMotion(double load, double frequency) {
@@ -47,15 +42,11 @@ log::Log recorded(const std::string& name, unsigned seed, const std::vector<doub
   component::ComponentState state = component.makeState();
   std::vector<double> force(displacement.size());
   component.simulate(state, kSampleStep, displacement.data(), displacement.size(), force.data());
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> noise(0.0, kBushNoise);
-  log::Log log;
-  log.name = name;
-  for (std::size_t i = before; i < displacement.size(); ++i) {
-    log.stamp.push_back(static_cast<std::int64_t>(i - before) * 4000000);
-    log.displacement.push_back(displacement[i]);
-    log.force.push_back(force[i] + noise(generator));
-  }
+  log::Log log = logOf(
+      name, static_cast<int>(displacement.size() - before), 4000000,
+      [&](int i) { return displacement[before + static_cast<std::size_t>(i)]; },
+      [&](int i, double) { return force[before + static_cast<std::size_t>(i)]; });
+  addNoise(log.force, kBushNoise, seed);
   return log;
 }
 

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kNoise = 20.0;  // [N]
 
-double glued(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
-
 /// The rig's component as a strap (side 1) or a chevron (-1): while slack, the rate of its length is what relaxes, by
 /// Euler steps of a hundredth of a sample.
 log::Log unglued(log::Log log, double side) {
@@ -26,8 +24,6 @@ log::Log unglued(log::Log log, double side) {
   const double spring = elements[0].value("stiffness");
   const double relaxing = elements[1].value("stiffness");
   const double rate = 2.0 * element::kPi * elements[1].value("break_frequency");
-  std::mt19937 generator(static_cast<unsigned>(log.size()));
-  std::normal_distribution<double> noise(0.0, kNoise);
   double length = std::max(0.0, side * log.displacement.front());  // of the strap under its force
   double relaxed = length;                                         // what the dashpot has moved
   for (std::size_t i = 0; i < log.size(); ++i) {
@@ -38,8 +34,9 @@ log::Log unglued(log::Log log, double side) {
       relaxed += dt * rate * (length - relaxed);
       length = std::max(plate, relaxing * relaxed / (spring + relaxing));
     }
-    log.force[i] = side * (spring * length + relaxing * (length - relaxed)) + noise(generator);
+    log.force[i] = side * (spring * length + relaxing * (length - relaxed));
   }
+  addNoise(log.force, kNoise, static_cast<unsigned>(log.size()));
   return log;
 }
 
@@ -61,7 +58,7 @@ std::vector<log::Log> rampLogs(double side, const RigEffect& effect) {
 }
 
 TEST(LiftOff, OfAStrapIsTold) {
-  const std::vector<log::Log> logs = {unglued(runRig("one", 1, glued), 1.0), unglued(runRig("two", 2, glued), 1.0)};
+  const std::vector<log::Log> logs = {unglued(runRig("one", 1, nothing), 1.0), unglued(runRig("two", 2, nothing), 1.0)};
   const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), logs, {});
   ASSERT_THAT(result.answer.effects, testing::ElementsAre("lift_off")) << result.sentence;
   ASSERT_EQ(result.law.augmented.add.size(), 1U);
@@ -72,7 +69,7 @@ TEST(LiftOff, OfAStrapIsTold) {
 
 TEST(LiftOff, OnRampsIsToldWithTheSideThatItCarries) {
   for (const auto& [side, carries] : {std::pair(1.0, "tension"), std::pair(-1.0, "compression")}) {
-    std::vector<log::Log> logs = rampLogs(side, glued);
+    std::vector<log::Log> logs = rampLogs(side, nothing);
     for (log::Log& log : logs) {
       log = unglued(std::move(log), side);
     }
@@ -92,12 +89,8 @@ TEST(LiftOff, IsNotToldOfFriction) {
 
 // A stop of one side makes the forces of the other the smaller ones, as an open contact does.
 TEST(LiftOff, IsNotToldOfAStopOfOneSide) {
-  std::vector<log::Log> logs;
-  for (unsigned seed = 1; seed <= 2; ++seed) {
-    logs.push_back(runRig("log " + std::to_string(seed), seed,
-                          [](double, double z, double) { return 3e6 * std::max(0.0, z - 5e-4); }));
-  }
-  const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), logs, {});
+  const auto stop = [](double, double z, double) { return 3e6 * std::max(0.0, z - 5e-4); };
+  const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), runRigs({1, 2}, stop), {});
   EXPECT_THAT(result.answer.effects, testing::Not(testing::Contains("lift_off"))) << result.sentence;
 }
 

@@ -6,31 +6,22 @@
 
 #include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "rubber_suspension/io/component_file.h"
+#include "support/kit.h"
 #include "support/measured_data.h"
 
 namespace rubber_suspension {
 namespace {
-
-// Neither friction nor softening is in a multi-Maxwell model; stiffnesses as read from the settled loops.
-const char* const kBearing = R"(components:
-  bearing:
-    model: multi_maxwell
-    specification:
-      static_stiffness: 1.3e6
-      dynamic_stiffness: 1.5e6
-      nominal_frequency: 0.2
-      maximum_stiffness: 1.8e6
-      high_frequency: 2.0
-)";
 
 TEST(MeasuredBearing, LacksFrictionAndSoftening) {
   const std::string path = measuredData("hdrb/hdrb_shear_4amplitudes.csv");
   if (!std::filesystem::exists(path)) {
     GTEST_SKIP() << "no measured log: " << path << " is missing";
   }
-  const diagnosis::Diagnosis result =
-      checkedDiagnosis(io::parseComponentFile(kBearing, "bearing").front(), {log::readLog(path)}, {}, {});
+  // Neither friction nor softening is in a multi-Maxwell model; stiffnesses as read from the settled loops.
+  const auto bearing = componentOf(
+      "components: {bearing: {model: multi_maxwell, specification: {static_stiffness: 1.3e6, dynamic_stiffness: 1.5e6, "
+      "nominal_frequency: 0.2, maximum_stiffness: 1.8e6, high_frequency: 2.0}}}");
+  const diagnosis::Diagnosis result = checkedDiagnosis(bearing, {log::readLog(path)}, {}, {});
   for (const char* effect : {"friction", "stress_softening"}) {
     EXPECT_EQ(std::count(result.answer.effects.begin(), result.answer.effects.end(), effect), 1)
         << effect << ": " << result.sentence;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 
 #include "diagnosis/checked_diagnosis.h"
@@ -18,13 +17,12 @@ using ::testing::HasSubstr;
 
 // All but at rest: 4 N of force within 20 N of noise, as all logs of the rig have.
 log::Log hold(unsigned seed) {
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> noise(0.0, 20.0);
   log::Log log = runRig("hold " + std::to_string(seed), seed, rigFriction());
   for (std::size_t i = 0; i < log.stamp.size(); ++i) {
     log.displacement[i] = 4e-6 * std::sin(0.002 * static_cast<double>(i));
-    log.force[i] = 1e6 * log.displacement[i] + noise(generator);
+    log.force[i] = 1e6 * log.displacement[i];
   }
+  addNoise(log.force, 20.0, seed);
   return log;
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 using ::testing::ElementsAre;
 
-log::Log runWithGain(const std::string& name, unsigned seed, double gain) {
-  log::Log log = runRig(name, seed, [](double, double, double) { return 0.0; });
+log::Log runWithGain(const std::string& name, unsigned seed, double gain, const RigEffect& effect = nothing) {
+  log::Log log = runRig(name, seed, effect);
   for (double& force : log.force) {
     force *= 1.0 + gain;
   }
@@ -88,11 +88,7 @@ TEST(SensorGain, IsNamedWhereItDiffersFromLogToLog) {
 
 TEST(SensorGain, MayStandBesideAnotherEffect) {
   const auto run = [](const std::string& name, unsigned seed, double gain) {
-    log::Log log = runRig(name, seed, rigFriction());
-    for (double& force : log.force) {
-      force *= 1.0 + gain;
-    }
-    return log;
+    return runWithGain(name, seed, gain, rigFriction());
   };
   const diagnosis::Diagnosis result = checkedDiagnosis(
       rigComponent(), {run("one", 1, 0.15), run("two", 2, -0.15), run("three", 5, 0.15)}, {run("unseen", 3, -0.15)});
@@ -103,7 +99,7 @@ TEST(SensorGain, MayStandBesideAnotherEffect) {
 // largest.
 TEST(SensorGain, IsNoneOfAnEffectThatDependsOnAmplitude) {
   const auto run = [](const std::string& name, unsigned seed, double share) {
-    log::Log log = runRig(name, seed, [](double, double, double) { return 0.0; });
+    log::Log log = runRig(name, seed, nothing);
     for (std::size_t i = 0; i < log.stamp.size(); ++i) {
       log.displacement[i] *= share;
       log.force[i] = share * log.force[i] + 6e10 * std::pow(log.displacement[i], 3);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 #include <functional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -24,16 +23,10 @@ using testing::IsEmpty;
 // Logs of the same component: its force under a motion through all amplitudes and frequencies, with noise of about 1 %.
 std::vector<log::Log> logsOf(const io::ComponentDescription& truth) {
   const component::Component component = truth.makeComponent();
-  std::vector<log::Log> logs;
-  for (unsigned seed = 1; seed <= 3; ++seed) {
-    log::Log log = runRig("log" + std::to_string(seed), seed, [](double, double, double) { return 0.0; });
-    log.force = gap::simulateLog(component, log);
-    std::mt19937 generator(seed);
-    std::normal_distribution<double> normal(0.0, 15.0);
-    for (double& force : log.force) {
-      force += normal(generator);
-    }
-    logs.push_back(std::move(log));
+  std::vector<log::Log> logs = runRigs({1, 2, 3}, nothing);
+  for (unsigned i = 0; i < logs.size(); ++i) {
+    logs[i].force = gap::simulateLog(component, logs[i]);
+    addNoise(logs[i].force, 15.0, i + 1);
   }
   return logs;
 }
@@ -191,8 +184,7 @@ TEST(TableDiagnosis, FollowsTheTemperatureOfRows) {
     // Rates by the activation energy of 40 kJ/mol about 20 degC: the same component with another break frequency.
     constexpr double kGas = 8.314462618;
     const double shift = std::exp(4e4 / kGas * (1.0 / 293.15 - 1.0 / (273.15 + temperature)));
-    const component::Component component(
-        {{"spring", {{"stiffness", {1e6}}}}, {"maxwell", {{"stiffness", {6e5}}, {"break_frequency", {3.0 * shift}}}}});
+    const component::Component component({spring(1e6), maxwell(6e5, 3.0 * shift)});
     for (const double frequency : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
       fit::TablePoint point = laboratory.measured(pointOf(component, frequency, 5e-4));
       point.temperature = temperature;
@@ -206,15 +198,14 @@ TEST(TableDiagnosis, FollowsTheTemperatureOfRows) {
 
 // No second and no newton has a meaning of its own.
 TEST(TableDiagnosis, OfASlowerAndSofterComponentIsTheSame) {
-  constexpr double kSlower = 100.0;
   constexpr double kSofter = 1e-3;
   const char* const slow =
       "{model: maxwell, specification: {static_stiffness: 1.0e3, dynamic_stiffness: 1.3e3, nominal_frequency: 0.04, "
       "break_frequency: 0.03}";
   const Diagnosis one = checkedTable(without(kZener), Laboratory(5).table(with(kZener, kFriction)));
   const Diagnosis other = checkedTable(
-      without(slow),
-      Laboratory(5).table(with(slow, "{type: friction, maximum_force: 0.2, displacement: 4.0e-4}"), kSlower));
+      without(slow), Laboratory(5).table(with(slow, "{type: friction, maximum_force: 0.2, displacement: 4.0e-4}"),
+                                         {0.005, 0.01, 0.02, 0.04, 0.08, 0.16}));
   EXPECT_EQ(one.answer.effects, other.answer.effects);
   EXPECT_EQ(one.answer.verdict, other.answer.verdict);
   EXPECT_NEAR(one.gaps.unseen.augmented, other.gaps.unseen.augmented, 1e-4);  // where an iteration ends

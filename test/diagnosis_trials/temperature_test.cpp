@@ -41,7 +41,7 @@ TEST(TemperatureEffect, IsNamedWhereTheColumnExplainsTheGap) {
   const double replayed =
       gap::relativeGap(unseen.force, gap::replay(result.law.augmented.makeComponent(), unseen).force);
   EXPECT_NEAR(replayed, result.gap_as_recorded.augmented, 1e-3);
-  const auto read = io::parseComponentFile(io::toYaml({result.law.augmented}), "augmented").front();
+  const auto read = componentOf(io::toYaml({result.law.augmented}));
   EXPECT_TRUE(read.makeComponent().shiftsWithTemperature());
 }
 

@@ -12,7 +12,8 @@
 #include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
-#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/gap/replay.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -27,7 +28,7 @@ io::ComponentDescription sheet(double k_st, double k_n, const std::string& toler
       "      static_stiffness: {:.4f} kN/mm\n      dynamic_stiffness: {:.4f} kN/mm\n      nominal_frequency: 5\n"
       "      maximum_stiffness: 1.4028 kN/mm\n      high_frequency: 24\n",
       tolerance, 0.9633 * k_st, 1.2859 * k_n);
-  return io::parseComponentFile(text, "sheet").front();
+  return componentOf(text);
 }
 
 double sines(double t) {
@@ -42,24 +43,13 @@ double hold(double t) { return t < 1.0 ? 2.0 * t : t < 8.0 ? 2.0 : t < 8.5 ? 2.0
 
 // The motion [mm] in the true component, with noise of 0.5 % of the force.
 log::Log record(const std::string& name, double (*motion)(double), unsigned seed) {
-  const component::Component component = sheet(1.0, 1.0).makeComponent();
-  component::ComponentState state = component.makeState();
-  log::Log log;
-  log.name = name;
-  for (int i = 0; i < kSamples; ++i) {
+  log::Log log = logOf(name, kSamples, std::llround(kStep * 1e9), [&](int i) {
     const double t = kStep * i;
-    const double fade = std::min({1.0, t / 0.5, (kStep * kSamples - t) / 0.5});
-    log.stamp.push_back(i * std::llround(kStep * 1e9));
-    log.displacement.push_back(1e-3 * fade * motion(t));
-    log.force.push_back(i == 0 ? component.initialise(state, log.displacement[0]).total
-                               : component.step(state, kStep, log.displacement.back()).total);
-  }
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> normal(
-      0.0, 0.005 * gap::standardDeviation(Eigen::Map<const Eigen::VectorXd>(log.force.data(), kSamples)));
-  for (double& force : log.force) {
-    force += normal(generator);
-  }
+    return 1e-3 * std::min({1.0, t / 0.5, (kStep * kSamples - t) / 0.5}) * motion(t);
+  });
+  log.force = gap::simulateLog(sheet(1.0, 1.0).makeComponent(), log);
+  const double deviation = gap::standardDeviation(Eigen::Map<const Eigen::VectorXd>(log.force.data(), kSamples));
+  addNoise(log.force, 0.005 * deviation, seed);
   return log;
 }
 
@@ -91,10 +81,9 @@ TEST(WrongSheet, OfAGuessIsFollowedAsFarAsAGuessMayBeOff) {
   constexpr double kMass = 5.3;       // [kg]: a resonance at 69 Hz
   constexpr double kDamping = 200.0;  // [N s/m]
   constexpr double kRate = 8000.0;    // [Hz], at which a second difference is the acceleration
-  const auto guess = io::parseComponentFile(
+  const auto guess = componentOf(
       "components:\n  b:\n    model: kelvin_voigt\n    specification: {tolerance: guess, dynamic_stiffness: 33000, "
-      "nominal_frequency: 0.05, relative_damping: 0.001}\n",
-      "guess");
+      "nominal_frequency: 0.05, relative_damping: 0.001}\n");
   std::mt19937 generator(5);
   std::normal_distribution<double> noise(0.0, 0.3);
   log::Log log;
@@ -114,7 +103,7 @@ TEST(WrongSheet, OfAGuessIsFollowedAsFarAsAGuessMayBeOff) {
     log.displacement.push_back(z);
     log.force.push_back(kStiffness * z + kDamping * velocity + kMass * acceleration + noise(generator));
   }
-  const diagnosis::Diagnosis result = checkedDiagnosis(guess.front(), {log}, {});
+  const diagnosis::Diagnosis result = checkedDiagnosis(guess, {log}, {});
   EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::named) << result.sentence;
   EXPECT_THAT(result.answer.effects, testing::ElementsAre("inertia")) << result.sentence;
   ASSERT_FALSE(result.law.effect_sizes.empty());

@@ -15,6 +15,7 @@
 #include "io/cancellation.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
@@ -25,17 +26,12 @@ using diagnosis::live::LiveSample;
 constexpr double kRate = 200.0;  // [Hz]
 constexpr std::int64_t kStart = 1700000000LL * 1000000000LL;
 
-io::ComponentDescription configured() {
-  return {"bush",
-          {{"spring", {{"stiffness", {3e6}}}},
-           {"maxwell", {{"stiffness", {1.2e6}}, {"break_frequency", {2.0}}}},
-           {"maxwell", {{"stiffness", {0.7e6}}, {"break_frequency", {12.0}}}}}};
-}
+io::ComponentDescription configured() { return {"bush", {spring(3e6), maxwell(1.2e6, 2.0), maxwell(0.7e6, 12.0)}}; }
 
 io::ComponentDescription withFriction() {
   io::ComponentDescription description = configured();
   // 5 % of the force that the motion below makes, which has a standard deviation of 7 kN: 350 N all the time.
-  description.add = {{"friction", {{"maximum_force", {400.0}}, {"displacement", {0.0003}}}}};
+  description.add = {friction(400.0, 0.0003)};
   return description;
 }
 

@@ -12,7 +12,6 @@
 
 #include "measurement/examine.h"
 #include "rubber_suspension/element/constants.h"
-#include "support/kit.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -100,7 +99,7 @@ TEST(BenchCheck, LeavesALateDisplacementToTheEffects) {
 
 // A spring without loss gives energy however little its force is late: that is the effect, up to what it reaches.
 TEST(BenchCheck, LeavesShortDelaysInSlowMotionToTheEffects) {
-  const Elements spring = {{"spring", {{"stiffness", {2.3e5}}}}};
+  const Elements lossless = {spring(2.3e5)};
   const auto late = [](double delay) {
     constexpr double kFrequency = 3.2;  // [Hz]
     const auto at = [](double time) { return std::sin(2.0 * element::kPi * kFrequency * time); };
@@ -109,9 +108,9 @@ TEST(BenchCheck, LeavesShortDelaysInSlowMotionToTheEffects) {
         [&](int i, double /*z*/) { return 230.0 * at(0.0005 * i - delay); }));
   };
   for (const double delay : {0.0025, 0.012, 0.02}) {
-    EXPECT_TRUE(checkBench(spring, {late(delay), late(delay)}).empty()) << delay;
+    EXPECT_TRUE(checkBench(lossless, {late(delay), late(delay)}).empty()) << delay;
   }
-  const std::vector<RigFinding> findings = checkBench(spring, {late(0.06), late(0.06)});
+  const std::vector<RigFinding> findings = checkBench(lossless, {late(0.06), late(0.06)});
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0].finding, finding::kDelay);
   EXPECT_NEAR(findings[0].value, 0.06, 0.025 / 3.2);  // a step of the search, a fortieth of a cycle
@@ -149,7 +148,7 @@ log::Record sine(double frequency, double stiffness, double phase = 0.0, log::Un
   return log::makeRecord(log);
 }
 
-const Elements kSpring = {{"spring", {{"stiffness", {1e6}}}}};
+const Elements kSpring = {spring(1e6)};
 
 std::vector<std::string> namesOf(const std::vector<RigFinding>& findings) {
   std::vector<std::string> names;
@@ -422,9 +421,8 @@ TEST(BenchCheck, LeavesDampersWithWeakSpringAlone) {
     rig.motion = motion;
     const log::Log log = runRig(rig).log;
     log::Record record = log::makeRecord(log);
-    const Elements friction = {{"friction", {{"maximum_force", {400.0}}, {"displacement", {1e-5}}}}};
-    record.force = simulateAll(friction, {record.dt}, {record.displacement}).front();
-    const Elements weak = {{"spring", {{"stiffness", {1e3}}}}};
+    record.force = simulateAll({friction(400.0, 1e-5)}, {record.dt}, {record.displacement}).front();
+    const Elements weak = {spring(1e3)};
     EXPECT_TRUE(checkBench(weak, {record}).empty());
     record.force *= -1.0;
     const std::vector<RigFinding> reversed = checkBench(weak, {record});

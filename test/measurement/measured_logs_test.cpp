@@ -1,7 +1,6 @@
 // Measured logs of other laboratories go through, and none of them is taken for a bench's mistake.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -12,16 +11,10 @@
 #include "rubber_suspension/measurement/bench_check.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 #include "rubber_suspension/measurement/rig_model.h"
+#include "support/measured_data.h"
 
 namespace rubber_suspension::measurement {
 namespace {
-
-// Where the data lie; empty where they do not.
-std::string dataFolder() {
-  const char* given = std::getenv("RUBBER_SUSPENSION_DATA");
-  const std::string folder = given != nullptr ? given : TEST_DIR "/../../shared/data";
-  return std::filesystem::is_directory(folder) ? folder : "";
-}
 
 // What a data sheet would say of each, from what is visible without any model.
 struct Measured {
@@ -30,32 +23,30 @@ struct Measured {
   Elements elements;
 };
 
-Elements springOf(double stiffness) { return {{"spring", {{"stiffness", {stiffness}}}}}; }
-
 std::vector<Measured> measuredLogs() {
-  std::vector<Measured> logs = {{"hdrb", "hdrb_shear_4amplitudes.csv", springOf(1.5e6)}};
+  std::vector<Measured> logs = {{"hdrb", "hdrb_shear_4amplitudes.csv", {spring(1.5e6)}}};
   for (const char* file : {"high_1.csv", "high_3.csv", "high_5.csv", "high_7.csv", "high_9.csv", "low_1.csv",
                            "low_4.csv", "low_7.csv", "low_10.csv"}) {
-    logs.push_back({"mr_damper", file, springOf(1e3)});
+    logs.push_back({"mr_damper", file, {spring(1e3)}});
   }
   for (const char* file : {"o_ring_1_bar.csv", "o_ring_3_bar.csv", "o_ring_7_bar.csv"}) {
-    logs.push_back({"rod_seal", file, springOf(10.0)});
+    logs.push_back({"rod_seal", file, {spring(10.0)}});
   }
   for (const char* file : {"shear_relaxation.csv", "shear_relaxation_0d1.csv", "shear_relaxation_1.csv",
                            "shear_relaxation_2.csv", "shear_relaxation_5.csv"}) {
-    logs.push_back({"adhesive_film", file, springOf(8e3)});
+    logs.push_back({"adhesive_film", file, {spring(8e3)}});
   }
   return logs;
 }
 
 TEST(MeasuredLogs, GoThrough) {
-  const std::string folder = dataFolder();
-  if (folder.empty()) {
-    GTEST_SKIP() << "no measured logs: RUBBER_SUSPENSION_DATA names no folder, and ../shared/data is not there";
-  }
   for (const Measured& measured : measuredLogs()) {
-    SCOPED_TRACE(std::string(measured.folder) + "/" + measured.file);
-    const log::Log log = log::longestStretch(log::readLog(folder + "/" + measured.folder + "/" + measured.file));
+    const std::string path = measuredData(std::string(measured.folder) + "/" + measured.file);
+    SCOPED_TRACE(path);
+    if (!std::filesystem::exists(path)) {
+      GTEST_SKIP() << "no measured log: " << path << " is missing";
+    }
+    const log::Log log = log::longestStretch(log::readLog(path));
     const Faults faults = findFaults(log);
     const log::Record record = log::makeRecord(repaired(log, faults));
     const Mask mask = resampled(faults.usable(), log, record);

@@ -9,10 +9,9 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-#include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
-#include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::measurement {
 
@@ -65,10 +64,9 @@ struct VirtualLog {
 
 inline Elements elementsOf(const VirtualRig& rig) {
   const double stiffness = 1e6 * rig.force / rig.length;
-  Elements elements = {{"spring", {{"stiffness", {stiffness}}}},
-                       {"maxwell", {{"stiffness", {0.5 * stiffness}}, {"break_frequency", {3.0 / rig.time}}}}};
+  Elements elements = {spring(stiffness), maxwell(0.5 * stiffness, 3.0 / rig.time)};
   if (rig.law == Law::friction) {
-    elements.push_back({"friction", {{"maximum_force", {400.0 * rig.force}}, {"displacement", {4e-4 * rig.length}}}});
+    elements.push_back(friction(400.0 * rig.force, 4e-4 * rig.length));
   }
   if (rig.law == Law::progressive) {
     elements.push_back({"progressive_stiffness", {{"cubic", {1e11 * rig.force / std::pow(rig.length, 3)}}}});

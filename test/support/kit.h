@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/parameter.h"
@@ -47,6 +49,15 @@ struct WithState : component::Component {
 /// The only component of a component file. Throws ComponentFileError.
 inline io::ComponentDescription componentOf(const std::string& text, const std::string& file = "test") {
   return io::parseComponentFile(text, file).at(0);
+}
+
+/// Adds white noise of this standard deviation.
+inline void addNoise(std::vector<double>& values, double deviation, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal(0.0, deviation);
+  for (double& value : values) {
+    value += normal(generator);
+  }
 }
 
 /// A log at an interval [ns], whose displacement [m] follows from the number of the sample.
