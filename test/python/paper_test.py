@@ -133,9 +133,8 @@ class Command(unittest.TestCase):
         return subprocess.run([SCRIPT, *arguments], capture_output=True, text=True, check=False)
 
     def test_writes_numbers_and_pictures(self):
-        paper.write_figures(self.folder, (3, 8))
-        self.assertEqual({path.name for path in self.folder.iterdir()},
-                         {f"figure_{number}.{kind}" for number in (3, 8) for kind in ("csv", "png", "svg")})
+        paper.write_figures(self.folder, (8,))
+        self.assertEqual({path.name for path in self.folder.iterdir()}, {f"figure_8.{kind}" for kind in ("csv", "png", "svg")})
         for path in self.folder.iterdir():
             self.assertGreater(path.stat().st_size, 1000)
         self.assertEqual((self.folder / "figure_8.csv").read_text(encoding="ascii").count("\n"), 1 + 4 * 60)
