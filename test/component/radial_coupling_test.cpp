@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "component/bushes.h"
+#include "support/kit.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -70,16 +71,15 @@ TEST(RadialCoupling, GivesTheEllipticForcesOfTheReference) {
 // what is missing where each direction has that by itself.
 TEST(RadialCoupling, RectangularDirectionsShareARadialStiffness) {
   SixDirectionsLaws laws;
-  laws.elements[component::kX] = {spring(4e6), {"radial_stiffness", {{"cubic", {2e12}}}}};
+  laws.elements[component::kX] = {spring(4e6), entry("radial_stiffness cubic=2e12")};
   laws.elements[component::kY] = laws.elements[component::kX];
   laws.elements[component::kZ] = {spring(1e6)};
   EXPECT_LT((forceAt(laws, kReference) - Vector3d(3600.0, -4800.0, 500.0)).norm(), 1e-9);
   laws.translation = Coupling::cylindrical;
   EXPECT_LT((forceAt(laws, kReference) - Vector3d(3600.0, -4800.0, 500.0)).norm(), 1e-9);
   laws.translation = Coupling::rectangular;
-  laws.elements[component::kX] = {spring(4e6),
-                                  {"progressive_stiffness", {{"cubic", {2e12}}}},
-                                  {"radial_stiffness", {{"cubic", {2e12}}, {"alone", {0.0}}}}};
+  laws.elements[component::kX] = {spring(4e6), entry("progressive_stiffness cubic=2e12"),
+                                  entry("radial_stiffness cubic=2e12 alone=0")};
   laws.elements[component::kY] = laws.elements[component::kX];
   EXPECT_LT((forceAt(laws, kReference) - Vector3d(3600.0, -4800.0, 500.0)).norm(), 1e-9);
   laws.elements[component::kRx] = laws.elements[component::kRy] = laws.elements[component::kRz] = {spring(250.0)};
@@ -92,7 +92,7 @@ TEST(RadialCoupling, RectangularDirectionsShareARadialStiffness) {
 TEST(RadialCoupling, ARadialStiffnessOfOneDirectionIsRefused) {
   for (const component::Direction direction : {component::kX, component::kY, component::kZ}) {
     SixDirectionsLaws laws;
-    laws.elements[direction] = {spring(4e6), {"radial_stiffness", {{"cubic", {2e12}}}}};
+    laws.elements[direction] = {spring(4e6), entry("radial_stiffness cubic=2e12")};
     const std::string message = messageOf<std::invalid_argument>([&] { SixDirections bush(laws); });
     const std::string at = direction == component::kX ? "y" : direction == component::kY ? "x" : "z";
     EXPECT_EQ(message.rfind(at + ": radial_stiffness", 0), 0U);
@@ -103,7 +103,7 @@ TEST(RadialCoupling, ARadialStiffnessOfOneDirectionIsRefused) {
 TEST(RadialCoupling, SlidersFollowTheReference) {
   SixDirectionsLaws laws;
   laws.translation = Coupling::cylindrical;
-  laws.elements[component::kX] = {{"iwan_table", {{"yield_displacement", {1.2e-5}}, {"stiffness", {5e6}}}}};
+  laws.elements[component::kX] = {entry("iwan_table yield_displacement=1.2e-5 stiffness=5e6")};
   const SixDirections bush(laws);
   auto state = bush.makeState();
   bush.initialise(state, poseAt({1e-3, 0.0, 0.0}, Vector3d::Zero()));
@@ -165,13 +165,10 @@ TEST(RadialCoupling, ElasticLawsDoNoWorkAndOthersTakeSome) {
     for (std::size_t i = 0; i < component::kDirections; ++i) {
       const double size = i < 3 ? 1e-3 : 0.2;
       const double k = (i < 3 ? 2e6 : 900.0) * (1.0 + 0.3 * static_cast<double>(i % 3));
-      elastic.elements[i] = {spring(k),
-                             curve(k, k / size / size, size, 3 + static_cast<int>(i % 3)),
-                             {"bump_stop",
-                              {{"stiffness", {3.0 * k}},
-                               {"gap", {size * (0.5 + 0.2 * static_cast<double>(i % 3))}},
-                               {"exponent", {2.0}},
-                               {"reference_depth", {size}}}}};
+      elastic.elements[i] = {spring(k), curve(k, k / size / size, size, 3 + static_cast<int>(i % 3)),
+                             entry("bump_stop exponent=2", {{"stiffness", 3.0 * k},
+                                                            {"gap", size * (0.5 + 0.2 * static_cast<double>(i % 3))},
+                                                            {"reference_depth", size}})};
     }
     const LoopWork none = closedLoop(SixDirections(framed(elastic)), 20000);
     EXPECT_LT(std::abs(none.work), 1e-6 * none.turnover);
@@ -255,7 +252,7 @@ TEST(RadialCoupling, RefusesWhatHasNoFormByTheRadius) {
 TEST(RadialCoupling, NamesTheIwanOfBergsNumbers) {
   SixDirectionsLaws laws;
   laws.translation = Coupling::spherical;
-  laws.elements[component::kZ] = {{"friction", {{"maximum_force", {5000.0}}, {"displacement", {2.2e-3}}}}};
+  laws.elements[component::kZ] = {friction(5000.0, 2.2e-3)};
   const std::string message = refusal(laws);
   EXPECT_NE(message.find("{type: iwan, maximum_force: 5000, displacement: 0.0022}"), std::string::npos) << message;
   // The ratio that it tells is that of settled loops.
@@ -269,30 +266,32 @@ TEST(RadialCoupling, NamesTheIwanOfBergsNumbers) {
     return last;
   };
   const double ratio =
-      peak({"iwan", {{"maximum_force", {5000.0}}, {"displacement", {2.2e-3}}}}) / peak(laws.elements[component::kZ][0]);
+      peak(entry("iwan maximum_force=5000 displacement=2.2e-3")) / peak(laws.elements[component::kZ][0]);
   const std::string words = "the stiffness of friction is ";
   EXPECT_NEAR(std::stod(message.substr(message.find(words) + words.size())), ratio, 5e-3);
 }
 
 TEST(RadialCoupling, RefusesLawsThatDoNotGoTogether) {
+  Entries other_friction = fullElements(2e6, 1e-3);
+  other_friction.back().values["maximum_force"] = {1.0};
+  const struct {
+    Entries x;
+    Entries y;
+    std::string words;
+  } rows[] = {{fullElements(2e6, 1e-3), other_friction, "y: its friction is not that of x"},
+              {{spring(1.0)}, {entry("spring_table displacement=-1e-3,0,1e-3 force=-1,0,2")}, "odd"},
+              {{spring(1.0)}, {entry("spring_table displacement=0,1e-3 force=1,2 monotone=0")}, "at 0"},
+              {{spring(1.0)},
+               {entry("maxwell_along_curve displacement=0,1e-3 stiffness=1,2 break_frequency=1")},
+               "y: maxwell_along_curve.stiffness"},
+              {{spring(1.0)}, {entry("bump_stop stiffness=1 gap=1 side=-1")}, "y: bump_stop.side"}};
   SixDirectionsLaws laws;
   laws.translation = Coupling::cylindrical;
-  laws.elements[component::kX] = fullElements(2e6, 1e-3);
-  laws.elements[component::kY] = fullElements(2e6, 1e-3);
-  laws.elements[component::kY].back().values["maximum_force"] = {1.0};
-  EXPECT_EQ(refusal(laws).rfind("y: its friction is not that of x", 0), 0U) << refusal(laws);
-  laws.elements[component::kY] = {
-      {"spring_table", {{"displacement", {-1e-3, 0.0, 1e-3}}, {"force", {-1.0, 0.0, 2.0}}}}};
-  laws.elements[component::kX] = {spring(1.0)};
-  EXPECT_NE(refusal(laws).find("odd"), std::string::npos) << refusal(laws);
-  laws.elements[component::kY] = {
-      {"spring_table", {{"displacement", {0.0, 1e-3}}, {"force", {1.0, 2.0}}, {"monotone", {0.0}}}}};
-  EXPECT_NE(refusal(laws).find("at 0"), std::string::npos) << refusal(laws);
-  laws.elements[component::kY] = {
-      {"maxwell_along_curve", {{"displacement", {0.0, 1e-3}}, {"stiffness", {1.0, 2.0}}, {"break_frequency", {1.0}}}}};
-  EXPECT_NE(refusal(laws).find("y: maxwell_along_curve.stiffness"), std::string::npos) << refusal(laws);
-  laws.elements[component::kY] = {{"bump_stop", {{"stiffness", {1.0}}, {"gap", {1.0}}, {"side", {-1.0}}}}};
-  EXPECT_NE(refusal(laws).find("y: bump_stop.side"), std::string::npos) << refusal(laws);
+  for (const auto& row : rows) {
+    laws.elements[component::kX] = row.x;
+    laws.elements[component::kY] = row.y;
+    EXPECT_NE(refusal(laws).find(row.words), std::string::npos) << refusal(laws);
+  }
   laws.translation = Coupling::spherical;
   laws.elements[component::kY] = {};
   laws.elements[component::kZ] = {spring(1.0)};

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "support/allocation_counter.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -17,9 +18,7 @@ constexpr std::int64_t kMs = 1000000;  // [ns]
 
 class Stream : public testing::Test {
  protected:
-  component::Component component_{{{"spring", {{"stiffness", {3e6}}}},
-                                   {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1.5}}}},
-                                   {"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}}}};
+  component::Component component_{{spring(3e6), maxwell(1e6, 1.5), friction(5e3, 1e-3)}};
   component::SampleStream stream_{component_};
 
   double force(std::int64_t stamp, double displacement) {
@@ -71,18 +70,14 @@ TEST_F(Stream, DropsWhatIsNotFinite) {
   EXPECT_EQ(stream_.counters().accepted, 1U);
 }
 
-TEST_F(Stream, DropsRepeatedStamps) {
-  stream_.push(5 * kMs, 1e-3);
-  expectDropped(5 * kMs, 1e-3, component::Acceptance::repeated);
-  expectDropped(5 * kMs, 2e-3, component::Acceptance::repeated);
-  EXPECT_EQ(stream_.counters().repeated, 2U);
-}
-
-TEST_F(Stream, DropsStepsBackUpToASecond) {
+TEST_F(Stream, DropsRepeatedStampsAndStepsBackUpToASecond) {
   const std::int64_t second = component::SampleStream::kNanosecondsPerSecond;
   stream_.push(10 * second, 1e-3);
+  expectDropped(10 * second, 1e-3, component::Acceptance::repeated);
+  expectDropped(10 * second, 2e-3, component::Acceptance::repeated);
   expectDropped(10 * second - 1, 1e-3, component::Acceptance::stepped_back);
   expectDropped(9 * second, 1e-3, component::Acceptance::stepped_back);
+  EXPECT_EQ(stream_.counters().repeated, 2U);
   EXPECT_EQ(stream_.counters().stepped_back, 2U);
   EXPECT_EQ(stream_.counters().restarted, 0U);
 }
@@ -208,12 +203,8 @@ void expectNoTraceOfOverflows(const component::Component& component) {
 
 TEST_F(Stream, ForcesThatOverflowLeaveNoTrace) {
   expectNoTraceOfOverflows(component_);
-  const std::vector<element::ElementDescription> softening = {
-      {"spring", {{"stiffness", {3e6}}}},
-      {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1.5}}}},
-      {"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}},
-      {"stress_softening", {{"reduction", {0.3}}}}};
-  expectNoTraceOfOverflows(component::Component(softening));
+  expectNoTraceOfOverflows(
+      component::Component(component_.elements() + Entries{entry("stress_softening reduction=0.3")}));
 }
 
 TEST_F(Stream, PushAllocatesNothing) {

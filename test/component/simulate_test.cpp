@@ -7,34 +7,16 @@
 #include <vector>
 
 #include "element/typical_elements.h"
+#include "kernel/laws_one_by_one.h"
 #include "rubber_suspension/component/sample_stream.h"
-#include "rubber_suspension/processor/instructions.h"
 #include "support/allocation_counter.h"
-#include "support/kit.h"
+#include "support/on_any_processor.h"
 
 namespace rubber_suspension::test {
 namespace {
 
 constexpr double kStep = 1e-3;                  // [s]
 constexpr std::int64_t kNanoseconds = 1000000;  // of a step
-
-/// Random numbers of laws that are stepped by short ways: up to 20 Maxwell elements, up to 2 of friction.
-std::vector<element::ElementDescription> randomLaws(std::mt19937& random) {
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  std::vector<element::ElementDescription> laws{{"spring", {{"stiffness", {3e6 * uniform(random)}}}}};
-  const int maxwells = static_cast<int>(21.0 * uniform(random));
-  for (int i = 0; i < maxwells; ++i) {
-    laws.push_back(maxwell(1e6 * uniform(random), 0.01 * std::pow(1e5, uniform(random))));
-  }
-  const int frictions = static_cast<int>(3.0 * uniform(random));
-  for (int i = 0; i < frictions; ++i) {
-    laws.push_back(friction(1e4 * uniform(random), 2e-3 * uniform(random), i * 2e-4 * uniform(random)));
-  }
-  if (uniform(random) < 0.5) {
-    laws.push_back({"dashpot", {{"damping", {1e4 * uniform(random)}}}});
-  }
-  return laws;
-}
 
 /// A sine with noise, so that friction turns often, and with pauses.
 std::vector<double> randomPath(std::mt19937& random, std::size_t samples) {
@@ -59,29 +41,20 @@ void expectSameBits(const component::Component& component, const std::vector<dou
   EXPECT_EQ(at_once.displacement(), one_by_one.displacement());
 }
 
-/// All kinds of instructions that this processor has, one after the other.
-class Simulate : public testing::TestWithParam<processor::Instructions> {
- protected:
-  Simulate() { processor::useAtMost(GetParam()); }
-  ~Simulate() override { processor::useAtMost(processor::Instructions::avx512); }
-};
-
-INSTANTIATE_TEST_SUITE_P(With, Simulate,
-                         testing::Values(processor::Instructions::any, processor::Instructions::avx2,
-                                         processor::Instructions::avx512));
+class Simulate : public OnAnyProcessor {};
+INSTANTIATE_TEST_SUITE_P(With, Simulate, anyInstructions());
 
 TEST_P(Simulate, HasTheBitsOfStepsForRandomLaws) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 100; ++trial) {
     const std::size_t samples = 1 + random() % 3000;
-    expectSameBits(component::Component(randomLaws(random)), randomPath(random, samples));
+    expectSameBits(component::Component(LawsOneByOne(random, 2).entries()), randomPath(random, samples));
   }
 }
 
 TEST_P(Simulate, HasTheBitsOfStepsForAllLawsAtOnce) {
   std::mt19937 random(2);
-  const auto all = typicalElements();
-  expectSameBits(component::Component({all.begin(), all.end()}), randomPath(random, 600));
+  expectSameBits(component::Component(typicalElements()), randomPath(random, 600));
 }
 
 TEST_P(Simulate, AllocatesNothing) {
@@ -139,7 +112,7 @@ TEST(PushAll, DoesAsPushWouldWithAnyStamps) {
   std::mt19937 random(4);
   for (int trial = 0; trial < 50; ++trial) {
     const std::size_t samples = 1 + random() % 1000;
-    expectSameStream(component::Component(randomLaws(random)), randomStamps(random, samples),
+    expectSameStream(component::Component(LawsOneByOne(random, 2).entries()), randomStamps(random, samples),
                      randomPath(random, samples));
   }
 }
@@ -153,8 +126,7 @@ TEST(PushAll, DropsWhatPushWouldDrop) {
     for (int i = 0; i < 3; ++i) {
       path[random() % path.size()] = other[random() % other.size()];
     }
-    expectSameStream(component::Component({{"spring", {{"stiffness", {3e6}}}}, maxwell(1e6, 1.0)}),
-                     randomStamps(random, 300), path);
+    expectSameStream(component::Component({spring(3e6), maxwell(1e6, 1.0)}), randomStamps(random, 300), path);
   }
 }
 

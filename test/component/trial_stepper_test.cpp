@@ -9,15 +9,14 @@
 #include <stdexcept>
 
 #include "support/allocation_counter.h"
+#include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
 
 component::Component bushing() {
-  return component::Component({{"spring", {{"stiffness", {3e6}}}},
-                               {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {8.0}}}},
-                               {"friction", {{"maximum_force", {6000.0}}, {"displacement", {2e-3}}}},
-                               {"stress_softening", {{"reduction", {0.2}}}}});
+  return component::Component(
+      {spring(3e6), maxwell(1e6, 8.0), friction(6000.0, 2e-3), entry("stress_softening reduction=0.2")});
 }
 
 double displacementAt(double time) { return 2e-3 * std::sin(20.0 * time) + 3e-4 * std::sin(131.0 * time); }
@@ -68,7 +67,7 @@ TEST(TrialStepper, RefusesToGoBackBehindAnAcceptedStep) {
 }
 
 TEST(TrialStepper, TangentIsTheDerivativeOfTheTrial) {
-  const component::Component component({{"spring", {{"stiffness", {3e6}}}}, {"dashpot", {{"damping", {1e4}}}}});
+  const component::Component component({spring(3e6), dashpot(1e4)});
   component::TrialStepper stepper(component);
   stepper.initialise(0.0, 0.0);
   const component::Tangent tangent = stepper.tangent(1e-3, 1e-3);

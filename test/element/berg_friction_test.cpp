@@ -6,7 +6,6 @@
 #include <random>
 
 #include "element/driver.h"
-#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -19,6 +18,7 @@ struct Settled {
 class SettledBerg : public testing::TestWithParam<Settled> {
  protected:
   element::BergFriction law_{GetParam().maximum_force, GetParam().displacement, 0.0};
+  element::ElementDescription entry_ = friction(GetParam().maximum_force, GetParam().displacement);
 };
 
 // Berg (1997), worked out in closed form to the digits given.
@@ -33,7 +33,7 @@ TEST_P(SettledBerg, ForceAndLossInClosedForm) {
 
 TEST_P(SettledBerg, SimulatedLoopCloses) {
   const double amplitude = GetParam().amplitude;
-  Driver<element::BergFriction> driver(law_);
+  Driver driver(entry_);
   law_.startSettled(amplitude, 0.0, driver.memory());
   driver.step(1.0, -amplitude);
   EXPECT_NEAR(driver.output(), -law_.settledForce(amplitude), 1e-12);
@@ -49,25 +49,23 @@ TEST_P(SettledBerg, SimulatedLoopCloses) {
 TEST_P(SettledBerg, LoopIsTheSameAboutAnyCentre) {
   const double amplitude = GetParam().amplitude;
   constexpr double kCentre = 7.0;
-  Driver<element::BergFriction> driver(law_, kCentre);
+  Driver driver(entry_, kCentre);
   law_.startSettled(amplitude, kCentre, driver.memory());
   driver.step(1.0, kCentre - amplitude);
   EXPECT_NEAR(driver.step(1.0, kCentre + amplitude), law_.settledForce(amplitude), 1e-12);
 }
 
 TEST(BergFriction, FirstLoadingIsAHyperbola) {
-  const element::BergFriction law(5.0, 2.2, 0.0);
-  Driver<element::BergFriction> driver(law);
+  Driver driver(friction(5.0, 2.2));
   EXPECT_DOUBLE_EQ(driver.step(1.0, 1.0), 5.0 / 3.2);
   EXPECT_DOUBLE_EQ(driver.step(1.0, 2.2), 2.5) << "half of the maximum at z2";
-  Driver<element::BergFriction> downwards(law);
+  Driver downwards(friction(5.0, 2.2));
   EXPECT_DOUBLE_EQ(downwards.step(1.0, -2.2), -2.5);
 }
 
 TEST(BergFriction, DoesNotDependOnRate) {
-  const element::BergFriction law(5.0, 2.2, 0.0);
-  Driver<element::BergFriction> slow(law);
-  Driver<element::BergFriction> fast(law);
+  Driver slow(friction(5.0, 2.2));
+  Driver fast(friction(5.0, 2.2));
   for (const double z : {1.0, -0.5, 2.0, 1.9, -3.0}) {
     EXPECT_EQ(slow.step(1e3, z), fast.step(1e-5, z));
   }
@@ -78,7 +76,7 @@ TEST(BergFriction, StartingOffsetDecays) {
   constexpr double kAmplitude = 0.01;
   constexpr int kCycles = 500;
   const element::BergFriction law(1.0, 1.0, 0.0);
-  Driver<element::BergFriction> driver(law);
+  Driver driver(friction(1.0, 1.0));
   const double first = driver.step(1.0, kAmplitude) - law.settledForce(kAmplitude);
   double offset = first;
   for (int i = 0; i < kCycles; ++i) {
@@ -90,7 +88,7 @@ TEST(BergFriction, StartingOffsetDecays) {
 }
 
 TEST(BergFriction, SurvivesFullSaturation) {
-  Driver driver(element::BergFriction(5.0, 1e-9, 0.0));
+  Driver driver(friction(5.0, 1e-9));
   for (const double z : {1e9, 1e9, 1e9 - 1.0, -1e12, -1e12, -1e12 + 1e-3, 0.0}) {
     const double force = driver.step(1.0, z);
     EXPECT_LE(std::abs(force), 5.0) << z;
@@ -99,20 +97,19 @@ TEST(BergFriction, SurvivesFullSaturation) {
 
 // The element forgets earlier reversals, so a small loop within a branch does not close: a known weakness.
 TEST(BergFriction, MinorLoopDoesNotClose) {
-  Driver driver(element::BergFriction(5.0, 2.2, 0.0));
+  Driver driver(friction(5.0, 2.2));
   EXPECT_NEAR(driver.step(1.0, 2.0), 2.381, 0.5e-3);
   driver.step(1.0, 1.5);
   EXPECT_NEAR(driver.step(1.0, 2.0), 2.260, 0.5e-3);
 }
 
 TEST(BergFriction, DeadBandHoldsTheBranchUntilTheReversalIsSure) {
-  const element::BergFriction with(5.0, 2.2, 0.1);
-  Driver<element::BergFriction> driver(with);
+  Driver driver(friction(5.0, 2.2, 0.1));
   const double there = driver.step(1.0, 1.95);
   driver.step(1.0, 2.0);
   EXPECT_EQ(driver.step(1.0, 1.95), there) << "goes back the way it came";
   EXPECT_EQ(driver.step(1.0, 2.05), 5.0 * 2.05 / 4.25) << "and on as if nothing had been";
-  Driver plain(element::BergFriction(5.0, 2.2, 0.0));
+  Driver plain(friction(5.0, 2.2));
   plain.step(1.0, 2.05);
   EXPECT_EQ(driver.step(1.0, 1.9), plain.step(1.0, 1.9)) << "a sure reversal counts from the turning point";
 }
@@ -132,7 +129,7 @@ std::pair<double, double> peakAndLoss(const Noisy& test) {
   constexpr int kSettling = 20;
   constexpr int kCycles = 60;
   const double sigma = test.noise * kAmplitude;
-  Driver driver(element::BergFriction(5.0, 2.2, test.dead_band ? 6.0 * sigma : 0.0));
+  Driver driver(friction(5.0, 2.2, test.dead_band ? 6.0 * sigma : 0.0));
   std::mt19937 generator(20150817);
   std::normal_distribution<double> noise(0.0, 1.0);
   const int samples = static_cast<int>(test.sampling / kFrequency);

@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
+#include "element/driver.h"
 #include "element/typical_elements.h"
-#include "rubber_suspension/element/constants.h"
 #include "support/allocation_counter.h"
 
 namespace rubber_suspension::test {
@@ -33,14 +33,6 @@ class RandomMoves {
   std::mt19937 generator_;
   std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
 };
-
-void walk(const component::Component& component, component::ComponentState& state, unsigned seed) {
-  RandomMoves moves(seed);
-  for (int i = 0; i < 200; ++i) {
-    const double dt = moves.dt();
-    component.step(state, dt, moves.displacement());
-  }
-}
 
 std::vector<double> forcesOfWalk(const component::Component& component, component::ComponentState& state,
                                  unsigned seed) {
@@ -90,22 +82,9 @@ double rmsDifference(const std::vector<double>& a, const std::vector<double>& b)
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-/// First harmonic of the settled force over that of a sampled sine [N/m]. Runs until exp(-30) of the slowest relaxation
-/// of the typical laws is left (springpot: tau about 50 s).
-std::complex<double> simulatedStiffness(const component::Component& component, double frequency,
-                                        int samples_per_cycle) {
-  const double dt = 1.0 / (frequency * samples_per_cycle);
-  const int settling = static_cast<int>(1500.0 * frequency) * samples_per_cycle;
-  component::ComponentState state = component.makeState();
-  std::complex<double> sum = 0.0;
-  for (int i = 1; i <= settling + samples_per_cycle; ++i) {
-    const double phase = 2.0 * element::kPi * (i % samples_per_cycle) / samples_per_cycle;
-    const double force = component.step(state, dt, kAmplitude * std::sin(phase)).total;
-    if (i > settling) {
-      sum += force * std::polar(1.0, -phase);
-    }
-  }
-  return sum * std::complex<double>(0.0, 2.0 / (kAmplitude * samples_per_cycle));
+/// Over so many cycles that exp(-30) of the slowest relaxation of the typical laws is left (springpot: tau about 50 s).
+std::complex<double> simulatedStiffness(const component::Component& component, double frequency, int samples) {
+  return settledStiffness(component, frequency, samples, static_cast<int>(1500.0 * frequency) + 1, kAmplitude);
 }
 
 /// What an exact step must give under a sampled sine. The straight line between the samples consists of the angular
@@ -216,7 +195,7 @@ TEST_P(StillContract, StaysAtRestWhereItRests) {
 // Numbers that a file or a simulator hands back may be any: what an element takes for a place or a count is checked,
 // and no element goes beyond its memory.
 TEST_P(Contract, RestoredNumbersAreRefusedOrServed) {
-  walk(component_, state_, 6);
+  forcesOfWalk(component_, state_, 6);
   const std::vector<double> own = state_.memory();
   for (const double number : {-1.0, 0.0, 0.5, 1.0, 255.0, 256.0, 2e9, -2e9, 1e300}) {
     for (std::size_t place = 0; place < std::min<std::size_t>(own.size(), 8); ++place) {
@@ -229,13 +208,13 @@ TEST_P(Contract, RestoredNumbersAreRefusedOrServed) {
         EXPECT_EQ(restored.memory(), component_.makeState().memory()) << "what is refused leaves no trace";
         continue;
       }
-      walk(component_, restored, 7);
+      forcesOfWalk(component_, restored, 7);
     }
   }
 }
 
 TEST_P(Contract, CopyContinuesAsTheOriginal) {
-  walk(component_, state_, 3);
+  forcesOfWalk(component_, state_, 3);
   component::ComponentState copy = state_;
   component::ComponentState restored = component_.makeState();
   component_.restore(restored, state_.displacement(), state_.memory());
@@ -245,9 +224,11 @@ TEST_P(Contract, CopyContinuesAsTheOriginal) {
 }
 
 TEST_P(Contract, StepAllocatesNothing) {
-  walk(component_, state_, 5);
+  RandomMoves moves(5);
   const AllocationCounter counter;
-  walk(component_, state_, 6);
+  for (int i = 0; i < 200; ++i) {
+    component_.step(state_, moves.dt(), moves.displacement());
+  }
   component_.initialise(state_, kAmplitude);
   component_.relax(state_, 0.0);
   EXPECT_EQ(counter.count(), 0U);
@@ -257,18 +238,14 @@ class ParallelContract : public Contract {};
 INSTANTIATE_TEST_SUITE_P(LawsWithForces, ParallelContract, typicalElementsThat(addsForce), nameOf);
 
 TEST_P(ParallelContract, RawLawAgreesWithComponent) {
-  const element::ElementPointer element = element::makeElement(GetParam());
-  const auto& law = std::get<std::shared_ptr<const element::ParallelElement>>(element);
-  std::vector<double> memory(law->memorySize());
-  double displacement = 1e-4;
-  EXPECT_EQ(law->initialise(displacement, memory.data()), component_.initialise(state_, displacement).total);
+  Driver law(GetParam(), 1e-4);
+  EXPECT_EQ(law.output(), component_.initialise(state_, 1e-4).total);
   RandomMoves moves(7);
   for (int i = 0; i < 200; ++i) {
     const double dt = moves.dt();
     const double next = moves.displacement();
-    const double force = law->step({dt, next, next - displacement}, memory.data());
+    const double force = law.step(dt, next);
     ASSERT_NEAR(component_.step(state_, dt, next).total, force, 1e-12 * std::abs(force));  // order of sums
-    displacement = next;
   }
 }
 

@@ -1,31 +1,50 @@
 // Steps a law by itself, for tests of its own formulas.
 #pragma once
 
-#include <cmath>
 #include <memory>
-#include <utility>
+#include <string>
+#include <variant>
 #include <vector>
 
-#include "rubber_suspension/element/element.h"
+#include "rubber_suspension/element/catalogue.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::test {
 
-/// A law whose force adds (or an effect on displacement), with its memory and the last displacement.
-template <class Law>
+using Law = std::shared_ptr<const element::ParallelElement>;
+
+/// The law of an entry, one whose force adds.
+inline Law lawOf(const element::ElementDescription& description) {
+  return std::get<Law>(element::makeElement(description));
+}
+inline Law lawOf(const std::string& text) { return lawOf(entry(text)); }
+
+/// Force of a law at rest at a displacement [N]: all of it where the law is elastic.
+inline double forceAt(const Law& law, double displacement) {
+  std::vector<double> memory(law->memorySize());
+  return law->initialise(displacement, memory.data());
+}
+
+/// A law whose force adds, or an effect on displacement, with its memory and the last displacement.
 class Driver {
  public:
-  explicit Driver(const Law& law, double start = 0.0) : Driver(std::make_shared<const Law>(law), start) {}
-  explicit Driver(std::shared_ptr<const Law> law, double start = 0.0)
-      : law_(std::move(law)), memory_(law_->memorySize()), displacement_(start) {
-    output_ = law_->initialise(start, memory_.data());
+  explicit Driver(const std::string& text, double start = 0.0) : Driver(entry(text), start) {}
+  explicit Driver(const element::ElementDescription& description, double start = 0.0)
+      : element_(element::makeElement(description)),
+        memory_(element::lawOf(element_).memorySize()),
+        displacement_(start) {
+    output_ = apply([&](const auto& law) { return law.initialise(start, memory_.data()); });
   }
 
   /// Output (force [N] or displacement [m]) after a step of dt [s] to a displacement [m].
   double step(double dt, double displacement) {
     const element::Motion motion{dt, displacement, displacement - displacement_};
     displacement_ = displacement;
-    return output_ = law_->step(motion, memory_.data());
+    return output_ = apply([&](const auto& law) { return law.step(motion, memory_.data()); });
   }
+
+  /// Memory and force [N] after a long rest at the present displacement.
+  double relax() { return output_ = law().relax(displacement_, memory_.data()); }
 
   /// The same along a straight line in many steps; returns the work done [J] by the trapezoidal rule.
   double walk(double duration, double displacement, int steps) {
@@ -43,17 +62,23 @@ class Driver {
   double output() const { return output_; }
   double displacement() const { return displacement_; }
   double* memory() { return memory_.data(); }
+  const element::ParallelElement& law() const { return *element::parallelLaw(element_); }
 
  private:
-  std::shared_ptr<const Law> law_;
+  template <class Action>
+  double apply(const Action& action) const {
+    const auto* effect = std::get_if<std::shared_ptr<const element::DisplacementEffect>>(&element_);
+    return effect != nullptr ? action(**effect) : action(law());
+  }
+
+  element::ElementPointer element_;
   std::vector<double> memory_;
   double displacement_;
   double output_;
 };
 
 /// Work of one closed cycle between -amplitude and amplitude from -amplitude on [J], after `settling` cycles.
-template <class Law>
-double settledWork(Driver<Law>& driver, double amplitude, int settling, int steps) {
+inline double settledWork(Driver& driver, double amplitude, int settling, int steps) {
   driver.walk(1.0, -amplitude, steps);
   for (int i = 0; i < settling; ++i) {
     driver.walk(1.0, amplitude, steps);

@@ -1,13 +1,10 @@
 // The hydraulic mount: closed forms of its step, its two sets of parameters, its decoupler.
-#include "rubber_suspension/element/inertia_track.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "element/driver.h"
-#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -16,45 +13,31 @@ constexpr double kMass = 250.0;
 constexpr double kDamping = 6e3;
 constexpr double kStiffness = 1e6;
 
+element::ElementDescription track(double free_travel = 0.0, double quadratic_damping = 0.0) {
+  return entry("inertia_track mass=250 damping=6e3 stiffness=1e6",
+               {{"free_travel", free_travel}, {"quadratic_damping", quadratic_damping}});
+}
+
 // Sudden displacement, then rest: the force of a damped oscillator that is let go.
 TEST(InertiaTrack, SwingsFreelyAfterAStep) {
-  Driver driver(element::InertiaTrack(kMass, kDamping, kStiffness, 0.0));
+  Driver driver(track());
   driver.step(1e-9, 1e-3);
   const double decay = 0.5 * kDamping / kMass;
   const double w = std::sqrt(kStiffness / kMass - decay * decay);
   for (const double t : {0.01, 0.05, 0.2}) {
-    Driver<element::InertiaTrack> copy = driver;
+    Driver copy = driver;
     const double expected = kStiffness * 1e-3 * std::exp(-decay * t) * (std::cos(w * t) + decay / w * std::sin(w * t));
     EXPECT_NEAR(copy.step(t, 1e-3), expected, 1e-6 * kStiffness * 1e-3) << t;  // the step took 1 ns of w t
   }
 }
 
-// A steady rate v: the column follows at v, and the force is that of the track, c v.
-TEST(InertiaTrack, CarriesTheResistanceAtASteadyRate) {
-  for (const double mass : {250.0, 9.0 /* critical: c^2/(4 k) */, 0.5}) {
-    Driver driver(element::InertiaTrack(mass, kDamping, kStiffness, 0.0));
-    EXPECT_NEAR(driver.step(100.0, 1.0), kDamping * 0.01, 1e-9 * kDamping) << mass;
-  }
-}
-
-TEST(InertiaTrack, TakesTheNumbersOfTheFluid) {
-  const double area = 5e-3;
-  const auto fluid = std::get<std::shared_ptr<const element::ParallelElement>>(element::makeElement(
-      {"inertia_track",
-       {{"inertance", {1e7}}, {"resistance", {2.4e8}}, {"compliance", {2.5e-11}}, {"pumping_area", {area}}}}));
-  const element::InertiaTrack mechanical(kMass, kDamping, kStiffness, 0.0);
-  for (const double omega : {1.0, 60.0, 500.0}) {
-    EXPECT_LE(std::abs(*fluid->complexStiffness(omega) - *mechanical.complexStiffness(omega)), 1e-9 * kStiffness);
-  }
-}
-
 // K* falls to 0 slowly, the loss peaks near sqrt(k_h/m), and k_h is left above.
 TEST(InertiaTrack, HasThePeakOfAHydraulicMount) {
-  const element::InertiaTrack law(kMass, kDamping, kStiffness, 0.0);
+  const Law law = lawOf(track());
   const double resonance = std::sqrt(kStiffness / kMass);
-  EXPECT_LE(std::abs(*law.complexStiffness(0.01 * resonance)), 5e-3 * kStiffness);  // c w of the track
-  EXPECT_NEAR(std::abs(*law.complexStiffness(100.0 * resonance)), kStiffness, 1e-3 * kStiffness);
-  const auto loss = [&](double ratio) { return law.complexStiffness(ratio * resonance)->imag(); };
+  EXPECT_LE(std::abs(*law->complexStiffness(0.01 * resonance)), 5e-3 * kStiffness);  // c w of the track
+  EXPECT_NEAR(std::abs(*law->complexStiffness(100.0 * resonance)), kStiffness, 1e-3 * kStiffness);
+  const auto loss = [&](double ratio) { return law->complexStiffness(ratio * resonance)->imag(); };
   EXPECT_GT(loss(1.0), loss(0.8));
   EXPECT_GT(loss(1.0), loss(1.2));
 }
@@ -63,7 +46,7 @@ TEST(InertiaTrack, HasThePeakOfAHydraulicMount) {
 // of half a microsecond.
 double errorOf(double free, double quadratic, double dt) {
   constexpr double kFine = 5e-7;
-  Driver driver(element::InertiaTrack(kMass, kDamping, kStiffness, free, quadratic));
+  Driver driver(track(free, quadratic));
   const int parts = static_cast<int>(std::lround(dt / kFine));
   double q = 0.0;
   double rate = 0.0;
@@ -105,47 +88,6 @@ TEST(InertiaTrack, WithQuadraticLossIsOfSecondOrder) {
   EXPECT_LT(at_2_ms, 2e-3);
   EXPECT_NEAR(at_2_ms / at_1_ms, 4.0, 0.6);
   EXPECT_LT(errorOfQuadraticLoss(8e-3), 2e-3) << "of three parts";
-}
-
-TEST(InertiaTrack, HasTheQuadraticLossOfItsFluid) {
-  const double area = 5e-3;
-  const element::ElementDescription fluid{"inertia_track",
-                                          {{"inertance", {1e7}},
-                                           {"resistance", {2.4e8}},
-                                           {"compliance", {2.5e-11}},
-                                           {"pumping_area", {area}},
-                                           {"quadratic_resistance", {1.6e12}}}};
-  const auto made = std::get<std::shared_ptr<const element::ParallelElement>>(element::makeElement(fluid));
-  Driver<element::ParallelElement> of_fluid(made);
-  Driver driver(element::InertiaTrack(kMass, kDamping, kStiffness, 0.0, 2e5));
-  for (const double z : {1e-3, 2e-3, -1e-3}) {
-    const double expected = driver.step(5e-3, z);
-    EXPECT_NEAR(of_fluid.step(5e-3, z), expected, 1e-9 * std::abs(expected));
-  }
-}
-
-// A steady rate v is resisted by c v + c_2 v^2. Steps of 1 ms leave some 1e-4 of the quadratic part, see above.
-TEST(InertiaTrack, IsResistedByTheSquareOfASteadyRate) {
-  Driver driver(element::InertiaTrack(kMass, kDamping, kStiffness, 0.0, 2e5));
-  driver.walk(1.0, 0.05, 1000);
-  EXPECT_NEAR(driver.output(), kDamping * 0.05 + 2e5 * 0.05 * 0.05, 0.5);
-}
-
-TEST(InertiaTrack, WithinItsFreeTravelHasNoForce) {
-  Driver driver(element::InertiaTrack(kMass, kDamping, kStiffness, 2e-4));
-  for (const double z : {1e-4, -1.9e-4, 1.9e-4, 0.0}) {
-    EXPECT_EQ(driver.step(1e-3, z), 0.0);
-  }
-}
-
-TEST(InertiaTrack, NeedsOneSetOfParameters) {
-  const auto make = [](element::ParameterValues values) { element::makeElement({"inertia_track", std::move(values)}); };
-  EXPECT_THROW(make({}), std::invalid_argument);
-  EXPECT_THROW(make({{"mass", {1.0}}, {"damping", {1.0}}}), std::invalid_argument);
-  EXPECT_THROW(make({{"mass", {1.0}}, {"damping", {1.0}}, {"stiffness", {1.0}}, {"compliance", {1.0}}}),
-               std::invalid_argument);
-  EXPECT_THROW(make({{"mass", {1.0}}, {"damping", {1.0}}, {"stiffness", {1.0}}, {"quadratic_resistance", {1.0}}}),
-               std::invalid_argument);
 }
 
 }  // namespace

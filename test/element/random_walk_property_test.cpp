@@ -7,8 +7,6 @@
 
 #include "element/driver.h"
 #include "element/typical_elements.h"
-#include "rubber_suspension/element/berg_friction.h"
-#include "rubber_suspension/element/iwan.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -66,22 +64,22 @@ RC_GTEST_PROP(AnyPath, CanBeContinuedFromSavedNumbers, ()) {
 }
 
 RC_GTEST_PROP(AnyPath, FrictionStaysWithinItsMaximum, ()) {
-  const element::BergFriction with_dead_band(5e3, 2e-4, 1e-4);
-  const element::Iwan iwan(5e3, 2e-4, 16);
-  Driver a(element::BergFriction(5e3, 2e-4, 0.0));
-  Driver<element::BergFriction> b(with_dead_band);
-  Driver<element::SliderBank> c(iwan);
-  for (const Move& move : anyPath()) {
-    RC_ASSERT(std::abs(a.step(move.dt, move.displacement)) <= 5e3);
-    RC_ASSERT(std::abs(b.step(move.dt, move.displacement)) <= 5e3);
-    RC_ASSERT(std::abs(c.step(move.dt, move.displacement)) <= 5e3 * (1.0 + 1e-12));  // rounding of 16 sliders
+  const std::vector<Move> path = anyPath();
+  for (const char* law :
+       {"friction maximum_force=5e3 displacement=2e-4", "friction maximum_force=5e3 displacement=2e-4 dead_band=1e-4",
+        "iwan maximum_force=5e3 displacement=2e-4", "coulomb_friction maximum_force=5e3 stiffness=1e7",
+        "viscoplastic_friction stiffness=1e7 yield_displacement=5e-4 half_rate=5e-3",
+        "sliding_maxwell stiffness=1e7 break_frequency=2 yield_displacement=5e-4"}) {
+    Driver driver(law);
+    for (const Move& move : path) {
+      RC_ASSERT(std::abs(driver.step(move.dt, move.displacement)) <= 5e3 * (1.0 + 1e-12));  // rounding of 16 sliders
+    }
   }
 }
 
 // After any past, an excursion and return within a range that was passed through before leaves no trace.
 RC_GTEST_PROP(AnyPath, IwanClosesAnyMinorLoop, ()) {
-  const element::Iwan iwan(5e3, 2e-4, 16);
-  Driver<element::SliderBank> driver(iwan);
+  Driver driver("iwan maximum_force=5e3 displacement=2e-4");
   for (const Move& move : anyPath()) {
     driver.step(move.dt, move.displacement);
   }

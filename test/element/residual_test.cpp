@@ -144,14 +144,13 @@ TEST(Residual, ItsForceIsTheWeightedSumOfTheFunctions) {
   for (Eigen::Index i = 0; i < weights.size(); ++i) {
     weights[i] = 100.0 * std::cos(1.0 + static_cast<double>(i * i));
   }
-  const component::Component component({element::residualDescription(basis, weights, -1e6, 1e6)});
-  component::ComponentState state = component.makeState();
+  WithState component({element::residualDescription(basis, weights, -1e6, 1e6)});
   Moving moving(typicalLayout());
   for (int i = 1; i <= 500; ++i) {
     const double z = kStroke * std::sin(0.02 * i) * std::cos(0.11 * i);
     moving.moveTo(z, kDt, 1);
     // Sums of 69 products of some 100 N.
-    ASSERT_NEAR(component.step(state, kDt, z).total, weights.dot(moving.values()), 1e-10) << i;
+    ASSERT_NEAR(component.step(kDt, z), weights.dot(moving.values()), 1e-10) << i;
   }
 }
 
@@ -159,12 +158,11 @@ TEST(Residual, StaysWithinItsForcesWhateverTheMotion) {
   element::ElementDescription law = typicalResidual();
   law.values["lowest_force"] = {-700.0};
   law.values["highest_force"] = {300.0};
-  const component::Component component({law});
-  component::ComponentState state = component.makeState();
+  WithState component({law});
   double lowest = 0.0;
   double highest = 0.0;
   for (int i = 1; i <= 4000; ++i) {
-    const double force = component.step(state, kDt, 0.5 * std::sin(0.3 * i) * std::sin(0.001 * i)).total;
+    const double force = component.step(kDt, 0.5 * std::sin(0.3 * i) * std::sin(0.001 * i));
     lowest = std::min(lowest, force);
     highest = std::max(highest, force);
   }
@@ -173,35 +171,29 @@ TEST(Residual, StaysWithinItsForcesWhateverTheMotion) {
 }
 
 TEST(Residual, BeyondTheRangeItIsAsAtItsEnd) {
-  const component::Component component({typicalResidual()});
-  component::ComponentState at_end = component.makeState();
-  component::ComponentState beyond = component.makeState();
+  WithState at_end({typicalResidual()});
+  WithState beyond({typicalResidual()});
   for (int i = 1; i <= 300; ++i) {
-    const double force = component.step(at_end, kDt, kStroke).total;
-    ASSERT_EQ(component.step(beyond, kDt, kStroke * (1.0 + 0.01 * i)).total, force);
+    ASSERT_EQ(beyond.step(kDt, kStroke * (1.0 + 0.01 * i)), at_end.step(kDt, kStroke));
   }
 }
 
 // A diagnosis may leave out the resonators.
 TEST(Residual, RunsWithoutResonators) {
   element::ElementDescription law = typicalResidual();
-  const component::Component with({law});
-  law.values.erase("resonances");
-  law.values.erase("resonance_weights");
-  const component::Component without({law});
-  component::ComponentState state = with.makeState();
-  component::ComponentState other = without.makeState();
-  EXPECT_NE(with.step(state, kDt, kStroke).total, without.step(other, kDt, kStroke).total);
-  for (auto& weight : (law = typicalResidual()).values["resonance_weights"]) {
+  WithState with({law});
+  for (double& weight : law.values["resonance_weights"]) {
     weight = 0.0;
   }
-  const component::Component silent({law});
-  component::ComponentState third = silent.makeState();
-  component::ComponentState fourth = without.makeState();
+  WithState silent({law});
+  law.values.erase("resonances");
+  law.values.erase("resonance_weights");
+  WithState without({law});
   for (int i = 1; i <= 100; ++i) {
     const double z = kStroke * std::sin(0.1 * i);
-    // The order of sums.
-    ASSERT_NEAR(silent.step(third, kDt, z).total, without.step(fourth, kDt, z).total, 1e-9);
+    const double force = without.step(kDt, z);
+    ASSERT_NEAR(silent.step(kDt, z), force, 1e-9);  // the order of sums
+    ASSERT_NE(with.step(kDt, z), force);
   }
 }
 
@@ -212,18 +204,26 @@ std::string refusalOf(const std::string& parameter, const std::vector<double>& v
 }
 
 TEST(Residual, RefusesWhatDoesNotFit) {
-  EXPECT_THAT(refusalOf("stops", {0.1, 0.2}), HasSubstr("residual.stops: 2 values; accepted: 6"));
-  EXPECT_THAT(refusalOf("weights", {1.0}), HasSubstr("residual.weights: 1 values; accepted: 44"));
-  EXPECT_THAT(refusalOf("characteristic", {1.0}), HasSubstr("residual.characteristic: 1 values; accepted: at least 2"));
-  EXPECT_THAT(refusalOf("resonances", {1.0}), HasSubstr("residual.resonances: 1 values; accepted: 8"));
-  EXPECT_THAT(refusalOf("resonances", {0.0}), HasSubstr("residual.resonance_weights: 16 values; accepted: 0 alone"));
-  EXPECT_THAT(refusalOf("resonances", {1, 2, 3, 4, 5, 6, 7, 0}),
-              HasSubstr("residual.resonances: 0 Hz is out of range"));
-  EXPECT_THAT(refusalOf("lowest", {1e-3}), HasSubstr("residual.lowest: 0.001 m is out of range; accepted: at most 0"));
-  EXPECT_THAT(refusalOf("lowest", {-1.0}),
-              HasSubstr("residual.lowest: -1 m is out of range; accepted: in [-0.004, 0]"));
-  EXPECT_THAT(refusalOf("highest", {1.0}), HasSubstr("residual.highest: 1 m is out of range; accepted: in ["));
-  EXPECT_THAT(refusalOf("highest_force", {-1.0}), HasSubstr("residual.highest_force: -1 N is out of range"));
+  const struct {
+    std::string parameter;
+    std::vector<double> values;
+    std::string words;
+  } rows[] = {{"stops", {0.1, 0.2}, "stops: 2 values; accepted: 6"},
+              {"weights", {1.0}, "weights: 1 values; accepted: 44"},
+              {"characteristic", {1.0}, "characteristic: 1 values; accepted: at least 2"},
+              {"resonances", {1.0}, "resonances: 1 values; accepted: 8"},
+              {"resonances", {0.0}, "resonance_weights: 16 values; accepted: 0 alone"},
+              {"resonances", {1, 2, 3, 4, 5, 6, 7, 0}, "resonances: 0 Hz is out of range"},
+              {"lowest", {1e-3}, "lowest: 0.001 m is out of range; accepted: at most 0"},
+              {"lowest", {-1.0}, "lowest: -1 m is out of range; accepted: in [-0.004, 0]"},
+              {"highest", {1.0}, "highest: 1 m is out of range; accepted: in ["},
+              {"highest_force", {-1.0}, "highest_force: -1 N is out of range"}};
+  for (const auto& row : rows) {
+    EXPECT_THAT(refusalOf(row.parameter, row.values), HasSubstr("residual." + row.words)) << row.parameter;
+  }
+  element::ElementDescription law = typicalResidual();
+  law.values["lowest"] = law.values["highest"] = {0.0};
+  EXPECT_THROW(element::makeElement(law), std::invalid_argument) << "a range of nothing";
 }
 
 // Nothing that a file may hold leads to numbers that are not finite.
@@ -234,24 +234,17 @@ TEST(Residual, StaysFiniteAtTheEndsOfItsRanges) {
   law.values["resonances"] = {1e9, 1e-300, 1.0, 1.0, 1.0, 1.0, 1.0, 1e9};
   law.values["stops"] = {1e-300, 1e30, 1.0, 1.0, 1.0, 1.0};
   law.values["weights"] = std::vector<double>(44, 1e30);
-  const component::Component component({law});
-  component::ComponentState state = component.makeState();
+  WithState component({law});
   for (const double dt : {1e-9, 1e-3, 1e9}) {
     for (const double z : {1e300, -1e300, 0.0, 1e-3}) {
-      const double force = component.step(state, dt, z).total;
+      const double force = component.step(dt, z);
       EXPECT_GE(force, -1e5);
       EXPECT_LE(force, 1e5);
     }
   }
-  for (const double value : state.memory()) {
+  for (const double value : component.state.memory()) {
     EXPECT_TRUE(std::isfinite(value));
   }
-}
-
-TEST(Residual, RefusesARangeOfNothing) {
-  element::ElementDescription law = typicalResidual();
-  law.values["lowest"] = law.values["highest"] = {0.0};
-  EXPECT_THROW(element::makeElement(law), std::invalid_argument);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "element/driver.h"
-#include "rubber_suspension/element/coulomb_friction.h"
 #include "rubber_suspension/element/iwan.h"
 
 namespace rubber_suspension::test {
@@ -44,7 +43,7 @@ TEST(Iwan, BackboneIsCloseToBergs) {
 
 TEST(Iwan, FirstLoadingFollowsTheBackbone) {
   const element::Iwan law(5.0, 2.2, 16);
-  Driver<element::SliderBank> driver(law);
+  Driver driver("iwan maximum_force=5 displacement=2.2");
   for (const double z : {0.1, 1.0, 3.0, 200.0}) {
     EXPECT_NEAR(driver.step(1.0, z), backbone(law, z), 1e-12);
   }
@@ -52,7 +51,7 @@ TEST(Iwan, FirstLoadingFollowsTheBackbone) {
 
 TEST(Iwan, MinorLoopClosesToTheLastBit) {
   const element::Iwan law(5.0, 2.2, 16);
-  Driver<element::SliderBank> driver(law);
+  Driver driver("iwan maximum_force=5 displacement=2.2");
   const double left = driver.step(1.0, 2.0);
   driver.step(1.0, 1.5);
   driver.step(1.0, 1.8);
@@ -65,7 +64,7 @@ TEST(Iwan, MinorLoopClosesToTheLastBit) {
 // branch after a reversal is the backbone doubled.
 TEST(Iwan, SettledLoopObeysMasing) {
   const element::Iwan law(5.0, 2.2, 16);
-  Driver<element::SliderBank> driver(law);
+  Driver driver("iwan maximum_force=5 displacement=2.2");
   for (const double z : {2.0, -2.0, 2.0, -2.0}) {
     driver.step(1.0, z);
   }
@@ -81,20 +80,19 @@ TEST(SliderBank, LossOfASettledLoopInClosedForm) {
   for (const element::JenkinsSlider& slider : law.sliders()) {
     expected += 4.0 * slider.maximumForce() * std::max(0.0, kAmplitude - slider.yield_displacement);
   }
-  Driver<element::SliderBank> driver(law);
+  Driver driver("iwan_table yield_displacement=2,0.1,0.5 stiffness=400,2000,1000");
   // All kinks lie on the grid of 3000 steps (1 um of 3 mm), where the trapezoidal rule is exact.
   EXPECT_NEAR(settledWork(driver, kAmplitude, 2, 3000), expected, 1e-9 * expected);
 }
 
 TEST(SliderBank, RestsAnywhereWithoutForce) {
-  Driver driver(element::SliderBank({{2.0, 400.0}, {0.1, 2000.0}}), 5.0);
+  Driver driver("iwan_table yield_displacement=2,0.1 stiffness=400,2000", 5.0);
   EXPECT_EQ(driver.output(), 0.0);
   EXPECT_NEAR(driver.step(1.0, 5.05), 0.05 * 2400.0, 1e-9);
 }
 
 TEST(CoulombFriction, SticksSlidesAndTurnsAtOnce) {
-  const element::CoulombFriction law(2e3, 1e7);
-  Driver<element::SliderBank> driver(law);
+  Driver driver("coulomb_friction maximum_force=2e3 stiffness=1e7");
   EXPECT_NEAR(driver.step(1.0, 1e-4), 1e3, 1e-9);
   EXPECT_NEAR(driver.step(1.0, 1e-3), 2e3, 1e-9);
   EXPECT_NEAR(driver.step(1.0, 1e-3 - 4e-4), -2e3, 1e-9) << "2 F_max/k of way back";
@@ -103,8 +101,7 @@ TEST(CoulombFriction, SticksSlidesAndTurnsAtOnce) {
 
 TEST(CoulombFriction, LossTendsToThatOfCoulombsLaw) {
   constexpr double kAmplitude = 1e-3;
-  const element::CoulombFriction law(2e3, 1e10);
-  Driver<element::SliderBank> driver(law);
+  Driver driver("coulomb_friction maximum_force=2e3 stiffness=1e10");
   const double coulomb = 4.0 * 2e3 * kAmplitude;
   // Short by F_max/(k A) = 2e-4, of which the coarse walk of 1 um adds half a step at each of two turns: 1e-3.
   EXPECT_NEAR(settledWork(driver, kAmplitude, 1, 2000), coulomb, 2e-3 * coulomb);

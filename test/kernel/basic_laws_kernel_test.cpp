@@ -5,96 +5,16 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
 #include <random>
 #include <vector>
 
+#include "kernel/laws_one_by_one.h"
 #include "rubber_suspension/element/berg_friction.h"
-#include "rubber_suspension/element/constants.h"
-#include "rubber_suspension/element/dashpot.h"
-#include "rubber_suspension/element/maxwell.h"
-#include "rubber_suspension/element/spring.h"
-#include "rubber_suspension/processor/instructions.h"
 #include "support/allocation_counter.h"
+#include "support/on_any_processor.h"
 
 namespace rubber_suspension::test {
 namespace {
-
-/// The laws, each stepped by itself through the interface that all laws have.
-class LawsOneByOne {
- public:
-  explicit LawsOneByOne(std::mt19937& random) {
-    std::uniform_real_distribution<double> uniform(0.0, 1.0);
-    spring_ = std::make_unique<element::Spring>(3e6 * uniform(random));
-    if (uniform(random) < 0.5) {
-      dashpot_ = std::make_unique<element::Dashpot>(1e4 * uniform(random));
-    }
-    const std::size_t maxwells = random() % 21;  // up to two blocks of eight, and some
-    for (std::size_t i = 0; i < maxwells; ++i) {
-      maxwells_.emplace_back(1e6 * uniform(random), 0.01 * std::pow(1e5, uniform(random)));
-    }
-    const std::size_t frictions = random() % 4;
-    for (std::size_t i = 0; i < frictions; ++i) {
-      const double dead_band = uniform(random) < 0.5 ? 2e-4 * uniform(random) : 0.0;
-      frictions_.emplace_back(1e4 * uniform(random), 2e-3 * uniform(random), dead_band);
-    }
-    memory_.resize(maxwells + frictions * element::BergFriction::kMemorySize);
-  }
-
-  element::BasicLaws numbers() const {
-    element::BasicLaws sum;
-    EXPECT_TRUE(spring_->addTo(sum));
-    EXPECT_TRUE(dashpot_ == nullptr || dashpot_->addTo(sum));
-    for (const element::Maxwell& maxwell : maxwells_) {
-      EXPECT_TRUE(maxwell.addTo(sum));
-    }
-    for (const element::BergFriction& friction : frictions_) {
-      EXPECT_TRUE(friction.addTo(sum));
-    }
-    return sum;
-  }
-
-  const std::vector<double>& memory() const { return memory_; }
-  void setMemory(const std::vector<double>& memory) { memory_ = memory; }
-
-  element::ComponentForce initialise(double displacement) {
-    element::ComponentForce force;
-    force.elastic = force.total = spring_->initialise(displacement, nullptr);
-    double* memory = memory_.data();
-    for (const element::Maxwell& maxwell : maxwells_) {
-      force.viscous += maxwell.initialise(displacement, memory++);
-    }
-    for (const element::BergFriction& friction : frictions_) {
-      force.friction += friction.initialise(displacement, memory);
-      memory += element::BergFriction::kMemorySize;
-    }
-    return force;
-  }
-
-  element::ComponentForce step(const element::Motion& motion) {
-    element::ComponentForce force;
-    force.elastic = spring_->step(motion, nullptr);
-    // The gain c/dt times the increment, as the sum has it, and not c times the rate: the last bit may differ.
-    force.viscous = dashpot_ == nullptr ? 0.0 : dashpot_->damping() / motion.dt * motion.increment;
-    double* memory = memory_.data();
-    for (const element::Maxwell& maxwell : maxwells_) {
-      force.viscous += maxwell.step(motion, memory++);
-    }
-    for (const element::BergFriction& friction : frictions_) {
-      force.friction += friction.step(motion, memory);
-      memory += element::BergFriction::kMemorySize;
-    }
-    force.total = force.elastic + force.viscous + force.friction;
-    return force;
-  }
-
- private:
-  std::unique_ptr<element::Spring> spring_;
-  std::unique_ptr<element::Dashpot> dashpot_;
-  std::vector<element::Maxwell> maxwells_;
-  std::vector<element::BergFriction> frictions_;
-  std::vector<double> memory_;
-};
 
 void expectSame(const element::ComponentForce& one, const element::ComponentForce& other) {
   ASSERT_EQ(one.total, other.total);
@@ -103,44 +23,10 @@ void expectSame(const element::ComponentForce& one, const element::ComponentForc
   ASSERT_EQ(one.friction, other.friction);
 }
 
-/// A path that goes on for a while, reverses, rests and jitters; steps from small to far beyond all relaxation times,
-/// often alike.
-class RandomPath {
- public:
-  explicit RandomPath(std::mt19937& random) : random_(random) {}
-
-  double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
-
-  double nextDisplacement() {
-    const double kind = uniform(0.0, 1.0);
-    velocity_ = kind < 0.1 ? -velocity_ : kind < 0.15 ? uniform(-1e-4, 1e-4) : velocity_;
-    displacement_ += kind > 0.95 ? 0.0 : velocity_ + (kind > 0.9 ? uniform(-2e-5, 2e-5) : 0.0);
-    return displacement_;
-  }
-
-  element::Motion next() {
-    if (uniform(0.0, 1.0) < 0.3) {
-      dt_ = std::pow(10.0, uniform(-5.0, 1.0));
-    }
-    const double before = displacement_;
-    const double displacement = nextDisplacement();
-    return {dt_, displacement, displacement - before};
-  }
-
-  double dt() const { return dt_; }
-  double displacement() const { return displacement_; }
-
- private:
-  std::mt19937& random_;
-  double dt_ = 1e-3;
-  double displacement_ = 0.0;
-  double velocity_ = 1e-5;
-};
-
 /// Laws and their kernel, led along the same path.
 class Pair {
  public:
-  explicit Pair(std::mt19937& random) : laws_(random), path_(random), kernel_(laws_.numbers()) {
+  explicit Pair(std::mt19937& random) : laws_(random, 3), path_(random), kernel_(laws_.numbers()) {
     memory_.resize(kernel_.memorySize());
     prepared_ = kernel_.makePreparedStep();
     expectSame(kernel_.initialise(0.0, memory_.data()), laws_.initialise(0.0));
@@ -178,11 +64,8 @@ class Pair {
     ASSERT_EQ(memory_, laws_.memory());
   }
 
-  /// A memory that no path leads to, such as a reference point of friction ahead of the motion.
   void makeUpMemory() {
-    for (double& number : memory_) {
-      number *= path_.uniform(-1.0, 1.0);
-    }
+    memory_ = madeUp(memory_, path_);
     laws_.setMemory(memory_);
     prepared_.branch = {};
   }
@@ -195,16 +78,8 @@ class Pair {
   kernel::PreparedStep prepared_;
 };
 
-/// All kinds of instructions that this processor has, one after the other.
-class BasicLawsKernel : public testing::TestWithParam<processor::Instructions> {
- protected:
-  BasicLawsKernel() { processor::useAtMost(GetParam()); }
-  ~BasicLawsKernel() override { processor::useAtMost(processor::Instructions::avx512); }
-};
-
-INSTANTIATE_TEST_SUITE_P(With, BasicLawsKernel,
-                         testing::Values(processor::Instructions::any, processor::Instructions::avx2,
-                                         processor::Instructions::avx512));
+class BasicLawsKernel : public OnAnyProcessor {};
+INSTANTIATE_TEST_SUITE_P(With, BasicLawsKernel, anyInstructions());
 
 TEST_P(BasicLawsKernel, HasTheBitsOfItsLawsStepByStep) {
   std::mt19937 random(1);
@@ -235,7 +110,7 @@ TEST_P(BasicLawsKernel, HasTheBitsOfItsLawsOverLogs) {
 TEST_P(BasicLawsKernel, SplitsTheForceIntoALinearPartAndFriction) {
   std::mt19937 random(3);
   for (int trial = 0; trial < 200; ++trial) {
-    LawsOneByOne laws(random);
+    LawsOneByOne laws(random, 3);
     RandomPath path(random);
     const kernel::BasicLawsKernel kernel(laws.numbers());
     kernel::PreparedStep prepared = kernel.makePreparedStep();
@@ -273,7 +148,7 @@ TEST_P(BasicLawsKernel, BalancesInClosedForm) {
 
 TEST_P(BasicLawsKernel, AllocatesNothing) {
   std::mt19937 random(4);
-  const LawsOneByOne laws(random);
+  const LawsOneByOne laws(random, 3);
   const kernel::BasicLawsKernel kernel(laws.numbers());
   kernel::PreparedStep prepared = kernel.makePreparedStep();
   std::vector<double> memory(kernel.memorySize());
@@ -290,12 +165,12 @@ TEST_P(BasicLawsKernel, AllocatesNothing) {
 TEST(BasicLawsKernelStiffness, IsTheSumOfThoseOfItsLaws) {
   constexpr double kOmega = 2.0 * element::kPi * 4.0;
   element::BasicLaws sum;
-  const element::Spring spring(3e6);
-  const element::Dashpot dashpot(1e4);
-  const element::Maxwell maxwell(1.3e6, 1.43);
-  ASSERT_TRUE(spring.addTo(sum) && dashpot.addTo(sum) && maxwell.addTo(sum));
-  const std::complex<double> expected =
-      *spring.complexStiffness(kOmega) + *dashpot.complexStiffness(kOmega) + *maxwell.complexStiffness(kOmega);
+  std::complex<double> expected = 0.0;
+  for (const auto& description : {spring(3e6), dashpot(1e4), maxwell(1.3e6, 1.43)}) {
+    const Law law = lawOf(description);
+    ASSERT_TRUE(law->addTo(sum));
+    expected += *law->complexStiffness(kOmega);
+  }
   EXPECT_LE(std::abs(*kernel::BasicLawsKernel(sum).complexStiffness(kOmega) / expected - 1.0), 1e-15);
   sum.frictions.push_back({5e3, 1e-3, 0.0});
   EXPECT_FALSE(kernel::BasicLawsKernel(sum).complexStiffness(kOmega));

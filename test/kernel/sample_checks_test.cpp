@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "rubber_suspension/processor/instructions.h"
+#include "support/on_any_processor.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -15,16 +15,8 @@ constexpr std::size_t kMost = 40;  // more than two of the widest vectors, and a
 constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kSmallest = std::numeric_limits<std::int64_t>::min();
 
-/// All kinds of instructions that this processor has, one after the other.
-class SampleChecks : public testing::TestWithParam<processor::Instructions> {
- protected:
-  SampleChecks() { processor::useAtMost(GetParam()); }
-  ~SampleChecks() override { processor::useAtMost(processor::Instructions::avx512); }
-};
-
-INSTANTIATE_TEST_SUITE_P(With, SampleChecks,
-                         testing::Values(processor::Instructions::any, processor::Instructions::avx2,
-                                         processor::Instructions::avx512));
+class SampleChecks : public OnAnyProcessor {};
+INSTANTIATE_TEST_SUITE_P(With, SampleChecks, anyInstructions());
 
 std::vector<std::int64_t> evenStamps(std::size_t count, std::int64_t first, std::int64_t step) {
   std::vector<std::int64_t> stamps{first};

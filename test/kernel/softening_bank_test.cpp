@@ -9,6 +9,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/processor/instructions.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -83,10 +84,10 @@ TEST(SofteningBank, IsItsLawsButForRoundingOnAnyProcessor) {
 }
 
 TEST(SofteningBank, LeavesOtherLawsAlone) {
-  element::ElementDescription law{"stress_softening", {{"reduction", {0.3}}, {"ratio_power", {3.0}}}};
+  element::ElementDescription law = entry("stress_softening reduction=0.3 ratio_power=3");
   EXPECT_FALSE(kernel::SofteningBank::takes(element::complete(law)));
-  EXPECT_FALSE(kernel::SofteningBank::takes(
-      element::complete({"self_heating", {{"energy_sensitivity", {1e-3}}, {"time_constant", {40.0}}}})));
+  EXPECT_FALSE(
+      kernel::SofteningBank::takes(element::complete(entry("self_heating energy_sensitivity=1e-3 time_constant=40"))));
 }
 
 }  // namespace

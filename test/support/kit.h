@@ -1,17 +1,53 @@
-// Elements, components and logs that tests are made of.
+// Elements, components, logs and settled sines that tests are made of.
 #pragma once
 
+#include <cmath>
+#include <complex>
 #include <cstdint>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension {
+
+using Entries = std::vector<element::ElementDescription>;
+
+/// The entry of a text such as "iwan_table yield_displacement=1e-4,5e-4 stiffness=2e6,1e6": type, keys and values.
+inline element::ElementDescription entry(const std::string& text) {
+  std::istringstream words(text);
+  element::ElementDescription description;
+  words >> description.type;
+  for (std::string word; words >> word;) {
+    std::vector<double>& values = description.values[word.substr(0, word.find('='))];
+    std::istringstream numbers(word.substr(word.find('=') + 1));
+    for (std::string number; std::getline(numbers, number, ',');) {
+      values.push_back(std::stod(number));
+    }
+  }
+  return description;
+}
+
+/// The same with numbers that the test computes.
+inline element::ElementDescription entry(const std::string& text,
+                                         const std::vector<std::pair<std::string, double>>& more) {
+  element::ElementDescription description = entry(text);
+  for (const auto& [key, value] : more) {
+    description.values[key] = {value};
+  }
+  return description;
+}
+
+inline Entries operator+(Entries entries, const Entries& more) {
+  entries.insert(entries.end(), more.begin(), more.end());
+  return entries;
+}
 
 inline element::ElementDescription spring(double stiffness /* [N/m] */) {
   return {"spring", {{"stiffness", {stiffness}}}};
@@ -45,6 +81,28 @@ struct WithState : component::Component {
   double initialise(double displacement) { return Component::initialise(state, displacement).total; }
   double relax(double displacement) { return Component::relax(state, displacement).total; }
 };
+
+/// First harmonic of the settled force over that of the displacement [N/m] under a sine of an amplitude [m] and a
+/// frequency [Hz], sampled so often a cycle: that of the last cycle. `step` makes the force of a time step [s] and a
+/// displacement [m].
+template <class Step>
+std::complex<double> settledStiffness(double frequency, int samples, int cycles, double amplitude, const Step& step) {
+  std::complex<double> sum = 0.0;
+  for (int i = 1; i <= cycles * samples; ++i) {
+    const double phase = 2.0 * element::kPi * (i % samples) / samples;
+    const double force = step(1.0 / (frequency * samples), amplitude * std::sin(phase));
+    sum += i > (cycles - 1) * samples ? force * std::polar(1.0, -phase) : 0.0;
+  }
+  return sum * std::complex<double>(0.0, 2.0 / (amplitude * samples));
+}
+
+inline std::complex<double> settledStiffness(const component::Component& component, double frequency, int samples,
+                                             int cycles, double amplitude = 1e-3) {
+  component::ComponentState state = component.makeState();
+  return settledStiffness(frequency, samples, cycles, amplitude, [&](double dt, double displacement) {
+    return component.step(state, dt, displacement).total;
+  });
+}
 
 /// The only component of a component file. Throws ComponentFileError.
 inline io::ComponentDescription componentOf(const std::string& text, const std::string& file = "test") {
@@ -81,6 +139,21 @@ log::Log logOf(const std::string& name, int samples, std::int64_t interval, cons
     log.force.push_back(force(i, log.displacement[static_cast<std::size_t>(i)]));
   }
   return log;
+}
+
+/// A log at a rate [Hz] over a duration [s], whose displacement [m] is a function of time.
+template <class Displacement>
+log::Log recorded(double rate, double duration, const Displacement& displacement) {
+  return logOf("log", static_cast<int>(std::lround(duration * rate)), std::llround(1e9 / rate),
+               [&](int i) { return displacement(i / rate); });
+}
+
+/// The same with a force [N], which is a function of time and the displacement.
+template <class Displacement, class Force>
+log::Log recorded(double rate, double duration, const Displacement& displacement, const Force& force) {
+  return logOf(
+      "log", static_cast<int>(std::lround(duration * rate)), std::llround(1e9 / rate),
+      [&](int i) { return displacement(i / rate); }, [&](int i, double z) { return force(i / rate, z); });
 }
 
 }  // namespace rubber_suspension

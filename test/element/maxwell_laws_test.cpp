@@ -1,0 +1,99 @@
+// Maxwell elements that slide, break down, yield or follow a curve: steady motion, relaxation, the equation itself.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "element/driver.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+constexpr double kStiffness = 1e6;
+constexpr double kRelaxation = 1.0 / (2.0 * element::kPi * 2.0);  // of 2 Hz
+
+TEST(SlidingMaxwell, SlidesAtItsLimitAndRelaxesBelow) {
+  Driver driver("sliding_maxwell stiffness=1e6 break_frequency=2 yield_displacement=4e-4");
+  EXPECT_EQ(driver.step(1e-3, 2e-3), 400.0);
+  EXPECT_NEAR(driver.step(kRelaxation, 2e-3), 400.0 * std::exp(-1.0), 1e-9);
+}
+
+// Far above the break frequency, where it does not relax, it is friction; far below it is a dashpot that never slides.
+TEST(SlidingMaxwell, FrictionShowsAtHighFrequencyOnly) {
+  const auto stiffness = [](double frequency, double amplitude) {
+    Driver driver("sliding_maxwell stiffness=1e6 break_frequency=2 yield_displacement=4e-4");
+    double peak = 0.0;
+    constexpr int kSamples = 200;
+    for (int i = 0; i < 4 * kSamples; ++i) {
+      const double force =
+          driver.step(1.0 / (frequency * kSamples), amplitude * std::sin(2.0 * element::kPi * i / kSamples));
+      peak = i > 3 * kSamples ? std::max(peak, force) : 0.0;
+    }
+    return peak / amplitude;
+  };
+  EXPECT_NEAR(stiffness(200.0, 2e-3) / stiffness(200.0, 2e-4), 0.2, 0.01) << "slides at 0.4 mm of 2 mm";
+  EXPECT_NEAR(stiffness(0.1, 2e-3) / stiffness(0.1, 2e-4), 1.0, 1e-9);
+}
+
+// One exact step against 1e5 explicit ones, which err by 1e-5; where both rates are equal as well.
+TEST(ThixotropicMaxwell, OneStepSolvesTheEquation) {
+  constexpr double kTravel = 5e-3;
+  constexpr double kDuration = 0.2;
+  const double equal_rates = kTravel * (1.0 / kRelaxation - 1.0 / 0.3) * kDuration;
+  for (const double way : {2e-3, -8e-3, equal_rates}) {
+    Driver driver("thixotropic_maxwell stiffness=1e6 break_frequency=2 build_up_time=0.3 travel=5e-3");
+    double force = 0.0;
+    double state = 1.0;
+    constexpr int kSteps = 100000;
+    constexpr double kDt = kDuration / kSteps;
+    for (int i = 0; i < kSteps; ++i) {
+      force += kStiffness * state * way / kSteps - kDt * force / kRelaxation;
+      state += kDt * (1.0 - state) / 0.3 - state * std::abs(way) / kSteps / kTravel;
+    }
+    EXPECT_NEAR(driver.step(kDuration, way), force, 1e-4 * std::abs(force)) << way;
+    EXPECT_NEAR(driver.memory()[1], state, 1e-4) << way;
+  }
+}
+
+// dF/dt = -F/tau (1 + (|F|/(k y))^p) has F = F0 e/(1 + (F0/(k y))^p (1 - e^p))^(1/p), e = exp(-t/tau); the splitting
+// errs by (dt/tau)^2 = 4e-7.
+TEST(NonlinearMaxwell, RelaxesInClosedForm) {
+  for (const auto& [power, displacement, steps] : {std::tuple(1.0, 2e-3, 2000), {3.0, 1e-3, 20000}}) {
+    Driver driver(entry("nonlinear_maxwell stiffness=1e6 break_frequency=2 displacement=5e-4", {{"power", power}}));
+    const double start = driver.step(1e-9, displacement);
+    EXPECT_NEAR(start, kStiffness * displacement, 1e-3) << "a jump is elastic";
+    driver.walk(0.1, displacement, steps);
+    const double decay = std::exp(-0.1 / kRelaxation);
+    const double rest = 1.0 + std::pow(start / 500.0, power) * (1.0 - std::pow(decay, power));
+    EXPECT_NEAR(driver.output(), start * decay / std::pow(rest, 1.0 / power), 1e-5 * start) << power;
+  }
+}
+
+constexpr double kReach = 2e-3;  // [m]
+constexpr double kTip = 3e6;     // stiffness there [N/m]
+constexpr double kGrowth = 3.0;
+
+// Force of a short step about a place, over the step: a branch that does not relax meanwhile.
+double stiffnessAt(double side, double z) {
+  Driver driver(
+      entry("maxwell_along_curve stiffness=3e6 displacement=2e-3 break_frequency=1e-6 growth=3", {{"side", side}}), z);
+  return driver.step(1e-3, z + 1e-9) / 1e-9;
+}
+
+// Between its points a stiffness that is linear errs by h^2 k''/8, 0.3 % of the stiffness here at most.
+TEST(MaxwellAlongCurve, GrowsExponentiallyWithTheSquareOfTheDisplacement) {
+  for (const double share : {-1.0, -0.5, 0.0, 0.3, 0.8}) {
+    const double exact = kTip * std::exp(kGrowth * (share * share - 1.0));
+    EXPECT_NEAR(stiffnessAt(0.0, share * kReach), exact, 0.003 * exact) << share;
+  }
+  EXPECT_NEAR(stiffnessAt(0.0, 1.5 * kReach), kTip, 1e-6 * kTip) << "constant beyond";
+}
+
+TEST(MaxwellAlongCurve, GrowsToOneSideAlone) {
+  const double at_rest = kTip * std::exp(-kGrowth);
+  EXPECT_NEAR(stiffnessAt(1.0, -0.8 * kReach), at_rest, 1e-3 * at_rest);
+  EXPECT_GT(stiffnessAt(1.0, 0.8 * kReach), 5.0 * at_rest);
+  EXPECT_NEAR(stiffnessAt(-1.0, 0.8 * kReach), at_rest, 1e-3 * at_rest);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test
