@@ -18,10 +18,6 @@ bool isStamped(const std::uint8_t* data, std::size_t size);
 /// Its kind.
 using MessageCheck = bool(const std::uint8_t* data, std::size_t size);
 
-/// Bytes beyond which no message with one header is read: one with a frame_id that is too long is read and counted.
-constexpr std::size_t kLongestStamped = 1U << 16U;
-constexpr std::size_t kMostInBundle = 10000;  ///< components of the longest bundle that is read
-
 constexpr std::size_t kPoseNumbers = 7;    ///< position and quaternion
 constexpr std::size_t kWrenchNumbers = 6;  ///< force and moment
 

@@ -130,7 +130,6 @@ void BundleServer::serve(ros::NodeHandle& handle, int queue_size, const std::str
       [components, numbers_in](const std::uint8_t* data, std::size_t bytes) {
         return node::isBundle(data, bytes, components, numbers_in);
       },
-      static_cast<std::uint32_t>(node::longestBundle(std::max(components, node::kMostInBundle), numbers_in)),
       undecodable_,
       [this, pool = std::make_shared<MessagePool<Answer>>()](const ros::MessageEvent<const Bundle>& event) {
         answer(event, *pool);

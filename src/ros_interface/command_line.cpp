@@ -19,7 +19,6 @@
 #include "log/text.h"
 #include "ros_interface/termination.h"
 #include "roscpp_fixes/master_call.h"
-#include "roscpp_fixes/wire_bounds.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -66,7 +65,6 @@ std::string masterUri(const std::vector<std::string>& arguments) {
 }  // namespace
 
 RosCommandLine::RosCommandLine(int argc, char** argv) : all_(argv, argv + argc) {
-  roscpp_fixes::boundTheWire();  // before the first call; a node tells what it could not bound
   processArguments() = all_;
   ros::removeROSArgs(argc, argv, own_);
   pointers_ = pointersTo(own_);

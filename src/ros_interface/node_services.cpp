@@ -21,7 +21,6 @@
 #include "node/state_file.h"
 #include "ros_interface/termination.h"
 #include "roscpp_fixes/master_call.h"
-#include "roscpp_fixes/wire_bounds.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -133,10 +132,8 @@ void NodeServices::advertise(ros::NodeHandle& handle, const std::string& name, A
       };
   const ros::ServiceServer server =
       handle.advertiseService<typename Service::Request, typename Service::Response>(name, answer);
-  constexpr std::uint32_t kLongestRequest = 4096;  // [bytes]; the name of a component at most
   const std::lock_guard<std::mutex> lock(mutex_);
   servers_.push_back(server);
-  limits_.push_back(roscpp_fixes::limitMessages(server.getService(), kLongestRequest));
 }
 
 std::vector<std::string> NodeServices::names() const {

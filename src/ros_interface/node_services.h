@@ -51,8 +51,7 @@ class NodeServices {
   const LiveDiagnoser* live_;
   mutable std::mutex mutex_;  // of the servers
   std::vector<ros::ServiceServer> servers_;
-  std::vector<std::shared_ptr<const void>> limits_;  // of the requests
-  std::set<std::string> promotable_;                 // components whose promotion has its services
+  std::set<std::string> promotable_;  // components whose promotion has its services
 };
 
 }  // namespace rubber_suspension::ros_interface

@@ -66,7 +66,7 @@ template <class Message, class Take>
 void SampleServer::subscribe(ros::NodeHandle& handle, const std::string& topic, node::MessageCheck* check, Take take) {
   const boost::function<void(const ros::MessageEvent<const Message>&)> callback = std::move(take);
   subscribers_.push_back(roscpp_fixes::subscribeChecked<Message>(handle, topic, static_cast<std::uint32_t>(queue_size_),
-                                                                 check, node::kLongestStamped, undecodable_, callback));
+                                                                 check, undecodable_, callback));
 }
 
 template <class Sample, class Answer>

@@ -25,7 +25,6 @@
 #include "ros_interface/termination.h"
 #include "roscpp_fixes/master_call.h"
 #include "roscpp_fixes/process_fixes.h"
-#include "roscpp_fixes/wire_bounds.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -157,17 +156,11 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
     : handle_(handle), private_handle_(private_handle) {
   const io::Cancellable cancellable(is_ending);
   try {
-    const std::string unbounded = roscpp_fixes::boundTheWire();  // in a nodelet's manager nothing was bounded before
     loggers_ = roscpp_fixes::takeOverLoggerService();  // first, as whoever calls roscpp's own ends the process
-    constexpr std::uint32_t kLongestRequest = 4096;    // [bytes]
-    for (const std::string& name : roscpp_fixes::loggerServices()) {
-      limits_.push_back(roscpp_fixes::limitMessages(name, kLongestRequest));
-    }
     // The first line of log asks the master for this parameter, without a time limit and with all parameters locked:
     // ask now, while the master is known to answer.
     bool unused = false;
     ros::param::getCached("/rosout_disable_topics_generation", unused);
-    tell(unbounded, "");
     settings_ = readNodeSettings(private_handle_);
     makeChannels();
     requireOpenFiles(channels_.size());

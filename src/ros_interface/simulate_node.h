@@ -55,7 +55,6 @@ class SimulateNode {
   std::unique_ptr<NodeDiagnostics> diagnostics_;
   std::unique_ptr<NodeServices> services_;
   std::shared_ptr<ros::ServiceServer> loggers_;
-  std::vector<std::shared_ptr<const void>> limits_;  // of requests about loggers
   std::unique_ptr<roscpp_fixes::RegistrationKeeper> registration_;
 };
 

@@ -9,11 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
 #include <utility>
-
-#include "roscpp_fixes/wire_bounds.h"
 
 namespace rubber_suspension::roscpp_fixes {
 
@@ -26,9 +23,8 @@ class CheckedCallback : public ros::SubscriptionCallbackHelperT<const ros::Messa
  public:
   using Base = ros::SubscriptionCallbackHelperT<const ros::MessageEvent<const Message>&>;
 
-  CheckedCallback(const std::string& topic, const typename Base::Callback& callback, MessageCheck check,
-                  std::uint32_t longest, std::atomic<std::uint64_t>& refused)
-      : Base(callback), check_(std::move(check)), refused_(refused), limit_(limitMessages(topic, longest, &refused)) {}
+  CheckedCallback(const typename Base::Callback& callback, MessageCheck check, std::atomic<std::uint64_t>& refused)
+      : Base(callback), check_(std::move(check)), refused_(refused) {}
 
   ros::VoidConstPtr deserialize(const ros::SubscriptionCallbackHelperDeserializeParams& params) override {
     if (!check_(params.buffer, params.length)) {
@@ -41,19 +37,17 @@ class CheckedCallback : public ros::SubscriptionCallbackHelperT<const ros::Messa
  private:
   MessageCheck check_;
   std::atomic<std::uint64_t>& refused_;
-  std::shared_ptr<const void> limit_;
 };
 
-/// Subscribe without delay (TCP_NODELAY). `refused` counts the messages that did not pass the check or claimed more
-/// than `longest` [bytes], after which the connection is closed. It must outlive the subscription.
+/// Subscribe without delay (TCP_NODELAY). `refused` counts the messages that did not pass the check; it must outlive
+/// the subscription.
 template <class Message>
 ros::Subscriber subscribeChecked(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size,
-                                 MessageCheck check, std::uint32_t longest, std::atomic<std::uint64_t>& refused,
+                                 MessageCheck check, std::atomic<std::uint64_t>& refused,
                                  const boost::function<void(const ros::MessageEvent<const Message>&)>& callback) {
   ros::SubscribeOptions options(topic, queue_size, ros::message_traits::md5sum<Message>(),
                                 ros::message_traits::datatype<Message>());
-  options.helper = boost::make_shared<CheckedCallback<Message>>(handle.resolveName(topic), callback, std::move(check),
-                                                                longest, refused);
+  options.helper = boost::make_shared<CheckedCallback<Message>>(callback, std::move(check), refused);
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   return handle.subscribe(options);
 }

@@ -1,9 +1,10 @@
-// The node is killed in mid-run and respawned: it serves again, as new or where the saved state ends.
+// The node is ended in mid-run and respawned: it serves again, as new or where the saved state ends.
 #include <signal.h>
 #include <std_srvs/Trigger.h>
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <set>
 
@@ -28,14 +29,14 @@ class Respawn : public testing::Test {
     }
   }
 
-  // Kill the node with samples under way, and wait until its successor serves the bench.
-  void killAndWait(const std::string& node) {
+  // End the node with samples under way, and wait until its successor serves the bench.
+  void endAndWait(const std::string& node, const std::function<void(pid_t)>& end) {
     const pid_t before = processOf(node);
     ASSERT_GT(before, 0);
     for (int i = 0; i < 2000; ++i) {
       bench_->send(kStart + (kUnderWay + i) * kMillisecond, wave(kUnderWay + i));
     }
-    ASSERT_EQ(kill(before, SIGKILL), 0);
+    end(before);
     ASSERT_TRUE(spinUntil([&] { return !bench_->isHeard(); }));
     ASSERT_TRUE(spinUntil([&] {
       const pid_t now = processOf(node);
@@ -43,6 +44,8 @@ class Respawn : public testing::Test {
     }));
     ASSERT_TRUE(bench_->connect());
   }
+
+  static void killIt(pid_t process) { ASSERT_EQ(kill(process, SIGKILL), 0); }
 
   static constexpr int kUnderWay = 10000;  // number of the first sample that is under way at the end
   std::unique_ptr<Bench> bench_;
@@ -52,7 +55,7 @@ TEST_F(Respawn, ServesAgainAfterItWasKilled) {
   open("left_secondary");
   ask(0, 100);
   EXPECT_EQ(bench_->forces.size(), 100U);
-  killAndWait("/simulate");
+  endAndWait("/simulate", killIt);
 
   // What was under way is answered once or not at all.
   std::set<ros::Time> stamps;
@@ -69,23 +72,32 @@ TEST_F(Respawn, ServesAgainAfterItWasKilled) {
   EXPECT_TRUE(diagnostics.waitForCount("left_secondary", "accepted", 50));
 }
 
+// Not by a kill alone: anybody may end a node by the call `shutdown` of its slave API, and that is no failure.
 TEST_F(Respawn, GoesOnBitByBitWhereTheStateWasSaved) {
+  const std::string node = "/keeping/simulate";
+  const auto shut_down = [&](pid_t /*process*/) {
+    XmlRpc::XmlRpcValue arguments;
+    arguments[1] = "a stranger's call";
+    askNode(node, "shutdown", arguments);
+  };
   open("keeping/left_secondary");
   ask(0, 100);
-  ASSERT_TRUE(ros::service::waitForService("/keeping/simulate/save_state", ros::Duration(kPatience)));
+  ASSERT_TRUE(ros::service::waitForService(node + "/save_state", ros::Duration(kPatience)));
   std_srvs::Trigger save;
-  ASSERT_TRUE(ros_interface::callService("/keeping/simulate/save_state", save));
+  ASSERT_TRUE(ros_interface::callService(node + "/save_state", save));
   ASSERT_TRUE(save.response.success) << save.response.message;
   ask(100, 200);
   const std::vector<Force> without_interruption(bench_->forces.begin() + 100, bench_->forces.begin() + 200);
-  killAndWait("/keeping/simulate");
-  bench_->forces.clear();
-  ask(100, 200);
-  ASSERT_EQ(bench_->forces.size(), 100U);
-  for (std::size_t i = 0; i < 100; ++i) {
-    EXPECT_EQ(bench_->forces[i].force, without_interruption[i].force) << "sample " << i;
+  for (const std::function<void(pid_t)>& end : {std::function<void(pid_t)>(killIt), {shut_down}}) {
+    endAndWait(node, end);
+    bench_->forces.clear();
+    ask(100, 200);
+    ASSERT_EQ(bench_->forces.size(), 100U);
+    for (std::size_t i = 0; i < 100; ++i) {
+      EXPECT_EQ(bench_->forces[i].force, without_interruption[i].force) << "sample " << i;
+    }
   }
-  EXPECT_TRUE(std::filesystem::remove(ros::param::param<std::string>("/keeping/simulate/state_file", "")));
+  EXPECT_TRUE(std::filesystem::remove(ros::param::param<std::string>(node + "/state_file", "")));
 }
 
 }  // namespace
