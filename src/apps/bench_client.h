@@ -9,13 +9,13 @@
 #include "element/refuse.h"
 #include "ros_interface/connection.h"
 #include "ros_interface/log_player.h"
-#include "roscpp_fixes/process_fixes.h"
+#include "ros_interface/process_fixes.h"
 
 namespace rubber_suspension::apps {
 
 /// A node that is kept to the loopback interface gets a client that is; where that is refused, say so.
 inline void noteOpenness(const std::string& command) {
-  const std::string refusal = roscpp_fixes::keepSlaveApiToLoopback();
+  const std::string refusal = ros_interface::keepSlaveApiToLoopback();
   if (!refusal.empty()) {
     command_line::printNote(command, refusal);
   }

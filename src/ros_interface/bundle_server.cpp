@@ -2,13 +2,9 @@
 #include "ros_interface/bundle_server.h"
 
 #include <algorithm>
-#include <chrono>
-#include <memory>
 
 #include "node/message_bounds.h"
 #include "ros_interface/pose_messages.h"
-#include "ros_interface/sample_server.h"
-#include "roscpp_fixes/checked_subscription.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -43,10 +39,13 @@ bool isWellFormed(const Bundle& bundle, const Channels& channels) {
   return true;
 }
 
+constexpr std::uint32_t kFewestBundles = 16;  // that may wait, unless the queue is shorter
+
 // Bundles are as long as there are components: fewer may wait than single samples where there are many.
-std::uint32_t fewerOf(std::uint32_t queue_size, std::size_t bytes) {
+std::uint32_t fewerOf(std::uint32_t queue_size, std::size_t components, std::size_t numbers) {
   constexpr std::size_t kMostBytes = 64 * 1024 * 1024;
-  return static_cast<std::uint32_t>(std::clamp<std::size_t>(kMostBytes / bytes, 16, queue_size));
+  const std::size_t fitting = kMostBytes / node::longestBundle(components, numbers);
+  return static_cast<std::uint32_t>(std::clamp<std::size_t>(fitting, kFewestBundles, queue_size));
 }
 
 void resize(ForceArray& answer, std::size_t size) {
@@ -118,22 +117,16 @@ bool answerBundle(const PoseArray& bundle, const node::ChannelGroup& group, Wren
 }
 
 template <class Bundle, class Answer>
-void BundleServer::serve(ros::NodeHandle& handle, int queue_size, const std::string& in, std::size_t numbers_in,
-                         const std::string& out, std::size_t numbers_out) {
+void BundleServer::serveBundles(ros::NodeHandle& handle, int queue_size, const std::string& in, std::size_t numbers_in,
+                                const std::string& out, std::size_t numbers_out) {
   const std::size_t components = channels_.size();
-  const std::size_t longest = node::longestBundle(components, numbers_in);
-  const auto size = static_cast<std::uint32_t>(std::max(queue_size, 16));
-  publisher_.advertise<Answer>(handle, out,
-                               fewerOf(answerQueueSize(queue_size), node::longestBundle(components, numbers_out)));
-  subscriber_ = roscpp_fixes::subscribeChecked<Bundle>(
-      handle, in, std::min<std::uint32_t>(static_cast<std::uint32_t>(queue_size), fewerOf(size, longest)),
+  const auto size = static_cast<std::uint32_t>(queue_size);
+  serve<Bundle, Answer>(
+      *this, handle, in, std::min(size, fewerOf(std::max(size, kFewestBundles), components, numbers_in)),
       [components, numbers_in](const std::uint8_t* data, std::size_t bytes) {
         return node::isBundle(data, bytes, components, numbers_in);
       },
-      undecodable_,
-      [this, pool = std::make_shared<MessagePool<Answer>>()](const ros::MessageEvent<const Bundle>& event) {
-        answer(event, *pool);
-      });
+      out, fewerOf(answerQueueSize(queue_size), components, numbers_out));
 }
 
 BundleServer::BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& group, int queue_size,
@@ -141,34 +134,25 @@ BundleServer::BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& gr
     : group_(group), channels_(group.channels(six_directions)) {
   constexpr std::size_t kForceNumbers = 5;  // displacement, force and its parts
   if (six_directions) {
-    serve<PoseArray, WrenchArray>(handle, queue_size, "poses", node::kPoseNumbers, "wrenches", node::kWrenchNumbers);
+    serveBundles<PoseArray, WrenchArray>(handle, queue_size, "poses", node::kPoseNumbers, "wrenches",
+                                         node::kWrenchNumbers);
   } else {
-    serve<DisplacementArray, ForceArray>(handle, queue_size, "displacements", 1, "forces", kForceNumbers);
+    serveBundles<DisplacementArray, ForceArray>(handle, queue_size, "displacements", 1, "forces", kForceNumbers);
   }
-}
-
-void BundleServer::shutdown() {
-  subscriber_.shutdown();
-  publisher_.shutdown();
 }
 
 template <class Bundle, class Answer>
-void BundleServer::answer(const ros::MessageEvent<const Bundle>& event, MessagePool<Answer>& pool) {
-  const auto callback = std::chrono::steady_clock::now();
-  lost_ += watch_.take(event.getConnectionHeaderPtr(), event.getConstMessage()->header.seq);
-  const auto message = pool.take();
-  if (!answerBundle(*event.getConstMessage(), group_, *message)) {
-    ++malformed_;
-    return;
-  }
-  if (message->components.empty()) {
-    return;  // every sample was dropped and counted by its component
-  }
-  publisher_.publish(message);
+bool BundleServer::answer(const Bundle& bundle, Answer& message) {
+  const bool well_formed = answerBundle(bundle, group_, message);
+  malformed_ += well_formed ? 0 : 1;
+  return well_formed && !message.components.empty();  // else every sample was dropped and counted by its component
+}
+
+template <class Answer>
+void BundleServer::countAnswered(const Answer& message, std::int64_t latency) {
   ++answered_;
-  const std::int64_t latency = timeSinceArrival(event.getReceiptTime(), callback);
-  for (std::size_t i = 0; i < message->components.size(); ++i) {
-    channelOf(message->components, i, channels_)->countLatency(latency);
+  for (std::size_t i = 0; i < message.components.size(); ++i) {
+    channelOf(message.components, i, channels_)->countLatency(latency);
   }
 }
 

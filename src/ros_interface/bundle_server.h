@@ -14,9 +14,7 @@
 #include <vector>
 
 #include "node/channel_group.h"
-#include "node/sequence_watch.h"
-#include "ros_interface/message_pool.h"
-#include "roscpp_fixes/answer_publisher.h"
+#include "ros_interface/answering_topics.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -27,37 +25,33 @@ namespace rubber_suspension::ros_interface {
 bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& group, ForceArray& answer);
 bool answerBundle(const PoseArray& bundle, const node::ChannelGroup& group, WrenchArray& answer);
 
-/// Serves the two topics in the thread of the handle's callback queue, by the same components as the single topics.
-class BundleServer {
+/// Serves the two topics by the same components as the single topics.
+class BundleServer : public AnsweringTopics {
  public:
   /// The group must outlive the server.
   BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& group, int queue_size, bool six_directions);
 
-  /// Take no more samples.
-  void shutdown();
-
   std::uint64_t answered() const { return answered_; }    ///< messages
   std::uint64_t malformed() const { return malformed_; }  ///< messages dropped: unknown names, lists of unequal length
   std::uint64_t lost() const { return lost_; }  ///< messages that were sent but never arrived, as for single samples
-  std::uint64_t undecodable() const { return undecodable_; }              ///< messages dropped that are no bundles
-  std::uint64_t undelivered() const { return publisher_.undelivered(); }  ///< answers; see AnswerPublisher
 
  private:
+  friend AnsweringTopics;
+
   template <class Bundle, class Answer>
-  void serve(ros::NodeHandle& handle, int queue_size, const std::string& in, std::size_t numbers_in,
-             const std::string& out, std::size_t numbers_out);
+  void serveBundles(ros::NodeHandle& handle, int queue_size, const std::string& in, std::size_t numbers_in,
+                    const std::string& out, std::size_t numbers_out);
   template <class Bundle, class Answer>
-  void answer(const ros::MessageEvent<const Bundle>& event, MessagePool<Answer>& pool);
+  bool answer(const Bundle& bundle, Answer& message);
+  void countLost(std::uint32_t messages) { lost_ += messages; }
+  template <class Answer>
+  void countAnswered(const Answer& message, std::int64_t latency);
 
   const node::ChannelGroup& group_;
   const std::vector<node::ComponentChannel*>& channels_;
   std::atomic<std::uint64_t> answered_{0};
   std::atomic<std::uint64_t> malformed_{0};
-  node::SequenceWatch<boost::shared_ptr<ros::M_string>> watch_;
   std::atomic<std::uint64_t> lost_{0};
-  std::atomic<std::uint64_t> undecodable_{0};
-  roscpp_fixes::AnswerPublisher publisher_;
-  ros::Subscriber subscriber_;
 };
 
 }  // namespace rubber_suspension::ros_interface

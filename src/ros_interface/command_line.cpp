@@ -17,8 +17,8 @@
 
 #include "element/refuse.h"
 #include "log/text.h"
+#include "ros_interface/master.h"
 #include "ros_interface/termination.h"
-#include "roscpp_fixes/master_call.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -76,9 +76,9 @@ void RosCommandLine::takeOffParameters() {
   for (const std::string& argument : all_) {
     const std::string name = privateParameterOf(argument);
     if (answers && !name.empty()) {
-      answers = roscpp_fixes::call(kLimit, ros::master::getURI(), "deleteParam",
-                                   roscpp_fixes::callArguments({ros::this_node::getName() + "/" + name}))
-                    .has_value();
+      answers =
+          call(kLimit, ros::master::getURI(), "deleteParam", callArguments({ros::this_node::getName() + "/" + name}))
+              .has_value();
     }
   }
 }
@@ -118,7 +118,7 @@ bool RosCommandLine::waitForMaster(double timeout) const {
   for (bool said = false; !isEnding();) {
     const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     element::refuseIf<std::runtime_error>(waited >= timeout, "no master answers at {} within {:g} s", uri, timeout);
-    if (roscpp_fixes::masterAnswers(std::min(kTurn, timeout - waited), uri)) {
+    if (masterAnswers(std::min(kTurn, timeout - waited), uri)) {
       return true;
     }
     if (waited > kPatience && !std::exchange(said, true)) {

@@ -10,20 +10,19 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 
-#include "roscpp_fixes/master_call.h"
+#include "ros_interface/master.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
 
-using roscpp_fixes::callArguments;
 using XmlRpc::XmlRpcValue;
+
+constexpr double kAnswerLimit = 5.0;  // [s]
 
 // The value in the answer to a call; throws XmlRpcException where there is none.
 XmlRpcValue ask(const std::string& uri, const std::string& method, const std::vector<std::string>& arguments = {}) {
-  constexpr double kLimit = 5.0;  // [s]
-  const auto answer = roscpp_fixes::call(kLimit, uri, method, callArguments(arguments));
+  const auto answer = call(kAnswerLimit, uri, method, callArguments(arguments));
   if (!answer) {
     throw XmlRpc::XmlRpcException("no answer");
   }
@@ -31,21 +30,9 @@ XmlRpcValue ask(const std::string& uri, const std::string& method, const std::ve
 }
 
 // All topics that are advertised, with the nodes that do so; none where the master does not answer.
-std::map<std::string, std::vector<std::string>> publishedTopics() {
-  std::map<std::string, std::vector<std::string>> topics;
-  try {
-    const XmlRpcValue published = ask(ros::master::getURI(), "getSystemState")[0];
-    for (int i = 0; i < published.size(); ++i) {
-      const std::string& topic = published[i][0];
-      for (int j = 0; j < published[i][1].size(); ++j) {
-        const std::string& node = published[i][1][j];
-        topics[topic].push_back(node);
-      }
-    }
-  } catch (const XmlRpc::XmlRpcException&) {
-    topics.clear();
-  }
-  return topics;
+Registered publishedTopics() {
+  const auto names = registeredNames(kAnswerLimit);
+  return names ? names->front() : Registered();
 }
 
 }  // namespace

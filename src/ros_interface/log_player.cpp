@@ -34,26 +34,14 @@ std::chrono::steady_clock::duration toDuration(double seconds) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-void keep(const Force& force, std::size_t sample, PlayResult& result) {
-  result.force[sample] = {force.force, force.elastic, force.viscous, force.friction};
+// The numbers of an answer: a force and its parts, or a wrench.
+std::array<double, 6> numbersOf(const Force& answer) {
+  return {answer.force, answer.elastic, answer.viscous, answer.friction};
 }
 
-void keep(const geometry_msgs::WrenchStamped& answer, std::size_t sample, PlayResult& result) {
-  const component::Wrench of = wrenchOf(answer.wrench);
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    result.wrench[static_cast<std::size_t>(i)][sample] = of.force[i];
-    result.wrench[static_cast<std::size_t>(i + 3)][sample] = of.moment[i];
-  }
-}
-
-bool isFinite(const Force& force) {
-  return std::isfinite(force.force) && std::isfinite(force.elastic) && std::isfinite(force.viscous) &&
-         std::isfinite(force.friction);
-}
-
-bool isFinite(const geometry_msgs::WrenchStamped& answer) {
-  const component::Wrench of = wrenchOf(answer.wrench);
-  return of.force.allFinite() && of.moment.allFinite();
+std::array<double, 6> numbersOf(const geometry_msgs::WrenchStamped& answer) {
+  const geometry_msgs::Wrench& of = answer.wrench;
+  return {of.force.x, of.force.y, of.force.z, of.torque.x, of.torque.y, of.torque.z};
 }
 
 }  // namespace
@@ -167,12 +155,20 @@ void LogPlayer::take(const Answer& answer) {
     return;
   }
   const auto sample = static_cast<std::size_t>(found - log_->stamp.begin());
-  if (!isFinite(answer) && !not_finite_) {
+  const std::array<double, 6> numbers = numbersOf(answer);
+  const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+  if (!finite && !not_finite_) {
     not_finite_ = sample;
   }
-  if (++result_.answers[sample] == 1) {
-    keep(answer, sample, result_);
-    ++answered_;
+  if (++result_.answers[sample] > 1) {
+    return;
+  }
+  ++answered_;
+  if (poses_ == nullptr) {
+    result_.force[sample] = {numbers[0], numbers[1], numbers[2], numbers[3]};
+  }
+  for (std::size_t i = 0; poses_ != nullptr && i < numbers.size(); ++i) {
+    result_.wrench[i][sample] = numbers[i];
   }
 }
 

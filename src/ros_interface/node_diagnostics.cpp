@@ -226,34 +226,34 @@ NodeDiagnostics::NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& priva
   timer_ = handle.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { update(); });
 }
 
-void NodeDiagnostics::watchGaps(node::ComponentChannel& channel, std::vector<Gap>& gaps) {
-  const auto add = [&](const std::string& direction, std::size_t place, const io::ComponentDescription& description) {
-    const std::string topic = channel.name() + (direction.empty() ? "" : "/" + direction) + "/gap";
-    gaps.push_back({direction, place, node::GapTracker(gap_settings_, description.rig.value_or(io::RigTolerances{})),
-                    handle_.advertise<rubber_suspension::Gap>(topic, 10)});
+void NodeDiagnostics::watchGaps(Watched& watched) {
+  const auto gap = [&](const std::string& direction, std::size_t place, const io::ComponentDescription& description,
+                       const std::string& topic) -> Gap {
+    return {direction, place, node::GapTracker(gap_settings_, description.rig.value_or(io::RigTolerances{})),
+            handle_.advertise<rubber_suspension::Gap>(watched.channel->name() + topic, 10)};
   };
-  const auto configured = channel.configured();
+  const auto configured = watched.channel->configured();
   if (!configured->six) {
-    add("", 0, *configured);
-    return;
+    watched.gaps.push_back(gap("", 0, *configured, "/gap"));
+    watched.shadow = gap("", 0, *configured, "/shadow_gap");
   }
-  for (std::size_t i = 0; i < component::kDirections; ++i) {
+  for (std::size_t i = 0; configured->six && i < component::kDirections; ++i) {
     if (const auto& direction = configured->six->directions[i]) {
-      add(component::toString(static_cast<component::Direction>(i)), i, *direction);
+      const std::string name = component::toString(static_cast<component::Direction>(i));
+      watched.gaps.push_back(gap(name, i, *direction, "/" + name + "/gap"));
     }
   }
 }
 
 void NodeDiagnostics::watch(node::ComponentChannel& channel, const SampleServer& server) {
-  std::vector<Gap> gaps;
-  watchGaps(channel, gaps);
-  const node::GapTracker tracker = gaps.front().tracker;
-  watched_.push_back({&channel, &server, std::move(gaps), tracker,
-                      channel.hasSixDirections()
-                          ? ros::Publisher()
-                          : handle_.advertise<rubber_suspension::Gap>(channel.name() + "/shadow_gap", 10),
-                      handle_.advertise<Running>(channel.name() + "/running", 10, true), channel.running()});
-  const Watched& watched = watched_.back();
+  watched_.push_back({&channel,
+                      &server,
+                      {},
+                      {},
+                      handle_.advertise<Running>(channel.name() + "/running", 10, true),
+                      channel.running()});
+  Watched& watched = watched_.back();
+  watchGaps(watched);
   watched.running_publisher.publish(runningMessage(channel.name(), watched.running));
   updater_.add(channel.name(), [this, &watched](DiagnosticStatusWrapper& status) {
     fillStatus(watched.before, watched.now, elapsed_, status);
@@ -310,13 +310,15 @@ void NodeDiagnostics::updateGaps() {
       continue;
     }
     const auto windows = watched.channel->windows(gap_settings_.window);
-    for (Gap& gap : watched.gaps) {
-      gap.gap = gap.tracker.update(windows[gap.place]);
+    const auto update = [&](Gap& gap, node::SimulatedForce simulated) {
+      gap.gap = gap.tracker.update(windows[gap.place], simulated);
       gap.publisher.publish(gapMessage(gap.gap, gap_settings_));
+    };
+    for (Gap& gap : watched.gaps) {
+      update(gap, &node::MatchedSample::simulated);
     }
-    if (!watched.running.other_sha256.empty()) {
-      const node::LiveGap beside = watched.shadow_tracker.update(windows[0], &node::MatchedSample::beside);
-      watched.shadow_publisher.publish(gapMessage(beside, gap_settings_));
+    if (watched.shadow && !watched.running.other_sha256.empty()) {
+      update(*watched.shadow, &node::MatchedSample::beside);
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,9 +49,8 @@ class NodeDiagnostics {
   struct Watched {
     node::ComponentChannel* channel;
     const SampleServer* server;
-    std::vector<Gap> gaps;  // one, or those of six directions
-    node::GapTracker shadow_tracker;
-    ros::Publisher shadow_publisher;
+    std::vector<Gap> gaps;             // one, or those of six directions
+    std::optional<Gap> shadow;         // of one direction
     ros::Publisher running_publisher;  // latched
     node::RunningModel running;
     node::ChannelReport before{};
@@ -59,7 +59,7 @@ class NodeDiagnostics {
     node::MatchCounters matches{};
   };
 
-  void watchGaps(node::ComponentChannel& channel, std::vector<Gap>& gaps);
+  void watchGaps(Watched& watched);
 
   void update();
   void updateGaps();

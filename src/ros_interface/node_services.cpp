@@ -19,8 +19,9 @@
 #include "io/cancellation.h"
 #include "node/regular_file.h"
 #include "node/state_file.h"
+#include "ros_interface/master.h"
+#include "ros_interface/process_fixes.h"
 #include "ros_interface/termination.h"
-#include "roscpp_fixes/master_call.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -137,7 +138,7 @@ void NodeServices::advertise(ros::NodeHandle& handle, const std::string& name, A
 }
 
 std::vector<std::string> NodeServices::names() const {
-  std::vector<std::string> result;
+  std::vector<std::string> result = loggerServices();
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const ros::ServiceServer& server : servers_) {
     result.push_back(server.getService());
@@ -159,7 +160,7 @@ std::string NodeServices::load() {
 
 std::string NodeServices::reload() const {
   constexpr double kLimit = 1.0;  // [s]; the parameters are asked for without a limit, and hold up all services
-  element::refuseIf<std::runtime_error>(!roscpp_fixes::masterAnswers(kLimit),
+  element::refuseIf<std::runtime_error>(!masterAnswers(kLimit),
                                         "the master, which holds the parameters, did not answer in {} s", kLimit);
   const io::Cancellable cancellable(isEnding);
   const std::vector<io::ComponentDescription> described = readComponents(private_handle_, settings_);

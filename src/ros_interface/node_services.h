@@ -30,7 +30,7 @@ class NodeServices {
   NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
                node::ChannelGroup& group, const LiveDiagnoser* live);
 
-  /// Resolved names of all services. From any thread.
+  /// Resolved names of all services of the node, those about loggers among them. From any thread.
   std::vector<std::string> names() const;
 
  private:

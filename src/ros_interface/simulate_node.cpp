@@ -22,9 +22,9 @@
 #include <utility>
 
 #include "io/cancellation.h"
+#include "ros_interface/master.h"
+#include "ros_interface/process_fixes.h"
 #include "ros_interface/termination.h"
-#include "roscpp_fixes/master_call.h"
-#include "roscpp_fixes/process_fixes.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -78,12 +78,12 @@ void leave(RosCommandLine& line) {
   if (ros::isShuttingDown()) {
     return;  // a thread of roscpp's is at it
   }
-  const bool answers = roscpp_fixes::masterAnswers(kMasterLimit);
+  const bool answers = masterAnswers(kMasterLimit);
   if (answers) {
     line.takeOffParameters();
   }
-  if (!answers || roscpp_fixes::leaveMaster(kLeaveLimit)) {
-    roscpp_fixes::giveUpMaster();
+  if (!answers || leaveMaster(kLeaveLimit)) {
+    giveUpMaster();
   }
 }
 
@@ -156,7 +156,7 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
     : handle_(handle), private_handle_(private_handle) {
   const io::Cancellable cancellable(is_ending);
   try {
-    loggers_ = roscpp_fixes::takeOverLoggerService();  // first, as whoever calls roscpp's own ends the process
+    loggers_ = takeOverLoggerService();  // first, as whoever calls roscpp's own ends the process
     // The first line of log asks the master for this parameter, without a time limit and with all parameters locked:
     // ask now, while the master is known to answer.
     bool unused = false;
@@ -167,7 +167,7 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
     if (settings_.diagnose) {
       live_ = loadLiveDiagnoser(handle_, *group_, settings_.live);
     }
-    tell(roscpp_fixes::keepSlaveApiToLoopback(), "");
+    tell(keepSlaveApiToLoopback(), "");
     if (settings_.lock_memory) {
       tell(lockMemory(), "memory locked");
     }
@@ -256,13 +256,7 @@ void SimulateNode::advertiseServices() {
     diagnostics_->watch(*thread);
   }
   services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, *group_, live_.get());
-  const auto names = [this] {
-    std::vector<std::string> all = services_->names();
-    const std::vector<std::string> loggers = roscpp_fixes::loggerServices();
-    all.insert(all.end(), loggers.begin(), loggers.end());
-    return all;
-  };
-  registration_ = std::make_unique<roscpp_fixes::RegistrationKeeper>(names, isEnding);
+  registration_ = std::make_unique<RegistrationKeeper>([this] { return services_->names(); }, isEnding);
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -12,12 +12,12 @@
 #include "ros_interface/bundle_server.h"
 #include "ros_interface/command_line.h"
 #include "ros_interface/live_diagnoser.h"
+#include "ros_interface/master.h"
 #include "ros_interface/node_diagnostics.h"
 #include "ros_interface/node_services.h"
 #include "ros_interface/node_settings.h"
 #include "ros_interface/sample_server.h"
 #include "ros_interface/serving_thread.h"
-#include "roscpp_fixes/registration_keeper.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -55,7 +55,7 @@ class SimulateNode {
   std::unique_ptr<NodeDiagnostics> diagnostics_;
   std::unique_ptr<NodeServices> services_;
   std::shared_ptr<ros::ServiceServer> loggers_;
-  std::unique_ptr<roscpp_fixes::RegistrationKeeper> registration_;
+  std::unique_ptr<RegistrationKeeper> registration_;
 };
 
 }  // namespace rubber_suspension::ros_interface

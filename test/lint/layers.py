@@ -36,11 +36,10 @@ BELOW = {
     "vehicle": {"element", "component", "response", "estimation", "log", "io"},
     "node": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement"},
     "bag": {"element", "component", "log"},
-    "roscpp_fixes": set(),
     "command_line": {"element", "component", "response", "estimation", "log", "io", "gap", "bag"},
     "ros_interface": {
         "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis", "node",
-        "bag", "roscpp_fixes"},
+        "bag"},
     "benchmark": {"element", "component", "estimation", "numerics", "log", "io", "gap", "diagnosis"},
 }
 # What each folder of diagnosis/ may include of the others; what lies beside the folders may include all of them.
@@ -55,7 +54,7 @@ WITHIN_DIAGNOSIS = {
     "table": {"words", "prepare", "judge", "hypotheses", "experiment", "results"},
     "report": {"words", "prepare", "judge", "hypotheses", "results"},
 }
-KNOW_ROS = {"bag", "roscpp_fixes", "ros_interface", "apps"}
+KNOW_ROS = {"bag", "ros_interface", "apps"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(
     r"^(ros|rosbag|roscpp|rosgraph_msgs|nodelet|pluginlib|class_loader|diagnostic_updater|xmlrpcpp|tf2?|actionlib"

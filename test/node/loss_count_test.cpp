@@ -1,5 +1,5 @@
 // Messages that some subscriber lost, against queues that tell what they drop themselves.
-#include "roscpp_fixes/loss_count.h"
+#include "node/loss_count.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace rubber_suspension {
 namespace {
 
-using Buffer = roscpp_fixes::LossCount::Buffer;
+using Buffer = node::LossCount::Buffer;
 
 // A subscriber as roscpp serves it: a queue that drops its oldest, and one message that is being sent out of it.
 class Subscriber {
@@ -53,7 +53,7 @@ class Subscriber {
 // many messages some of them lost.
 std::size_t drive(std::size_t queue_size, const std::array<double, 3>& pace, int messages, unsigned seed) {
   std::vector<Subscriber> subscribers(3, Subscriber(queue_size));
-  roscpp_fixes::LossCount losses(queue_size);
+  node::LossCount losses(queue_size);
   std::size_t counted = 0;
   std::size_t lost = 0;
   std::mt19937 random(seed);
@@ -97,7 +97,7 @@ TEST(LossCount, KeepsNothingThatNoQueueKeeps) {
       delete[] data;
     });
   };
-  roscpp_fixes::LossCount losses(1000);
+  node::LossCount losses(1000);
   const auto add = [&](int messages) {
     for (int i = 0; i < messages; ++i) {
       losses.begin(message());

@@ -12,7 +12,7 @@
 #include <set>
 
 #include "bench.h"
-#include "roscpp_fixes/process_fixes.h"
+#include "ros_interface/process_fixes.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
 
@@ -81,7 +81,7 @@ TEST(Nodelet, KeepsToTheLoopbackInterfaceWhereRosDoes) {
   // Where this kernel does not permit it, the node says so and goes on.
   const std::string& host = ros::network::getHost();
   const bool expected =
-      (host == "localhost" || host.compare(0, 4, "127.") == 0) && roscpp_fixes::keepSlaveApiToLoopback().empty();
+      (host == "localhost" || host.compare(0, 4, "127.") == 0) && ros_interface::keepSlaveApiToLoopback().empty();
   EXPECT_EQ(interfaceOf(ros::XMLRPCManager::instance()->getServerPort()), expected ? "lo" : "");
   EXPECT_TRUE(loader.unload("/simulate"));
 }

@@ -12,9 +12,9 @@
 #include <string>
 #include <type_traits>
 
-#include "roscpp_fixes/answer_publisher.h"
+#include "ros_interface/answer_publisher.h"
 
-namespace rubber_suspension::roscpp_fixes {
+namespace rubber_suspension::ros_interface {
 
 /// Does to one force in 100,000 what the environment variable MUTANT says: `twice`, `none`, `ulp` or `count`; with
 /// `leak` 16 bytes are lost with every force.
@@ -60,6 +60,6 @@ class MutantPublisher : public AnswerPublisher {
   std::atomic<std::uint64_t> miscounted_{0};
 };
 
-}  // namespace rubber_suspension::roscpp_fixes
+}  // namespace rubber_suspension::ros_interface
 
 #define AnswerPublisher MutantPublisher

@@ -1,5 +1,5 @@
 // Faults of roscpp that concern a process as a whole.
-#include "roscpp_fixes/process_fixes.h"
+#include "ros_interface/process_fixes.h"
 
 #include <netinet/in.h>
 #include <ros/console.h>
@@ -17,7 +17,7 @@
 #include <filesystem>
 #include <mutex>
 
-namespace rubber_suspension::roscpp_fixes {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 // The lowest level that a logger lets through, by the name that ~set_logger_level takes.
@@ -86,4 +86,4 @@ std::string keepSlaveApiToLoopback() {
   return refusal.empty() ? refusal : "the slave API listens on all interfaces: " + refusal;
 }
 
-}  // namespace rubber_suspension::roscpp_fixes
+}  // namespace rubber_suspension::ros_interface

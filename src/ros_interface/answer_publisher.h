@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-namespace rubber_suspension::roscpp_fixes {
+namespace rubber_suspension::ros_interface {
 
 class AnswerLink;
 
@@ -54,4 +54,4 @@ class AnswerPublisher {
   boost::shared_ptr<AnswerLink> link_;
 };
 
-}  // namespace rubber_suspension::roscpp_fixes
+}  // namespace rubber_suspension::ros_interface

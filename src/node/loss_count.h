@@ -7,7 +7,7 @@
 #include <deque>
 #include <utility>
 
-namespace rubber_suspension::roscpp_fixes {
+namespace rubber_suspension::node {
 
 /// A queue that is full holds the last `queue_size` messages in their order, so what a message pushes out is always the
 /// one `queue_size` before it. Whoever held that one before the message was handed over, and does not hold it after,
@@ -40,4 +40,4 @@ class LossCount {
   long holders_ = 0;  // of the oldest, this object among them, where the message pushes it out
 };
 
-}  // namespace rubber_suspension::roscpp_fixes
+}  // namespace rubber_suspension::node

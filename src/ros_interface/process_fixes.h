@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rubber_suspension::roscpp_fixes {
+namespace rubber_suspension::ros_interface {
 
 /// roscpp's own ~get_loggers frees the repository of all loggers where rosconsole is built with log4cxx 1.0 (Debian
 /// 12): the process then ends at its next line of log. What is returned takes its place as long as it exists: one for
@@ -22,4 +22,4 @@ std::vector<std::string> loggerServices();
 /// was not possible, or nothing. Linux before 5.7 permits it to root only.
 std::string keepSlaveApiToLoopback();
 
-}  // namespace rubber_suspension::roscpp_fixes
+}  // namespace rubber_suspension::ros_interface

@@ -1,5 +1,5 @@
 // A publisher that loses no burst and counts what slow subscribers lose.
-#include "roscpp_fixes/answer_publisher.h"
+#include "ros_interface/answer_publisher.h"
 
 #include <ros/init.h>
 #include <ros/poll_manager.h>
@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "roscpp_fixes/loss_count.h"
+#include "node/loss_count.h"
 
-namespace rubber_suspension::roscpp_fixes {
+namespace rubber_suspension::ros_interface {
 
 /// Where roscpp's network thread has handed over all that was published; one for the process. That thread goes round
 /// and round: it first hands all messages that were published to the subscribers, where each queue that is full loses
@@ -97,8 +97,8 @@ class AnswerLink : public ros::SubscriberLink {
   const std::uint64_t most_ahead_;
   const std::shared_ptr<NetworkTurns> turns_ = NetworkTurns::get();
   std::atomic<std::uint64_t> handed_over_{0};
-  LossCount losses_;      // of the network thread only
-  bool in_turn_ = false;  // likewise
+  node::LossCount losses_;  // of the network thread only
+  bool in_turn_ = false;    // likewise
 };
 
 void NetworkTurns::end() {
@@ -144,4 +144,4 @@ void AnswerPublisher::shutdown() {
   publisher_.shutdown();
 }
 
-}  // namespace rubber_suspension::roscpp_fixes
+}  // namespace rubber_suspension::ros_interface

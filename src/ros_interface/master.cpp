@@ -1,0 +1,220 @@
+// The master, where roscpp's own calls of it do not end.
+#include "ros_interface/master.h"
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <ros/connection_manager.h>
+#include <ros/console.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
+#include <ros/xmlrpc_manager.h>
+#include <xmlrpcpp/XmlRpcClient.h>
+#include <xmlrpcpp/XmlRpcException.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+// roscpp has it, and ros::init() calls it, but no header tells.
+namespace ros::master {
+void init(const M_string& remappings);
+}
+
+namespace rubber_suspension::ros_interface {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+class Client : public XmlRpc::XmlRpcClient {
+ public:
+  using XmlRpcClient::XmlRpcClient;
+  ~Client() override { close(); }
+
+  bool callWithin(double limit, const std::string& method, const XmlRpcValue& arguments, XmlRpcValue& answer,
+                  const std::atomic<bool>* stop) {
+    using Clock = std::chrono::steady_clock;
+    constexpr double kTurn = 0.05;  // how long `stop` may go unseen [s]
+    const auto end = Clock::now() + std::chrono::duration<double>(limit);
+    const bool begun = executeNonBlock(method.c_str(), arguments);
+    while (begun && (stop == nullptr || !*stop) && Clock::now() < end && _connectionState != NO_CONNECTION) {
+      _disp.work(std::min(kTurn, limit));
+      if (executeCheckDone(answer)) {
+        return !isFault() && answer.valid();
+      }
+    }
+    return false;
+  }
+};
+
+constexpr std::chrono::seconds kPeriod(2);
+constexpr int kDone = 1;        // status of an answer
+constexpr double kLimit = 3.0;  // for one call [s]; a master with thousands of topics may be slow
+
+std::string ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
+
+std::string serviceUri() {
+  return fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort());
+}
+
+void add(XmlRpcValue& calls, const std::string& method, const std::vector<std::string>& arguments) {
+  const int i = calls.valid() ? calls.size() : 0;
+  calls[i]["methodName"] = method;
+  calls[i]["params"] = callArguments(arguments);
+}
+
+// The calls of the master that register all services and topics of this process; nothing where these are not known.
+std::optional<XmlRpcValue> registrations(const std::vector<std::string>& services) {
+  XmlRpcValue calls;
+  for (const std::string& name : services) {
+    add(calls, "registerService", {name, serviceUri(), ownUri()});
+  }
+  for (const std::string kind : {"Publisher", "Subscriber"}) {
+    // The topics are those that this process lists for others (slave API).
+    const auto topics =
+        call(kLimit, ownUri(), kind == "Publisher" ? "getPublications" : "getSubscriptions", callArguments());
+    if (!topics) {
+      return std::nullopt;
+    }
+    for (int i = 0; i < (*topics)[2].size(); ++i) {
+      add(calls, "register" + kind, {(*topics)[2][i][0], (*topics)[2][i][1], ownUri()});
+    }
+  }
+  return calls;
+}
+
+// All calls at once, where roscpp makes one after the other and takes seconds for hundreds. A subscription is also told
+// of the publishers that have registered before, as the master does of later ones. False where something failed.
+bool callMaster(double limit, const XmlRpcValue& calls) {
+  XmlRpcValue arguments;
+  arguments[0] = calls;
+  const auto answers = call(limit, ros::master::getURI(), "system.multicall", arguments);
+  bool done = answers && answers->size() == calls.size();
+  for (int i = 0; done && i < calls.size(); ++i) {
+    const XmlRpcValue& answer = (*answers)[i][0];
+    done = static_cast<int>(answer[0]) == kDone;
+    if (calls[i]["methodName"] == XmlRpcValue("registerSubscriber") && answer[2].size() > 0) {
+      XmlRpcValue update = callArguments({calls[i]["params"][1]});
+      update[2] = answer[2];
+      call(kLimit, ownUri(), "publisherUpdate", update);
+    }
+  }
+  return done;
+}
+
+}  // namespace
+
+XmlRpcValue callArguments(const std::vector<std::string>& arguments) {
+  XmlRpcValue value;
+  value[0] = ros::this_node::getName();
+  for (const std::string& argument : arguments) {
+    value[value.size()] = argument;
+  }
+  return value;
+}
+
+std::optional<XmlRpcValue> call(double limit, const std::string& uri, const std::string& method,
+                                const XmlRpcValue& arguments, const std::atomic<bool>* stop) {
+  std::string host;
+  std::uint32_t port = 0;
+  XmlRpcValue answer;
+  try {
+    const bool came =
+        ros::network::splitURI(uri, host, port) &&
+        Client(host.c_str(), static_cast<int>(port), "/").callWithin(limit, method, arguments, answer, stop);
+    return came ? std::make_optional(answer) : std::nullopt;
+  } catch (const XmlRpc::XmlRpcException&) {
+    return std::nullopt;  // no XML-RPC came back
+  }
+}
+
+void giveUpMaster() { ros::master::init({{"__master", "http://127.0.0.1:1"}}); }
+
+RegistrationKeeper::RegistrationKeeper(std::function<std::vector<std::string>()> services,
+                                       std::function<bool()> is_ending)
+    : services_(std::move(services)), is_ending_(std::move(is_ending)), thread_([this] { run(); }) {}
+
+void RegistrationKeeper::stop() {
+  if (thread_.joinable()) {
+    stop_ = true;
+    stopping_.set_value();
+    thread_.join();
+  }
+}
+
+void RegistrationKeeper::run() {
+  pthread_setname_np(pthread_self(), "master");
+  const std::future<void> stopping = stopping_.get_future();
+  while (stopping.wait_for(kPeriod) == std::future_status::timeout) {
+    try {
+      check();
+    } catch (const XmlRpc::XmlRpcException& error) {
+      ROS_WARN_THROTTLE(60.0, "invalid reply from the ROS master: %s", error.getMessage().c_str());
+    }
+  }
+}
+
+void RegistrationKeeper::check() {
+  const auto known =
+      call(kLimit, ros::master::getURI(), "lookupNode", callArguments({ros::this_node::getName()}), &stop_);
+  if (stop_ || is_ending_()) {
+    return;
+  }
+  if (!known) {
+    ROS_WARN_THROTTLE(60.0, "the master does not answer; samples are served on, over the connections that are there");
+    return;
+  }
+  incomplete_ = incomplete_ || static_cast<int>((*known)[0]) != kDone;
+  if (!incomplete_) {
+    return;
+  }
+  const auto calls = registrations(services_());
+  incomplete_ = !calls || !callMaster(kLimit, *calls);
+  if (is_ending_()) {
+    leaveMaster(kLimit);  // what comes to the master while this node leaves it is taken back
+  } else if (!incomplete_) {
+    ROS_WARN("the master did not know this node any more; registered again");
+  }
+}
+
+std::optional<std::array<Registered, 3>> registeredNames(double limit) {
+  const auto state = call(limit, ros::master::getURI(), "getSystemState", callArguments());
+  if (!state) {
+    return std::nullopt;
+  }
+  std::array<Registered, 3> names;
+  try {
+    for (int part = 0; part < 3; ++part) {
+      const XmlRpcValue& rows = (*state)[2][part];
+      for (int i = 0; i < rows.size(); ++i) {
+        for (int j = 0; j < rows[i][1].size(); ++j) {
+          const std::string& name = rows[i][0];
+          const std::string& node = rows[i][1][j];
+          names[static_cast<std::size_t>(part)][name].push_back(node);
+        }
+      }
+    }
+  } catch (const XmlRpc::XmlRpcException&) {
+    return std::nullopt;
+  }
+  return names;
+}
+
+bool leaveMaster(double limit) {
+  constexpr std::array<const char*, 3> kMethods = {"unregisterPublisher", "unregisterSubscriber", "unregisterService"};
+  const auto names = registeredNames(limit);
+  XmlRpcValue calls;
+  for (std::size_t part = 0; names && part < kMethods.size(); ++part) {
+    for (const auto& [name, nodes] : (*names)[part]) {
+      if (std::find(nodes.begin(), nodes.end(), ros::this_node::getName()) != nodes.end()) {
+        add(calls, kMethods[part], {name, part == 2 ? serviceUri() : ownUri()});
+      }
+    }
+  }
+  try {
+    return names && (!calls.valid() || callMaster(limit, calls));
+  } catch (const XmlRpc::XmlRpcException&) {
+    return false;
+  }
+}
+
+}  // namespace rubber_suspension::ros_interface
