@@ -19,7 +19,8 @@ import unittest
 
 PACKAGE = pathlib.Path()
 SAMPLES = 200
-PATIENCE = 60.0  # only bounds how long a failure takes [s]
+AT_FIRST = {"ROS_IP": "10.0.0.1", "ROS_MASTER_URI": "http://10.0.0.1:11311"}
+PATIENCE = 180.0  # only bounds how long a failure takes [s]
 PROBE = """
 import socket, sys, concurrent.futures
 def is_open(address):
@@ -86,27 +87,33 @@ class TwoMachines(unittest.TestCase):
         kept = {key: value for key, value in os.environ.items() if key not in ("ROS_HOSTNAME", "ROS_IP", "ROS_MASTER_URI")}
         return dict(kept, ROS_HOME=str(self.folder), ROS_LOG_DIR=str(self.folder), **more)
 
-    def start(self, namespace, commands, **environment):
-        """Master and node; returns the ports on which they listen."""
-        log = (self.folder / "first.log").open("w+")
+    def launch(self, namespace, commands):
+        """Master and node; returns the ports on which they listen. The master is there before, since roslaunch waits for
+        one that it starts no longer than 10 s, which a busy machine may need."""
+        self.start(namespace, "exec rosmaster --core -p 11311", r'(11311)\s.*"rosmaster"')
+        return self.start(namespace, commands, r'(\d+)\s.*"simulate"', 2)  # for messages, and its slave API
+
+    def start(self, namespace, commands, pattern, least=1):
+        """Returns all ports once that many listen as the pattern has it."""
+        log = (self.folder / "programs.log").open("a+")
         process = subprocess.Popen(within(namespace, ["bash", "-ec", commands]), stdout=log, stderr=subprocess.STDOUT,
-                                   cwd=PACKAGE, env=self.environment(**environment), start_new_session=True)
+                                   cwd=PACKAGE, env=self.environment(**AT_FIRST), start_new_session=True)
         self.addCleanup(log.close)
         self.addCleanup(self.end, process)
         end = time.monotonic() + PATIENCE
         while True:
             listening = run(["ss", "-Htlnp"], namespace)
-            ports = re.findall(r":(\d+)\s+\S+\s*users:\(\(\"(?:simulate|rosmaster|python3?)\"", listening)
-            # The node listens for messages and for calls of its slave API.
-            if listening.count('"simulate"') >= 2 and "11311" in ports:
-                return sorted(set(ports))
+            if len(re.findall(pattern, listening)) >= least:
+                return sorted(set(re.findall(r":(\d+)\s", listening)))
             if time.monotonic() > end or process.poll() is not None:
                 log.seek(0)
-                self.fail(f"the node does not start:\n{log.read()}\n{listening}")
+                self.fail(f"{commands}: status {process.poll()}, {listening}\n{log.read()}")
             time.sleep(0.05)
 
     @staticmethod
     def end(process):
+        if process.poll() is not None:
+            return
         os.killpg(process.pid, signal.SIGINT)
         try:
             process.wait(PATIENCE)
@@ -130,7 +137,7 @@ class TwoMachines(unittest.TestCase):
             self.skipTest("nft is absent (nftables)")
         firewall, _, first, second = recipes()
         self.connect("cable", ("first", "eth1", "10.0.0.1"), ("second", "eth1", "10.0.0.2"), ("third", "eth1", "10.0.0.3"))
-        ports = self.start("first", first)
+        ports = self.launch("first", first)
         self.assertEqual(len(self.reached(ports, ["10.0.0.1"])), len(ports), "without the rules all are open")
         run(["bash", "-ec", firewall], "first")
         self.play(second)
@@ -143,15 +150,14 @@ class TwoMachines(unittest.TestCase):
         run(["ip", "-n", "third", "route", "add", "10.0.0.0/24", "via", "10.1.0.1"])
         run(["sh", "-c", "echo 1 >/proc/sys/net/ipv4/ip_forward"], "first")
         run(["bash", "-ec", namespace], "first")
-        ports = self.start("bench", first)
+        ports = self.launch("bench", first)
         self.play(second)
         self.assertEqual(self.reached(ports, ["10.0.0.1", "10.1.0.1"]), [])
 
     def test_a_launch_file_keeps_its_node_to_itself(self):
         """Without an address; the master follows the environment."""
         self.connect("cable", ("first", "eth1", "10.0.0.1"), ("third", "eth1", "10.0.0.3"))
-        launch = "roslaunch rubber_suspension simulate.launch config:=$PWD/config/example.yaml"
-        ports = self.start("first", launch, ROS_IP="10.0.0.1", ROS_MASTER_URI="http://10.0.0.1:11311")
+        ports = self.launch("first", "roslaunch rubber_suspension simulate.launch config:=$PWD/config/example.yaml")
         self.assertEqual([address for address in self.reached(ports, ["10.0.0.1"]) if address != "10.0.0.1:11311"], [])
 
 
