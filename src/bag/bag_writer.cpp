@@ -27,15 +27,12 @@ namespace {
 }  // namespace
 
 BagWriter::BagWriter(const std::string& path, const std::string& component)
-    : path_(path), component_(component), bag_(std::make_unique<rosbag::Bag>()) {
+    : path_(path), component_(component), file_(path), bag_(std::make_unique<rosbag::Bag>()) {
   try {
-    new_file_ = std::make_unique<log::NewFile>(path);
-    bag_->open(new_file_->writingPath(), rosbag::bagmode::Write);
+    bag_->open(file_.writingPath(), rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
     abandon();
     failToWrite(path, error);
-  } catch (const std::runtime_error& error) {
-    throw log::LogError(error.what());
   }
 }
 
@@ -96,15 +93,10 @@ void BagWriter::writeGap(const Gap& gap) { write("/gap", gap); }
 void BagWriter::close() {
   try {
     bag_->close();
-    if (new_file_) {
-      new_file_->commit();
-      new_file_.reset();
-    }
   } catch (const rosbag::BagException& error) {
     failToWrite(path_, error);
-  } catch (const std::runtime_error& error) {
-    throw log::LogError(error.what());
   }
+  file_.commit();
 }
 
 void writeBagLog(const std::string& path, const std::string& component, const log::Log& log) {

@@ -37,7 +37,7 @@ class BagWriter {
 
   std::string path_;
   std::string component_;
-  std::unique_ptr<log::NewFile> new_file_;
+  log::NewFile file_;
   std::unique_ptr<rosbag::Bag> bag_;
 };
 

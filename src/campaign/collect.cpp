@@ -8,7 +8,6 @@
 #include "campaign/fleet.h"
 #include "campaign/record.h"
 #include "element/each.h"
-#include "io/line_file.h"
 #include "log/new_file.h"
 
 namespace rubber_suspension::campaign {
@@ -68,7 +67,7 @@ ordered_json headOf(const Manifest& manifest, std::size_t place, const char* sta
 
 void writeCsv(const Manifest& manifest, const std::string& folder, const std::vector<JobRow>& rows,
               const ordered_json& columns) {
-  io::LineFile file(tableCsvPath(folder));
+  log::NewFile file(tableCsvPath(folder));
   std::string header = "id,group,type,test_piece,command,component,logs,status";
   for (const auto& [name, value] : columns.items()) {
     header += "," + csvCell(name);
@@ -82,11 +81,11 @@ void writeCsv(const Manifest& manifest, const std::string& folder, const std::ve
     }
     file.line(fmt::format("{}", fmt::join(cells, ",")));
   }
-  file.close();
+  file.commit();
 }
 
 void writeJson(const Manifest& manifest, const std::string& folder, const std::vector<JobRow>& rows) {
-  io::LineFile file(tableJsonPath(folder));
+  log::NewFile file(tableJsonPath(folder));
   file.line("{\"schema\": \"rubber_suspension/campaign_table/1\",\n\"jobs\": [");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string head = headOf(manifest, i, rows[i].status).dump();
@@ -94,7 +93,7 @@ void writeJson(const Manifest& manifest, const std::string& folder, const std::v
                           i + 1 < rows.size() ? "," : ""));
   }
   file.line("]}");
-  file.close();
+  file.commit();
 }
 
 }  // namespace

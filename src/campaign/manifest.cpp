@@ -16,7 +16,7 @@
 #include "element/each.h"
 #include "element/refuse.h"
 #include "element/suggestion.h"
-#include "io/line_file.h"
+#include "log/new_file.h"
 
 namespace rubber_suspension::campaign {
 namespace {
@@ -225,7 +225,7 @@ std::string recordPath(const std::string& folder, const std::string& id) {
 std::string reportFolder(const std::string& id) { return "reports/" + split(id); }
 
 void writeManifest(const Manifest& manifest, const std::string& folder) {
-  io::LineFile file(manifestPath(folder));
+  log::NewFile file(manifestPath(folder));
   file.line(ordered_json({{"schema", kManifestSchema},
                           {"version", manifest.version},
                           {"inputs", manifest.inputs.size()},
@@ -238,7 +238,7 @@ void writeManifest(const Manifest& manifest, const std::string& folder) {
   for (const Job& job : manifest.jobs) {
     file.line(jobJson(job).dump());
   }
-  file.close();
+  file.commit();
 }
 
 Manifest readManifest(const std::string& folder) {

@@ -7,36 +7,32 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cerrno>
-#include <climits>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <mutex>
+#include <memory>
 #include <random>
+
+#include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension::log {
 namespace {
 
-// Names of the files that a signal removes: a signal handler may neither lock nor take memory, so the names stand in
-// fixed places.
-constexpr int kSlots = 64;
-struct Slot {
-  std::atomic<bool> used{false};
-  std::atomic<bool> filled{false};
-  char path[PATH_MAX] = {};
-};
-Slot slots[kSlots];
+// Paths that a signal removes. A signal handler may neither lock nor take memory; a path belongs to whoever has taken
+// it out of its slot.
+using Slot = std::atomic<const std::string*>;
+std::array<Slot, 64> slots = {};
 
 extern "C" void removeUnfinishedFiles(int signal) {
+  std::array<const std::string*, slots.size()> paths = {};
+  std::transform(slots.begin(), slots.end(), paths.begin(), [](Slot& slot) { return slot.exchange(nullptr); });
   for (const auto remove : {unlink, rmdir}) {  // files first, then the folders that are empty without them
-    for (Slot& slot : slots) {
-      if (slot.filled.load()) {
-        remove(slot.path);
+    for (const std::string* path : paths) {
+      if (path != nullptr) {
+        remove(path->c_str());
       }
     }
   }
@@ -57,61 +53,52 @@ void watchSignals() {
   }
 }
 
-// A slot that names the path; -1 where all are taken or the path does not fit: then a signal leaves the file.
-int takeSlot(const std::string& path) {
-  for (int i = 0; i < kSlots && path.size() < sizeof slots[0].path; ++i) {
-    bool used = false;
-    if (slots[i].used.compare_exchange_strong(used, true)) {
-      std::memcpy(slots[i].path, path.c_str(), path.size() + 1);
-      slots[i].filled.store(true);
-      return i;
-    }
-  }
-  return -1;
-}
-
-void freeSlot(int i) {
-  if (i >= 0) {
-    slots[i].filled.store(false);
-    slots[i].used.store(false);
-  }
-}
-
 [[noreturn]] void fail(const std::string& path, int error) {
-  throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, std::strerror(error)));
+  throw LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(error == 0 ? EIO : error)));
 }
 
 // Hidden, short enough for any file system, with the extension, by which some programs choose a format; random.
 std::string nameBeside(const std::filesystem::path& target) {
   constexpr std::size_t kLongest = 100;
-  const std::string letters = "abcdefghijklmnopqrstuvwxyz0123456789";
   std::random_device random;
-  std::uniform_int_distribution<std::size_t> place(0, letters.size() - 1);
-  std::string mark(8, ' ');
-  std::generate(mark.begin(), mark.end(), [&] { return letters[place(random)]; });
-  return (target.parent_path() / ("." + target.stem().string().substr(0, kLongest) + "." + mark +
-                                  target.extension().string().substr(0, kLongest)))
-      .string();
+  const std::string name = fmt::format(".{}.{:08x}{:08x}{}", target.stem().string().substr(0, kLongest), random(),
+                                       random(), target.extension().string().substr(0, kLongest));
+  return (target.parent_path() / name).string();
 }
 
-// The permissions of a new file (umask), which can only be read by setting them.
-int permissionsOfNewFiles() {
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
-  const mode_t mask = umask(0);
-  umask(mask);
-  return 0666 & ~static_cast<int>(mask);
-}
-
-void syncFolder(const std::string& folder) {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor >= 0) {
-    fsync(descriptor);  // some file systems cannot; the rename stands nevertheless
-    close(descriptor);
+// False, with errno, where a file or folder is not on the disk. Some file systems cannot tell, which is no error.
+bool sync(const std::string& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) {
+    return false;
   }
+  const bool synced = fsync(descriptor) == 0 || errno == EINVAL;
+  const int error = errno;
+  close(descriptor);
+  errno = error;
+  return synced;
 }
 
 }  // namespace
+
+RemovedBySignal::RemovedBySignal(const std::string& path) {
+  watchSignals();
+  auto copy = std::make_unique<const std::string>(path);
+  for (Slot& slot : slots) {
+    const std::string* none = nullptr;
+    if (slot.compare_exchange_strong(none, copy.get())) {
+      slot_ = &slot;
+      static_cast<void>(copy.release());
+      return;
+    }
+  }
+}
+
+RemovedBySignal::~RemovedBySignal() {
+  if (slot_ != nullptr) {
+    delete slot_->exchange(nullptr);
+  }
+}
 
 bool isStream(const std::string& path) {
   struct stat status {};
@@ -144,80 +131,61 @@ NewFile::NewFile(const std::string& path) : path_(path), target_(followedPath(pa
   if (exists && access(path.c_str(), W_OK) != 0) {
     fail(path, errno);
   }
-  createBeside(exists ? static_cast<int>(status.st_mode & 07777) : permissionsOfNewFiles());
-}
-
-void NewFile::createBeside(int permissions) {
-  constexpr int kAttempts = 100;
-  watchSignals();
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    writing_path_ = nameBeside(target_);
-    slot_ = takeSlot(writing_path_);  // before the file is there: a signal may come at any time
-    const int descriptor = open(writing_path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
-    const int error = errno;
-    if (descriptor >= 0) {
-      fchmod(descriptor, static_cast<mode_t>(permissions));  // a file system without permissions has none to set
-      close(descriptor);
-      return;
-    }
-    freeSlot(slot_);
-    slot_ = -1;
-    writing_path_.clear();
-    if (error != EEXIST) {
-      fail(path_, error);
-    }
+  writing_path_ = nameBeside(target_);
+  removal_.emplace(writing_path_);  // before the file is there: a signal may come at any time
+  const int descriptor = open(writing_path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, exists ? 0600 : 0666);
+  if (descriptor < 0) {
+    fail(path, errno);
   }
-  fail(path_, EEXIST);
+  if (exists) {
+    fchmod(descriptor, status.st_mode & 07777U);  // a file system without permissions has none to set
+  }
+  close(descriptor);
 }
 
-NewFile::~NewFile() { discard(); }
-
-void NewFile::discard() {
-  if (!writing_path_.empty() && writing_path_ != path_) {
+NewFile::~NewFile() {
+  if (removal_) {
     unlink(writing_path_.c_str());
   }
-  freeSlot(slot_);
-  slot_ = -1;
-  writing_path_.clear();
 }
 
-void NewFile::write(const std::string& content) const {
-  errno = 0;
-  std::ofstream stream(writing_path_, std::ios::binary);
-  stream << content;
-  stream.close();
-  if (!stream) {
-    fail(path_, errno == 0 ? EIO : errno);
+std::ofstream& NewFile::stream() {
+  if (!stream_.is_open()) {
+    errno = 0;
+    stream_.open(writing_path_, std::ios::binary);
   }
+  return stream_;
+}
+
+void NewFile::requireStream() const {
+  if (!stream_) {
+    fail(path_, errno);
+  }
+}
+
+void NewFile::line(std::string_view text) {
+  stream() << text << '\n';
+  requireStream();
+}
+
+void NewFile::write(const std::string& content) {
+  stream() << content << std::flush;
+  requireStream();
 }
 
 void NewFile::commit() {
-  if (writing_path_ != path_) {
-    const int descriptor = open(writing_path_.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool synced = descriptor >= 0 && (fsync(descriptor) == 0 || errno == EINVAL);
-    const int error = errno;
-    if (descriptor >= 0) {
-      close(descriptor);
-    }
-    if (!synced) {
-      fail(path_, error);
-    }
-    if (std::rename(writing_path_.c_str(), target_.c_str()) != 0) {
+  if (stream_.is_open()) {
+    stream_.close();
+    requireStream();
+  }
+  if (removal_) {
+    if (!sync(writing_path_) || std::rename(writing_path_.c_str(), target_.c_str()) != 0) {
       fail(path_, errno);
     }
-    syncFolder(std::filesystem::path(target_).parent_path().string());
+    removal_.reset();
+    sync(std::filesystem::path(target_).parent_path().string());  // where that fails, the new name stands nevertheless
   }
-  freeSlot(slot_);
-  slot_ = -1;
-  writing_path_.clear();
 }
-
-RemovedBySignal::RemovedBySignal(const std::string& folder) {
-  watchSignals();
-  slot_ = takeSlot(followedPath(folder));
-}
-
-RemovedBySignal::~RemovedBySignal() { freeSlot(slot_); }
 
 void writeNewFile(const std::string& path, const std::string& content) {
   NewFile file(path);

@@ -53,7 +53,7 @@ PlayRecorder::PlayRecorder(const RecordPaths& paths, const std::string& componen
     forces_ = std::make_unique<log::LogCsvWriter>(paths.forces, true);
   }
   if (!paths.gaps.empty()) {
-    gaps_ = std::make_unique<io::LineFile>(paths.gaps);
+    gaps_ = std::make_unique<log::NewFile>(paths.gaps);
     gaps_->line(kGapHeader);
   }
   if (!paths.bag.empty()) {
@@ -98,7 +98,7 @@ void PlayRecorder::close() {
     forces_->close();
   }
   if (gaps_) {
-    gaps_->close();
+    gaps_->commit();
   }
   if (bag_) {
     bag_->close();

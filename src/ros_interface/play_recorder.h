@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/line_file.h"
+#include "log/new_file.h"
 #include "ros_interface/log_player.h"
 #include "rubber_suspension/log/log.h"
 
@@ -41,7 +41,7 @@ class PlayRecorder {
   void addToBag(const log::Log& log, const PlayResult& result);
 
   std::unique_ptr<log::LogCsvWriter> forces_;
-  std::unique_ptr<io::LineFile> gaps_;
+  std::unique_ptr<log::NewFile> gaps_;
   std::unique_ptr<bag::BagWriter> bag_;
 };
 
