@@ -16,7 +16,7 @@ struct Options {
   OptionTable table() {
     return {Option("--component", component, "NAME", "name of the component, where the bag has several"),
             Option("--log", input, "FILE", "bag to read").required().reads(),
-            Option("--output", output, "FILE", "CSV file to write").required().writes(io::FileKind::force_csv)};
+            Option("--output", output, "FILE", "CSV file to write").required().writes(io::file_kind::force_csv)};
   }
 };
 

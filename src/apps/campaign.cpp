@@ -37,7 +37,7 @@ struct Options {
   Files madeFiles() const {
     Files files;
     if (!output.empty()) {
-      files.outputs = {{"--output", campaign::manifestPath(output), io::FileKind::campaign_manifest}};
+      files.outputs = {{"--output", campaign::manifestPath(output), io::file_kind::campaign_manifest}};
     }
     return files;
   }
@@ -46,10 +46,10 @@ struct Options {
     Files files;
     if (task == "collect") {
       files.inputs = {{"FOLDER", campaign::manifestPath(folder)}};
-      files.outputs = {{"FOLDER", campaign::tableCsvPath(folder), io::FileKind::campaign_csv},
-                       {"FOLDER", campaign::tableJsonPath(folder), io::FileKind::campaign_json},
-                       {"FOLDER", campaign::fleetJsonPath(folder), io::FileKind::fleet_json},
-                       {"FOLDER", campaign::fleetReportPath(folder), io::FileKind::fleet_report}};
+      files.outputs = {{"FOLDER", campaign::tableCsvPath(folder), io::file_kind::campaign_csv},
+                       {"FOLDER", campaign::tableJsonPath(folder), io::file_kind::campaign_json},
+                       {"FOLDER", campaign::fleetJsonPath(folder), io::file_kind::fleet_json},
+                       {"FOLDER", campaign::fleetReportPath(folder), io::file_kind::fleet_report}};
     }
     return files;
   }

@@ -58,7 +58,7 @@ OptionTable Options::table() {
       Option("--reset", reset, "SERVICE", "service (std_srvs/Trigger) to call before the first sample").rare(),
       plotOption(plot, "forces over time and displacement, and of their difference,").rare(),
       Option("--gtest_output", report, "xml:FILE", "report to write; set by rostest").rare().standsFor([this] {
-        return Files{{}, {{"--gtest_output", reportPath(*this), io::FileKind::test_report}}};
+        return Files{{}, {{"--gtest_output", reportPath(*this), io::file_kind::test_report}}};
       }),
       Option("--text", text, "accepted without effect; set by rostest --text").rare(),
       log_options.table()};

@@ -19,7 +19,7 @@ struct Options {
   OptionTable table() {
     return {Option("--component", component, "NAME", "name of the component").required(),
             Option("--log", input, "FILE", "log to read: text (CSV), .mat or HDF5").required().reads(),
-            Option("--output", output, "FILE", "bag to write").required().writes(io::FileKind::bag),
+            Option("--output", output, "FILE", "bag to write").required().writes(io::file_kind::bag),
             log_options.table()};
   }
 };

@@ -29,15 +29,15 @@ using namespace command_line;
 
 io::FileKind kindOf(const std::string& name) {
   // By name, or by extension.
-  static const std::map<std::string, io::FileKind> kinds = {{"plan.json", io::FileKind::plan_json},
-                                                            {"plan.html", io::FileKind::plan_html},
-                                                            {"missing_force.csv", io::FileKind::force_map_csv},
-                                                            {"next_experiment.csv", io::FileKind::force_csv},
-                                                            {"next_experiment.drv", io::FileKind::rpc},
-                                                            {".json", io::FileKind::report_json},
-                                                            {".html", io::FileKind::report_html},
-                                                            {".yaml", io::FileKind::component_file},
-                                                            {".csv", io::FileKind::figure_csv}};
+  static const std::map<std::string, io::FileKind> kinds = {{"plan.json", io::file_kind::plan_json},
+                                                            {"plan.html", io::file_kind::plan_html},
+                                                            {"missing_force.csv", io::file_kind::force_map_csv},
+                                                            {"next_experiment.csv", io::file_kind::force_csv},
+                                                            {"next_experiment.drv", io::file_kind::rpc},
+                                                            {".json", io::file_kind::report_json},
+                                                            {".html", io::file_kind::report_html},
+                                                            {".yaml", io::file_kind::component_file},
+                                                            {".csv", io::file_kind::figure_csv}};
   const auto found = kinds.find(name);
   return found != kinds.end() ? found->second : kinds.at(std::filesystem::path(name).extension().string());
 }

@@ -67,13 +67,13 @@ OptionTable Options::table() {
       Option("--csv", csv, "FILE",
              "CSV to write: stiffness, loss angle, K', K'' and the equivalent K_e and C_e of each sweep")
           .rare()
-          .writes(io::FileKind::characteristics_csv),
+          .writes(io::file_kind::characteristics_csv),
       Option("--state-space", state_space, "FILE",
              "FILE.json or FILE.mat to write: A, B, C, D of the linear part, with the inputs z and dz/dt")
           .rare()
           .standsFor([this] {
             const io::FileKind kind =
-                log::endsWith(state_space, ".mat") ? io::FileKind::mat : io::FileKind::state_space_json;
+                log::endsWith(state_space, ".mat") ? io::file_kind::mat : io::file_kind::state_space_json;
             return Files{{}, {{"--state-space", state_space, kind}}};
           }),
       Option(
@@ -120,7 +120,7 @@ OptionTable Options::table() {
       Option("--starts", identification.starts, "COUNT", "starts of the search with --from-log").rare().within(1, 1000),
       Option("--output", output, "FILE",
              "component file to write; with the parameters found by --from-log, --from-table or from --data-sheet")
-          .writes(io::FileKind::component_file),
+          .writes(io::file_kind::component_file),
       log_options.acceptUnits(),
       log_options.table()};
   options.oneOf({"--config", "--data-sheet"});

@@ -22,12 +22,12 @@ using namespace rubber_suspension;
 using namespace rubber_suspension::command_line;
 
 io::FileKind kindOf(const std::string& format) {
-  static const std::map<std::string, io::FileKind> kinds = {{"table", io::FileKind::characteristics_csv},
-                                                            {"kc", io::FileKind::spring_and_dashpot},
-                                                            {"fmu2", io::FileKind::fmu},
-                                                            {"fmu3", io::FileKind::fmu}};
+  static const std::map<std::string, io::FileKind> kinds = {{"table", io::file_kind::characteristics_csv},
+                                                            {"kc", io::file_kind::spring_and_dashpot},
+                                                            {"fmu2", io::file_kind::fmu},
+                                                            {"fmu3", io::file_kind::fmu}};
   const auto kind = kinds.find(format);
-  return kind == kinds.end() ? io::FileKind::bushing_file : kind->second;
+  return kind == kinds.end() ? io::file_kind::bushing_file : kind->second;
 }
 
 struct Options {
@@ -196,10 +196,10 @@ Exported exported(const Options& options) {
   const bool of_one = options.format == "table" || options.format == "kc";
   const io::ComponentDescription description =
       of_one ? options.component.read("export") : options.component.readAny("export");
-  return options.format == "table"                     ? table(options, description)
-         : options.format == "kc"                      ? springAndDashpot(options, description)
-         : kindOf(options.format) == io::FileKind::fmu ? fmu(options, description)
-                                                       : propertyFile(options, description);
+  return options.format == "table"                                ? table(options, description)
+         : options.format == "kc"                                 ? springAndDashpot(options, description)
+         : kindOf(options.format).name == io::file_kind::fmu.name ? fmu(options, description)
+                                                                  : propertyFile(options, description);
 }
 
 int run(const Options& options) {

@@ -119,7 +119,7 @@ OptionTable Options::table() {
           .within(0, 100),
       Option("--speed", speed, "M/S", "speed of the vehicle").rare().within(0.1, 1000),
       Option("--output", output, "FILE", "CSV to write: positions, displacements and forces")
-          .writes(io::FileKind::vehicle_csv),
+          .writes(io::file_kind::vehicle_csv),
       plotOption(plot, "displacements,"),
       Option("--reset", reset, "SERVICE", "service of the node to call first, as simulate/reset").rare(),
       log_options.table()};

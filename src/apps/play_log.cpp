@@ -47,13 +47,13 @@ OptionTable Options::recordTable() {
   return {
       Option("--output", output, "FILE",
              "CSV file for the forces: time_s,displacement_m,force_N; of poses for the wrenches of the last pass")
-          .writes(io::FileKind::force_csv),
+          .writes(io::file_kind::force_csv),
       Option("--gap", gap_output, "FILE", "CSV file for the live gap, where the log has a measured force")
           .rare()
-          .writes(io::FileKind::gap_csv),
+          .writes(io::file_kind::gap_csv),
       Option("--bag", bag, "FILE", "bag for displacements, measured forces, forces and gap")
           .rare()
-          .writes(io::FileKind::bag),
+          .writes(io::file_kind::bag),
       plotOption(plot, "forces over time and displacement"),
       Option("--folder", folder, "FOLDER",
              "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a "
@@ -146,12 +146,12 @@ ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
 
 // Files that --output and its like name may lie in the folder, too; the folder itself is new.
 void checkRecords(const Options& options) {
-  std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::FileKind::figure}};
+  std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::file_kind::figure}};
   for (const std::string& component : options.components) {
     const ros_interface::RecordPaths paths = recordPaths(options, component);
-    outputs.push_back({"forces", paths.forces, io::FileKind::force_csv});
-    outputs.push_back({"gap", paths.gaps, io::FileKind::gap_csv});
-    outputs.push_back({"bag", paths.bag, io::FileKind::bag});
+    outputs.push_back({"forces", paths.forces, io::file_kind::force_csv});
+    outputs.push_back({"gap", paths.gaps, io::file_kind::gap_csv});
+    outputs.push_back({"bag", paths.bag, io::file_kind::bag});
   }
   io::checkOutputs({}, outputs, true);
 }

@@ -37,7 +37,7 @@ struct Options {
         Option("--output", output, "FILE",
                "CSV to write: time_s,displacement_m,force_N; of six directions time_s,x_m ... rz_rad,Fx_N ... Mz_Nm")
             .required()
-            .writes(io::FileKind::force_csv),
+            .writes(io::file_kind::force_csv),
         Option("--compare", compare,
                "table of the agreement with the measured force: RMS, peak error, energy per cycle, ISO/TS 18571"),
         agreement.table(),

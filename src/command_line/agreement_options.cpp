@@ -20,7 +20,7 @@ OptionTable AgreementOptions::table() {
       Option("--json", json_, "FILE",
              "agreement to write as JSON: iso18571 (corridor, phase, magnitude, slope, total), gap, RMS, peak error, "
              "energy per cycle")
-          .writes(io::FileKind::agreement_json)
+          .writes(io::file_kind::agreement_json)
           .rare()};
 }
 

@@ -1,41 +1,62 @@
 // The files that a command may write over: the one rule for every file that a command or a launch file writes.
 #pragma once
 
+#include <array>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "log/text.h"
 
 namespace rubber_suspension::io {
 
-/// The kind of a file, told by its content.
-enum class FileKind {
-  force_csv,            ///< time_s,displacement_m, and force_N, as this package writes them
-  gap_csv,              ///< the live gap over time
-  vehicle_csv,          ///< positions, displacements and forces of a vehicle
-  figure_csv,           ///< the numbers of a figure
-  component_file,       ///< YAML with `components:`
-  report_json,          ///< report.json of a diagnosis
-  report_html,          ///< report.html of a diagnosis
-  plan_json,            ///< plan.json of a diagnosis
-  plan_html,            ///< plan.html of a diagnosis
-  test_report,          ///< XML of GoogleTest
-  figure,               ///< SVG, PNG or PDF
-  bag,                  ///< ROS bag
-  campaign_manifest,    ///< the jobs of a campaign
-  campaign_csv,         ///< the results of a campaign
-  campaign_json,        ///< the same as JSON
-  fleet_json,           ///< what a campaign says of a fleet, as JSON
-  fleet_report,         ///< what a campaign says of a fleet
-  force_map_csv,        ///< missing_force.csv of a diagnosis
-  fmu,                  ///< functional mock-up unit
-  characteristics_csv,  ///< stiffness and loss angle over frequency, amplitude and preload
-  bushing_file,         ///< bushing property file of Adams or Altair
-  state_space_json,     ///< the linear part of components
-  mat,                  ///< MATLAB file
-  spring_and_dashpot,   ///< k and c of a component
-  rpc,                  ///< RPC III, a drive file
-  agreement_json,       ///< agreement of a simulated force with a measured one
+/// A kind of file, known by its first bytes.
+struct FileKind {
+  std::string_view name;                              ///< with its article, for errors
+  std::array<std::string_view, 4> beginnings = {{}};  ///< with one of which it begins; none: it may begin anyhow
+  std::array<std::string_view, 3> parts = {{}};       ///< one of which is in its first 64 KiB; none: they hold anything
 };
+
+/// Those that this package writes. Part of a kind of JSON is its schema.
+namespace file_kind {
+
+inline constexpr FileKind force_csv = {"a log as this command writes it (time_s,displacement_m,force_N)",
+                                       {"time_s,displacement_m\n", "time_s,displacement_rad\n",
+                                        "time_s,displacement_m,force_N\n", "time_s,x_m,y_m,z_m,rx_rad,"}};
+inline constexpr FileKind gap_csv = {"a record of the live gap", {"time_s,level,"}};
+inline constexpr FileKind vehicle_csv = {"a record of a vehicle", {"time_s,frame_m,"}};
+inline constexpr FileKind figure_csv = {"the numbers of a figure", {"curve,"}};
+inline constexpr FileKind force_map_csv = {
+    "a map of the missing force", {"displacement_m,velocity_m_per_s,", "displacement_rad,velocity_rad_per_s,"}};
+inline constexpr FileKind characteristics_csv = {"a table of characteristics", {"frequency_Hz,amplitude_m,"}};
+inline constexpr FileKind campaign_csv = {"a table of a campaign", {"id,group,type,"}};
+inline constexpr FileKind campaign_json = {"a table of a campaign", {"{"}, {"rubber_suspension/campaign_table/"}};
+inline constexpr FileKind campaign_manifest = {"the manifest of a campaign",
+                                               {"{\"schema\":\"rubber_suspension/campaign/"}};
+inline constexpr FileKind fleet_json = {"the findings on a fleet", {"{"}, {"rubber_suspension/fleet/"}};
+inline constexpr FileKind fleet_report = {"a fleet report", {"<!DOCTYPE html>", "<!doctype html>"}, {"Fleet report"}};
+inline constexpr FileKind report_json = {
+    "a report of a diagnosis", {"{"}, {"rubber_suspension/gap_report/", "rubber_suspension/evidence/"}};
+inline constexpr FileKind report_html = {
+    "a report of a diagnosis", {"<!DOCTYPE html>", "<!doctype html>"}, {"Gap report"}};
+inline constexpr FileKind plan_json = {"a plan of experiments", {"{"}, {"rubber_suspension/experiment_plan/"}};
+inline constexpr FileKind plan_html = {
+    "a plan of experiments", {"<!DOCTYPE html>", "<!doctype html>"}, {"Experiment plan"}};
+inline constexpr FileKind agreement_json = {"an agreement of forces", {"{"}, {"rubber_suspension/agreement/"}};
+inline constexpr FileKind state_space_json = {"a state-space model", {"{"}, {"rubber_suspension/state_space/"}};
+inline constexpr FileKind mat = {"a state-space model", {"rubber_suspension"}};
+inline constexpr FileKind component_file = {"a component file", {}, {"\ncomponents:"}};
+inline constexpr FileKind spring_and_dashpot = {"k and c of a component", {"# "}, {"\nk_N_per_m: "}};
+inline constexpr FileKind bushing_file = {"a bushing property file", {"$", "["}, {"'bus'", "'gbs'"}};
+inline constexpr FileKind test_report = {"a report of a test", {"<?xml", "<testsuite"}, {"<testsuite"}};
+inline constexpr FileKind figure = {
+    "a figure (SVG, PNG, PDF)", {"<?xml", "<svg", "\x89PNG", "%PDF"}, {"<svg", "\x89PNG", "%PDF"}};
+inline constexpr FileKind bag = {"a ROS bag", {"#ROSBAG V"}};
+inline constexpr FileKind fmu = {"an FMU", {"PK\x03\x04"}, {"modelDescription.xml"}};
+inline constexpr FileKind rpc = {"a file of RPC III", {std::string_view("FORMAT\0", 7)}};
+
+}  // namespace file_kind
 
 /// A file that a command reads, with the option that names it.
 struct InputFile {
@@ -53,7 +74,7 @@ struct OutputFile {
 /// An output that would destroy something: wrong usage. what() is one line.
 class OutputRefused : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit OutputRefused(const std::string& message) : std::runtime_error(log::oneLine(message)) {}
 };
 
 /// To be called before anything is read. Throws OutputRefused for an output that is one of the inputs, by whatever
@@ -69,7 +90,7 @@ void checkOutputs(const std::vector<InputFile>& inputs, const std::vector<Output
 void refuseEqualLogs(const std::vector<InputFile>& logs);
 
 /// True for a file of that kind.
-bool isOfKind(const std::string& path, FileKind kind);
+bool isOfKind(const std::string& path, const FileKind& kind);
 
 /// Makes a folder with those above it; true where it was not there. Throws std::runtime_error that begins with it.
 bool makeFolder(const std::string& folder);

@@ -175,7 +175,7 @@ TEST(RunCommand, ChecksTheFilesOfTheTableBeforeItRuns) {
     std::string read;
     std::string written;
     OptionTable table = {Option("--log", read, "FILE", "log to read").reads(),
-                         Option("--output", written, "FILE", "file to write").writes(io::FileKind::force_csv)};
+                         Option("--output", written, "FILE", "file to write").writes(io::file_kind::force_csv)};
     std::vector<std::string> words = {"try", "--log", input, "--output", output};
     if (forced) {
       words.emplace_back("--force");

@@ -13,7 +13,6 @@
 namespace rubber_suspension {
 namespace {
 
-using io::FileKind;
 using ::testing::HasSubstr;
 
 namespace fs = std::filesystem;
@@ -57,18 +56,19 @@ TEST_F(CheckOutputs, RefusesAnInputByAnyName) {
   for (const std::string& name :
        {std::string("log.csv"), std::string("./log.csv"), std::string("hard.csv"), std::string("soft.csv"),
         std::string("again/log.csv"), std::string("again/./log.csv")}) {
-    const std::string error = refusal(log, {{"--output", path(name), FileKind::force_csv}}, true);
+    const std::string error = refusal(log, {{"--output", path(name), io::file_kind::force_csv}}, true);
     EXPECT_THAT(error, HasSubstr("--output: ")) << name;
     EXPECT_THAT(error, HasSubstr("is the file that --log reads")) << name;
     EXPECT_THAT(error, HasSubstr("accepted: another file")) << name;
   }
-  EXPECT_EQ(refusal(log, {{"--output", path("other.csv"), FileKind::force_csv}}), "");
-  EXPECT_EQ(refusal(log, {{"--output", "", FileKind::force_csv}}), "");
+  EXPECT_EQ(refusal(log, {{"--output", path("other.csv"), io::file_kind::force_csv}}), "");
+  EXPECT_EQ(refusal(log, {{"--output", "", io::file_kind::force_csv}}), "");
 }
 
 TEST_F(CheckOutputs, RefusesTwoOutputsThatAreOneFile) {
   const auto both = [&](const std::string& one, const std::string& other) {
-    return refusal("", {{"--output", path(one), FileKind::figure}, {"--plot", path(other), FileKind::figure}});
+    return refusal("",
+                   {{"--output", path(one), io::file_kind::figure}, {"--plot", path(other), io::file_kind::figure}});
   };
   EXPECT_THAT(both("a.svg", "a.svg"), HasSubstr("--plot and --output"));
   EXPECT_THAT(both("a.svg", "./x/../a.svg"), HasSubstr("is one file with"));
@@ -81,13 +81,14 @@ TEST_F(CheckOutputs, RefusesTwoOutputsThatAreOneFile) {
   if (!fs::equivalent(path("b.svg"), path("B.svg"))) {
     EXPECT_EQ(both("b.svg", "B.svg"), "");  // here they are two
   }
-  EXPECT_EQ(refusal("/dev/null", {{"--output", "/dev/null", FileKind::bag}, {"--plot", "/dev/null", FileKind::bag}}),
+  EXPECT_EQ(refusal("/dev/null",
+                    {{"--output", "/dev/null", io::file_kind::bag}, {"--plot", "/dev/null", io::file_kind::bag}}),
             "");
 }
 
 TEST_F(CheckOutputs, AnotherKindOfFileNeedsForce) {
   const std::string notes = file("notes.txt", "what I did\n");
-  const std::vector<io::OutputFile> output = {{"--output", notes, FileKind::force_csv}};
+  const std::vector<io::OutputFile> output = {{"--output", notes, io::file_kind::force_csv}};
   EXPECT_THAT(refusal("", output), HasSubstr("notes.txt exists and is not a log as this command writes it"));
   EXPECT_THAT(refusal("", output), HasSubstr("or --force"));
   EXPECT_EQ(refusal("", output, true), "");
@@ -96,45 +97,57 @@ TEST_F(CheckOutputs, AnotherKindOfFileNeedsForce) {
 }
 
 TEST_F(CheckOutputs, TellsTheKindsByTheirContent) {
-  const std::vector<std::pair<FileKind, std::string>> examples = {
-      {FileKind::force_csv, "time_s,displacement_m,force_N\n0,0,0\n"},
-      {FileKind::gap_csv, "time_s,level,window_s,samples\n"},
-      {FileKind::vehicle_csv, "time_s,frame_m,pitch_rad\n"},
-      {FileKind::figure_csv, "curve,frequency_hz\n"},
-      {FileKind::force_map_csv, "displacement_m,velocity_m_per_s,missing_force_N\n"},
-      {FileKind::component_file, "# found by estimate\ncomponents:\n  a: {}\n"},
-      {FileKind::report_json, "{\n \"schema\": \"rubber_suspension/gap_report/1\"}"},
-      {FileKind::report_html, "<!DOCTYPE html>\n<title>Gap report</title> the gap"},
-      {FileKind::plan_json, "{\n \"schema\": \"rubber_suspension/experiment_plan/1\"}"},
-      {FileKind::plan_html, "<!DOCTYPE html>\n<title>Experiment plan: a</title>"},
-      {FileKind::test_report, "<?xml version=\"1.0\"?>\n<testsuites/>"},
-      {FileKind::figure, "<?xml version=\"1.0\"?>\n<svg/>"},
-      {FileKind::bag, "#ROSBAG V2.0\n"},
-      {FileKind::spring_and_dashpot, "# bush\nk_N_per_m: 1e6\n"},
-      {FileKind::rpc, std::string("FORMAT\0\0\0", 9)},
-      {FileKind::agreement_json, "{\n \"schema\": \"rubber_suspension/agreement/1\"}"},
+  namespace kind = io::file_kind;
+  const std::vector<std::pair<io::FileKind, std::string>> examples = {
+      {kind::force_csv, "time_s,displacement_m,force_N\n0,0,0\n"},
+      {kind::gap_csv, "time_s,level,window_s,samples\n"},
+      {kind::vehicle_csv, "time_s,frame_m,pitch_rad\n"},
+      {kind::figure_csv, "curve,frequency_hz\n"},
+      {kind::force_map_csv, "displacement_m,velocity_m_per_s,missing_force_N\n"},
+      {kind::characteristics_csv, "frequency_Hz,amplitude_m,stiffness_N_per_m\n"},
+      {kind::campaign_csv, "id,group,type,test_piece\n"},
+      {kind::campaign_json, "{\"schema\": \"rubber_suspension/campaign_table/1\",\n\"jobs\": []}"},
+      {kind::campaign_manifest, "{\"schema\":\"rubber_suspension/campaign/1\"}\n"},
+      {kind::fleet_json, "{\n \"schema\": \"rubber_suspension/fleet/1\"}"},
+      {kind::fleet_report, "<!DOCTYPE html>\n<title>Fleet report</title>"},
+      {kind::report_json, "{\n \"schema\": \"rubber_suspension/gap_report/1\"}"},
+      {kind::report_html, "<!DOCTYPE html>\n<title>Gap report</title> the gap"},
+      {kind::plan_json, "{\n \"schema\": \"rubber_suspension/experiment_plan/1\"}"},
+      {kind::plan_html, "<!DOCTYPE html>\n<title>Experiment plan: a</title>"},
+      {kind::agreement_json, "{\n \"schema\": \"rubber_suspension/agreement/1\"}"},
+      {kind::state_space_json, "{\n \"schema\": \"rubber_suspension/state_space/1\"}"},
+      {kind::mat, "rubber_suspension   \x01IM"},
+      {kind::component_file, "# found by estimate\ncomponents:\n  a: {}\n"},
+      {kind::spring_and_dashpot, "# bush\nk_N_per_m: 1e6\n"},
+      {kind::bushing_file, "$---MDI_HEADER\n[MDI_HEADER]\nFILE_TYPE = 'bus'\n"},
+      {kind::test_report, "<?xml version=\"1.0\"?>\n<testsuites/>"},
+      {kind::figure, "<?xml version=\"1.0\"?>\n<svg/>"},
+      {kind::bag, "#ROSBAG V2.0\n"},
+      {kind::fmu, "PK\x03\x04 modelDescription.xml"},
+      {kind::rpc, std::string("FORMAT\0\0\0", 9)},
   };
-  for (const auto& [kind, text] : examples) {
-    for (const auto& [other, unused] : examples) {
-      EXPECT_EQ(io::isOfKind(file("example", text), other), kind == other)
-          << static_cast<int>(kind) << " as " << static_cast<int>(other);
+  for (std::size_t i = 0; i < examples.size(); ++i) {
+    const std::string path = file("example", examples[i].second);
+    for (std::size_t j = 0; j < examples.size(); ++j) {
+      EXPECT_EQ(io::isOfKind(path, examples[j].first), i == j)
+          << examples[i].second << " as " << examples[j].first.name;
     }
   }
-  EXPECT_TRUE(io::isOfKind(file("example", "\x89PNG\r\n\x1a\n"), FileKind::figure));
+  EXPECT_TRUE(io::isOfKind(file("example", "\x89PNG\r\n\x1a\n"), io::file_kind::figure));
   // A log with another column is a measurement, not what the command wrote.
-  EXPECT_FALSE(io::isOfKind(file("example", "time_s,displacement_mm,force_kN\n"), FileKind::force_csv));
-  EXPECT_FALSE(io::isOfKind(file("example", "my components: a, b\n"), FileKind::component_file));
+  EXPECT_FALSE(io::isOfKind(file("example", "time_s,displacement_mm,force_kN\n"), io::file_kind::force_csv));
+  EXPECT_FALSE(io::isOfKind(file("example", "my components: a, b\n"), io::file_kind::component_file));
 }
 
 TEST_F(CheckOutputs, RefusesFoldersAsFilesAndFilesAsFolders) {
-  EXPECT_THAT(refusal("", {{"--output", folder_.folder(), FileKind::bag}}, true), HasSubstr("is a folder"));
-  EXPECT_THAT(refusal("", {{"--output", path("log.csv/report.json"), FileKind::report_json}}, true),
+  EXPECT_THAT(refusal("", {{"--output", folder_.folder(), io::file_kind::bag}}, true), HasSubstr("is a folder"));
+  EXPECT_THAT(refusal("", {{"--output", path("log.csv/report.json"), io::file_kind::report_json}}, true),
               HasSubstr("is no folder"));
 }
 
 TEST_F(CheckOutputs, AnErrorIsOneLine) {
   const std::string odd = file("a\n\x1b[31m.txt", "text");
-  const std::string error = refusal("", {{"--output", odd, FileKind::bag}});
+  const std::string error = refusal("", {{"--output", odd, io::file_kind::bag}});
   EXPECT_THAT(error, HasSubstr("\\x1b[31m"));
   EXPECT_EQ(error.find('\n'), std::string::npos);
 }
