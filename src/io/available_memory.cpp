@@ -12,30 +12,17 @@
 namespace rubber_suspension::io {
 namespace {
 
-constexpr std::uint64_t kKibibyte = 1024;
-
 std::uint64_t lessOrNothing(std::uint64_t whole, std::uint64_t part) { return whole - std::min(whole, part); }
 
-// The first number of a file; none where there is none, as where a limit says "max".
-std::optional<std::uint64_t> numberIn(const std::string& path) {
+// The number behind a word of a file, or the first one where the word is empty. None where there is no number, as where
+// a limit says "max".
+std::optional<std::uint64_t> numberIn(const std::string& path, const std::string& word = "") {
   std::ifstream file(path);
+  std::string read;
+  while (read != word && file >> read) {
+  }
   std::uint64_t value = 0;
   return file >> value ? std::optional<std::uint64_t>(value) : std::nullopt;
-}
-
-// The number beside a name, in a file of lines "NAME NUMBER ...".
-std::optional<std::uint64_t> numberOf(const std::string& name, const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  while (std::getline(file, line)) {
-    std::istringstream words(line);
-    std::string word;
-    std::uint64_t value = 0;
-    if (words >> word >> value && word == name) {
-      return value;
-    }
-  }
-  return std::nullopt;
 }
 
 // Where a control group says what it may take and what it has taken.
@@ -51,20 +38,16 @@ constexpr GroupFiles kVersion2 = {"/memory.max", "/memory.current", "inactive_fi
 std::uint64_t leftOfGroup(const std::string& folder, const GroupFiles& files) {
   const auto limit = numberIn(folder + files.limit);
   const auto usage = numberIn(folder + files.usage);
-  if (!limit || !usage) {
-    return kUnlimitedMemory;
-  }
-  const std::uint64_t reclaimable = numberOf(files.reclaimable, folder + "/memory.stat").value_or(0);
-  return lessOrNothing(*limit, lessOrNothing(*usage, reclaimable));
+  const std::uint64_t reclaimable = numberIn(folder + "/memory.stat", files.reclaimable).value_or(0);
+  return limit && usage ? lessOrNothing(*limit, lessOrNothing(*usage, reclaimable)) : kUnlimitedMemory;
 }
 
 // Of a group and all above it. In a container the path may be that of the machine, which is not there: its own group is
 // then the top.
 std::uint64_t leftOfGroups(const std::string& mount, std::string path, const GroupFiles& files) {
   std::uint64_t left = leftOfGroup(mount, files);
-  while (path.size() > 1) {
+  for (; path.size() > 1; path.erase(path.rfind('/'))) {
     left = std::min(left, leftOfGroup(mount + path, files));
-    path.erase(path.rfind('/'));
   }
   return left;
 }
@@ -73,18 +56,15 @@ std::uint64_t leftOfGroups(const std::string& mount, std::string path, const Gro
 std::uint64_t leftOfControlGroups(const std::string& root) {
   std::ifstream file(root + "/proc/self/cgroup");
   std::uint64_t left = kUnlimitedMemory;
-  std::string line;
-  while (std::getline(file, line)) {
-    const std::size_t first = line.find(':');
-    const std::size_t second = first == std::string::npos ? first : line.find(':', first + 1);
-    if (second == std::string::npos || line.compare(second + 1, 1, "/") != 0) {
-      continue;
-    }
-    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
-    const std::string path = line.substr(second + 1);
-    if (controllers == ",,") {
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream parts(line);
+    std::string number;
+    std::string controllers;
+    std::string path;
+    std::getline(std::getline(std::getline(parts, number, ':'), controllers, ':'), path);
+    if (path[0] == '/' && controllers.empty()) {
       left = std::min(left, leftOfGroups(root + "/sys/fs/cgroup", path, kVersion2));
-    } else if (controllers.find(",memory,") != std::string::npos) {
+    } else if (path[0] == '/' && ("," + controllers + ",").find(",memory,") != std::string::npos) {
       left = std::min(left, leftOfGroups(root + "/sys/fs/cgroup/memory", path, kVersion1));
     }
   }
@@ -100,15 +80,13 @@ std::uint64_t leftOfAddresses(const std::string& root) {
   return lessOrNothing(limit.rlim_cur, *pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)));
 }
 
-std::uint64_t leftOfMachine(const std::string& root) {
-  const auto left = numberOf("MemAvailable:", root + "/proc/meminfo");
-  return left ? *left * kKibibyte : kUnlimitedMemory;
-}
-
 }  // namespace
 
 std::uint64_t availableMemory(const std::string& root) {
-  return std::min({leftOfMachine(root), leftOfControlGroups(root), leftOfAddresses(root)});
+  constexpr std::uint64_t kKibibyte = 1024;
+  const auto of_machine = numberIn(root + "/proc/meminfo", "MemAvailable:");
+  return std::min(
+      {of_machine ? *of_machine * kKibibyte : kUnlimitedMemory, leftOfControlGroups(root), leftOfAddresses(root)});
 }
 
 }  // namespace rubber_suspension::io

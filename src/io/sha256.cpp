@@ -9,75 +9,53 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <stdexcept>
+#include <string_view>
+#include <utility>
 #include <vector>
+
+#include "element/refuse.h"
 
 namespace rubber_suspension::io {
 namespace {
 
-class Digest {
- public:
-  Digest() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
-    require(context_ != nullptr && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
+void require(bool success) { element::refuseIf<std::runtime_error>(!success, "SHA-256: OpenSSL refuses it"); }
+
+// Of the pieces of a content: `next` gives them one by one, at last an empty one.
+template <class Next>
+std::string hashOf(Next next) {
+  const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
+  require(context != nullptr && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1);
+  for (std::string_view piece = next(); !piece.empty(); piece = next()) {
+    require(EVP_DigestUpdate(context.get(), piece.data(), piece.size()) == 1);
   }
-
-  void add(const char* bytes, std::size_t count) { require(EVP_DigestUpdate(context_.get(), bytes, count) == 1); }
-
-  std::string finish() {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
-    unsigned count = 0;
-    require(EVP_DigestFinal_ex(context_.get(), bytes.data(), &count) == 1);
-    std::string text;
-    for (unsigned i = 0; i < count; ++i) {
-      text += fmt::format("{:02x}", bytes[i]);
-    }
-    return text;
-  }
-
- private:
-  static void require(bool success) {
-    if (!success) {
-      throw std::runtime_error("SHA-256: OpenSSL refuses it");
-    }
-  }
-
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
-};
-
-[[noreturn]] void fail(const std::string& path, int error) {
-  throw std::runtime_error(fmt::format("{}: cannot be read: {}", path, std::strerror(error)));
+  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
+  unsigned count = 0;
+  require(EVP_DigestFinal_ex(context.get(), bytes.data(), &count) == 1);
+  return fmt::format("{:02x}", fmt::join(bytes.data(), bytes.data() + count, ""));
 }
 
 }  // namespace
 
 std::string sha256(const std::string& text) {
-  Digest digest;
-  digest.add(text.data(), text.size());
-  return digest.finish();
+  return hashOf([left = std::string_view(text)]() mutable { return std::exchange(left, std::string_view()); });
 }
 
 FileHash hashFile(const std::string& path) {
   constexpr std::size_t kPiece = 256 * 1024;  // bytes
+  const auto require_file = [&](bool success) {
+    element::refuseIf<std::runtime_error>(!success, "{}: cannot be read: {}", path, std::strerror(errno));
+  };
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), std::fclose);
-  if (!file) {
-    fail(path, errno);
-  }
+  require_file(file != nullptr);
   std::setvbuf(file.get(), nullptr, _IONBF, 0);
   static thread_local std::vector<char> piece(kPiece);
-  Digest digest;
   FileHash result;
-  for (;;) {
+  result.sha256 = hashOf([&] {
     const std::size_t count = std::fread(piece.data(), 1, kPiece, file.get());
-    digest.add(piece.data(), count);
+    require_file(std::ferror(file.get()) == 0);
     result.size += count;
-    if (count < kPiece) {
-      break;
-    }
-  }
-  if (std::ferror(file.get()) != 0) {
-    fail(path, errno);
-  }
-  result.sha256 = digest.finish();
+    return std::string_view(piece.data(), count);
+  });
   return result;
 }
 
