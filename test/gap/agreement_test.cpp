@@ -20,10 +20,12 @@ constexpr double kForce = 2000.0;    // [N]
 
 // Ten cycles of 10 Hz at 1 kHz, the force ahead of the displacement by an angle.
 log::Log sine(double angle) {
-  const auto phase = [](int i) { return 2.0 * element::kPi * 0.01 * i; };
-  return logOf(
-      "sine", 1001, 1000000, [&](int i) { return kAmplitude * std::sin(phase(i)); },
-      [&](int i, double /*z*/) { return kForce * std::sin(phase(i) + angle); });
+  constexpr double kOmega = 2.0 * element::kPi * 10.0;
+  log::Log log = recorded(
+      1e3, 1.001, [](double t) { return kAmplitude * std::sin(kOmega * t); },
+      [&](double t, double /*z*/) { return kForce * std::sin(kOmega * t + angle); });
+  log.name = "sine";
+  return log;
 }
 
 // Energy per cycle: pi times both amplitudes times the sine of the angle; chords of a hundredth of a cycle are short of
@@ -53,23 +55,20 @@ TEST(Agreement, LeavesOutTheStart) {
 
 // The rating is at even steps: where every second sample is missing, straight lines stand for them.
 TEST(Agreement, RatesAtEvenSteps) {
-  log::Log log;
-  log.name = "pulse";
-  log::Log thinned = log;
+  const auto pulse = [](int i, double middle) { return std::exp(-std::pow((i - middle) / 60.0, 2)); };
+  const log::Log log = logOf(
+      "pulse", 600, 1000000, [](int i) { return 1e-3 * i; }, [&](int i, double /*z*/) { return pulse(i, 300.0); });
+  log::Log thinned;
   std::vector<double> simulated;
   std::vector<double> simulated_thinned;
   for (int i = 0; i < 600; ++i) {
-    const double force = std::exp(-std::pow((i - 300) / 60.0, 2));
-    const double other = 0.9 * std::exp(-std::pow((i - 312) / 60.0, 2));
-    const auto add = [&](log::Log& to, std::vector<double>& model) {
-      to.stamp.push_back(i * 1000000LL);
-      to.displacement.push_back(1e-3 * i);
-      to.force.push_back(force);
-      model.push_back(other);
-    };
-    add(log, simulated);
+    const auto sample = static_cast<std::size_t>(i);
+    simulated.push_back(0.9 * pulse(i, 312.0));
     if (i < 300 || i % 2 == 0) {
-      add(thinned, simulated_thinned);
+      thinned.stamp.push_back(log.stamp[sample]);
+      thinned.displacement.push_back(log.displacement[sample]);
+      thinned.force.push_back(log.force[sample]);
+      simulated_thinned.push_back(simulated.back());
     }
   }
   const gap::Agreement whole = gap::agreementOf(log, simulated);

@@ -20,21 +20,21 @@ log::Log sine(double amplitude, double stiffness) {
                          : logOf("", 100, 1000000, motion);
 }
 
-io::ComponentDescription plain() { return {"plain", {{"spring", {{"stiffness", {kStiffness}}}}}}; }
+const io::ComponentDescription kPlain{"plain", {spring(kStiffness)}};
 
 io::ComponentDescription withFriction() {
-  io::ComponentDescription description = plain();
+  io::ComponentDescription description = kPlain;
   description.add = {friction(1500.0, 2e-3)};
   return description;
 }
 
 TEST(OddMotion, ByTheStiffnessOfTheLog) {
   // 1.9 mm read as 1.9 m, against 3e6 N/m: a thousand times too soft. Kilonewtons read as newtons are the same.
-  EXPECT_THAT(gap::oddMotion(sine(1.9, kStiffness / 1000.0), plain()).value_or(""),
+  EXPECT_THAT(gap::oddMotion(sine(1.9, kStiffness / 1000.0), kPlain).value_or(""),
               HasSubstr("1e+03 times softer than the component"));
-  EXPECT_THAT(gap::oddMotion(sine(1.9e-6, kStiffness * 1000.0), plain()).value_or(""), HasSubstr("times stiffer"));
+  EXPECT_THAT(gap::oddMotion(sine(1.9e-6, kStiffness * 1000.0), kPlain).value_or(""), HasSubstr("times stiffer"));
   for (const double factor : {0.05, 1.0, 20.0}) {  // another component, not another unit
-    EXPECT_FALSE(gap::oddMotion(sine(2e-3, factor * kStiffness), plain())) << factor;
+    EXPECT_FALSE(gap::oddMotion(sine(2e-3, factor * kStiffness), kPlain)) << factor;
   }
   // A stroke that is long for the component and agrees with its force is as it says.
   EXPECT_FALSE(gap::oddMotion(sine(1.0, kStiffness), withFriction()));
@@ -49,15 +49,15 @@ TEST(OddMotion, ByTheComponentsOwnAmplitudeWithoutAForce) {
 }
 
 TEST(OddMotion, ByTheTravelOfAnyRubberWhereNothingElseIsKnown) {
-  EXPECT_FALSE(gap::motionScaleOf(plain()));
-  EXPECT_THAT(gap::oddMotion(sine(1.9, 0.0), plain()).value_or(""), HasSubstr("more than the travel of any rubber"));
-  EXPECT_FALSE(gap::oddMotion(sine(0.1, 0.0), plain()));
+  EXPECT_FALSE(gap::motionScaleOf(kPlain));
+  EXPECT_THAT(gap::oddMotion(sine(1.9, 0.0), kPlain).value_or(""), HasSubstr("more than the travel of any rubber"));
+  EXPECT_FALSE(gap::oddMotion(sine(0.1, 0.0), kPlain));
 }
 
 TEST(OddMotion, SaysNothingOfAForceThatStandsStill) {
   log::Log log = sine(2e-3, kStiffness);
   std::fill(log.force.begin(), log.force.end(), 7.0);
-  EXPECT_FALSE(gap::oddMotion(log, plain()));
+  EXPECT_FALSE(gap::oddMotion(log, kPlain));
 }
 
 TEST(OddAmplitude, IsThatOfAnOptionInMetres) {

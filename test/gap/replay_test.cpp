@@ -7,6 +7,7 @@
 
 #include "io/progress.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/kit.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -16,41 +17,27 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 log::Log sineLog(int samples) {
-  log::Log log;
-  log.name = "sine";
-  for (int i = 0; i < samples; ++i) {
-    log.stamp.push_back(7 + i * 1234567LL);
-    log.displacement.push_back(0.003 * std::sin(0.01 * i));
-  }
-  return log;
+  return logOf("sine", samples, 1234567, [](int i) { return 0.003 * std::sin(0.01 * i); });
 }
 
-component::Component component() {
-  return component::Component({{"spring", {{"stiffness", {3e6}}}},
-                               {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
-                               {"friction", {{"maximum_force", {1500.0}}, {"displacement", {0.0005}}}}});
-}
+const component::Component kComponent({spring(3e6), maxwell(1e6, 2.0), friction(1500.0, 0.0005)});
 
 TEST(SimulateLog, GivesTheForcesOfAStreamToTheLastBit) {
   const log::Log log = sineLog(5000);
-  const component::Component specimen = component();
-  const std::vector<double> force = gap::simulateLog(specimen, log);
-  component::SampleStream stream(specimen);
+  const std::vector<double> force = gap::simulateLog(kComponent, log);
+  component::SampleStream stream(kComponent);
   for (std::size_t i = 0; i < log.size(); ++i) {
     ASSERT_EQ(force[i], stream.push(log.stamp[i], log.displacement[i]).force.total) << i;
   }
 }
 
-TEST(SimulateLog, RefusesABadLog) {
+TEST(SimulateLog, RefusesABadLogAndNamesTheSampleWhoseForceIsNotFinite) {
   log::Log log = sineLog(10);
   log.stamp[5] = log.stamp[4];
-  EXPECT_THROW(gap::simulateLog(component(), log), log::LogError);
-}
-
-TEST(SimulateLog, NamesTheSampleWhoseForceIsNotFinite) {
-  log::Log log = sineLog(3);
+  EXPECT_THROW(gap::simulateLog(kComponent, log), log::LogError);
+  log = sineLog(3);
   log.displacement[2] = 1e305;  // times 3e6 N/m is beyond a double
-  EXPECT_THAT(messageOf<log::LogError>([&] { gap::simulateLog(component(), log); }),
+  EXPECT_THAT(messageOf<log::LogError>([&] { gap::simulateLog(kComponent, log); }),
               HasSubstr("sine: sample 3: displacement 1e+305 m"));
 }
 
@@ -59,13 +46,13 @@ TEST(Replay, CountsGapsInTime) {
   for (std::size_t i = 6; i < log.size(); ++i) {
     log.stamp[i] += 2000000000LL;
   }
-  EXPECT_EQ(gap::replay(component(), log).bridged, 1u);
-  EXPECT_EQ(gap::replay(component(), sineLog(10)).bridged, 0u);
+  EXPECT_EQ(gap::replay(kComponent, log).bridged, 1u);
+  EXPECT_EQ(gap::replay(kComponent, sineLog(10)).bridged, 0u);
 }
 
 TEST(Summary, HasTheGapOnlyWithAMeasuredForce) {
   log::Log log = sineLog(100);
-  gap::Replay result = gap::replay(component(), log);
+  gap::Replay result = gap::replay(kComponent, log);
   EXPECT_THAT(gap::summary("bush", log, result), HasSubstr("bush: 100 samples, 0.122222 s"));
   EXPECT_THAT(gap::summary("bush", log, result), Not(HasSubstr("gap")));
   log.force = result.force;

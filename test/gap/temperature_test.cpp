@@ -14,10 +14,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::vector<element::ElementDescription> kElements = {
-    {"spring", {{"stiffness", {3e6}}}},
-    {"maxwell", {{"stiffness", {1.2e6}}, {"break_frequency", {2.0}}}},
-    {"wlf_shift", {{"c1", {6.13}}, {"c2", {146.8}}, {"reference", {20.0}}, {"vertical", {0.003}}}}};
+const Entries kElements = {spring(3e6), maxwell(1.2e6, 2.0),
+                           entry("wlf_shift c1=6.13 c2=146.8 reference=20 vertical=0.003")};
+
+const Entries kUnshifted(kElements.begin(), kElements.begin() + 2);
 
 // More samples than a portion of the replay has.
 log::Log warmingLog() {
@@ -44,10 +44,9 @@ TEST(ReplayWithTemperature, EachSampleHasItsOwn) {
 TEST(ReplayWithTemperature, WithoutTheColumnOrTheKeyNothingChanges) {
   log::Log without = warmingLog();
   without.temperature.clear();
-  const std::vector<element::ElementDescription> unshifted(kElements.begin(), kElements.begin() + 2);
-  const std::vector<double> plain = gap::simulateLog(component::Component(unshifted), without);
+  const std::vector<double> plain = gap::simulateLog(component::Component(kUnshifted), without);
   EXPECT_EQ(gap::simulateLog(component::Component(kElements), without), plain);
-  EXPECT_EQ(gap::simulateLog(component::Component(unshifted), warmingLog()), plain);
+  EXPECT_EQ(gap::simulateLog(component::Component(kUnshifted), warmingLog()), plain);
 }
 
 TEST(ReplayWithTemperature, RefusesWhereTheShiftDoesNotHold) {
@@ -73,8 +72,7 @@ TEST(ReplayWithTemperature, RecordsFollowItToo) {
   log::Log without = log;
   without.temperature.clear();
   const gap::Forces both = gap::simulate(kElements, {log::makeRecord(log), log::makeRecord(without)});
-  const std::vector<element::ElementDescription> unshifted(kElements.begin(), kElements.begin() + 2);
-  const gap::Forces plain = gap::simulate(unshifted, {log::makeRecord(without), log::makeRecord(without)});
+  const gap::Forces plain = gap::simulate(kUnshifted, {log::makeRecord(without), log::makeRecord(without)});
   EXPECT_EQ(both[1], plain[1]) << "a record without a temperature is at the reference";
 }
 
