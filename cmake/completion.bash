@@ -3,7 +3,7 @@ _rubber_suspension() {
   local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]-} options= files= folders=
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W "@COMMANDS@ generate_track live_plot --help --version" -- "$word"))
+    COMPREPLY=($(compgen -W "@COMMANDS@ generate_track live_plot render_report --help --version" -- "$word"))
     return
   fi
   case $command in

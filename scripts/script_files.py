@@ -47,7 +47,7 @@ def draw(path, figure):
     if not path.endswith((".svg", ".png")):
         raise ValueError("%s: accepted: a name that ends in .svg or .png" % path)
     script = os.path.join(os.path.dirname(os.path.realpath(__file__)), "plot_figures")
-    request = json.dumps({"path": path, "figures": [figure]})
+    request = json.dumps({"path": path, "figure": figure})
     drawn = subprocess.run([script], input=request, text=True, stderr=subprocess.PIPE)
     if drawn.returncode != 0:
         raise ValueError("no figure drawn: " + (drawn.stderr.strip().splitlines() or ["it was ended"])[-1])

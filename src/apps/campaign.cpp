@@ -181,9 +181,14 @@ int collect(const Options& options) {
   for (const std::string& problem : summary.broken) {
     printNote("campaign", problem + "; counted as missing");
   }
+  if (!summary.page_problem.empty()) {
+    printWarning("campaign", summary.page_problem);
+  }
   std::cout << fmt::format("{} jobs done, {} failed, {} missing\n{}\n{}\n{}\n", summary.done, summary.failed,
                            summary.missing, campaign::tableCsvPath(options.folder),
-                           campaign::tableJsonPath(options.folder), campaign::fleetReportPath(options.folder));
+                           campaign::tableJsonPath(options.folder),
+                           summary.page_problem.empty() ? campaign::fleetReportPath(options.folder)
+                                                        : campaign::fleetJsonPath(options.folder));
   return kSuccess;
 }
 

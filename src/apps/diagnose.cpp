@@ -230,6 +230,14 @@ std::optional<diagnosis::report::EarlierReport> earlierReport(const DiagnoseOpti
   return options.compare.empty() ? std::nullopt : std::optional<diagnosis::report::EarlierReport>(options.compare);
 }
 
+std::string writtenReport(const std::string& folder, const std::string& name, const std::string& problem) {
+  if (!problem.empty()) {
+    clearStage();
+    printWarning("diagnose", problem);
+  }
+  return fmt::format("{}/{}.{}", folder, name, problem.empty() ? "html" : "json");
+}
+
 int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::report::EarlierReport>& earlier,
             const DiagnoseOptions& options) {
   diagnosis.run = runRecord(options);
@@ -238,15 +246,14 @@ int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::repor
     diagnosis.comparison = earlier->compare(diagnosis);
   }
   showStage("writing the report", 0.95);
-  diagnosis::writeReport(diagnosis, options.output);
+  const std::string page = writtenReport(options.output, "report", diagnosis::writeReport(diagnosis, options.output));
   if (!options.plot.empty() && hasComponentFile(diagnosis)) {
     io::drawFigure(diagnosis::report::overviewFigure(diagnosis), options.plot);
   }
   clearStage();
   const std::string whole = diagnosis::words::wholeText(diagnosis);
-  fmt::print("{}\n{}{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence),
-             whole.empty() ? "" : whole + "\n", takenOut(diagnosis), excerptsTaken(diagnosis),
-             diagnosis::report::toText(diagnosis.comparison), options.output);
+  fmt::print("{}\n{}{}{}{}report: {}\n", log::oneLine(diagnosis.sentence), whole.empty() ? "" : whole + "\n",
+             takenOut(diagnosis), excerptsTaken(diagnosis), diagnosis::report::toText(diagnosis.comparison), page);
   return diagnosis.defect.empty() ? kSuccess : kDefect;
 }
 

@@ -68,7 +68,7 @@ int printHelp() {
                "Options:\n"
                "  -h,--help         Print this help message and exit; behind a command, that of the command\n"
                "  --version         Print the version and exit\n\n"
-               "Scripts: generate_track, live_plot\n\n"
+               "Scripts: generate_track, live_plot, render_report\n\n"
                "Commands:\n"
             << list.rdbuf();
   return 0;

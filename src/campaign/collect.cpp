@@ -8,6 +8,7 @@
 #include "campaign/fleet.h"
 #include "campaign/record.h"
 #include "element/each.h"
+#include "io/page.h"
 #include "log/new_file.h"
 
 namespace rubber_suspension::campaign {
@@ -121,8 +122,9 @@ CollectSummary collect(const Manifest& manifest, const std::string& folder) {
   writeCsv(manifest, folder, rows, columns);
   writeJson(manifest, folder, rows);
   const FleetFindings findings = fleet.analyse();
-  log::writeNewFile(fleetJsonPath(folder), toJson(findings));
-  log::writeNewFile(fleetReportPath(folder), fleetHtml(findings, summary));
+  io::removePage(fleetReportPath(folder));
+  log::writeNewFile(fleetJsonPath(folder), toJson(findings, summary));
+  summary.page_problem = io::renderPage(fleetJsonPath(folder));
   return summary;
 }
 

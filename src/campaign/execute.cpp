@@ -198,7 +198,10 @@ class Executor {
     record.values = diagnosisValues(result);
     record.findings = findingsOf(result);
     if (job.options.reports == Reports::full) {
-      diagnosis::writeReport(result, makeReportFolder(job));
+      const std::string problem = diagnosis::writeReport(result, makeReportFolder(job));
+      if (!problem.empty()) {
+        fmt::print(stderr, "campaign: warning: {}\n", log::oneLine(problem));
+      }
     } else if (job.options.reports == Reports::data) {
       const std::string folder = makeReportFolder(job);
       log::writeNewFile(folder + "/report.json", diagnosis::toJson(result));

@@ -99,6 +99,7 @@ struct CollectSummary {
   std::size_t failed = 0;
   std::size_t missing = 0;          ///< broken records among them
   std::vector<std::string> broken;  ///< what is wrong with those
+  std::string page_problem;         ///< why there is no fleet.html; empty where there is
 };
 
 /// Write table.csv, table.json, fleet.json and fleet.html: the same bytes however the jobs were worked off, for nothing
@@ -114,10 +115,6 @@ inline std::string fleetReportPath(const std::string& folder) { return folder + 
 /// The fleet report for programs: schema rubber_suspension/fleet/3: types with verdicts, effects, parameters and values
 /// that are far out; parameters by rig and type. Values are logarithms of re-estimated over configured value. The same
 /// bytes for the same results.
-std::string toJson(const FleetFindings& fleet);
-
-/// The fleet report as a page for people without scripts or network, with links to the reports of components. The same
-/// bytes for the same results.
-std::string fleetHtml(const FleetFindings& fleet, const CollectSummary& summary);
+std::string toJson(const FleetFindings& fleet, const CollectSummary& summary);
 
 }  // namespace rubber_suspension::campaign

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "diagnosis/hypotheses/workings.h"
-#include "diagnosis/report/page.h"
+#include "diagnosis/words/candidates.h"
 #include "diagnosis/words/model_values.h"
 #include "diagnosis/words/text.h"
 
@@ -136,10 +136,9 @@ bool boundsAreSaid(const Diagnosis& d) {
 // Why a candidate is out agrees with its gap.
 bool reasonsAgree(const Diagnosis& d) {
   return all(d.candidates, [&](const CandidateResult& c) {
-    const std::string why = report::whyOut(d, c);
-    const auto says = [&](const char* words) { return why.find(words) != std::string::npos; };
-    return (!says("where what is named leaves") || c.gap > d.gaps.unseen.augmented) &&
-           (!says("no more than what is named") || c.gap <= d.gaps.unseen.augmented);
+    const words::Out reason = words::reasonOf(d, c);
+    return (reason != words::Out::more_than_named || c.gap > d.gaps.unseen.augmented) &&
+           (reason != words::Out::less_probable || c.gap <= d.gaps.unseen.augmented);
   });
 }
 

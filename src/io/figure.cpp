@@ -1,25 +1,15 @@
 // Figures, drawn by scripts/plot_figures in a process of its own: the data goes there as JSON.
 #include "rubber_suspension/io/figure.h"
 
-#include <dlfcn.h>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <limits>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/script.h"
 #include "log/new_file.h"
 #include "log/text.h"
-
-extern char** environ;
 
 namespace rubber_suspension::io {
 
@@ -46,8 +36,6 @@ static void to_json(json& out, const Figure& figure) {
 
 namespace {
 
-using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
 void checkSizes(const Figure& figure) {
   for (const Axes& axes : figure.axes) {
     for (const Curve& curve : axes.curves) {
@@ -65,96 +53,6 @@ void checkSizes(const Figure& figure) {
       }
     }
   }
-}
-
-// The script lies in the package's folder next to this library, in a devel space as in an install space.
-std::string scriptPath() {
-  Dl_info info{};
-  if (dladdr(reinterpret_cast<const void*>(&scriptPath), &info) == 0) {
-    throw FigureError("the library's own place is unknown");
-  }
-  const std::string library = info.dli_fname;
-  const std::size_t slash = library.find_last_of('/');
-  return (slash == std::string::npos ? std::string(".") : library.substr(0, slash)) + "/rubber_suspension/plot_figures";
-}
-
-FilePointer temporaryFile() {
-  FilePointer file(std::tmpfile(), std::fclose);
-  if (!file) {
-    throw FigureError(fmt::format("no temporary file can be made: {}", std::strerror(errno)));
-  }
-  return file;
-}
-
-std::string content(std::FILE* file) {
-  std::string text;
-  char buffer[65536];
-  std::rewind(file);
-  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file)) {
-    text.append(buffer, count);
-  }
-  return text;
-}
-
-std::string lastLine(std::string text) {
-  while (!text.empty() && text.back() == '\n') {
-    text.pop_back();
-  }
-  const std::size_t start = text.find_last_of('\n');
-  return start == std::string::npos ? text : text.substr(start + 1);
-}
-
-// Files in place of pipes: neither side ever waits for the other to read.
-struct Streams {
-  FilePointer input = temporaryFile();
-  FilePointer output = temporaryFile();
-  FilePointer errors = temporaryFile();
-};
-
-pid_t spawn(const std::string& script, const Streams& streams) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, fileno(streams.input.get()), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(streams.output.get()), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(streams.errors.get()), STDERR_FILENO);
-  std::string name = script;
-  char* arguments[] = {name.data(), nullptr};
-  pid_t process = 0;
-  const int error = posix_spawn(&process, script.c_str(), &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
-    throw FigureError(fmt::format("{} cannot be started: {}", script, std::strerror(error)));
-  }
-  return process;
-}
-
-std::string runScript(const json& request) {
-  Streams streams;
-  const std::string text = request.dump(-1, ' ', false, json::error_handler_t::replace);
-  if (std::fwrite(text.data(), 1, text.size(), streams.input.get()) != text.size() ||
-      std::fflush(streams.input.get()) != 0) {
-    throw FigureError(fmt::format("the data of a figure cannot be written: {}", std::strerror(errno)));
-  }
-  std::rewind(streams.input.get());
-  const pid_t process = spawn(scriptPath(), streams);
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0) {
-    if (errno != EINTR) {
-      throw FigureError(fmt::format("the drawing process was lost: {}", std::strerror(errno)));
-    }
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    const std::string reason = lastLine(content(streams.errors.get()));
-    throw FigureError(fmt::format("no figure drawn: {}", reason.empty() ? "the drawing process was ended" : reason));
-  }
-  return content(streams.output.get());
-}
-
-json request(const std::vector<Figure>& figures, const json& path) {
-  for (const Figure& figure : figures) {
-    checkSizes(figure);
-  }
-  return {{"path", path}, {"figures", figures}};
 }
 
 }  // namespace
@@ -180,25 +78,20 @@ void drawFigure(const Figure& figure, const std::string& path) {
   if (!isFigurePath(path)) {
     throw FigureError(fmt::format("{}: accepted: a name that ends in .svg or .png", path));
   }
+  checkSizes(figure);
   try {
     log::NewFile file(path);
-    runScript(request({figure}, file.writingPath()));
+    const json request = {{"path", file.writingPath()}, {"figure", figure}};
+    const ScriptResult drawing =
+        runScript("plot_figures", {}, request.dump(-1, ' ', false, json::error_handler_t::replace));
+    if (!drawing.succeeded) {
+      throw FigureError(fmt::format("no figure drawn: {}", drawing.last_error));
+    }
     file.commit();
   } catch (const FigureError&) {
     throw;
   } catch (const std::runtime_error& error) {
     throw FigureError(error.what());
-  }
-}
-
-std::vector<std::string> drawSvg(const std::vector<Figure>& figures) {
-  if (figures.empty()) {
-    return {};
-  }
-  try {
-    return json::parse(runScript(request(figures, nullptr))).get<std::vector<std::string>>();
-  } catch (const json::exception& error) {
-    throw FigureError(fmt::format("the drawing process gave no list of figures: {}", error.what()));
   }
 }
 

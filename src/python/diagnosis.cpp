@@ -34,6 +34,13 @@ py::object toReport(const Diagnosis& diagnosis) {
   return py::module_::import("json").attr("loads")(diagnosis::toJson(diagnosis));
 }
 
+void write(const Diagnosis& diagnosis, const std::string& folder) {
+  const std::string problem = diagnosis::writeReport(diagnosis, folder);
+  if (!problem.empty() && PyErr_WarnEx(PyExc_RuntimeWarning, problem.c_str(), 1) != 0) {
+    throw py::error_already_set();
+  }
+}
+
 }  // namespace
 
 void addDiagnosis(py::module_& module) {
@@ -49,8 +56,9 @@ void addDiagnosis(py::module_& module) {
           "The component with the effects named.")
       .def_readonly("re_estimated", &Diagnosis::re_estimated, "The component, re-estimated from the logs.")
       .def("report", &toReport, "All of report.json as a dict.")
-      .def("write", &diagnosis::writeReport, py::arg("folder"),
-           "Write report.json, report.html and augmented.yaml into a folder, which is made. Raises RuntimeError.")
+      .def("write", &write, py::arg("folder"),
+           "Write report.json, report.html and augmented.yaml into a folder, which is made. Warns where no page can be "
+           "drawn. Raises RuntimeError.")
       .def("__repr__", [](const Diagnosis& diagnosis) { return "<Diagnosis: " + diagnosis.sentence + ">"; });
   module.def("diagnose", &diagnose, py::arg("component"), py::arg("logs"),
              py::arg("hold_out") = std::vector<log::Log>(), py::arg("threads") = 2,

@@ -16,10 +16,8 @@
 namespace rubber_suspension {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 using ::testing::SizeIs;
 
 campaign::Job job(int number, const std::string& type = "bush") {
@@ -262,7 +260,7 @@ TEST(FleetAnalysis, RigsOfOneTypeHaveNothingToCompare) {
 }
 
 TEST(FleetFile, HoldsWhatTheReportShows) {
-  const auto json = nlohmann::json::parse(campaign::toJson(fleetOnRig(softly, {"hexapod"}).analyse()));
+  const auto json = nlohmann::json::parse(campaign::toJson(fleetOnRig(softly, {"hexapod"}).analyse(), {}));
   EXPECT_EQ(json.at("schema"), "rubber_suspension/fleet/3");
   ASSERT_EQ(json.at("types").size(), 3U);
   EXPECT_EQ(json.at("rigs")[0].at("name"), "hexapod");
@@ -274,13 +272,13 @@ TEST(FleetFile, HoldsWhatTheReportShows) {
   records[4] = withChange(std::log(1.8));
   campaign::FleetFindings one_type;
   one_type.types.push_back(analyse(records));
-  const auto far_out = nlohmann::json::parse(campaign::toJson(one_type)).at("types")[0].at("far_out");
+  const auto far_out = nlohmann::json::parse(campaign::toJson(one_type, {})).at("types")[0].at("far_out");
   ASSERT_EQ(far_out.size(), 1U);
   EXPECT_EQ(far_out[0].at("component"), "truck_4 bush");
   EXPECT_EQ(far_out[0].at("id"), job(4).id);
 }
 
-TEST(FleetReport, EscapesNamesAndLinksReports) {
+TEST(FleetFile, ListsComponentsWithTheirReports) {
   campaign::Fleet fleet;
   campaign::Job one = job(1);
   one.test_piece = "<script>";
@@ -288,18 +286,17 @@ TEST(FleetReport, EscapesNamesAndLinksReports) {
   record.id = one.id;
   record.files["report.html"] = 1;
   fleet.add(one, record);
-  const std::string html = campaign::fleetHtml(fleet.analyse(), {});
-  EXPECT_THAT(html, AllOf(HasSubstr("&lt;script&gt;"), Not(HasSubstr("<script"))));
-  EXPECT_THAT(html, HasSubstr("<a href=\"reports/00/" + one.id.substr(2) + "/report.html\">"));
-}
-
-TEST(FleetReport, ShowsMediansQuartilesAndWhoIsFarOut) {
-  campaign::FleetFindings findings;
-  std::vector<campaign::Record> records = scatteringFleet(0.0, 0.03);
-  records[4] = withChange(std::log(1.8));
-  findings.types.push_back(analyse(records));
-  EXPECT_THAT(campaign::fleetHtml(findings, {}),
-              AllOf(HasSubstr("truck_4 bush"), HasSubstr("+80.0 %"), HasSubstr("quartiles"), HasSubstr("100.0 %")));
+  campaign::CollectSummary summary;
+  summary.done = 1;
+  summary.failed = 2;
+  summary.missing = 3;
+  const auto json = nlohmann::json::parse(campaign::toJson(fleet.analyse(), summary));
+  EXPECT_EQ(json.at("jobs").dump(), R"({"done":1,"failed":2,"missing":3})");
+  const auto& listed = json.at("types")[0].at("listed")[0];
+  EXPECT_THAT(listed.at("component").get<std::string>(), HasSubstr("<script>"));
+  EXPECT_EQ(listed.at("report"), "reports/00/" + one.id.substr(2) + "/report.html");
+  EXPECT_EQ(listed.at("verdict"), "named");
+  EXPECT_EQ(listed.at("effects").dump(), R"(["friction"])");
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ void expectCorrected(const log::Log& log, const std::string& correction) {
   EXPECT_THAT(figures[0].figure.axes[1].title, HasSubstr(correction));
   EXPECT_GT(distance(figures[0].figure.axes[0]), 0.5) << correction;
   EXPECT_LT(distance(figures[0].figure.axes[1]), 0.05) << correction;  // the rig's noise is a hundredth
-  EXPECT_THAT(diagnosis::toHtml(result), HasSubstr("figure_bench.csv"));
+  EXPECT_THAT(diagnosis::toJson(result), HasSubstr("figure_bench.csv"));
 }
 
 TEST(BenchEvidence, ShowsAReversedSign) {

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
@@ -122,7 +125,6 @@ TEST(Plan, WritesWhatItSays) {
   const diagnosis::Plan& plan = planOfASweep();
   const auto json = nlohmann::json::parse(diagnosis::toJson(plan));
   EXPECT_EQ(json["schema"], "rubber_suspension/experiment_plan/1");
-  const std::string page = diagnosis::toHtml(plan);
   const std::string text = diagnosis::toText(plan.could_show);
   ASSERT_EQ(json["could_show"]["implanted"].size(), plan.could_show.implanted.size());
   for (std::size_t i = 0; i < plan.could_show.implanted.size(); ++i) {
@@ -131,7 +133,12 @@ TEST(Plan, WritesWhatItSays) {
     EXPECT_EQ(json["could_show"]["implanted"][i]["outcome"], effect.outcome);
     EXPECT_THAT(text, testing::HasSubstr(effect.effect));
   }
-  EXPECT_THAT(page, testing::HasSubstr("Experiment plan"));
+  EXPECT_THAT(text, testing::HasSubstr(json["could_show"]["implanted"][0]["least_size_text"].get<std::string>()));
+  const auto folder = std::filesystem::path(testing::TempDir()) / "plan";
+  EXPECT_EQ(diagnosis::writePlan(plan, folder.string()), "");
+  std::ifstream page(folder / "plan.html");
+  EXPECT_THAT(std::string(std::istreambuf_iterator<char>(page), {}), testing::HasSubstr("Experiment plan"));
+  std::filesystem::remove_all(folder);
 }
 
 // What projection says is left is what a fit leaves of a force to which the effect was really added.

@@ -1,4 +1,4 @@
-// The report's page, its record of the run, and the numbers behind its figures.
+// The words of a report, its record of the run, and the numbers behind its figures.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -9,16 +9,15 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 
-#include "diagnosis/hypotheses/workings.h"
-#include "diagnosis/report/page.h"
+#include "diagnosis/headline.h"
 #include "diagnosis/report/report_figures.h"
+#include "diagnosis/report/report_parts.h"
 #include "diagnosis/report/run_record.h"
-#include "diagnosis/results/headline.h"
+#include "diagnosis/words/candidates.h"
 #include "diagnosis/words/model_values.h"
 #include "diagnosis/words/sentence.h"
 #include "diagnosis/words/text.h"
@@ -28,75 +27,9 @@
 namespace rubber_suspension {
 namespace {
 
-using diagnosis::results::headlineValuesOf;
+using diagnosis::headlineValuesOf;
 using diagnosis::words::quantity;
 using testing::HasSubstr;
-using testing::Not;
-
-// Colours of the style sheet's variables, by block: light, dark, print.
-std::vector<std::map<std::string, std::array<double, 3>>> palettes(const std::string& style) {
-  std::vector<std::map<std::string, std::array<double, 3>>> result;
-  const std::regex block(R"(:root\s*\{([^}]*)\})");
-  const std::regex variable(R"(--(\w+):\s*#([0-9a-f]{6}))");
-  for (std::sregex_iterator b(style.begin(), style.end(), block); b != std::sregex_iterator(); ++b) {
-    const std::string body = (*b)[1];
-    std::map<std::string, std::array<double, 3>> palette;
-    for (std::sregex_iterator v(body.begin(), body.end(), variable); v != std::sregex_iterator(); ++v) {
-      const unsigned long rgb = std::stoul((*v)[2], nullptr, 16);
-      palette[(*v)[1]] = {static_cast<double>(rgb >> 16U) / 255.0, static_cast<double>((rgb >> 8U) & 255U) / 255.0,
-                          static_cast<double>(rgb & 255U) / 255.0};
-    }
-    result.push_back(palette);
-  }
-  return result;
-}
-
-// WCAG 2.1, relative luminance and contrast ratio.
-double luminance(const std::array<double, 3>& rgb) {
-  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-  return 0.2126 * linear(rgb[0]) + 0.7152 * linear(rgb[1]) + 0.0722 * linear(rgb[2]);
-}
-
-double contrast(const std::array<double, 3>& one, const std::array<double, 3>& other) {
-  const double a = luminance(one);
-  const double b = luminance(other);
-  return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
-}
-
-TEST(ReportPage, HasTheContrastOfLevelAA) {
-  const auto schemes = palettes(diagnosis::report::kPageStyle);
-  ASSERT_EQ(schemes.size(), 3U) << "light, dark, print";
-  for (const auto& scheme : schemes) {
-    for (const char* text : {"ink", "note", "link", "added", "removed"}) {
-      for (const char* background : {"paper", "soft"}) {
-        EXPECT_GE(contrast(scheme.at(text), scheme.at(background)), 4.5) << text << " on " << background;
-      }
-    }
-    EXPECT_GE(contrast(scheme.at("mark"), scheme.at("paper")), 3.0) << "bars and the line beside the verdict";
-  }
-}
-
-// No measure of the style sheet is wider than a page of 400 px; what depends on the screen's width is.
-TEST(ReportPage, AsksForNoWidthBeyond400Pixels) {
-  const std::string style = diagnosis::report::kPageStyle;
-  const std::regex width(R"((^|[^-])\b(min-width|width|minmax\(min\(100%,):?\s*([\d.]+)(rem|px)\b)");
-  int found = 0;
-  for (std::sregex_iterator m(style.begin(), style.end(), width); m != std::sregex_iterator(); ++m) {
-    if ((*m)[2] == "width" || (*m)[2] == "min-width") {
-      EXPECT_LE(std::stod((*m)[3]) * ((*m)[4] == "rem" ? 16.0 : 1.0), 400.0 - 32.0) << (*m)[0];
-      ++found;
-    }
-  }
-  EXPECT_GT(found, 0);
-  EXPECT_THAT(style, HasSubstr("overflow-wrap: anywhere"));
-  EXPECT_THAT(style, HasSubstr("minmax(min(100%,"));
-}
-
-TEST(ReportTable, TellsTheTitleOfEachField) {
-  EXPECT_THAT(diagnosis::words::table({"log", "#gap"}, {{"sine", "7.9 %"}}),
-              HasSubstr("<td data-title=\"log\">sine</td><td class=n data-title=\"gap\">7.9 %</td>"));
-  EXPECT_THROW(diagnosis::words::table({"log", "#gap"}, {{"sine"}}), std::logic_error);
-}
 
 TEST(ReportText, HasUnitsThatEngineersRead) {
   EXPECT_EQ(quantity(6000.0, "N"), "6 kN");
@@ -107,10 +40,6 @@ TEST(ReportText, HasUnitsThatEngineersRead) {
   EXPECT_EQ(quantity(0.0, "m"), "0 µm");
   EXPECT_EQ(quantity(1.5, "1"), "1.5");
   EXPECT_EQ(quantity({"friction", "maximum_force", "N", 0.0, 6000.0, {950.0, 6400.0}}), "6 kN (0.95 to 6.4 kN)");
-}
-
-TEST(ReportText, NeverLeavesHtmlOfAName) {
-  EXPECT_EQ(diagnosis::words::escape("<b a=\"1\">&"), "&lt;b a=&quot;1&quot;&gt;&amp;");
 }
 
 std::string outputOf(const std::string& command) {
@@ -171,7 +100,7 @@ TEST(FigureData, HoldsTheCellsOfAMap) {
             "\"share [%]\",\"\",2,4,0.1,1,7\n");
 }
 
-double named(const std::vector<diagnosis::results::HeadlineValue>& values, const std::string& name) {
+double named(const std::vector<diagnosis::HeadlineValue>& values, const std::string& name) {
   const auto found = std::find_if(values.begin(), values.end(), [&](const auto& value) { return value.name == name; });
   return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
 }
@@ -263,14 +192,14 @@ TEST(Candidates, AreOutForAReason) {
   creep.gap = 0.11;
   creep.interval = {0.05, 0.1};
   creep.testable = true;
-  EXPECT_EQ(diagnosis::report::whyOut(d, creep), "leaves 11.0 %, where what is named leaves 2.0 %");
+  EXPECT_EQ(diagnosis::words::whyOut(d, creep), "leaves 11.0 %, where what is named leaves 2.0 %");
   creep.interval = {-0.1, 0.1};
-  EXPECT_THAT(diagnosis::report::whyOut(d, creep), HasSubstr("may remove nothing"));
+  EXPECT_THAT(diagnosis::words::whyOut(d, creep), HasSubstr("may remove nothing"));
   creep.testable = false;
   creep.visible_share = 0.03;
-  EXPECT_THAT(diagnosis::report::whyOut(d, creep), HasSubstr("leave 3 %"));
+  EXPECT_THAT(diagnosis::words::whyOut(d, creep), HasSubstr("leave 3 %"));
   creep.effect = "friction";
-  EXPECT_EQ(diagnosis::report::whyOut(d, creep), "");
+  EXPECT_EQ(diagnosis::words::whyOut(d, creep), "");
 }
 
 TEST(Findings, AllHaveAMeaningAndARemedy) {
@@ -285,8 +214,8 @@ TEST(Findings, AllHaveAMeaningAndARemedy) {
   EXPECT_GE(count, 15);
 }
 
-// Whoever sees the first screen alone can say where, which, how far, how sure, and what next.
-TEST(FirstScreen, AnswersTheFiveQuestions) {
+// What a page shows, as the terminal would print it: test/report/render_test.py finds it there.
+TEST(InWords, HasWhatTheFirstScreenShows) {
   diagnosis::Diagnosis d;
   d.component = "bush <1>";
   d.answer.verdict = diagnosis::Verdict::named;
@@ -312,33 +241,29 @@ TEST(FirstScreen, AnswersTheFiveQuestions) {
   d.next.proposed.description = "sine";
   d.next.proposed.dt = 0.01;
   d.next.proposed.displacement.assign(201, 0.0);
-  d.workings = std::make_shared<diagnosis::Workings>();
-  const std::string html = diagnosis::report::firstScreen(d);
-  for (const char* answer : {"bush &lt;1&gt;",
-                             "<h1>The model lacks friction: gap 12.0 % to 2.0 %.</h1>",
-                             "The model lacks friction.",
-                             "maximum force</td>",
-                             "6 kN</td>",
-                             "5.7 to 6.4 kN</td>",
-                             "gap in compression:</td>",
-                             "2.4 mm</td>",
-                             "falls by 0.6 %/K</td>",
-                             "friction 72 %",
-                             "other values 14 %",
-                             "left 14 %",
-                             "94 % is removed",
-                             "whisker: 92 to 100 %",
-                             "97 %",
-                             "all else",
-                             "class=\"s5 largest\">11</td>",
-                             ">2.0</td>",
-                             "at 2 to 4 Hz and 0.2 to 0.5 mm, most of it stiffness in sines",
-                             "sine at 4 Hz",
-                             "next_experiment.csv",
-                             "(2 s at 100 Hz"}) {
-    EXPECT_THAT(html, HasSubstr(answer));
+  const auto report = nlohmann::json::parse(toJson(d));
+  const auto& words = report.at("in_words");
+  EXPECT_EQ(words.at("headline"), "The model lacks friction: gap 12.0 % to 2.0 %.");
+  EXPECT_EQ(words.at("verdict"), "the model lacks what is named here");
+  EXPECT_EQ(words.at("probability"), "97 %");
+  EXPECT_EQ(words.at("gap").dump(),
+            R"({"as_configured":"14.0 %","augmented":"2.0 %","noise_floor":"1.5 %","re_estimated":"12.0 %"})");
+  EXPECT_EQ(words.at("closed").dump(), R"(["94","92","100"])");
+  EXPECT_EQ(words.at("shares").dump(), R"([{"by":"values","share":"14 %"},{"by":"friction","share":"72 %"}])");
+  const std::vector<std::array<std::string, 3>> law = {{"maximum force", "6 kN", "5.7 to 6.4 kN"},
+                                                       {"half of it at", "0.35 mm", "0.3 to 0.4 mm"},
+                                                       {"gap in compression:", "2.4 mm", "2.2 to 2.6 mm"},
+                                                       {"change of stiffness", "falls by 0.6 %/K", "-0.7 to -0.5 %/K"}};
+  ASSERT_EQ(words.at("law").size(), law.size());
+  for (std::size_t i = 0; i < law.size(); ++i) {
+    EXPECT_EQ(words.at("law").at(i).at("number"), law[i][0]);
+    EXPECT_EQ(words.at("law").at(i).at("value"), law[i][1]);
+    EXPECT_EQ(words.at("law").at(i).at("interval_95"), law[i][2]);
   }
-  EXPECT_THAT(html, Not(HasSubstr("nan")));
+  EXPECT_EQ(report.at("where_after").size(), 1U);
+  EXPECT_NEAR(report.at("where").at(0).at("squared_gap").get<double>(), 0.0121, 1e-12);
+  EXPECT_THAT(report.at("experiment").at("how_to_play").get<std::string>(), HasSubstr("(2 s at 100 Hz"));
+  EXPECT_THAT(report.at("experiment").at("command").get<std::string>(), HasSubstr("component:=bush <1>"));
 }
 
 TEST(Headline, HasAtMost25Words) {

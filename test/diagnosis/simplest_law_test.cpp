@@ -6,11 +6,11 @@
 
 #include <cmath>
 
+#include "diagnosis/headline.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/judge/numbers.h"
 #include "diagnosis/report/augmented_yaml.h"
-#include "diagnosis/results/headline.h"
 #include "diagnosis/results/written_law.h"
 #include "fit/fitter.h"
 #include "gap/simulate.h"
@@ -20,7 +20,7 @@
 namespace rubber_suspension {
 namespace {
 
-using diagnosis::results::headlineOf;
+using diagnosis::headlineOf;
 using testing::HasSubstr;
 
 std::size_t numbersIn(const diagnosis::results::Entries& entries) {

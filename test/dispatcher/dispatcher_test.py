@@ -46,7 +46,7 @@ class Dispatcher(unittest.TestCase):
     def test_lists_every_command(self):
         answer = run("--help")
         self.assertEqual(answer.returncode, 0, answer.stderr)
-        for command in [*COMMANDS, "generate_track", "live_plot"]:
+        for command in [*COMMANDS, "generate_track", "live_plot", "render_report"]:
             self.assertIn(command, answer.stdout)
         self.assertEqual(run("--version").stdout, f"rubber-suspension {VERSION}\n")
 

@@ -47,22 +47,14 @@ TEST(DrawFigure, SvgFollowsLightAndDark) {
   EXPECT_THAT(svg, Not(HasSubstr("#010203")));
   EXPECT_THAT(svg, Not(HasSubstr("#000000")));
   EXPECT_THAT(svg, Not(HasSubstr("#ffffff")));
+  io::drawFigure(exampleFigure(), file.path());
+  EXPECT_EQ(contentOf(file.path()), svg);  // reports can be compared
 }
 
 TEST(DrawFigure, Png) {
   const TemporaryFile file("figure.png", "");
   io::drawFigure(exampleFigure(), file.path());
   EXPECT_THAT(contentOf(file.path()), StartsWith("\x89PNG"));
-}
-
-TEST(DrawSvg, SeveralFiguresForAPage) {
-  const std::vector<std::string> texts = io::drawSvg({exampleFigure(), io::Figure{}});
-  ASSERT_EQ(texts.size(), 2u);
-  EXPECT_THAT(texts[0], StartsWith("<svg"));
-  EXPECT_THAT(texts[0], Not(HasSubstr("<style>svg{")));  // the page's own colour
-  EXPECT_THAT(texts[1], StartsWith("<svg"));
-  EXPECT_TRUE(io::drawSvg({}).empty());
-  EXPECT_EQ(io::drawSvg({exampleFigure()}), io::drawSvg({exampleFigure()}));  // reports can be compared
 }
 
 // Names in place of numbers, each of them in the picture; values lie below the middle of their row by the offset.
@@ -78,7 +70,9 @@ TEST(DrawFigure, RowsOfNames) {
   EXPECT_EQ(lines.x[3], 1.5);
   EXPECT_EQ(lines.x[4], 3.0);
   EXPECT_TRUE(std::isnan(lines.x[2]));  // no line from row to row
-  const std::string svg = io::drawSvg({{"", {axes}, 1}}).at(0);
+  const TemporaryFile file("rows.svg", "");
+  io::drawFigure({"", {axes}, 1}, file.path());
+  const std::string svg = contentOf(file.path());
   EXPECT_THAT(svg, HasSubstr("first work"));
   EXPECT_THAT(svg, HasSubstr("second work"));
 }
@@ -105,7 +99,9 @@ TEST(DrawFigure, MuchDataPassesThrough) {
                    }(),
                    "unused.svg"),
                io::FigureError);
-  EXPECT_GT(io::drawSvg({figure}).at(0).size(), 100000u);
+  const TemporaryFile file("much.svg", "");
+  io::drawFigure(figure, file.path());
+  EXPECT_GT(contentOf(file.path()).size(), 100000u);
 }
 
 TEST(DrawFigure, TellsWhatIsWrong) {
@@ -113,19 +109,21 @@ TEST(DrawFigure, TellsWhatIsWrong) {
   EXPECT_THROW(io::drawFigure(exampleFigure(), file.path()), io::FigureError);
   EXPECT_THAT(messageOf<io::FigureError>([&] { io::drawFigure(exampleFigure(), "/nonexistent/figure.svg"); }),
               HasSubstr("/nonexistent/figure.svg: cannot be written: No such file or directory"));
+  const TemporaryFile svg("figure.svg", "");
   io::Figure bad = exampleFigure();
   bad.axes[1].maps[0].values.pop_back();
-  EXPECT_THROW(io::drawSvg({bad}), io::FigureError);
+  EXPECT_THROW(io::drawFigure(bad, svg.path()), io::FigureError);
   bad = exampleFigure();
   bad.axes[0].curves[0].style = "no such style";
-  EXPECT_THROW(io::drawSvg({bad}), io::FigureError);
+  EXPECT_THROW(io::drawFigure(bad, svg.path()), io::FigureError);
 }
 
 // An empty module of that name stands before the real one: what a machine without Matplotlib looks like.
 TEST(DrawFigure, NamesAMissingMatplotlib) {
   const TemporaryFile module("matplotlib.py", "raise ImportError('none here')\n");
   setenv("PYTHONPATH", module.folder().c_str(), 1);
-  const std::string message = messageOf<io::FigureError>([&] { io::drawSvg({exampleFigure()}); });
+  const TemporaryFile file("figure.svg", "");
+  const std::string message = messageOf<io::FigureError>([&] { io::drawFigure(exampleFigure(), file.path()); });
   EXPECT_THAT(message, HasSubstr("figures need Matplotlib (none here); install python3-matplotlib"));
   unsetenv("PYTHONPATH");
 }

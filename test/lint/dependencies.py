@@ -38,6 +38,7 @@ KEYS = {
     "pluginlib": ({"pluginlib"}, {"pluginlib-dev"}),
     "pybind11-dev": ({"pybind11"}, {"pybind11-dev"}),
     "python3-dev": ({"Python3"}, {"python3-dev"}),
+    "python3-jinja2": ({"jinja2", "markupsafe"}, {"python3-jinja2"}),
     "python3-matplotlib": ({"matplotlib"}, {"python3-matplotlib"}),
     "python3-numpy": ({"numpy"}, {"python3-numpy"}),
     "python3-pil": ({"PIL"}, {"python3-pil"}),

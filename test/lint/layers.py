@@ -50,9 +50,9 @@ WITHIN_DIAGNOSIS = {
     "hypotheses": {"judge"},
     "results": {"prepare", "judge", "hypotheses"},
     "experiment": {"prepare", "judge", "hypotheses"},
-    "words": {"results", "experiment"},
+    "words": {"experiment"},
     "table": {"words", "prepare", "judge", "hypotheses", "experiment", "results"},
-    "report": {"words", "prepare", "judge", "hypotheses", "results"},
+    "report": {"words", "prepare", "judge", "hypotheses"},
 }
 KNOW_ROS = {"bag", "ros_interface", "apps"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -377,17 +377,18 @@ std::string toJson(const Diagnosis& diagnosis);
 /// asked for.
 std::string evidenceJson(const Diagnosis& diagnosis);
 
-/// The report as a page that needs no network.
-std::string toHtml(const Diagnosis& diagnosis);
-
 /// Names of the files that a report may consist of, the page last.
 std::vector<std::string> reportFiles();
 
 /// Write the report into a folder, which is made: report.json, augmented.yaml, augmented_full.yaml where it was asked
-/// for, next_experiment.csv, surrogate.yaml and
-/// missing_force.csv where there is a surrogate, evidence.json where it was asked for, the numbers of its figures, and
-/// report.html last. Nothing takes its name before all are written; what an earlier report left there and this one
-/// lacks is removed. Throws std::runtime_error.
-void writeReport(const Diagnosis& diagnosis, const std::string& folder);
+/// for, next_experiment.csv, surrogate.yaml and missing_force.csv where there is a surrogate, evidence.json where it
+/// was asked for, and the numbers of its figures. None takes its name before all are written. Before that the page of
+/// an earlier report is removed, with whatever else that report left there and this one lacks. Throws
+/// std::runtime_error.
+void writeReportData(const Diagnosis& diagnosis, const std::string& folder);
+
+/// The same, and then report.html, a page that needs no network, drawn by scripts/render_report. Returns the reason in
+/// one line where that draws no page; empty where it does. Throws std::runtime_error.
+std::string writeReport(const Diagnosis& diagnosis, const std::string& folder);
 
 }  // namespace rubber_suspension::diagnosis

@@ -42,14 +42,14 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
 /// A table of a line per effect.
 std::string toText(const CouldShow& could_show);
 
-/// The plan as JSON text, schema rubber_suspension/experiment_plan/1, and as a page that needs no network.
+/// The plan as JSON text, schema rubber_suspension/experiment_plan/1.
 std::string toJson(const Plan& plan);
-std::string toHtml(const Plan& plan);
 
 /// Names of the files of a plan.
 std::vector<std::string> planFiles();
 
-/// Write plan.json and plan.html into a folder, which is made. Throws std::runtime_error.
-void writePlan(const Plan& plan, const std::string& folder);
+/// Write plan.json and then plan.html, a page that needs no network, into a folder, which is made. Returns the reason
+/// in one line where no page is drawn; empty where one is. Throws std::runtime_error.
+std::string writePlan(const Plan& plan, const std::string& folder);
 
 }  // namespace rubber_suspension::diagnosis

@@ -55,13 +55,13 @@ std::string crossMapText(const SixDirectionsDiagnosis& diagnosis);
 
 /// Schema rubber_suspension/gap_report/six_directions/1.
 std::string toJson(const SixDirectionsDiagnosis& diagnosis);
-std::string toHtml(const SixDirectionsDiagnosis& diagnosis);
 
 /// Names of the files beside the folders of the directions.
 std::vector<std::string> sixDirectionsFiles();
 
 /// Write report.json, augmented.yaml and report.html into a folder, and the report of each direction into a folder of
-/// its name in it. Throws std::runtime_error.
-void writeReports(const SixDirectionsDiagnosis& diagnosis, const std::string& folder);
+/// its name in it. Returns the reason in one line where no page is drawn; empty where all are. Throws
+/// std::runtime_error.
+std::string writeReports(const SixDirectionsDiagnosis& diagnosis, const std::string& folder);
 
 }  // namespace rubber_suspension::diagnosis

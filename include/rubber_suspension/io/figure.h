@@ -67,7 +67,4 @@ bool isFigurePath(const std::string& path);
 /// Draw to FILE.svg or FILE.png, by the extension. Throws FigureError.
 void drawFigure(const Figure& figure, const std::string& path);
 
-/// Draw several figures in one process, as SVG texts to be put into HTML. Throws FigureError.
-std::vector<std::string> drawSvg(const std::vector<Figure>& figures);
-
 }  // namespace rubber_suspension::io

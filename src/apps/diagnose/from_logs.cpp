@@ -206,13 +206,12 @@ int runDirections(const DiagnoseOptions& options) {
     diagnosis.write_full_law = options.law == "full";
   }
   showStage("writing the reports", 0.95);
-  diagnosis::writeReports(result, options.output);
+  const std::string page = writtenReport(options.output, "report", diagnosis::writeReports(result, options.output));
   clearStage();
   for (const auto& [direction, diagnosis] : result.directions) {
     fmt::print("{}: {}\n{}", toString(direction), log::oneLine(diagnosis.sentence), excerptsTaken(diagnosis));
   }
-  fmt::print("{}\n{}report: {}/report.html\n", diagnosis::crossMapSentence(result), diagnosis::crossMapText(result),
-             options.output);
+  fmt::print("{}\n{}report: {}\n", diagnosis::crossMapSentence(result), diagnosis::crossMapText(result), page);
   const bool sound = std::all_of(result.directions.begin(), result.directions.end(),
                                  [](const auto& direction) { return direction.diagnosis.defect.empty(); });
   return sound ? kSuccess : kDefect;

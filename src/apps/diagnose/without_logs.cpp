@@ -69,9 +69,9 @@ int runPlan(const DiagnoseOptions& options) {
   std::optional<io::Activity> planning("finding what the programmes would show");
   diagnosis::Plan plan = diagnosis::plan(component, programmes, settings);
   plan.run = runRecord(options);
-  diagnosis::writePlan(plan, options.output);
+  const std::string problem = diagnosis::writePlan(plan, options.output);
   planning.reset();
-  fmt::print("{}plan: {}/plan.html\n", diagnosis::toText(plan.could_show), options.output);
+  fmt::print("{}plan: {}\n", diagnosis::toText(plan.could_show), writtenReport(options.output, "plan", problem));
   return kSuccess;
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "diagnosis/results/written_law.h"
+#include "diagnosis/number_style.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
 #include "log/text.h"
@@ -54,7 +54,7 @@ std::string intervalInFile(const SizedValue& size) {
 }  // namespace
 
 io::YamlStyle augmentedStyle(const Diagnosis& d) {
-  io::YamlStyle style = results::styleOf(d.law.numbers);
+  io::YamlStyle style = styleOf(d.law.numbers);
   style.note = [&](const std::string& place) {
     const auto size =
         std::find_if(d.law.numbers.begin(), d.law.numbers.end(), [&](const auto& one) { return one.name == place; });

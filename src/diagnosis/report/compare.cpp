@@ -21,7 +21,6 @@ namespace rubber_suspension::diagnosis::report {
 namespace {
 
 using nlohmann::json;
-using words::escape;
 
 constexpr const char* kReportSchema = "rubber_suspension/gap_report/1";
 constexpr std::size_t kLargestReport = 16UL * 1024 * 1024;  // bytes; one about six logs has some 0.1 MB
@@ -33,16 +32,68 @@ struct Measured {
   std::string unit;
 };
 
-double numberOf(const json& value) { return value.is_number() ? value.get<double>() : std::nan(""); }
+double numberOf(const json& value) { return value.is_number() ? value.get<double>() : kNotComputed; }
 
-Measured measuredOf(const json& entry) {
-  return {numberOf(entry.at("value")),
-          {numberOf(entry.at("interval_95").at(0)), numberOf(entry.at("interval_95").at(1))},
-          entry.at("unit").get<std::string>()};
+std::array<double, 2> pairOf(const json& pair) { return {numberOf(pair.at(0)), numberOf(pair.at(1))}; }
+
+// Of an earlier report, what is compared.
+std::vector<SizedValue> readSizes(const json& report, const char* list) {
+  return element::each(report.value(list, json::array()), [](const json& entry) -> SizedValue {
+    return {entry.at("owner"),
+            entry.at("name"),
+            entry.at("unit"),
+            kNotComputed,
+            numberOf(entry.at("value")),
+            pairOf(entry.at("interval_95"))};
+  });
+}
+
+measurement::RigFinding readFinding(const json& entry) {
+  measurement::RigFinding finding;
+  finding.log = entry.at("log");
+  finding.finding = entry.at("finding");
+  finding.value = numberOf(entry.at("value"));
+  finding.interval_95 = pairOf(entry.at("interval_95"));
+  finding.unit = entry.at("unit");
+  return finding;
+}
+
+gap::Quantity quantityOf(const std::string& word) {
+  using gap::Quantity;
+  for (const Quantity quantity :
+       {Quantity::stiffness, Quantity::loss, Quantity::harmonics, Quantity::mean, Quantity::drift}) {
+    if (toString(quantity) == word) {
+      return quantity;
+    }
+  }
+  throw std::invalid_argument("no quantity: " + word);
+}
+
+gap::GapCell readCell(const json& cell) {
+  return {"", pairOf(cell.at("frequency_hz")), pairOf(cell.at("amplitude_m")), quantityOf(cell.at("quantity")),
+          numberOf(cell.at("share"))};
+}
+
+Diagnosis readReport(const json& report) {
+  Diagnosis d;
+  const json& gap = report.at("gap");
+  d.component = report.at("component");
+  d.answer.verdict = verdictOf(report.at("verdict"));
+  d.answer.effects = report.at("effects").get<std::vector<std::string>>();
+  d.gaps.unseen = {numberOf(gap.at("as_configured")), numberOf(gap.at("re_estimated")), numberOf(gap.at("augmented")),
+                   numberOf(gap.at("noise_floor"))};
+  d.law.model_sizes = readSizes(report, "model_sizes");
+  d.law.effect_sizes = readSizes(report, "effect_sizes");
+  d.rig_findings = element::each(report.value("rig_findings", json::array()), readFinding);
+  d.where.before = element::each(report.at("where"), readCell);
+  if (report.contains("meta") && report.at("meta").is_object()) {
+    d.run.date = report.at("meta").value("date", "");
+  }
+  return d;
 }
 
 std::string measuredText(const Measured& measured) {
-  const SizedValue size{"", "", measured.unit, std::nan(""), measured.value, measured.interval};
+  const SizedValue size{"", "", measured.unit, kNotComputed, measured.value, measured.interval};
   return measured.interval[0] < measured.interval[1] ? words::quantity(size)
                                                      : words::quantity(measured.value, measured.unit);
 }
@@ -53,50 +104,40 @@ bool differ(const Measured& before, const Measured& after) {
 
 using Values = std::map<std::string, Measured>;
 
-// A list of a report; empty where it has none.
-json listIn(const json& report, const char* name) { return report.value(name, json::array()); }
-
-Values sizesIn(const json& report) {
+Values sizesOf(const Diagnosis& d) {
   Values values;
-  for (const char* list : {"model_sizes", "effect_sizes"}) {
-    for (const json& entry : listIn(report, list)) {
-      const std::string owner = entry.at("owner").get<std::string>();
-      const std::string name = entry.at("name").get<std::string>();
-      values[owner == "specification" ? words::symbolOf(name) : words::spoken(owner + " " + name)] = measuredOf(entry);
+  for (const auto* sizes : {&d.law.model_sizes, &d.law.effect_sizes}) {
+    for (const SizedValue& size : *sizes) {
+      values[size.owner == "specification" ? words::symbolOf(size.name) : words::spoken(size.owner + " " + size.name)] =
+          {size.value, size.interval_95, size.unit};
     }
   }
   return values;
 }
 
-Values findingsIn(const json& report) {
+Values findingsOf(const Diagnosis& d) {
   Values values;
-  for (const json& entry : listIn(report, "rig_findings")) {
-    values[words::spoken(entry.at("finding").get<std::string>()) + " of " + entry.at("log").get<std::string>()] =
-        measuredOf(entry);
+  for (const measurement::RigFinding& finding : d.rig_findings) {
+    values[words::spoken(finding.finding) + " of " + finding.log] = {finding.value, finding.interval_95, finding.unit};
   }
   return values;
 }
 
-std::string effectsIn(const json& report) {
-  const auto effects = report.at("effects").get<std::vector<std::string>>();
-  return effects.empty() ? "none" : words::enumerated(effects);
+std::string effectsOf(const Diagnosis& d) {
+  return d.answer.effects.empty() ? "none" : words::enumerated(d.answer.effects);
 }
 
 // A place of the gap, over all logs: these have other names on another day.
 using Place = std::tuple<double, double, double, double, std::string>;
 
 // The part of the gap as configured in each place, of the force's standard deviation.
-std::map<Place, double> placesIn(const json& report) {
+std::map<Place, double> placesOf(const Diagnosis& d) {
   std::map<Place, double> squares;
-  const double gap = numberOf(report.at("gap").at("as_configured"));
-  for (const json& cell : report.at("where")) {
-    const json& f = cell.at("frequency_hz");
-    const json& a = cell.at("amplitude_m");
-    const std::string kind = cell.at("quantity").get<std::string>();
+  for (const gap::GapCell& cell : d.where.before) {
     // The band of mean and drift ends at half of the sampling rate, which is another one for another recorder.
-    const bool whole = numberOf(f.at(0)) <= 0.0;
-    squares[{whole ? 0.0 : numberOf(f.at(0)), whole ? 0.0 : numberOf(f.at(1)), numberOf(a.at(0)), numberOf(a.at(1)),
-             kind}] += numberOf(cell.at("share")) * gap * gap;
+    const std::array<double, 2> band = cell.frequency[0] <= 0.0 ? std::array<double, 2>{} : cell.frequency;
+    squares[{band[0], band[1], cell.amplitude[0], cell.amplitude[1], toString(cell.quantity)}] +=
+        cell.share * d.gaps.unseen.as_configured * d.gaps.unseen.as_configured;
   }
   for (auto& [place, square] : squares) {
     square = std::sqrt(std::max(0.0, square));
@@ -112,15 +153,18 @@ std::string placeText(const Place& place) {
 
 class Comparer {
  public:
-  Comparer(const json& before, const json& after) : before_(before), after_(after) {}
+  Comparer(const Diagnosis& before, const Diagnosis& after) : before_(before), after_(after) {}
 
   std::vector<ReportChange> run() {
-    compareWords("component", before_.at("component"), after_.at("component"));
-    compareWords("verdict", before_.at("verdict"), after_.at("verdict"));
-    compareWords("effects", effectsIn(before_), effectsIn(after_));
-    compareGaps();
-    compareValues(sizesIn(before_), sizesIn(after_), "not given");
-    compareValues(findingsIn(before_), findingsIn(after_), "not found");
+    compareWords("component", before_.component, after_.component);
+    compareWords("verdict", toString(before_.answer.verdict), toString(after_.answer.verdict));
+    compareWords("effects", effectsOf(before_), effectsOf(after_));
+    compareGap("gap as configured", &Gap::as_configured);
+    compareGap("gap re-estimated", &Gap::re_estimated);
+    compareGap("gap augmented", &Gap::augmented);
+    compareGap("noise floor", &Gap::noise_floor);
+    compareValues(sizesOf(before_), sizesOf(after_), "not given");
+    compareValues(findingsOf(before_), findingsOf(after_), "not found");
     comparePlaces();
     return std::move(changes_);
   }
@@ -130,22 +174,14 @@ class Comparer {
     changes_.push_back({what, before, after, before != after});
   }
 
-  double noise() const {
-    return numberOf(before_.at("gap").at("noise_floor")) + numberOf(after_.at("gap").at("noise_floor"));
-  }
+  double noise() const { return before_.gaps.unseen.noise_floor + after_.gaps.unseen.noise_floor; }
 
-  void compareGaps() {
-    static const std::vector<std::pair<std::string, std::string>> gaps = {{"as_configured", "gap as configured"},
-                                                                          {"re_estimated", "gap re-estimated"},
-                                                                          {"augmented", "gap augmented"},
-                                                                          {"noise_floor", "noise floor"}};
-    for (const auto& [name, title] : gaps) {
-      const double before = numberOf(before_.at("gap").at(name));
-      const double after = numberOf(after_.at("gap").at(name));
-      const bool differs = name != "noise_floor" &&
-                           (std::isfinite(before) != std::isfinite(after) || std::abs(after - before) > noise());
-      changes_.push_back({title, words::percent(before), words::percent(after), differs});
-    }
+  void compareGap(const std::string& title, double Gap::*gap) {
+    const double before = before_.gaps.unseen.*gap;
+    const double after = after_.gaps.unseen.*gap;
+    const bool differs = gap != &Gap::noise_floor &&
+                         (std::isfinite(before) != std::isfinite(after) || std::abs(after - before) > noise());
+    changes_.push_back({title, words::percent(before), words::percent(after), differs});
   }
 
   void compareValues(const Values& before, const Values& after, const std::string& absent) {
@@ -165,10 +201,10 @@ class Comparer {
   void comparePlaces() {
     constexpr std::size_t kMost = 8;
     std::map<Place, std::pair<double, double>> places;
-    for (const auto& [place, size] : placesIn(before_)) {
+    for (const auto& [place, size] : placesOf(before_)) {
       places[place].first = size;
     }
-    for (const auto& [place, size] : placesIn(after_)) {
+    for (const auto& [place, size] : placesOf(after_)) {
       places[place].second = size;
     }
     std::vector<std::pair<Place, std::pair<double, double>>> sorted(places.begin(), places.end());
@@ -181,8 +217,8 @@ class Comparer {
     }
   }
 
-  const json& before_;
-  const json& after_;
+  const Diagnosis& before_;
+  const Diagnosis& after_;
   std::vector<ReportChange> changes_;
 };
 
@@ -202,21 +238,14 @@ EarlierReport::EarlierReport(const std::string& path) : path_(path) {
     refuse(path, "schema is " + (report.contains("schema") ? report["schema"].dump() : "missing"));
   }
   try {
-    Comparer(report, report).run();  // all that a comparison reads is there
-  } catch (const json::exception& error) {
+    report_ = readReport(report);
+  } catch (const std::exception& error) {
     refuse(path, error.what());
   }
-  report_ = std::make_shared<const json>(report);
 }
 
 Comparison EarlierReport::compare(const Diagnosis& diagnosis) const {
-  Comparison comparison;
-  comparison.with = path_;
-  if (report_->contains("meta") && report_->at("meta").is_object()) {
-    comparison.date = report_->at("meta").value("date", "");
-  }
-  comparison.changes = Comparer(*report_, json::parse(toJson(diagnosis))).run();
-  return comparison;
+  return {path_, report_.run.date, Comparer(report_, diagnosis).run()};
 }
 
 std::string toText(const Comparison& comparison) {
@@ -232,25 +261,6 @@ std::string toText(const Comparison& comparison) {
                          }) +
          fmt::format("  {} of {} values are as they were, within noise and intervals\n",
                      comparison.changes.size() - differing.size(), comparison.changes.size());
-}
-
-std::string comparisonSection(const Comparison& comparison) {
-  if (comparison.with.empty()) {
-    return "";
-  }
-  std::vector<words::Row> differing;
-  std::vector<words::Row> same;
-  for (const ReportChange& change : comparison.changes) {
-    (change.differs ? differing : same).push_back({escape(change.what), escape(change.before), escape(change.after)});
-  }
-  const words::Row titles = {"", "before", "now"};
-  return "<h2>What changed</h2>\n<p>Since <code>" + escape(comparison.with) + "</code>" +
-         (comparison.date.empty() ? "" : ", " + escape(comparison.date)) +
-         ". Values differ here where their 95 % intervals have nothing in common, gaps where they changed by more than "
-         "both noise floors together.</p>\n" +
-         (differing.empty() ? "<p>Nothing differs beyond noise and intervals.</p>\n"
-                            : words::table(titles, differing)) +
-         (same.empty() ? "" : words::folded("As before, within noise and intervals", words::table(titles, same)));
 }
 
 }  // namespace rubber_suspension::diagnosis::report

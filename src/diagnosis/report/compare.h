@@ -1,8 +1,6 @@
 // Changes between two reports, of two test days, say.
 #pragma once
 
-#include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -22,13 +20,10 @@ class EarlierReport {
 
  private:
   std::string path_;
-  std::shared_ptr<const nlohmann::json> report_;
+  Diagnosis report_;  // of which only what is compared is known
 };
 
 /// The differences as lines for a terminal, after one that says with what was compared.
 std::string toText(const Comparison& comparison);
-
-/// All that was compared, as a table, HTML; empty without a comparison.
-std::string comparisonSection(const Comparison& comparison);
 
 }  // namespace rubber_suspension::diagnosis::report

@@ -15,9 +15,9 @@
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/judge/evidence_json.h"
 #include "diagnosis/report/augmented_yaml.h"
-#include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
 #include "io/output_files.h"
+#include "io/page.h"
 #include "log/new_file.h"
 #include "log/rpc_log.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -33,6 +33,7 @@ constexpr const char* kFullComponent = "augmented_full.yaml";
 constexpr const char* kSurrogate = "surrogate.yaml";
 constexpr const char* kMissingForce = "missing_force.csv";
 constexpr const char* kEvidence = "evidence.json";
+constexpr const char* kReport = "report.json";
 constexpr const char* kPage = "report.html";
 
 // Files that are written, not yet in place: the report is complete or the older one stays. A signal removes them.
@@ -46,8 +47,9 @@ class NewReport {
   }
 
   // Files of an earlier report that this one lacks would be taken for part of it. Of these, only what is of the
-  // package's own making goes: the caller has checked. The page comes last: it speaks of the others.
+  // package's own making goes: the caller has checked. The page, which speaks of the others, goes first.
   void commit() {
+    io::removePage((folder_ / kPage).string());
     for (const std::string& name : reportFiles()) {
       if (std::none_of(files_.begin(), files_.end(), [&](const auto& file) { return file.first == name; })) {
         std::error_code failure;
@@ -147,18 +149,23 @@ std::string evidenceJson(const Diagnosis& diagnosis) {
 }
 
 std::vector<std::string> reportFiles() {
-  std::vector<std::string> names = {"report.json", kComponent, kFullComponent, kExperiment,
-                                    kDrive,        kSurrogate, kMissingForce,  kEvidence};
+  std::vector<std::string> names = {kReport, kComponent, kFullComponent, kExperiment,
+                                    kDrive,  kSurrogate, kMissingForce,  kEvidence};
   const std::vector<std::string> figures = report::figureDataFiles();
   names.insert(names.end(), figures.begin(), figures.end());
   names.emplace_back(kPage);
   return names;
 }
 
-void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
+std::string writeReport(const Diagnosis& diagnosis, const std::string& folder) {
+  writeReportData(diagnosis, folder);
+  return io::renderPage((std::filesystem::path(folder) / kReport).string());
+}
+
+void writeReportData(const Diagnosis& diagnosis, const std::string& folder) {
   io::makeFolder(folder);
   NewReport report(folder);
-  report.write("report.json", toJson(diagnosis));
+  report.write(kReport, toJson(diagnosis));
   if (hasComponentFile(diagnosis)) {
     report.write(kComponent, report::augmentedYaml(diagnosis));
   }
@@ -176,13 +183,11 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
     report.write(kExperiment, experimentCsv(diagnosis.next.proposed, diagnosis.turns));
     report.write(kDrive, driveFile(diagnosis.next.proposed, diagnosis.turns));
   }
-  const std::vector<report::ReportFigure> figures = report::reportFigures(diagnosis);
-  for (const report::ReportFigure& figure : figures) {
+  for (const report::ReportFigure& figure : report::reportFigures(diagnosis)) {
     if (!figure.figure.axes.empty()) {
       report.write(report::figureDataFile(figure.name), report::figureCsv(figure.figure));
     }
   }
-  report.write(kPage, report::reportPage(diagnosis, figures));
   report.commit();
 }
 

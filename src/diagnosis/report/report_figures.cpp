@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "diagnosis/hypotheses/workings.h"
@@ -18,6 +19,8 @@
 
 namespace rubber_suspension::diagnosis::report {
 namespace {
+
+using nlohmann::ordered_json;
 
 constexpr double kCyclesOfLoop = 3.0;       // of a loop: more run into one area
 constexpr Eigen::Index kMostPoints = 1500;  // of a curve
@@ -125,23 +128,17 @@ io::Figure benchFigure(const Diagnosis& diagnosis) {
   return figure;
 }
 
-// Frequencies that the logs excite [Hz].
-std::array<double, 2> excitedBand(const Workings& workings) {
-  std::array<double, 2> band = {std::numeric_limits<double>::infinity(), 0.0};
-  for (const log::Record& record : workings.simulated.records) {
-    band[0] = std::min(band[0], record.lowest_frequency);
-    band[1] = std::max(band[1], record.highest_frequency);
-  }
-  return band;
-}
-
-bool isExcited(const gap::GapCell& cell, const std::array<double, 2>& band) {
-  // Mean and drift belong to no frequency. Without a known band all counts.
-  return cell.frequency[0] > 0.0 && (!(band[1] > 0.0) || (cell.frequency[1] > band[0] && cell.frequency[0] < band[1]));
+// Cells of frequencies that the logs excite; mean and drift belong to none. Without a known band all count.
+std::vector<gap::GapCell> mappedCells(const Diagnosis& diagnosis) {
+  const std::array<double, 2> band = excitedBand(diagnosis);
+  return element::those(diagnosis.where.before, [&](const gap::GapCell& cell) {
+    const auto [low, high] = cell.frequency;
+    return low > 0.0 && (!(band[1] > 0.0) || (high > band[0] && low < band[1]));
+  });
 }
 
 io::Figure gapMapFigure(const Diagnosis& diagnosis) {
-  const auto cells = mappedCells(diagnosis, diagnosis.where.before);
+  const std::vector<gap::GapCell> cells = mappedCells(diagnosis);
   std::vector<double> frequencies;
   std::vector<double> amplitudes;
   for (const gap::GapCell& cell : cells) {
@@ -282,6 +279,31 @@ std::vector<ReportFigure> figuresOf(const Diagnosis& diagnosis) {
   return figures;
 }
 
+// A curve is interrupted where it has no value.
+ordered_json curveJson(const io::Curve& curve) {
+  std::vector<double> breaks;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (!std::isfinite(curve.y[i])) {
+      breaks.push_back(curve.x[i]);
+    }
+  }
+  return {{"label", curve.label},
+          {"style", curve.style},
+          {"colour", curve.colour},
+          {"width", curve.width},
+          {"breaks", breaks}};
+}
+
+ordered_json axesJson(const io::Axes& axes) {
+  return {{"title", axes.title},
+          {"x_label", axes.x_label},
+          {"y_label", axes.y_label},
+          {"log_x", axes.log_x},
+          {"log_y", axes.log_y},
+          {"curves", element::each(axes.curves, curveJson)},
+          {"maps", element::each(axes.maps, &io::HeatMap::label)}};
+}
+
 }  // namespace
 
 std::vector<double> sortedApart(std::vector<double> values) {
@@ -314,9 +336,16 @@ io::Figure shareMap(const std::vector<gap::GapCell>& cells, const std::vector<do
   return figure;
 }
 
-std::vector<gap::GapCell> mappedCells(const Diagnosis& diagnosis, const std::vector<gap::GapCell>& cells) {
-  const std::array<double, 2> band = excitedBand(*diagnosis.workings);
-  return element::those(cells, [&](const gap::GapCell& cell) { return isExcited(cell, band); });
+std::array<double, 2> excitedBand(const Diagnosis& diagnosis) {
+  if (!diagnosis.workings || diagnosis.workings->simulated.records.empty()) {
+    return {};
+  }
+  std::array<double, 2> band = {std::numeric_limits<double>::infinity(), 0.0};
+  for (const log::Record& record : diagnosis.workings->simulated.records) {
+    band[0] = std::min(band[0], record.lowest_frequency);
+    band[1] = std::max(band[1], record.highest_frequency);
+  }
+  return band;
 }
 
 std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
@@ -345,6 +374,14 @@ io::Figure overviewFigure(const Diagnosis& diagnosis) {
     }
   }
   return overview;
+}
+
+ordered_json figureJson(const ReportFigure& figure) {
+  return {{"name", figure.name},
+          {"file", figureDataFile(figure.name)},
+          {"title", figure.figure.title},
+          {"caption", figure.caption},
+          {"axes", element::each(figure.figure.axes, axesJson)}};
 }
 
 std::string figureDataFile(const std::string& name) { return "figure_" + name + ".csv"; }

@@ -1,6 +1,8 @@
 // The figures of the report.
 #pragma once
 
+#include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -38,8 +40,8 @@ std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis);
 io::Figure shareMap(const std::vector<gap::GapCell>& cells, const std::vector<double>& frequencies,
                     const std::vector<double>& amplitudes);
 
-/// Cells of frequencies that the logs excite: no mean, no drift.
-std::vector<gap::GapCell> mappedCells(const Diagnosis& diagnosis, const std::vector<gap::GapCell>& cells);
+/// Lowest and highest frequency that the logs excite [Hz]; both 0 where that is not known.
+std::array<double, 2> excitedBand(const Diagnosis& diagnosis);
 
 /// Values in their order, those once that are the same.
 std::vector<double> sortedApart(std::vector<double> values);
@@ -51,6 +53,9 @@ io::Figure overviewFigure(const Diagnosis& diagnosis);
 /// CSV of all curves of a figure, one point a row: curve, panel, and the two values under their axes' labels. Of a map:
 /// curve, panel, the edges of the cell and its value. What a figure leaves blank is left out.
 std::string figureCsv(const io::Figure& figure);
+
+/// What is drawn of a figure but its numbers, which its file has.
+nlohmann::ordered_json figureJson(const ReportFigure& figure);
 
 /// Name of the file with the numbers of a figure.
 std::string figureDataFile(const std::string& name);

@@ -1,10 +1,19 @@
 // The report for programs: report.json.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
 
 #include "diagnosis/hypotheses/workings.h"
-#include "diagnosis/report/page.h"
+#include "diagnosis/report/report_figures.h"
+#include "diagnosis/report/report_parts.h"
 #include "diagnosis/report/run_record.h"
+#include "diagnosis/words/candidates.h"
+#include "diagnosis/words/model_values.h"
+#include "diagnosis/words/sentence.h"
+#include "diagnosis/words/text.h"
 #include "element/each.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
@@ -22,9 +31,14 @@ ordered_json entryJson(const element::ElementDescription& element) {
   return entry;
 }
 
-ordered_json candidateJson(const CandidateResult& candidate) {
+// Percent of a probability, as the sentence has it.
+std::string chanceText(double probability) { return words::chance(probability) + " %"; }
+
+ordered_json candidateJson(const Diagnosis& d, const CandidateResult& candidate) {
   return {{"effect", candidate.effect},
+          {"documentation", candidate.documentation},
           {"probability", candidate.probability},
+          {"probability_text", chanceText(candidate.probability)},
           {"gap", candidate.gap},
           {"closed", candidate.closed},
           {"interval_95", candidate.interval},
@@ -32,6 +46,8 @@ ordered_json candidateJson(const CandidateResult& candidate) {
           {"visible_share", candidate.visible_share},
           {"on_rig", candidate.on_rig},
           {"parameters", candidate.parameters},
+          {"parameters_text", words::numbersText(d, candidate)},
+          {"why_out", words::whyOut(d, candidate)},
           {"add", each(candidate.add, entryJson)}};
 }
 
@@ -41,15 +57,13 @@ ordered_json cellJson(const gap::GapCell& cell) {
           {"amplitude_m", {cell.amplitude[0], cell.amplitude[1]}},
           {"quantity", gap::toString(cell.quantity)},
           {"share", cell.share},
+          {"squared_gap", cell.squared},
           {"noise_ratio", cell.noise_ratio}};
 }
 
 ordered_json ratingJson(const gap::Iso18571& rating) {
-  return {{"corridor", rating.corridor},
-          {"phase", rating.phase},
-          {"magnitude", rating.magnitude},
-          {"slope", rating.slope},
-          {"total", rating.total}};
+  return {{"corridor", rating.corridor}, {"phase", rating.phase}, {"magnitude", rating.magnitude},
+          {"slope", rating.slope},       {"total", rating.total}, {"grade", gap::iso18571Grade(rating.total)}};
 }
 
 ordered_json admissionJson(const Admission& log) {
@@ -74,13 +88,6 @@ ordered_json admissionJson(const Admission& log) {
 
 ordered_json takenOutJson(const TakenOut& part) {
   return {{"log", part.log}, {"kind", part.kind}, {"share_of_force", part.share}};
-}
-
-ordered_json findingJson(const measurement::RigFinding& finding) {
-  return {{"log", finding.log},     {"finding", finding.finding},
-          {"value", finding.value}, {"interval_95", finding.interval_95},
-          {"unit", finding.unit},   {"beyond_tolerance", finding.beyond_tolerance},
-          {"text", finding.text}};
 }
 
 ordered_json errorsJson(const CharacteristicErrors& errors) {
@@ -154,7 +161,10 @@ ordered_json deviationJson(const SheetDeviation& number) {
 }
 
 ordered_json alternativeJson(const Alternative& other) {
-  return {{"verdict", toString(other.verdict)}, {"effects", other.effects}, {"probability", other.probability}};
+  return {{"verdict", toString(other.verdict)},
+          {"effects", other.effects},
+          {"probability", other.probability},
+          {"probability_text", chanceText(other.probability)}};
 }
 
 ordered_json excludedJson(const ExcludedEffect& one) {
@@ -167,7 +177,8 @@ ordered_json sizeJson(const SizedValue& size) {
           {"at_bound", size.at_bound}};
 }
 
-ordered_json wholeJson(const WholeStiffness& whole) {
+ordered_json wholeJson(const Diagnosis& d) {
+  const WholeStiffness& whole = *d.whole;
   const auto at = [&](std::size_t i) {
     return ordered_json{{"stiffness", whole.stiffness[i]}, {"loss_angle_rad", whole.loss_angle[i]}};
   };
@@ -175,7 +186,8 @@ ordered_json wholeJson(const WholeStiffness& whole) {
           {"amplitude_m", whole.amplitude},
           {"amplitude_from", whole.nominal_amplitude ? "nominal_amplitude" : "median of the logs"},
           {"before", at(0)},
-          {"after", at(1)}};
+          {"after", at(1)},
+          {"sentence", words::wholeText(d)}};
 }
 
 ordered_json fileJson(const InputFile& file) {
@@ -186,21 +198,114 @@ ordered_json changeJson(const ReportChange& change) {
   return {{"what", change.what}, {"before", change.before}, {"after", change.after}, {"differs", change.differs}};
 }
 
-ordered_json experimentJson(const ProposedExperiment& experiment) {
-  return {{"motion", experiment.description},
-          {"duration_s", static_cast<double>(experiment.displacement.size() - 1) * experiment.dt},
-          {"sampling_rate_hz", 1.0 / experiment.dt},
-          {"decides", experiment.decides},
-          {"against", experiment.against},
-          {"expected_difference_N", experiment.difference},
-          {"open_before_bit", experiment.open_before},
-          {"open_after_bit", experiment.open_after},
-          {"confidence", experiment.probability}};
+// What a reader does with the proposed log, and the command that plays it through the node.
+ordered_json experimentJson(const Diagnosis& d) {
+  const ProposedExperiment& experiment = d.next.proposed;
+  const double duration = static_cast<double>(experiment.displacement.size() - 1) * experiment.dt;
+  return {
+      {"motion", experiment.description},
+      {"duration_s", duration},
+      {"sampling_rate_hz", 1.0 / experiment.dt},
+      {"decides", experiment.decides},
+      {"against", experiment.against},
+      {"expected_difference_N", experiment.difference},
+      {"open_before_bit", experiment.open_before},
+      {"open_after_bit", experiment.open_after},
+      {"confidence", experiment.probability},
+      {"how_to_play", fmt::format("play next_experiment.csv ({:.3g} s at {:.4g} Hz; from rest at 0 to rest at 0; as "
+                                  "a drive file of RPC III next_experiment.drv)",
+                                  duration, 1.0 / experiment.dt)},
+      {"command", fmt::format("roslaunch rubber_suspension bench.launch config:=$PWD/augmented.yaml "
+                              "component:={} log:=$PWD/next_experiment.csv output:=$PWD/next_run",
+                              d.component)}};
+}
+
+std::string meaningOf(Verdict verdict) {
+  static const std::map<Verdict, std::string> meanings = {
+      {Verdict::none, "no gap beyond the noise"},
+      {Verdict::parameter_error, "the model's own values are off; nothing is missing"},
+      {Verdict::named, "the model lacks what is named here"},
+      {Verdict::partly, "the model lacks what is named here, and something else"},
+      {Verdict::confounded, "several sets of effects cannot be told apart here"},
+      {Verdict::unknown, "no effect of the list explains the gap"},
+      {Verdict::check_bench, "a log cannot be what it says"},
+      {Verdict::defect, "none is told"}};
+  return meanings.at(verdict);
+}
+
+// The numbers of the law, then those of the model that differ.
+ordered_json lawInWords(const Diagnosis& d) {
+  ordered_json rows = each(d.law.effect_sizes, [&](const SizedValue& size) -> ordered_json {
+    return {{"number", (d.answer.effects.size() > 1 ? words::spoken(size.owner) + ", " : "") + words::sizeName(size)},
+            {"value", words::signedQuantity(d, size)},
+            {"interval_95", words::intervalText(size)}};
+  });
+  for (const SizedValue* size : words::changedValues(d)) {
+    rows.push_back({{"number", words::valueName(*size) + " of the model"},
+                    {"value", fmt::format("{}, not {}", words::quantity(size->value, size->unit),
+                                          words::quantity(size->configured, size->unit))},
+                    {"interval_95", words::intervalText(*size)}});
+  }
+  return rows;
+}
+
+// Values of the component file that change.
+ordered_json changedInWords(const Diagnosis& d) {
+  const auto changed =
+      element::those(d.law.model_sizes, [](const SizedValue& size) { return size.value != size.configured; });
+  return each(changed, [](const SizedValue& size) -> ordered_json {
+    return {{"value", words::valueName(size)},
+            {"before", words::quantity(size.configured, size.unit)},
+            {"after", words::quantity(size.value, size.unit)},
+            {"interval_95", words::intervalText(size)},
+            {"change", fmt::format("{:+.1f} %", 100.0 * (size.value / size.configured - 1.0))}};
+  });
+}
+
+ordered_json figuresJson(const Diagnosis& d) {
+  ordered_json figures = ordered_json::array();
+  for (const report::ReportFigure& figure : report::reportFigures(d)) {
+    if (!figure.figure.axes.empty()) {
+      figures.push_back(report::figureJson(figure));
+    }
+  }
+  return figures;
+}
+
+// Numbers and sentences for people, as the terminal prints them: what a page shows without forming any.
+ordered_json inWords(const Diagnosis& d) {
+  const Gap& gap = d.gaps.unseen;
+  const Posterior& posterior = d.answer.posterior;
+  const auto share = [](const GapShare& one) -> ordered_json {
+    return {{"by", one.by}, {"share", words::wholePercent(one.share) + " %"}};
+  };
+  return {{"headline", words::headline(d)},
+          {"verdict", meaningOf(d.answer.verdict)},
+          {"probability", chanceText(d.answer.probability)},
+          {"gap",
+           {{"as_configured", words::percent(gap.as_configured)},
+            {"re_estimated", words::percent(gap.re_estimated)},
+            {"augmented", words::percent(gap.augmented)},
+            {"noise_floor", words::percent(gap.noise_floor)}}},
+          {"closed",
+           {words::wholePercent(d.gaps.closed), words::wholePercent(std::min(1.0, d.gaps.closed_interval[0])),
+            words::wholePercent(std::min(1.0, d.gaps.closed_interval[1]))}},
+          {"shares", each(d.shares, share)},
+          {"posterior",
+           {{"none", chanceText(posterior.none)},
+            {"parameter_error", chanceText(posterior.parameter_error)},
+            {"none_of_these", chanceText(posterior.none_of_these)}}},
+          {"not_testable", words::notTestableText(d)},
+          {"law", lawInWords(d)},
+          {"changed", changedInWords(d)},
+          {"added", words::addedTexts(d)},
+          {"taken_out", words::describeTakenOut(d.logs.taken_out)}};
 }
 
 }  // namespace
 
 std::string toJson(const Diagnosis& diagnosis) {
+  const auto candidate_json = [&](const CandidateResult& candidate) { return candidateJson(diagnosis, candidate); };
   ordered_json report = {
       {"schema", "rubber_suspension/gap_report/1"},
       {"component", diagnosis.component},
@@ -220,13 +325,13 @@ std::string toJson(const Diagnosis& diagnosis) {
         {"re_estimated", diagnosis.gap_as_recorded.re_estimated},
         {"augmented", diagnosis.gap_as_recorded.augmented}}},
       {"share_of_configured_gap", sharesJson(diagnosis.shares)},
-      {"rig_findings", each(diagnosis.rig_findings, findingJson)},
+      {"rig_findings", report::findingsJson(diagnosis.rig_findings)},
       {"taken_out", each(diagnosis.logs.taken_out, takenOutJson)},
       {"closed", {{"fraction", diagnosis.gaps.closed}, {"interval_95", diagnosis.gaps.closed_interval}}},
       {"confounded", diagnosis.answer.confounded},
       {"alternatives", each(diagnosis.answer.alternatives, alternativeJson)},
       {"excluded", each(diagnosis.answer.excluded, excludedJson)},
-      {"candidates", each(diagnosis.candidates, candidateJson)},
+      {"candidates", each(diagnosis.candidates, candidate_json)},
       {"probability_none_of_these", diagnosis.answer.posterior.none_of_these},
       {"posterior",
        {{"none", diagnosis.answer.posterior.none},
@@ -234,11 +339,12 @@ std::string toJson(const Diagnosis& diagnosis) {
         {"effects", diagnosis.answer.posterior.effects},
         {"none_of_these", diagnosis.answer.posterior.none_of_these}}},
       {"where", each(diagnosis.where.before, cellJson)},
+      {"where_after", each(diagnosis.where.after, cellJson)},
       {"next_experiment", diagnosis.next.text},
       {"model_sizes", each(diagnosis.law.model_sizes, sizeJson)},
       {"effect_sizes", each(diagnosis.law.effect_sizes, sizeJson)},
       {"written", each(diagnosis.law.numbers, sizeJson)},
-      {"whole_component", diagnosis.whole ? wholeJson(*diagnosis.whole) : ordered_json(nullptr)},
+      {"whole_component", diagnosis.whole ? wholeJson(diagnosis) : ordered_json(nullptr)},
       {"augmented_full_add", each(diagnosis.law.full.add, entryJson)},
       {"errors",
        {{"re_estimated", errorsJson(diagnosis.where.re_estimated)},
@@ -249,7 +355,10 @@ std::string toJson(const Diagnosis& diagnosis) {
         {"sheet_deviations", each(diagnosis.parameters.sheet_deviations, deviationJson)},
         {"at_bounds", diagnosis.parameters.at_bounds}}},
       {"samples", {{"searched", diagnosis.samples.searched}, {"recorded", diagnosis.samples.recorded}}},
-      {"admission", each(diagnosis.logs.admission, admissionJson)}};
+      {"admission", each(diagnosis.logs.admission, admissionJson)},
+      {"in_words", inWords(diagnosis)},
+      {"excited_hz", report::excitedBand(diagnosis)},
+      {"figures", figuresJson(diagnosis)}};
   if (!diagnosis.defect.empty()) {
     report["defect"] = diagnosis.defect;
   }
@@ -258,7 +367,7 @@ std::string toJson(const Diagnosis& diagnosis) {
   }
   if (!diagnosis.next.proposed.displacement.empty()) {
     report["next_experiment_log"] = "next_experiment.csv";
-    report["experiment"] = experimentJson(diagnosis.next.proposed);
+    report["experiment"] = experimentJson(diagnosis);
   }
   if (!diagnosis.could_show.implanted.empty()) {
     report["could_show"] = report::toJson(diagnosis.could_show);

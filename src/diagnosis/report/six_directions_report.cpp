@@ -8,10 +8,11 @@
 #include <utility>
 
 #include "diagnosis/report/augmented_yaml.h"
-#include "diagnosis/report/page.h"
 #include "diagnosis/report/run_record.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
+#include "io/output_files.h"
+#include "io/page.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/six_directions.h"
 
@@ -20,7 +21,6 @@ namespace {
 
 using element::each;
 using nlohmann::ordered_json;
-using words::escape;
 using words::percent;
 
 constexpr double kSaid = 0.1;  // share of a squared residual from which a pair is named
@@ -40,12 +40,16 @@ std::vector<std::string> directionNames() {
   return names;
 }
 
+std::string shareText(const CrossShare& pair) {
+  return std::isnan(pair.share) ? "-" : words::wholePercent(pair.share) + " %";
+}
+
 // By each direction, its share in what is left of this one, or why there is none; nothing for a direction and itself.
 std::vector<std::string> shareTexts(const std::vector<CrossShare>& map, component::Direction of) {
   std::vector<std::string> texts(component::kDirections);
   for (const CrossShare& pair : map) {
     if (pair.of == of) {
-      texts[pair.by] = std::isnan(pair.share) ? "-" : words::wholePercent(pair.share) + " %";
+      texts[pair.by] = shareText(pair);
     }
   }
   return texts;
@@ -58,6 +62,11 @@ ordered_json directionJson(const DirectionDiagnosis& found) {
           {"verdict", toString(d.answer.verdict)},
           {"effects", d.answer.effects},
           {"sentence", d.sentence},
+          {"in_words",
+           {{"gap",
+             {{"as_configured", percent(d.gaps.unseen.as_configured)},
+              {"augmented", percent(d.gaps.unseen.augmented)},
+              {"noise_floor", percent(d.gaps.unseen.noise_floor)}}}}},
           {"gap",
            {{"as_configured", d.gaps.unseen.as_configured},
             {"re_estimated", d.gaps.unseen.re_estimated},
@@ -67,34 +76,9 @@ ordered_json directionJson(const DirectionDiagnosis& found) {
 
 // What is not a number is written as null.
 ordered_json shareJson(const CrossShare& pair) {
-  return {{"of", toString(pair.of)},
-          {"by", toString(pair.by)},
-          {"share", pair.share},
-          {"rms", pair.force},
-          {"unit", component::isRotation(pair.of) ? "N m" : "N"}};
-}
-
-std::string directionTable(const SixDirectionsDiagnosis& diagnosis) {
-  return words::table({"direction", "verdict", "#gap as configured", "#augmented", "#noise floor", "finding"},
-                      diagnosis.directions, [](const DirectionDiagnosis& found) -> words::Row {
-                        const Diagnosis& d = found.diagnosis;
-                        return {fmt::format("<a href=\"{0}/report.html\">{0}</a>", toString(found.direction)),
-                                toString(d.answer.verdict),
-                                percent(d.gaps.unseen.as_configured),
-                                percent(d.gaps.unseen.augmented),
-                                percent(d.gaps.unseen.noise_floor),
-                                escape(d.sentence)};
-                      });
-}
-
-std::string crossTable(const SixDirectionsDiagnosis& diagnosis) {
-  words::Row titles = each(directionNames(), [](const std::string& by) { return "#by " + by; });
-  titles.insert(titles.begin(), "left of");
-  return words::table(titles, diagnosis.directions, [&](const DirectionDiagnosis& found) {
-    words::Row row = shareTexts(diagnosis.cross_map, found.direction);
-    row.insert(row.begin(), toString(found.direction));
-    return row;
-  });
+  return {{"of", toString(pair.of)}, {"by", toString(pair.by)},
+          {"share", pair.share},     {"share_text", shareText(pair)},
+          {"rms", pair.force},       {"unit", component::isRotation(pair.of) ? "N m" : "N"}};
 }
 
 // The style of the direction that a place is in, and the place in that; nothing where it was not diagnosed.
@@ -165,32 +149,18 @@ std::string toJson(const SixDirectionsDiagnosis& diagnosis) {
   return report.dump(2) + "\n";
 }
 
-std::string toHtml(const SixDirectionsDiagnosis& diagnosis) {
-  const std::string title = "Gap report: " + diagnosis.component;
-  return report::page(
-      title, fmt::format("<p class=kicker>{}</p>\n<h1>Where {} differs from the logs, by direction</h1>\n",
-                         escape(title), escape(diagnosis.component)) +
-                 directionTable(diagnosis) + "<h2>Where directions couple</h2>\n<p>" +
-                 escape(crossMapSentence(diagnosis)) + "</p>\n" + crossTable(diagnosis) +
-                 fmt::format("<p class=note>{}. -: the other direction stands still, or moves as this one does.</p>\n",
-                             kSixDirectionsMeaning) +
-                 "<h2>Component file</h2>\n<p>Node and <code>replay</code> run "
-                 "<a href=\"augmented.yaml\">augmented.yaml</a> as it is; directions that were not diagnosed are as "
-                 "configured, but for a radial_stiffness that they share.</p>\n" +
-                 words::folded("augmented.yaml", "<pre>" + escape(componentText(diagnosis)) + "</pre>\n") +
-                 fmt::format("<p class=note>Made by:</p>\n<pre>{}</pre>\n", escape(diagnosis.run.command_line)));
-}
-
 std::vector<std::string> sixDirectionsFiles() { return {"report.json", "augmented.yaml", "report.html"}; }
 
-void writeReports(const SixDirectionsDiagnosis& diagnosis, const std::string& folder) {
+std::string writeReports(const SixDirectionsDiagnosis& diagnosis, const std::string& folder) {
   const std::filesystem::path path(folder);
+  io::makeFolder(folder);
+  io::removePage((path / "report.html").string());
   for (const auto& [direction, d] : diagnosis.directions) {
-    writeReport(d, (path / toString(direction)).string());
+    writeReportData(d, (path / toString(direction)).string());
   }
   log::writeNewFile((path / "report.json").string(), toJson(diagnosis));
   log::writeNewFile((path / "augmented.yaml").string(), componentText(diagnosis));
-  log::writeNewFile((path / "report.html").string(), toHtml(diagnosis));
+  return io::renderPage((path / "report.json").string());
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -9,8 +9,8 @@
 #include <limits>
 #include <numeric>
 
+#include "diagnosis/headline.h"
 #include "diagnosis/hypotheses/fitted_component.h"
-#include "diagnosis/results/headline.h"
 #include "diagnosis/results/predictive.h"
 #include "element/each.h"
 #include "fit/parallel.h"

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diagnosis/results/headline.h"
+#include "diagnosis/headline.h"
 #include "element/each.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"

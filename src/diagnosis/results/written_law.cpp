@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "diagnosis/number_style.h"
 #include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/sizes.h"
 #include "gap/simulate.h"
@@ -135,15 +136,6 @@ std::vector<SizedValue> rounded(std::vector<SizedValue> written, const io::Compo
     size.text = size.value == size.configured ? exactly(size.value, size.unit, unit) : roundedText(size, unit, finer);
   }
   return written;
-}
-
-io::YamlStyle styleOf(const std::vector<SizedValue>& written) {
-  io::YamlStyle style;
-  style.number = [&](const std::string& place, double value) {
-    const auto size = std::find_if(written.begin(), written.end(), [&](const auto& one) { return one.name == place; });
-    return size == written.end() || size->text.empty() ? fmt::format("{}", value) : size->text;
-  };
-  return style;
 }
 
 io::ComponentDescription asWritten(const io::ComponentDescription& exact, const std::vector<SizedValue>& written) {

@@ -7,8 +7,9 @@
 #include <cmath>
 #include <map>
 
-#include "diagnosis/results/headline.h"
+#include "diagnosis/headline.h"
 #include "diagnosis/words/text.h"
+#include "element/each.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis::words {
@@ -35,18 +36,6 @@ std::string referenceText(const Diagnosis& d) {
     return entry.values.count("reference") != 0;
   });
   return found == added.end() ? "" : fmt::format(" at {:g} °C", found->value("reference"));
-}
-
-// Entries of one type, which stand in the file one by one.
-std::string addedText(const Diagnosis& d, const std::vector<element::ElementDescription>& entries) {
-  std::string values;
-  for (const results::HeadlineValue& value : results::headlineValuesOf(entries)) {
-    const bool half = entries.front().type == "iwan_table" && value.name == "displacement";
-    values += fmt::format("{}{} {}", values.empty() ? "" : ", ", half ? "half of it at" : labelOf(value.name),
-                          quantity(value.value, unitOf(d, value.unit)));
-  }
-  return "add: " + (entries.size() > 1 ? fmt::format("{} times ", entries.size()) : "") + entries.front().type +
-         (values.empty() ? "" : " (" + values + ")");
 }
 
 }  // namespace
@@ -101,25 +90,31 @@ std::string offText(const SizedValue& size) {
                      quantity(size.value, size.unit), boundText(size));
 }
 
-std::string componentChanges(const Diagnosis& d) {
-  std::vector<Row> rows;
-  for (const SizedValue& size : d.law.model_sizes) {
-    if (size.value != size.configured) {
-      rows.push_back({escape(valueName(size)), "<del>" + quantity(size.configured, size.unit) + "</del>",
-                      "<ins>" + quantity(size.value, size.unit) + "</ins>", intervalText(size),
-                      fmt::format("{:+.1f} %", 100.0 * (size.value / size.configured - 1.0))});
-    }
+std::string signedQuantity(const Diagnosis& d, const SizedValue& size) {
+  if (size.name.rfind("change_of_", 0) == 0) {
+    return (size.value < 0.0 ? "falls by " : "rises by ") + quantity(std::abs(size.value), size.unit);
   }
-  std::string html = rows.empty() ? "<p>The model's own values stay.</p>\n"
-                                  : table({"value", "#before", "#after", "#95 % interval", "#change"}, rows);
-  std::map<std::string, std::vector<element::ElementDescription>> added;
+  if (size.value < 0.0 && (size.unit == unitOf(d, "N") || size.unit == unitOf(d, "m"))) {
+    return quantity(-size.value, size.unit) + " in compression";
+  }
+  return (size.value < 0.0 ? "minus " : "") + quantity(std::abs(size.value), size.unit);
+}
+
+std::vector<std::string> addedTexts(const Diagnosis& d) {
+  std::map<std::string, std::vector<element::ElementDescription>> by_type;
   for (std::size_t i = d.configured.add.size(); i < d.law.augmented.add.size(); ++i) {
-    added[d.law.augmented.add[i].type].push_back(d.law.augmented.add[i]);
+    by_type[d.law.augmented.add[i].type].push_back(d.law.augmented.add[i]);
   }
-  for (const auto& [type, entries] : added) {
-    html += "<p><ins>+ " + escape(addedText(d, entries)) + "</ins></p>\n";
-  }
-  return html;
+  return element::each(by_type, [&](const auto& added) {
+    const auto& [type, entries] = added;
+    const bool sliders = type == "iwan_table";
+    const std::string values = element::joined(headlineValuesOf(entries), ", ", [&](const HeadlineValue& value) {
+      return (sliders && value.name == "displacement" ? "half of it at" : labelOf(value.name)) + " " +
+             quantity(value.value, unitOf(d, value.unit));
+    });
+    return "add: " + (entries.size() > 1 ? fmt::format("{} times ", entries.size()) : "") + type +
+           (values.empty() ? "" : " (" + values + ")");
+  });
 }
 
 }  // namespace rubber_suspension::diagnosis::words

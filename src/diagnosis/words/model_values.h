@@ -29,7 +29,10 @@ std::string valueName(const SizedValue& size);
 /// "K_n is 19 % too low in the component file (3.4 kN/mm instead of 4.2 kN/mm)".
 std::string offText(const SizedValue& size);
 
-/// The component file before and after: values that differ, and entries added. HTML.
-std::string componentChanges(const Diagnosis& diagnosis);
+/// A number with its sign and side in words: "falls by 0.6 %/K", "31 N in compression".
+std::string signedQuantity(const Diagnosis& diagnosis, const SizedValue& size);
+
+/// The entries that the component file gains, by type: "add: 2 times bump_stop (gap 4 mm, stiffness 3 kN/mm)".
+std::vector<std::string> addedTexts(const Diagnosis& diagnosis);
 
 }  // namespace rubber_suspension::diagnosis::words

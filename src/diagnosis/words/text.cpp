@@ -1,4 +1,4 @@
-// Numbers and text as the report's page has them.
+// Numbers and text as reports have them.
 #include "diagnosis/words/text.h"
 
 #include <fmt/format.h>
@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 #include <regex>
-#include <stdexcept>
 #include <utility>
 
 #include "io/rotational_unit.h"
@@ -55,16 +54,6 @@ std::string unitText(const Display& display, const std::string& unit) {
 }  // namespace
 
 std::string sourceOf(const Diagnosis& diagnosis) { return diagnosis.table ? "this table" : "these logs"; }
-
-std::string escape(const std::string& text) {
-  static const std::map<char, const char*> entities = {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
-  std::string result;
-  for (const char c : text) {
-    const auto found = entities.find(c);
-    result += found == entities.end() ? std::string(1, c) : found->second;
-  }
-  return result;
-}
 
 std::string percent(double value, int decimals) {
   return std::isfinite(value) ? fmt::format("{:.{}f} %", 100.0 * value, decimals) : "-";
@@ -176,31 +165,6 @@ std::string symbolOf(const std::string& name) {
       {"nominal_amplitude", "A_n"}, {"break_frequency", "f_b"}};
   const auto found = symbols.find(name);
   return found == symbols.end() ? spoken(name) : found->second;
-}
-
-std::string table(const Row& titles, const std::vector<Row>& rows) {
-  const auto isOfNumbers = [&](std::size_t column) { return titles[column].rfind('#', 0) == 0; };
-  std::string head;
-  for (std::size_t i = 0; i < titles.size(); ++i) {
-    head += fmt::format("<th{}>{}</th>", isOfNumbers(i) ? " class=n" : "", titles[i].substr(isOfNumbers(i) ? 1 : 0));
-  }
-  std::string body;
-  for (const Row& row : rows) {
-    if (row.size() != titles.size()) {
-      throw std::logic_error(fmt::format("a table of {} columns got a row of {}", titles.size(), row.size()));
-    }
-    body += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      body += fmt::format("<td{} data-title=\"{}\">{}</td>", isOfNumbers(i) ? " class=n" : "",
-                          titles[i].substr(isOfNumbers(i) ? 1 : 0), row[i]);
-    }
-    body += "</tr>\n";
-  }
-  return "<table><thead><tr>" + head + "</tr></thead><tbody>\n" + body + "</tbody></table>\n";
-}
-
-std::string folded(const std::string& title, const std::string& html) {
-  return "<details><summary>" + title + "</summary>\n" + html + "</details>\n";
 }
 
 std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out) {

@@ -1,20 +1,16 @@
-// Numbers and text as the report's page has them.
+// Numbers and text as reports have them.
 #pragma once
 
 #include <array>
 #include <string>
 #include <vector>
 
-#include "element/each.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis::words {
 
 /// "these logs" or "this table": what a diagnosis was made from.
 std::string sourceOf(const Diagnosis& diagnosis);
-
-/// Text for HTML.
-std::string escape(const std::string& text);
 
 /// "7.9 %" of 0.079.
 std::string percent(double value, int decimals = 1);
@@ -68,22 +64,6 @@ std::string sizeName(const SizedValue& size);
 
 /// The symbol of a value in a specification, where it has one: "K_n" of dynamic_stiffness, else spoken().
 std::string symbolOf(const std::string& name);
-
-using Row = std::vector<std::string>;
-
-/// A table of HTML, one text per title in each row. Rows become blocks with the titles before each field where the page
-/// is narrow. Titles that begin with '#' are of columns of numbers. Throws std::logic_error for a row of another
-/// length.
-std::string table(const Row& titles, const std::vector<Row>& rows);
-
-/// The same of a list, of which `row` makes a row of each entry.
-template <class List, class Function>
-std::string table(const Row& titles, const List& list, Function row) {
-  return table(titles, element::each(list, row));
-}
-
-/// A part that is closed until it is clicked at, and not printed.
-std::string folded(const std::string& title, const std::string& html);
 
 /// The parts taken out of logs that are more than a hundredth of the force, a phrase for each log; empty where there
 /// are none.

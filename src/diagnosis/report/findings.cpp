@@ -1,10 +1,59 @@
-// The meaning of each finding about the rig, and how to mend it at the bench.
-#include <map>
+// What the rig did to the logs: the meaning of each finding, and how to mend it at the bench.
+#include <fmt/format.h>
 
-#include "diagnosis/report/page.h"
-#include "rubber_suspension/measurement/rig_finding.h"
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "diagnosis/report/report_parts.h"
+#include "diagnosis/words/text.h"
+#include "element/each.h"
 
 namespace rubber_suspension::diagnosis::report {
+namespace {
+
+using measurement::RigFinding;
+
+bool hasInterval(const RigFinding& finding) { return finding.interval_95[0] < finding.interval_95[1]; }
+
+bool holdsZero(const RigFinding& finding) {
+  return hasInterval(finding) && finding.interval_95[0] <= 0.0 && finding.interval_95[1] >= 0.0;
+}
+
+// A finding whose interval holds 0 is not sure, nor is one of what a rig does to all logs alike where logs contradict
+// each other in its sign.
+bool isSure(const RigFinding& finding, const std::vector<RigFinding>& all) {
+  const bool of_rig = finding.finding == measurement::finding::kDelay ||
+                      finding.finding == measurement::finding::kSensorGain ||
+                      finding.finding == measurement::finding::kClock;
+  const bool contradicted =
+      of_rig && std::any_of(all.begin(), all.end(), [&](const RigFinding& other) {
+        return other.finding == finding.finding && !holdsZero(other) && other.value * finding.value < 0.0;
+      });
+  return finding.fatal || (!holdsZero(finding) && !contradicted);
+}
+
+std::string valueText(const RigFinding& finding) {
+  const std::string value = words::quantity(finding.value, finding.unit);
+  return hasInterval(finding)
+             ? fmt::format("{} ({} to {})", value, words::quantity(finding.interval_95[0], finding.unit),
+                           words::quantity(finding.interval_95[1], finding.unit))
+             : value;
+}
+
+}  // namespace
+
+std::vector<nlohmann::ordered_json> findingsJson(const std::vector<RigFinding>& findings) {
+  return element::each(findings, [&](const RigFinding& finding) -> nlohmann::ordered_json {
+    const FindingAdvice& advice = adviceOn(finding.finding);
+    return {{"log", finding.log},        {"finding", finding.finding},
+            {"value", finding.value},    {"interval_95", finding.interval_95},
+            {"unit", finding.unit},      {"beyond_tolerance", finding.beyond_tolerance},
+            {"text", finding.text},      {"value_text", valueText(finding)},
+            {"fatal", finding.fatal},    {"sure", isSure(finding, findings)},
+            {"meaning", advice.meaning}, {"remedy", advice.remedy}};
+  });
+}
 
 const FindingAdvice& adviceOn(const std::string& finding) {
   namespace f = measurement::finding;

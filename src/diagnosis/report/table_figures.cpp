@@ -1,13 +1,11 @@
-// The table of a report: its rows, and figures of stiffness and loss angle, measured and simulated.
+// Figures of a report on a table: stiffness and loss angle, measured and simulated, and where the gap lies.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "diagnosis/report/page.h"
 #include "diagnosis/report/report_figures.h"
-#include "diagnosis/words/text.h"
 #include "element/each.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -112,39 +110,6 @@ io::Figure mapFigure(const Diagnosis& diagnosis) {
                   edgesAbout(element::each(diagnosis.where.before, lower_end(&gap::GapCell::amplitude))));
 }
 
-constexpr double kDegrees = 180.0 / element::kPi;
-
-std::string stiffnessText(std::complex<double> stiffness) {
-  return fmt::format("{:.4g} kN/mm, {:.3g}&deg;", 1e-6 * std::abs(stiffness), kDegrees * std::arg(stiffness));
-}
-
-// Columns that no row of the table has are left out.
-std::string rowsHtml(const std::vector<DiagnosedRow>& rows) {
-  const auto any = [&](const auto& has) {
-    return std::any_of(rows.begin(), rows.end(), [&](const DiagnosedRow& row) { return has(row.measured); });
-  };
-  const bool means = any([](const fit::TablePoint& point) { return point.mean != 0.0; });
-  const bool temperatures = any([](const fit::TablePoint& point) { return point.temperature.has_value(); });
-  const auto with = [&](words::Row fields, const std::string& mean, const std::string& temperature,
-                        const words::Row& rest) {
-    fields.insert(fields.end(), means ? 1 : 0, mean);
-    fields.insert(fields.end(), temperatures ? 1 : 0, temperature);
-    fields.insert(fields.end(), rest.begin(), rest.end());
-    return fields;
-  };
-  const words::Row titles = with({"#frequency [Hz]", "#amplitude [mm]"}, "#about [mm]", "#temperature [&deg;C]",
-                                 {"#measured", "#as configured", "#augmented", "#still off by"});
-  return words::table(titles, rows, [&](const DiagnosedRow& row) {
-    const fit::TablePoint& point = row.measured;
-    const std::complex<double> measured = point.complexStiffness();
-    return with({fmt::format("{:.4g}", point.frequency), fmt::format("{:.4g}", 1e3 * point.amplitude)},
-                fmt::format("{:.4g}", 1e3 * point.mean),
-                point.temperature ? fmt::format("{:.4g}", *point.temperature) : "",
-                {stiffnessText(measured), stiffnessText(row.as_configured), stiffnessText(row.augmented),
-                 words::percent(std::abs(row.augmented - measured) / std::abs(measured))});
-  });
-}
-
 }  // namespace
 
 std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis) {
@@ -155,18 +120,6 @@ std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis) {
           {kLossAngle, "Loss angle of the settled loops, measured and simulated.",
            panelFigure(diagnosis, "Loss angle", "loss angle [deg]",
                        [](std::complex<double> stiffness) { return std::arg(stiffness) * 180.0 / element::kPi; })}};
-}
-
-std::string tableSection(const Diagnosis& diagnosis) {
-  const DiagnosedTable& diagnosed = *diagnosis.table;
-  const std::string notes = element::joined(
-      diagnosed.notes, "", [](const std::string& note) { return "<p class=note>" + words::escape(note) + "</p>\n"; });
-  return "<h2>The table</h2>\n<p>Rows of " + words::escape(diagnosed.name) +
-         ": stiffness and loss angle of settled loops under single sines. Such a table can never show " +
-         words::escape(words::enumerated(element::each(diagnosed.never_shown, words::spoken))) +
-         ", nor a delay that both channels share: these are neither found nor excluded here.</p>\n" + notes +
-         words::folded(fmt::format("All {} rows, measured and simulated", diagnosed.rows.size()),
-                       rowsHtml(diagnosed.rows));
 }
 
 }  // namespace rubber_suspension::diagnosis::report

@@ -7,7 +7,7 @@
 
 #include "rubber_suspension/element/parameter.h"
 
-namespace rubber_suspension::diagnosis::results {
+namespace rubber_suspension::diagnosis {
 
 /// One headline number of an effect.
 struct HeadlineValue {
@@ -28,4 +28,4 @@ std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDe
 /// The same by name, as report.json has them.
 std::map<std::string, double> headlineOf(const std::vector<element::ElementDescription>& entries);
 
-}  // namespace rubber_suspension::diagnosis::results
+}  // namespace rubber_suspension::diagnosis

@@ -1,5 +1,5 @@
 // From entries of a component file to the numbers that engineers say.
-#include "diagnosis/results/headline.h"
+#include "diagnosis/headline.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/iwan.h"
 
-namespace rubber_suspension::diagnosis::results {
+namespace rubber_suspension::diagnosis {
 namespace {
 
 bool isSlider(const element::ElementDescription& entry) {
@@ -198,4 +198,4 @@ std::map<std::string, double> headlineOf(const std::vector<element::ElementDescr
   return result;
 }
 
-}  // namespace rubber_suspension::diagnosis::results
+}  // namespace rubber_suspension::diagnosis

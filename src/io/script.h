@@ -1,0 +1,19 @@
+// Scripts of the package, each run in a process of its own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rubber_suspension::io {
+
+/// What a script printed.
+struct ScriptResult {
+  bool succeeded = false;
+  std::string last_error;  ///< the last line on its standard error
+};
+
+/// Run a script of the package with arguments and a text on its standard input, and wait for its end. Throws
+/// std::runtime_error where it cannot be run.
+ScriptResult runScript(const std::string& name, const std::vector<std::string>& arguments, const std::string& input);
+
+}  // namespace rubber_suspension::io
