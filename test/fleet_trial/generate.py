@@ -1,9 +1,6 @@
-#!/usr/bin/python3
 # Writes virtual fleets: components of one type with scatter between test pieces, whose truth the labels alone know.
 # The rigs are those of the blind trial, which share no code with the package. The same seed gives the same files.
-"""Generate virtual fleets: logs of many test pieces of one type, a jobs file for `campaign`, and labels."""
-import argparse
-import json
+"""Virtual fleets: logs of many test pieces of one type, a jobs file for `campaign`, and labels."""
 import math
 import multiprocessing
 import os
@@ -20,6 +17,7 @@ from virtual_rig import case, excitation, laws  # noqa: E402
 from virtual_rig.effect import Effect, Scale  # noqa: E402
 from virtual_rig.rig import Rig, Ruler  # noqa: E402
 
+SECONDS = 12.0    # of each log
 RATE = 250.0      # of the logs [Hz]
 FINE = 4          # samples of the rig's own grid per sample of a log
 TOP_FREQUENCY = 10.0  # of the motion [Hz]
@@ -29,29 +27,18 @@ SCATTER = {"static_stiffness": 0.04, "dynamic_stiffness": 0.02, "maximum_stiffne
 # Standard deviations of logarithms: that of the static one moves all three (hardness of the rubber), the others are
 # steps on top of it, so that no piece has a dynamic stiffness below its static one by chance alone.
 
-# What the fleets of one draw are. `scatter` is in units of SCATTER, `wrong` and `size` are logarithms, `gap` is what the
-# effect leaves after re-estimation, `compliance` is that of the rig [m/N], `stiffness` the static one [N/m]. Types of
-# the same `rig` are tested on one; the types of the rig "good" differ in nothing but what is said of each.
-SOFT, MIDDLE, STIFF = {"stiffness": 1e6}, {"stiffness": 2.2e6}, {"stiffness": 5e6}
-ON_SOFT_RIG = {"rig": "soft", "scatter": 1.0, "compliance": 2.5e-8}
-ON_GAIN_RIG = {"rig": "gain", "scatter": 1.0, "gain": 0.94}
-OWN_VALUES = {"rig": "own", "scatter": 1.0, "own": 0.08}
+# What the fleets are; `seed` is a part of that of their draws. `scatter` is in units of SCATTER, `wrong` and `size` are
+# logarithms, `gap` is what the effect leaves after re-estimation, `compliance` is that of the rig [m/N], `stiffness` the
+# static one [N/m]. Types of the same `rig` are tested on one; the types of the rig "good" differ in nothing but what is
+# said of each.
+SOFT_RIG = {"rig": "soft", "scatter": 1.0, "compliance": 2.5e-8}
 FLEETS = {
-    "exact": {"rig": "good", "gain": 1.003},  # within the tolerance of 0.5 %
-    "scatter": {"rig": "good", "scatter": 1.0},
-    "wrong_values": {"rig": "good", "scatter": 1.0, "wrong": dict.fromkeys(SCATTER, 0.10)},
-    "one_wrong_value": {"rig": "good", "scatter": 0.5, "wrong": {"maximum_stiffness": 0.08}},
-    "effect_in_some": {"rig": "good", "scatter": 1.0, "effect": "friction", "share": 0.4, "gap": 0.08},
-    "effect_in_all": {"rig": "good", "scatter": 1.0, "effect": "friction", "share": 1.0, "gap": 0.08},
-    "outliers": {"rig": "good", "scatter": 0.5, "outliers": 0.15, "size": 0.25},
-    "soft_rig_soft": dict(ON_SOFT_RIG, **SOFT),
-    "soft_rig_middle": dict(ON_SOFT_RIG, **MIDDLE),
-    "soft_rig_stiff": dict(ON_SOFT_RIG, **STIFF),
-    "gain_soft": dict(ON_GAIN_RIG, **SOFT),
-    "gain_stiff": dict(ON_GAIN_RIG, **STIFF),
-    "own_soft": dict(OWN_VALUES, **SOFT),
-    "own_middle": dict(OWN_VALUES, **MIDDLE),
-    "own_stiff": dict(OWN_VALUES, **STIFF),
+    "scatter": {"seed": 1, "rig": "good", "scatter": 1.0},
+    "wrong_values": {"seed": 2, "rig": "good", "scatter": 1.0, "wrong": dict.fromkeys(SCATTER, 0.10)},
+    "effect_in_some": {"seed": 4, "rig": "good", "scatter": 1.0, "effect": "friction", "share": 0.4, "gap": 0.08},
+    "outliers": {"seed": 6, "rig": "good", "scatter": 0.5, "outliers": 0.15, "size": 0.25},
+    "soft_rig_soft": {"seed": 7, **SOFT_RIG, "stiffness": 1e6},
+    "soft_rig_stiff": {"seed": 9, **SOFT_RIG, "stiffness": 5e6},
 }
 
 
@@ -62,11 +49,6 @@ def specification_of(fleet, rng):
     return {"static_stiffness": float(f"{static:.5g}"), "dynamic_stiffness": float(f"{dynamic:.5g}"),
             "maximum_stiffness": float(f"{dynamic * rng.uniform(1.25, 1.35):.5g}"), "nominal_frequency": 4.0,
             "high_frequency": 25.0, "maxwell_elements": 3}
-
-
-def wrong_of(plan, rng):
-    """By how much the type is off, as logarithms."""
-    return plan.get("wrong") or dict.fromkeys(SCATTER, plan.get("own", 0.0) * rng.standard_normal())
 
 
 def piece_of(plan, wrong, specification, rng):
@@ -89,34 +71,35 @@ def compliance(size):
     return Effect("mount", lambda force, strength: strength * force, size, {}, "series_compliance", "linear")
 
 
-def programme(rng, seconds):
+def programme(rng):
     """The displacements of one type's test: the same for each piece, as a test bench runs them."""
     actuator = excitation.Actuator(rng, 2e-3, RATE * FINE)
     actuator.top_frequency = TOP_FREQUENCY
     actuator.smoothing = excitation.butter(2, 45.0 / (0.5 * RATE * FINE))
-    return [moving(rng, actuator, kind, seconds) for kind in KINDS]
+    return [moving(rng, actuator, kind) for kind in KINDS]
 
 
-def moving(rng, actuator, kind, seconds):
+def moving(rng, actuator, kind):
     """A log that moves for half a second at least: of short holds, all levels may be drawn at 0."""
     while True:
         with np.errstate(divide="ignore", invalid="ignore"):
-            z = excitation.make(rng, actuator, kind, seconds)
+            z = excitation.make(rng, actuator, kind, SECONDS)
         if np.count_nonzero(np.abs(np.diff(z[::FINE])) > 1e-3 * actuator.amplitude) > 0.5 * RATE:
             return z
 
 
 def one(job):
     """Write one test piece; returns its label."""
-    fleet, draw, number, pieces, seconds, seed, output = job
+    fleet, number, pieces, seed, output = job
     plan = FLEETS[fleet]
-    place = [list(FLEETS).index(fleet), draw]
-    type_rng = np.random.default_rng(np.random.SeedSequence([seed, 1, *place]))
+    type_rng = np.random.default_rng(np.random.SeedSequence([seed, 1, plan["seed"], 0]))
     specification = specification_of(fleet, type_rng)
-    wrong = wrong_of(plan, type_rng)
-    z = programme(type_rng, seconds)
+    wrong = plan.get("wrong", {})
+    if not wrong:
+        type_rng.standard_normal()  # keeps the draws of earlier versions
+    z = programme(type_rng)
     marked = set(type_rng.permutation(pieces)[:round(plan.get("share", plan.get("outliers", 0.0)) * pieces)].tolist())
-    rng = np.random.default_rng(np.random.SeedSequence([seed, 2, *place, number]))
+    rng = np.random.default_rng(np.random.SeedSequence([seed, 2, plan["seed"], 0, number]))
     piece, logs, base = piece_of(plan, wrong, specification, rng)
     outlier = "outliers" in plan and number in marked
     if outlier:
@@ -124,36 +107,34 @@ def one(job):
         logs = {name: value + factor for name, value in logs.items()}
         piece = {k: v * math.exp(factor) if k in logs else v for k, v in piece.items()}
         base = bases.from_specification("multi_maxwell", piece)
-    force, label = measured(plan, base, z, rng, "effect" in plan and number in marked, seconds)
-    folder = os.path.join(output, f"{fleet}_{draw}", f"piece_{number:02d}")
+    has_effect = "effect" in plan and number in marked
+    force = measured(plan, base, z, rng, has_effect)
+    folder = os.path.join(output, fleet, f"piece_{number:02d}")
     os.makedirs(folder, exist_ok=True)
     with open(os.path.join(folder, "component.yaml"), "w", encoding="utf-8") as file:
         file.write(component_yaml(specification))
     for i, (x, f) in enumerate(zip(z, force)):
         path = os.path.join(folder, f"log_{i + 1}.csv")
         case.write_log(path, RATE, x[::FINE], f, case.UNITS_Z[1], case.UNITS_F[0], None)
-    return dict(label, fleet=fleet, draw=draw, number=number, outlier=outlier, specification=specification,
-                wrong=wrong, logarithms=logs)
+    return {"fleet": fleet, "test_piece": f"{fleet}/piece_{number:02d}", "outlier": outlier,
+            "effect": plan["effect"] if has_effect else ""}
 
 
-def measured(plan, base, z, rng, has_effect, seconds):
-    """Forces with noise on the grid of the logs, and what of the label follows from them."""
+def measured(plan, base, z, rng, has_effect):
+    """Forces with noise on the grid of the logs."""
     effects, strengths = [], {}
     if has_effect:
-        scale = scale_of(base, z, seconds)
-        effects.append(laws.draw(rng, scale, plan["effect"]))
+        effects.append(laws.draw(rng, scale_of(base, z), plan["effect"]))
         ruler = Ruler(Rig(base, z, RATE * FINE, effects), FINE)
         strengths[id(effects[0])] = ruler.strength_for(effects[0], plan["gap"], True)[0]
     if "compliance" in plan:
         effects.append(compliance(plan["compliance"]))
         strengths[id(effects[-1])] = plan["compliance"]
-    exact = [plan.get("gain", 1.0) * f for f in Rig(base, z, RATE * FINE, effects).force(strengths)]
-    force = [f[::FINE] + NOISE * np.std(f) * rng.standard_normal(len(f[::FINE])) for f in exact]
-    return force, {"effect": plan["effect"] if has_effect else "", "compliance": plan.get("compliance", 0.0),
-                   "gain": plan.get("gain", 1.0)}
+    exact = Rig(base, z, RATE * FINE, effects).force(strengths)
+    return [f[::FINE] + NOISE * np.std(f) * rng.standard_normal(len(f[::FINE])) for f in exact]
 
 
-def scale_of(base, z, seconds):
+def scale_of(base, z):
     rate = RATE * FINE
     peaks = [float(np.max(np.abs(x))) for x in z]
     force = base.force(z, rate)
@@ -168,36 +149,16 @@ def component_yaml(specification):
     return "\n".join(lines + [f"      {k}: {v!r}" for k, v in specification.items()]) + "\n"
 
 
-def jobs_yaml(names):
-    """One entry for each fleet of each draw: a type of its own, on the rig of its kind."""
+def generate(pieces, seed, output):
+    """Writes all fleets, of so many test pieces each, with a jobs file: each is a type of its own, on the rig of its kind.
+    Returns a label for each piece.
+    """
+    jobs = [(fleet, number, pieces, seed, output) for fleet in FLEETS for number in range(pieces)]
+    with multiprocessing.Pool(2) as pool:
+        labels = pool.map(one, jobs, chunksize=1)
     entry = ('  {0}: {{folders: "{0}/piece_*", command: diagnose, config: component.yaml, log: "log_*.csv", type: {0}, '
              'test_rig: {1}}}\n')
-    rigs = {name: FLEETS[name.rsplit("_", 1)[0]]["rig"] + name[name.rindex("_"):] for name in names}
-    return "settings: {reports: none}\njobs:\n" + "".join(entry.format(name, rigs[name]) for name in names)
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--pieces", type=int, required=True, help="test pieces of each fleet")
-    parser.add_argument("--draws", type=int, default=1, help="fleets of each kind")
-    parser.add_argument("--seconds", type=float, default=12.0, help="length of each log")
-    parser.add_argument("--seed", type=int, required=True)
-    parser.add_argument("--output", required=True, help="folder of the fleets, with jobs.yaml and labels.json")
-    parser.add_argument("--fleet", action="append", choices=list(FLEETS), help="kinds of fleets (default: all)")
-    parser.add_argument("--jobs", type=int, default=1)
-    arguments = parser.parse_args()
-    jobs = [(fleet, draw, number, arguments.pieces, arguments.seconds, arguments.seed, arguments.output)
-            for fleet in arguments.fleet or FLEETS for draw in range(arguments.draws)
-            for number in range(arguments.pieces)]
-    with multiprocessing.Pool(arguments.jobs) as pool:
-        labels = pool.map(one, jobs, chunksize=1)
-    names = list(dict.fromkeys(f"{label['fleet']}_{label['draw']}" for label in labels))
-    with open(os.path.join(arguments.output, "jobs.yaml"), "w", encoding="utf-8") as file:
-        file.write(jobs_yaml(names))
-    with open(os.path.join(arguments.output, "labels.json"), "w", encoding="utf-8") as file:
-        json.dump({"seed": arguments.seed, "pieces": labels}, file, indent=1)
-    print(f"{len(labels)} test pieces in {len(names)} fleets: {arguments.output}")
-
-
-if __name__ == "__main__":
-    main()
+    with open(os.path.join(output, "jobs.yaml"), "w", encoding="utf-8") as file:
+        file.write("settings: {reports: none}\njobs:\n" +
+                   "".join(entry.format(name, plan["rig"]) for name, plan in FLEETS.items()))
+    return labels
