@@ -114,13 +114,12 @@ log::Log readLog(const std::string& path, const std::string& component, const lo
 void say(const std::string& line) { std::cerr << "campaign: " << log::oneLine(line) << '\n'; }
 
 int make(const Options& options) {
-  campaign::Expansion expansion;
-  try {
-    expansion = campaign::makeManifest(options.jobs, options.output, version(), options.threads, readLog);
-  } catch (const campaign::BadInputs& error) {
-    for (const std::string& problem : error.problems()) {
-      printError("campaign", problem);
-    }
+  const campaign::Expansion expansion =
+      campaign::makeManifest(options.jobs, options.output, version(), options.threads, readLog);
+  for (const std::string& problem : expansion.problems) {
+    printError("campaign", problem);
+  }
+  if (!expansion.problems.empty()) {
     return kFailed;
   }
   io::makeFolder(options.output);

@@ -16,12 +16,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// A row as text, because parsed values of 10^5 jobs would fill the memory.
-struct JobRow {
-  const char* status;
-  std::string values;
-};
-
 std::string csvCell(const ordered_json& value) {
   if (value.is_null()) {
     return "";
@@ -51,8 +45,8 @@ ordered_json valuesOf(const Job& job, const Record* record) {
   return values;
 }
 
-ordered_json headOf(const Manifest& manifest, std::size_t place, const char* status) {
-  const Job& job = manifest.jobs[place];
+// What stands before the values of a job.
+ordered_json headOf(const Manifest& manifest, const Job& job, const Record* record) {
   const auto name_of = [&](std::size_t log) {
     return std::filesystem::path(manifest.inputs[log].path).stem().string();
   };
@@ -63,20 +57,22 @@ ordered_json headOf(const Manifest& manifest, std::size_t place, const char* sta
           {"command", toString(job.command)},
           {"component", job.component},
           {"logs", element::joined(job.logs, " ", name_of)},
-          {"status", status}};
+          {"status", record == nullptr ? "missing" : (record->failed() ? "failed" : "done")}};
 }
 
-void writeCsv(const Manifest& manifest, const std::string& folder, const std::vector<JobRow>& rows,
-              const ordered_json& columns) {
-  log::NewFile file(tableCsvPath(folder));
+// Rows are text, because parsed values of 10^5 jobs would fill the memory.
+void writeCsv(const std::string& path, const std::vector<std::string>& rows, const ordered_json& columns) {
+  log::NewFile file(path);
   std::string header = "id,group,type,test_piece,command,component,logs,status";
   for (const auto& [name, value] : columns.items()) {
     header += "," + csvCell(name);
   }
   file.line(header);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    std::vector<std::string> cells = element::each(headOf(manifest, i, rows[i].status), csvCell);
-    const ordered_json values = ordered_json::parse(rows[i].values);
+  for (const std::string& row : rows) {
+    ordered_json head = ordered_json::parse(row);
+    const ordered_json values = std::move(head["values"]);
+    head.erase("values");
+    std::vector<std::string> cells = element::each(head, csvCell);
     for (const auto& [name, value] : columns.items()) {
       cells.push_back(csvCell(values.value(name, ordered_json())));
     }
@@ -85,13 +81,11 @@ void writeCsv(const Manifest& manifest, const std::string& folder, const std::ve
   file.commit();
 }
 
-void writeJson(const Manifest& manifest, const std::string& folder, const std::vector<JobRow>& rows) {
-  log::NewFile file(tableJsonPath(folder));
+void writeJson(const std::string& path, const std::vector<std::string>& rows) {
+  log::NewFile file(path);
   file.line("{\"schema\": \"rubber_suspension/campaign_table/1\",\n\"jobs\": [");
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string head = headOf(manifest, i, rows[i].status).dump();
-    file.line(fmt::format("{},\"values\":{}}}{}", head.substr(0, head.size() - 1), rows[i].values,
-                          i + 1 < rows.size() ? "," : ""));
+  for (const std::string& row : rows) {
+    file.line(row + (&row == &rows.back() ? "" : ","));
   }
   file.line("]}");
   file.commit();
@@ -103,24 +97,24 @@ CollectSummary collect(const Manifest& manifest, const std::string& folder) {
   CollectSummary summary;
   ordered_json columns;  // by the names of all values, in the order of the manifest
   Fleet fleet;
-  std::vector<JobRow> rows;
+  std::vector<std::string> rows;
   for (const Job& job : manifest.jobs) {
     const FoundRecord found = findRecord(folder, job.id, manifest.version);
     const Record* const record = found.record ? &*found.record : nullptr;
     if (!found.problem.empty()) {
       summary.broken.push_back(found.problem);
     }
-    const char* const status = record == nullptr ? "missing" : (record->failed() ? "failed" : "done");
     ++(record == nullptr ? summary.missing : (record->failed() ? summary.failed : summary.done));
-    const ordered_json values = valuesOf(job, record);
-    columns.update(values);
-    rows.push_back({status, values.dump()});
+    ordered_json row = headOf(manifest, job, record);
+    row["values"] = valuesOf(job, record);
+    columns.update(row["values"]);
+    rows.push_back(row.dump());
     if (record != nullptr) {
       fleet.add(job, *record);
     }
   }
-  writeCsv(manifest, folder, rows, columns);
-  writeJson(manifest, folder, rows);
+  writeCsv(tableCsvPath(folder), rows, columns);
+  writeJson(tableJsonPath(folder), rows);
   const FleetFindings findings = fleet.analyse();
   io::removePage(fleetReportPath(folder));
   log::writeNewFile(fleetJsonPath(folder), toJson(findings, summary));

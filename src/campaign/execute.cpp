@@ -14,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "command/identify.h"
@@ -38,7 +39,6 @@ using diagnosis::Verdict;
 using nlohmann::ordered_json;
 
 constexpr std::size_t kKeptSamples = 4000000;  // of all logs kept: about 100 MB with force and displacement
-constexpr std::size_t kKeptConfigs = 16;
 
 // "friction | friction + creep": the sets of effects that the logs cannot tell apart.
 std::string setsText(const std::vector<std::vector<std::string>>& sets) {
@@ -133,23 +133,22 @@ std::map<std::string, std::uint64_t> filesIn(const std::string& folder) {
   return files;
 }
 
-bool tells(const std::exception& error, int code) {
-  return std::string(error.what()).find(std::strerror(code)) != std::string::npos;
-}
-
 // Throws again what the machine lacks, which says nothing of the job: memory, as std::bad_alloc, and room on the disk
 // or file descriptors. Writers and readers of many formats tell it in their text alone.
 void rethrowOfTheMachine(const std::exception& error) {
-  constexpr std::array kCodes = {ENOSPC, EDQUOT, EFBIG, EIO, EMFILE, ENFILE, ESTALE};
-  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr || tells(error, ENOMEM)) {
+  const auto tells = [text = std::string(error.what())](int code) {
+    return text.find(std::strerror(code)) != std::string::npos;
+  };
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr || tells(ENOMEM)) {
     throw std::bad_alloc();
   }
-  if (std::any_of(kCodes.begin(), kCodes.end(), [&](int code) { return tells(error, code); })) {
+  constexpr std::array kCodes = {ENOSPC, EDQUOT, EFBIG, EIO, EMFILE, ENFILE, ESTALE};
+  if (std::any_of(kCodes.begin(), kCodes.end(), tells)) {
     throw std::runtime_error(error.what());
   }
 }
 
-// Keeps the logs and component files that it read last, because many jobs share them.
+// Keeps the component file that it read last, and logs, because many jobs share them.
 class Executor {
  public:
   Executor(std::string folder, const Manifest& manifest, LogReader read_log)
@@ -248,14 +247,11 @@ class Executor {
   }
 
   io::ComponentDescription componentOf(const Job& job) {
-    auto kept = kept_configs_.find(job.config);
-    if (kept == kept_configs_.end()) {
-      if (kept_configs_.size() == kKeptConfigs) {
-        kept_configs_.clear();
-      }
-      kept = kept_configs_.emplace(job.config, io::loadComponentFile(unchangedPath(job.config))).first;
+    if (kept_config_ != job.config) {
+      components_ = io::loadComponentFile(unchangedPath(job.config));
+      kept_config_ = job.config;
     }
-    io::ComponentDescription description = io::selectComponent(kept->second, job.component);
+    io::ComponentDescription description = io::selectComponent(components_, job.component);
     if (!job.specification.empty()) {
       estimation::Specification specification = description.written();
       for (const auto& [name, value] : job.specification) {
@@ -271,7 +267,7 @@ class Executor {
   }
 
   const log::Log& keptLog(const Job& job, std::size_t file) {
-    const std::string key = fmt::format("{}\n{}\n{}", file, job.component, readingKey(job.options));
+    const std::string key = fmt::format("{}\n{}\n{}", file, job.component, ordered_json(job.options).dump());
     const auto kept = kept_logs_.find(key);
     if (kept != kept_logs_.end()) {
       return kept->second;
@@ -309,7 +305,8 @@ class Executor {
   LogReader read_log_;
   std::map<std::string, log::Log> kept_logs_;
   std::size_t kept_samples_ = 0;
-  std::map<std::size_t, std::vector<io::ComponentDescription>> kept_configs_;
+  std::optional<std::size_t> kept_config_;
+  std::vector<io::ComponentDescription> components_;  // of that file
 };
 
 }  // namespace

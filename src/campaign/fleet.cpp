@@ -16,13 +16,12 @@ namespace {
 
 constexpr double kTail = 0.025;  // of a 95 % interval
 
-using Counts = std::map<std::string, std::size_t>;
-
-// Most frequent first.
-std::vector<Share> sharesOf(const Counts& counts, std::size_t components) {
+// How often each of these names occurs, most frequent first.
+std::vector<Share> sharesOf(const std::vector<std::string>& names, std::size_t components) {
   constexpr double kJeffreys = 0.5;  // prior count of either answer
   std::vector<Share> shares;
-  for (const auto& [name, count] : counts) {
+  for (const std::string& name : std::set<std::string>(names.begin(), names.end())) {
+    const auto count = static_cast<std::size_t>(std::count(names.begin(), names.end(), name));
     const boost::math::beta_distribution<> beta(static_cast<double>(count) + kJeffreys,
                                                 static_cast<double>(components - count) + kJeffreys);
     const double share = static_cast<double>(count) / static_cast<double>(components);
@@ -34,20 +33,16 @@ std::vector<Share> sharesOf(const Counts& counts, std::size_t components) {
 }
 
 void countVerdicts(FleetType& type) {
-  Counts verdicts;
-  Counts effects;
-  std::size_t diagnosed = 0;
-  for (const FleetComponent& component : type.components) {
-    if (component.findings.verdict) {
-      ++diagnosed;
-      ++verdicts[toString(*component.findings.verdict)];
+  std::vector<std::string> verdicts;
+  std::vector<std::string> effects;
+  for (const auto& [verdict, named, changes] : element::each(type.components, &FleetComponent::findings)) {
+    if (verdict) {
+      verdicts.push_back(toString(*verdict));
     }
-    for (const std::string& effect : component.findings.effects) {
-      ++effects[effect];
-    }
+    effects.insert(effects.end(), named.begin(), named.end());
   }
-  type.verdicts = sharesOf(verdicts, diagnosed);
-  type.effects = sharesOf(effects, diagnosed);
+  type.verdicts = sharesOf(verdicts, verdicts.size());
+  type.effects = sharesOf(effects, verdicts.size());
 }
 
 // Of the value, from 1, at either end of the interval of the median; 0 where there are too few.
@@ -76,9 +71,10 @@ void describeParameters(FleetType& type) {
     }
   }
   for (const auto& [name, all] : values) {
-    type.parameters.push_back({"", type.name, name, distributionOf(element::each(all, &ComponentValue::value))});
+    const Distribution distribution = distributionOf(element::each(all, &ComponentValue::value));
+    type.parameters.push_back({"", type.name, name, distribution});
     std::copy_if(all.begin(), all.end(), std::back_inserter(type.far_out),
-                 [&](const ComponentValue& one) { return isFarOut(one.value, type.parameters.back().distribution); });
+                 [&](const ComponentValue& one) { return isFarOut(one.value, distribution); });
   }
 }
 

@@ -48,19 +48,15 @@ struct JobGroup {
   JobOptions options;
 };
 
-struct JobsFile {
-  std::string path;  ///< as given
-  std::vector<JobGroup> groups;
-};
-
 constexpr std::size_t kMaximumJobs = 1000000;  ///< of a campaign
 
 /// Read and check it. `problems` receives everything that is wrong, one line each: file:line, key, value, what is
 /// accepted; then the groups are not to be used.
-JobsFile readJobsFile(const std::string& path, std::vector<std::string>& problems);
+std::vector<JobGroup> readJobsFile(const std::string& path, std::vector<std::string>& problems);
 
 /// The same from text; `path` stands for the file's name.
-JobsFile parseJobsFile(const std::string& text, const std::string& path, std::vector<std::string>& problems);
+std::vector<JobGroup> parseJobsFile(const std::string& text, const std::string& path,
+                                    std::vector<std::string>& problems);
 
 /// The drawn numbers of each run, by name [SI]. The same seed gives the same draws on every machine, and more runs
 /// begin with those of fewer: 53 bits of a Mersenne Twister per number, in the order of the names; a normal one by the

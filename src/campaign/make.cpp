@@ -86,16 +86,32 @@ void check(const Job& job, const std::string& path, const LogReader& read_log) {
       "{}: has no measured force; accepted: a log with a column of the measured force", path);
 }
 
+// Each on one line, and once.
+std::vector<std::string> distinctLines(const std::vector<std::string>& problems) {
+  std::set<std::string> seen;
+  std::vector<std::string> lines;
+  for (const std::string& problem : problems) {
+    const std::string line = log::oneLine(problem);
+    if (seen.insert(line).second) {
+      lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
 class Maker {
  public:
-  Maker(JobsFile file, const std::string& output)
-      : file_(std::move(file)),
-        base_(fs::absolute(file_.path).lexically_normal().parent_path().string()),
+  Maker(std::string jobs_file, const std::string& output)
+      : path_(std::move(jobs_file)),
+        base_(fs::absolute(path_).lexically_normal().parent_path().string()),
         output_(fs::absolute(output + "/").lexically_normal().parent_path().string()) {}
 
   void expand() {
-    for (const JobGroup& group : file_.groups) {
-      expandGroup(group);
+    const std::vector<JobGroup> groups = readJobsFile(path_, problems_);
+    if (problems_.empty()) {
+      for (const JobGroup& group : groups) {
+        expandGroup(group);
+      }
     }
   }
 
@@ -123,7 +139,7 @@ class Maker {
 
   Expansion finish(const std::string& version) {
     if (!problems_.empty()) {
-      throw BadInputs(problems_);
+      return {{}, {}, distinctLines(problems_)};
     }
     manifest_.version = version;
     for (Job& job : manifest_.jobs) {
@@ -133,12 +149,12 @@ class Maker {
     if (twice > 0) {
       notes_.push_back(fmt::format("{} jobs have inputs and options of another one and share its result", twice));
     }
-    return {std::move(manifest_), std::move(notes_)};
+    return {std::move(manifest_), std::move(notes_), {}};
   }
 
  private:
   void problem(const JobGroup& group, const std::string& text) {
-    problems_.push_back(fmt::format("{}:{}: jobs.{}.{}", file_.path, group.line, group.name, text));
+    problems_.push_back(fmt::format("{}:{}: jobs.{}.{}", path_, group.line, group.name, text));
   }
 
   // The campaign's folder and those that it makes in it, which an earlier run may have left there.
@@ -278,12 +294,11 @@ class Maker {
     job.options = group.options;
     job.config = inputOf(place.config);
     const Job reader = job;  // without logs
+    const nlohmann::ordered_json reading = {job.options, component, job.command == Command::replay};
     for (const auto& [key, path] : place.logs) {
       const std::size_t input = inputOf(path);
       (key == kLog ? job.logs : job.hold_out).push_back(input);
-      const bool is_replay = job.command == Command::replay;
-      if (seen_readings_.insert({input, fmt::format("{}\n{}\n{}", component, is_replay, readingKey(job.options))})
-              .second) {
+      if (seen_readings_.insert({input, reading}).second) {
         readings_.push_back({input, reader});
       }
     }
@@ -346,45 +361,23 @@ class Maker {
     if (manifest_.jobs.size() < kMaximumJobs) {
       manifest_.jobs.push_back(job);
     } else {
-      problems_.push_back(fmt::format("{}: more than {} jobs; accepted: that many at most", file_.path, kMaximumJobs));
+      problems_.push_back(fmt::format("{}: more than {} jobs; accepted: that many at most", path_, kMaximumJobs));
     }
   }
 
-  JobsFile file_;
+  std::string path_;    // of the jobs file
   std::string base_;    // folder of the jobs file
   std::string output_;  // the campaign's own folder
   Manifest manifest_;
   std::unordered_map<std::string, Components> components_;  // by the text of their file
   std::unordered_map<std::string, std::size_t> inputs_;     // places by path
   std::vector<Reading> readings_;
-  std::set<std::pair<std::size_t, std::string>> seen_readings_;
+  std::set<std::pair<std::size_t, nlohmann::ordered_json>> seen_readings_;
   std::vector<std::string> notes_;
   std::vector<std::string> problems_;
 };
 
-// Each on one line, and once.
-std::vector<std::string> distinctLines(const std::vector<std::string>& problems) {
-  std::set<std::string> seen;
-  std::vector<std::string> lines;
-  for (const std::string& problem : problems) {
-    const std::string line = log::oneLine(problem);
-    if (seen.insert(line).second) {
-      lines.push_back(line);
-    }
-  }
-  return lines;
-}
-
 }  // namespace
-
-BadInputs::BadInputs(const std::vector<std::string>& problems)
-    : std::runtime_error(log::join(distinctLines(problems))), problems_(distinctLines(problems)) {}
-
-std::string readingKey(const JobOptions& options) {
-  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", log::join(options.columns), options.unit,
-                     options.sampling_rate, options.decimal, options.segment, options.bridge, options.sentinel,
-                     options.clock, options.accept_units, options.large);
-}
 
 log::LogFormat logFormat(const JobOptions& options) {
   log::LogFormat format = log::makeLogFormat(options.columns, options.unit, options.sampling_rate, options.decimal,
@@ -396,12 +389,7 @@ log::LogFormat logFormat(const JobOptions& options) {
 
 Expansion makeManifest(const std::string& jobs_file, const std::string& output, const std::string& version, int threads,
                        const LogReader& read_log) {
-  std::vector<std::string> problems;
-  JobsFile file = readJobsFile(jobs_file, problems);
-  if (!problems.empty()) {
-    throw BadInputs(problems);
-  }
-  Maker maker(std::move(file), output);
+  Maker maker(jobs_file, output);
   maker.expand();
   maker.checkInputs(threads, read_log);
   return maker.finish(version);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,31 +14,18 @@ namespace rubber_suspension::campaign {
 using LogReader =
     std::function<log::Log(const std::string& path, const std::string& component, const log::LogFormat& format)>;
 
-/// Inputs that were refused: all problems, a line each, none twice.
-class BadInputs : public std::runtime_error {
- public:
-  explicit BadInputs(const std::vector<std::string>& problems);
-
-  const std::vector<std::string>& problems() const { return problems_; }
-
- private:
-  std::vector<std::string> problems_;
-};
-
 struct Expansion {
   Manifest manifest;
-  std::vector<std::string> notes;  ///< what was left out or stands twice
+  std::vector<std::string> notes;     ///< what was left out or stands twice
+  std::vector<std::string> problems;  ///< what is wrong with the inputs, a line each, none twice; then there is no job
 };
 
 /// Expand a jobs file. `output`, the campaign's own folder, is none of those that a pattern names. Component files are
-/// loaded, logs read and hashed, draws estimated; throws BadInputs with everything that is wrong.
+/// loaded, logs read and hashed, draws estimated.
 Expansion makeManifest(const std::string& jobs_file, const std::string& output, const std::string& version, int threads,
                        const LogReader& read_log);
 
 /// How the logs of a job are to be read.
 log::LogFormat logFormat(const JobOptions& options);
-
-/// The same for two jobs where they read a log alike.
-std::string readingKey(const JobOptions& options);
 
 }  // namespace rubber_suspension::campaign

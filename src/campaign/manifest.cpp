@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 #include <string_view>
 #include <unordered_set>
@@ -23,55 +23,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array kCommands = {"diagnose", "estimate", "replay"};
-constexpr std::array kReports = {"none", "data", "full"};
-
-template <class Enum, std::size_t Size>
-std::optional<Enum> fromName(const std::array<const char*, Size>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? std::nullopt : std::make_optional(static_cast<Enum>(found - names.begin()));
-}
-
 template <class Enum>
-Enum require(const std::optional<Enum>& value, const std::string& name) {
-  return value ? *value : throw std::invalid_argument("'" + name + "' is unknown");
+void readEnum(const nlohmann::json& json, Enum& value, const std::vector<std::string>& names) {
+  const auto name = json.get<std::string>();
+  const auto found = std::find(names.begin(), names.end(), name);
+  element::refuseIf(found == names.end(), "'{}' is unknown", name);
+  value = static_cast<Enum>(found - names.begin());
 }
 
-// Content and, of a log, its name.
-ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<InputFile>& inputs) {
-  return element::each(files, [&](std::size_t file) -> ordered_json {
-    return {inputs.at(file).content.sha256, std::filesystem::path(inputs.at(file).path).stem().string()};
-  });
-}
-
-ordered_json optionsJson(const JobOptions& options) {
-  ordered_json json = {{"reports", toString(options.reports)}};
-  forEachOption([&, usual = JobOptions()](const char* key, auto option) {
-    if (options.*option != usual.*option) {
-      json[key] = options.*option;
-    }
-  });
-  return json;
-}
-
-JobOptions optionsFromJson(const nlohmann::json& json) {
-  const std::vector<std::string> known = optionKeys();
-  for (const auto& entry : json.items()) {  // a manifest of another version may have others, which must not go unheard
-    element::refuseIf(std::find(known.begin(), known.end(), entry.key()) == known.end(), "'{}' is unknown{}",
-                      entry.key(), element::didYouMean(entry.key(), known));
-  }
-  JobOptions options;
-  const std::string reports = json.value("reports", toString(options.reports));
-  options.reports = require(reportsFromString(reports), reports);
-  forEachOption([&](const char* key, auto option) {
-    if (json.contains(key)) {
-      json.at(key).get_to(options.*option);
-    }
-  });
-  return options;
-}
-
-// Calls visit(key, pointer to member, whether it stands in every manifest) for all but command and options.
+// Calls visit(key, pointer to member, whether it stands in every manifest) for all but the options.
 template <class Visit>
 void forEachMember(Visit visit) {
   visit("id", &Job::id, true);
@@ -84,6 +44,14 @@ void forEachMember(Visit visit) {
   visit("test_rig", &Job::test_rig, false);
   visit("hold_out", &Job::hold_out, false);
   visit("specification", &Job::specification, false);
+  visit("command", &Job::command, true);
+}
+
+// Content and, of a log, its name.
+ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<InputFile>& inputs) {
+  return element::each(files, [&](std::size_t file) -> ordered_json {
+    return {inputs.at(file).content.sha256, std::filesystem::path(inputs.at(file).path).stem().string()};
+  });
 }
 
 const char* const kManifestSchema = "rubber_suspension/campaign/1";
@@ -93,37 +61,6 @@ constexpr std::size_t kPrefix = 2;
 
 std::string split(const std::string& id) { return id.substr(0, kPrefix) + "/" + id.substr(kPrefix); }
 
-class LineReader {
- public:
-  explicit LineReader(const std::string& path) : path_(path), file_(path, std::ios::binary) {
-    if (!file_) {
-      throw std::runtime_error(fmt::format("{}: cannot be read: {}; accepted: a folder that `campaign make` made", path,
-                                           std::strerror(errno)));
-    }
-  }
-
-  nlohmann::json next() {
-    ++number_;
-    std::string line;
-    element::refuseIf(!std::getline(file_, line) || file_.eof(), "the file is cut off");
-    return nlohmann::json::parse(line);
-  }
-
-  [[noreturn]] void refuse(const std::string& problem) const {
-    throw std::runtime_error(
-        fmt::format("{}:{}: {}; accepted: a manifest as `campaign make` writes it", path_, number_, problem));
-  }
-
- private:
-  std::string path_;
-  std::ifstream file_;
-  std::size_t number_ = 0;
-};
-
-bool isId(const std::string& id) {
-  return id.size() == 64 && id.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
-
 // Throws std::invalid_argument where a job names what is not there.
 void checkJob(const Job& job, std::size_t inputs) {
   std::vector<std::size_t> files = job.logs;
@@ -131,22 +68,23 @@ void checkJob(const Job& job, std::size_t inputs) {
   files.push_back(job.config);
   const std::size_t last = *std::max_element(files.begin(), files.end());
   element::refuseIf(last >= inputs, "input {} is not among the {} inputs", last, inputs);
-  element::refuseIf(!isId(job.id) || job.logs.empty(), "a job without id or logs");
+  const bool has_id = job.id.size() == 64 && job.id.find_first_not_of("0123456789abcdef") == std::string::npos;
+  element::refuseIf(!has_id || job.logs.empty(), "a job without id or logs");
 }
 
-Manifest readLines(LineReader& lines) {
+Manifest readLines(const std::function<nlohmann::json()>& next) {
   Manifest manifest;
-  const nlohmann::json header = lines.next();
+  const nlohmann::json header = next();
   element::refuseIf(header.at("schema") != kManifestSchema, "another schema");
   header.at("version").get_to(manifest.version);
   const auto inputs = header.at("inputs").get<std::size_t>();
   for (std::size_t i = 0; i < inputs; ++i) {
-    const nlohmann::json line = lines.next();
+    const nlohmann::json line = next();
     manifest.inputs.push_back({line.at("path"), {line.at("sha256"), line.at("size")}});
   }
   const auto jobs = header.at("jobs").get<std::size_t>();
   for (std::size_t i = 0; i < jobs; ++i) {
-    manifest.jobs.push_back(jobFromJson(lines.next()));
+    manifest.jobs.push_back(next());
     checkJob(manifest.jobs.back(), inputs);
   }
   return manifest;
@@ -154,57 +92,64 @@ Manifest readLines(LineReader& lines) {
 
 }  // namespace
 
-std::string toString(Command command) { return kCommands.at(static_cast<std::size_t>(command)); }
+void to_json(ordered_json& json, Command command) { json = toString(command); }
+void to_json(ordered_json& json, Reports reports) { json = toString(reports); }
+void from_json(const nlohmann::json& json, Command& command) { readEnum(json, command, kCommands); }
+void from_json(const nlohmann::json& json, Reports& reports) { readEnum(json, reports, kReports); }
 
-std::optional<Command> commandFromString(const std::string& name) { return fromName<Command>(kCommands, name); }
+void to_json(ordered_json& json, const JobOptions& options) {
+  json = {{"reports", options.reports}};
+  forEachOption([&, usual = JobOptions()](const char* key, auto option) {
+    if (options.*option != usual.*option) {
+      json[key] = options.*option;
+    }
+  });
+}
 
-std::string toString(Reports reports) { return kReports.at(static_cast<std::size_t>(reports)); }
-
-std::optional<Reports> reportsFromString(const std::string& name) { return fromName<Reports>(kReports, name); }
-
-std::vector<std::string> optionKeys() {
-  std::vector<std::string> keys = {"reports"};
-  forEachOption([&](const char* key, auto /*option*/) { keys.emplace_back(key); });
-  return keys;
+void from_json(const nlohmann::json& json, JobOptions& options) {
+  std::vector<std::string> known;
+  forEachOption([&](const char* key, auto option) {
+    known.emplace_back(key);
+    if (json.contains(key)) {
+      json.at(key).get_to(options.*option);
+    }
+  });
+  for (const auto& entry : json.items()) {  // a manifest of another version may have others, which must not go unheard
+    element::refuseIf(std::find(known.begin(), known.end(), entry.key()) == known.end(), "'{}' is unknown{}",
+                      entry.key(), element::didYouMean(entry.key(), known));
+  }
 }
 
 std::string nameOf(const Job& job) { return job.group + " " + job.test_piece + " (" + job.id.substr(0, 12) + ")"; }
 
 std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version) {
   const ordered_json json = {{"version", version},
-                             {"command", toString(job.command)},
+                             {"command", job.command},
                              {"component", job.component},
                              {"config", inputs.at(job.config).content.sha256},
                              {"logs", filesJson(job.logs, inputs)},
                              {"hold_out", filesJson(job.hold_out, inputs)},
                              {"specification", job.specification},
-                             {"options", optionsJson(job.options)}};
+                             {"options", job.options}};
   return io::sha256(json.dump());
 }
 
-ordered_json jobJson(const Job& job) {
-  ordered_json json;
+void to_json(ordered_json& json, const Job& job) {
   forEachMember([&, empty = Job()](const char* key, auto member, bool always) {
     if (always || job.*member != empty.*member) {
       json[key] = job.*member;
     }
   });
-  json["command"] = toString(job.command);
-  json["options"] = optionsJson(job.options);
-  return json;
+  json["options"] = job.options;
 }
 
-Job jobFromJson(const nlohmann::json& json) {
-  Job job;
+void from_json(const nlohmann::json& json, Job& job) {
   forEachMember([&](const char* key, auto member, bool always) {
     if (always || json.contains(key)) {
       json.at(key).get_to(job.*member);
     }
   });
-  const auto command = json.at("command").get<std::string>();
-  job.command = require(commandFromString(command), command);
-  job.options = optionsFromJson(json.at("options"));
-  return job;
+  json.at("options").get_to(job.options);
 }
 
 std::vector<std::size_t> Manifest::distinctJobs() const {
@@ -236,17 +181,28 @@ void writeManifest(const Manifest& manifest, const std::string& folder) {
         ordered_json({{"path", input.path}, {"sha256", input.content.sha256}, {"size", input.content.size}}).dump());
   }
   for (const Job& job : manifest.jobs) {
-    file.line(jobJson(job).dump());
+    file.line(ordered_json(job).dump());
   }
   file.commit();
 }
 
 Manifest readManifest(const std::string& folder) {
-  LineReader lines(manifestPath(folder));
+  const std::string path = manifestPath(folder);
+  std::ifstream file(path, std::ios::binary);
+  element::refuseIf<std::runtime_error>(!file, "{}: cannot be read: {}; accepted: a folder that `campaign make` made",
+                                        path, std::strerror(errno));
+  std::size_t number = 0;
+  const auto next = [&] {
+    ++number;
+    std::string line;
+    element::refuseIf(!std::getline(file, line) || file.eof(), "the file is cut off");
+    return nlohmann::json::parse(line);
+  };
   try {
-    return readLines(lines);
+    return readLines(next);
   } catch (const std::exception& error) {
-    lines.refuse(error.what());
+    throw std::runtime_error(
+        fmt::format("{}:{}: {}; accepted: a manifest as `campaign make` writes it", path, number, error.what()));
   }
 }
 

@@ -20,9 +20,6 @@ enum class Command {
   replay,    ///< replay of one log
 };
 
-std::string toString(Command command);
-std::optional<Command> commandFromString(const std::string& name);
-
 /// Which files a job leaves besides its record.
 enum class Reports {
   none,  ///< its record only
@@ -30,8 +27,12 @@ enum class Reports {
   full,  ///< and the page for people, report.html, whose figures take longer than many a diagnosis
 };
 
-std::string toString(Reports reports);
-std::optional<Reports> reportsFromString(const std::string& name);
+// In the order of the enumerations.
+const std::vector<std::string> kCommands = {"diagnose", "estimate", "replay"};
+const std::vector<std::string> kReports = {"none", "data", "full"};
+
+inline const std::string& toString(Command command) { return kCommands.at(static_cast<std::size_t>(command)); }
+inline const std::string& toString(Reports reports) { return kReports.at(static_cast<std::size_t>(reports)); }
 
 /// The options of a job, those of the commands under the same names.
 struct JobOptions {
@@ -54,9 +55,10 @@ struct JobOptions {
   int starts = 0;                          ///< as --starts, of estimate; 0: not given
 };
 
-/// Calls visit(key, pointer to member) for each option but `reports`, by the keys of jobs files and manifests.
+/// Calls visit(key, pointer to member) for each option, by the keys of jobs files and manifests.
 template <class Visit>
 void forEachOption(Visit visit) {
+  visit("reports", &JobOptions::reports);
   visit("evidence", &JobOptions::evidence);
   visit("columns", &JobOptions::columns);
   visit("unit", &JobOptions::unit);
@@ -74,9 +76,6 @@ void forEachOption(Visit visit) {
   visit("hold", &JobOptions::hold);
   visit("starts", &JobOptions::starts);
 }
-
-/// All keys of options.
-std::vector<std::string> optionKeys();
 
 /// A file that jobs read, with what it held when the manifest was made.
 struct InputFile {
@@ -107,11 +106,12 @@ std::string nameOf(const Job& job);
 /// the report), its options and the version of the program are.
 std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version);
 
-/// A line of a manifest; of options and lists only what is not the default.
-nlohmann::ordered_json jobJson(const Job& job);
+void to_json(nlohmann::ordered_json& json, const JobOptions& options);
 
-/// Throws std::invalid_argument, nlohmann::json::exception.
-Job jobFromJson(const nlohmann::json& json);
+/// A line of a manifest; of options and lists only what is not the default. Reading it throws std::invalid_argument or
+/// nlohmann::json::exception.
+void to_json(nlohmann::ordered_json& json, const Job& job);
+void from_json(const nlohmann::json& json, Job& job);
 
 struct Manifest {
   std::string version;  ///< of the program that made it

@@ -46,7 +46,7 @@ struct FoundRecord {
   std::string problem;  ///< of one that is cut off or changed, of another version or job, or with a damaged report
 };
 
-/// Read and check it; `files` says whether those of its report are looked for, too.
-FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version, bool files = true);
+/// Read and check it.
+FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version);
 
 }  // namespace rubber_suspension::campaign

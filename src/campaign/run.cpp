@@ -18,23 +18,10 @@
 namespace rubber_suspension::campaign {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-// "about 2 h 5 min left".
-std::string remaining(double seconds) {
-  const auto minutes = static_cast<long>(seconds / 60.0);
-  return minutes >= 60
-             ? fmt::format("about {} h {} min left", minutes / 60, minutes % 60)
-             : fmt::format("about {} min {:.0f} s left", minutes, seconds - 60.0 * static_cast<double>(minutes));
-}
-
 // How much is done and when the rest will be: on a terminal in place, elsewhere a line now and then.
 class RunProgress {
  public:
   RunProgress(std::size_t total, const Say& say) : total_(total), say_(say) {}
-  RunProgress(const RunProgress&) = delete;
-  RunProgress& operator=(const RunProgress&) = delete;
-  ~RunProgress() { clear(); }
 
   void advance() { ++done_; }
 
@@ -46,8 +33,9 @@ class RunProgress {
     shown_ = now;
     std::string line = fmt::format("{} of {} jobs", done_, total_);
     if (done_ > 0) {
-      const std::chrono::duration<double> elapsed = now - start_;
-      line += ", " + remaining(elapsed.count() / static_cast<double>(done_) * static_cast<double>(total_ - done_));
+      const double minutes = std::chrono::duration<double>(now - start_).count() / 60.0;
+      const double left = minutes / static_cast<double>(done_) * static_cast<double>(total_ - done_);
+      line += fmt::format(", about {:.3g} min left", left);
     }
     if (terminal_) {
       fmt::print(stderr, "\r\033[K{}", line);
@@ -56,13 +44,11 @@ class RunProgress {
     }
   }
 
-  void clear() const {
-    if (terminal_) {
-      fmt::print(stderr, "\r\033[K");
-    }
-  }
+  void clear() const { fmt::print(stderr, "{}", terminal_ ? "\r\033[K" : ""); }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   std::size_t total_;
   const Say& say_;
   bool terminal_ = isatty(STDERR_FILENO) != 0;
@@ -121,42 +107,33 @@ RunSummary run(const std::string& folder, const std::string& version, const RunO
   const std::vector<std::size_t> jobs = jobsToDo(manifest, folder, options, say, summary);
   RunProgress progress(jobs.size(), say);
   Heartbeat heartbeat(folder);
-  const auto failed = [&](std::size_t job, const std::string& error) {
-    ++summary.failed;
-    progress.clear();
-    say(nameOf(manifest.jobs[job]) + ": failed: " + error);
-  };
   PoolCallbacks callbacks;
   callbacks.start_worker = [&] {
     return [&manifest, execute = executorOf(folder, manifest, read_log)](std::size_t job) {
-      return !execute(manifest.jobs[job]).failed();
+      return execute(manifest.jobs[job]).error;
     };
   };
-  callbacks.finished = [&](std::size_t job, bool done) {
+  callbacks.ended = [&](std::size_t place, JobEnd end, const std::string& reason) {
+    const Job& job = manifest.jobs[place];
     progress.advance();
-    if (done) {
+    if (end == JobEnd::done) {
       ++summary.done;
-    } else {
-      const FoundRecord found = findRecord(folder, manifest.jobs[job].id, manifest.version, false);
-      failed(job, found.record ? found.record->error : found.problem);
+      return;
     }
-  };
-  callbacks.died = [&](std::size_t job, const std::string& reason) {
-    progress.advance();
-    writeRecord({manifest.jobs[job].id, manifest.version, reason}, folder);
-    failed(job, reason);
-  };
-  callbacks.left = [&](std::size_t job, const std::string& reason) {
-    progress.advance();
-    ++summary.not_done;
+    if (end == JobEnd::died) {
+      writeRecord({job.id, manifest.version, reason}, folder);
+    }
+    const bool left = end == JobEnd::left;
+    ++(left ? summary.not_done : summary.failed);
     progress.clear();
-    say(fmt::format("{}: not done: {}; the next run tries it again", nameOf(manifest.jobs[job]), reason));
+    say(nameOf(job) + (left ? ": not done: " + reason + "; the next run tries it again" : ": failed: " + reason));
   };
   callbacks.tick = [&](const std::vector<std::size_t>& running) {
     heartbeat.beat(manifest, running);
     progress.show();
   };
-  summary.interrupted = workOff(jobs, options.workers, callbacks, 60.0 * options.job_minutes) == PoolEnd::interrupted;
+  summary.interrupted = !workOff(jobs, options.workers, callbacks, 60.0 * options.job_minutes);
+  progress.clear();
   return summary;
 }
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include "element/refuse.h"
@@ -31,9 +32,6 @@ std::string absolutePath(const std::string& folder) { return fs::absolute(folder
 struct Said {
   int status = 0;
   std::string text;  // stdout and stderr
-
-  // The number at the beginning; empty where there is none.
-  std::string number() const { return text.substr(0, text.find_first_not_of("0123456789")); }
 };
 
 Said ask(const std::string& command) {
@@ -41,7 +39,7 @@ Said ask(const std::string& command) {
   element::refuseIf<std::runtime_error>(pipe == nullptr, "{}: cannot be run", command);
   Said said;
   std::array<char, 4096> piece{};
-  for (std::size_t count = 0; (count = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;) {
+  while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), pipe)) {
     said.text.append(piece.data(), count);
   }
   const int status = pclose(pipe);
@@ -50,20 +48,16 @@ Said ask(const std::string& command) {
   return said;
 }
 
+// The number at the beginning; empty where there is none.
+std::string numberIn(const std::string& text) { return text.substr(0, text.find_first_not_of("0123456789")); }
+
+// Holds the number of the array that was submitted last from this folder.
 std::string submittedPath(const std::string& folder) { return folder + "/slurm/submitted"; }
 
-// The array that was submitted last from this folder; empty: none was.
-std::string lastSubmitted(const std::string& folder) {
-  constexpr std::size_t kLongest = 100;  // bytes; it holds one number
-  try {
-    return Said{0, log::readFile(submittedPath(folder), kLongest)}.number();
-  } catch (const std::runtime_error&) {
-    return "";
-  }
-}
-
 void refuseSecond(const std::string& folder) {
-  const std::string array = lastSubmitted(folder);
+  std::string array;
+  std::ifstream(submittedPath(folder)) >> array;
+  array = numberIn(array);
   if (array.empty()) {
     return;
   }
@@ -119,7 +113,7 @@ std::string submitArray(const SlurmArray& array, const std::string& folder) {
   // Where an element writes what it says; Slurm's own letters stand behind %.
   const std::string log = boost::replace_all_copy(absolutePath(folder), "%", "%%") + "/slurm/%A_%a.log";
   const Said said = ask("sbatch --parsable --output=" + shellWord(log) + " " + shellWord(script));
-  std::string id = said.number();
+  std::string id = numberIn(said.text);
   element::refuseIf<std::runtime_error>(said.status != 0 || id.empty(), "sbatch: {}", said.text);
   log::writeNewFile(submittedPath(folder), id + "\n");
   return id;

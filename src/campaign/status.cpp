@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <unordered_set>
+#include <iterator>
+#include <set>
 
 #include "campaign/record.h"
-#include "element/each.h"
 
 namespace rubber_suspension::campaign {
 namespace {
@@ -39,11 +38,33 @@ fs::file_time_type nowThere(const std::string& folder) {
   return result;
 }
 
-constexpr const char* kRow = "  {:<24} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n";
+struct RunningRun {
+  std::vector<std::string> ids;  // of its jobs
+  double silent;                 // since its last beat [s]
+};
 
-std::string countsText(const std::string& name, const JobCounts& counts) {
-  return fmt::format(kRow, name, counts.jobs, counts.done, counts.failed, counts.running, counts.broken,
-                     counts.missing);
+// All runs that have left a file, by host and process.
+std::map<std::string, RunningRun> findRuns(const std::string& folder) {
+  std::map<std::string, RunningRun> runs;
+  std::error_code failure;
+  if (!fs::is_directory(folder, failure)) {
+    return runs;
+  }
+  const fs::file_time_type now = nowThere(folder);
+  for (const auto& entry : fs::directory_iterator(folder, failure)) {
+    const std::string name = entry.path().filename().string();
+    const fs::file_time_type beat = entry.last_write_time(failure);
+    if (!failure && name.front() != '.' && entry.path().extension() != ".new") {
+      std::ifstream file(entry.path());
+      runs[name] = {{std::istream_iterator<std::string>(file), {}}, std::chrono::duration<double>(now - beat).count()};
+    }
+  }
+  return runs;
+}
+
+std::string row(const std::string& name, const JobCounts& counts) {
+  return fmt::format("  {:<24} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", name, counts.jobs, counts.done, counts.failed,
+                     counts.running, counts.broken, counts.missing);
 }
 
 std::string listText(const std::string& title, const std::vector<std::string>& lines) {
@@ -56,7 +77,6 @@ std::string listText(const std::string& title, const std::vector<std::string>& l
 }
 
 }  // namespace
-
 Heartbeat::Heartbeat(const std::string& folder)
     : path_(fmt::format("{}/{}.{}", folderOf(folder), hostName(), getpid())) {
   std::error_code ignored;
@@ -83,36 +103,13 @@ void Heartbeat::beat(const Manifest& manifest, const std::vector<std::size_t>& r
   std::rename(beside.c_str(), path_.c_str());
 }
 
-std::vector<RunningRun> findRuns(const std::string& folder) {
-  std::vector<RunningRun> runs;
-  std::error_code failure;
-  if (!fs::is_directory(folderOf(folder), failure)) {
-    return runs;
-  }
-  const fs::file_time_type now = nowThere(folderOf(folder));
-  for (const auto& entry : fs::directory_iterator(folderOf(folder), failure)) {
-    const std::string name = entry.path().filename().string();
-    const fs::file_time_type beat = entry.last_write_time(failure);
-    if (failure || name.front() == '.' || entry.path().extension() == ".new") {
-      continue;
-    }
-    RunningRun run{name, {}, std::chrono::duration<double>(now - beat).count()};
-    std::ifstream file(entry.path());
-    for (std::string id; file >> id;) {
-      run.ids.push_back(id);
-    }
-    runs.push_back(run);
-  }
-  std::sort(runs.begin(), runs.end(), [](const RunningRun& a, const RunningRun& b) { return a.where < b.where; });
-  return runs;
-}
-
 Status statusOf(const Manifest& manifest, const std::string& folder) {
   Status status;
-  std::unordered_set<std::string> running;
-  for (const RunningRun& run : findRuns(folder)) {
+  std::set<std::string> running;
+  for (const auto& [where, run] : findRuns(folderOf(folder))) {
     if (run.silent > kSilentForLong) {
-      status.silent_runs.push_back(run);
+      status.silent_runs.push_back(
+          fmt::format("{}: silent for {:.0f} s, with {} jobs in its hands", where, run.silent, run.ids.size()));
     } else {
       running.insert(run.ids.begin(), run.ids.end());
     }
@@ -144,20 +141,17 @@ Status statusOf(const Manifest& manifest, const std::string& folder) {
 }
 
 std::string toText(const Status& status) {
-  std::string text = fmt::format(kRow, "", "jobs", "done", "failed", "running", "broken", "missing");
+  std::string text = fmt::format("  {:<24} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "", "jobs", "done", "failed",
+                                 "running", "broken", "missing");
   for (const auto& [name, counts] : status.by_group) {
-    text += countsText(name, counts);
+    text += row(name, counts);
   }
   if (status.by_group.size() > 1) {
-    text += countsText("all", status.all);
+    text += row("all", status.all);
   }
   text += listText("failed:", status.failures);
   text += listText("broken records, which will be done again:", status.broken);
-  const auto silent = [](const RunningRun& run) {
-    return fmt::format("{}: silent for {:.0f} s, with {} jobs in its hands", run.where, run.silent, run.ids.size());
-  };
-  text += listText("runs that ended without saying so (their jobs count as missing):",
-                   element::each(status.silent_runs, silent));
+  text += listText("runs that ended without saying so (their jobs count as missing):", status.silent_runs);
   const std::size_t left = status.all.jobs - status.all.done - status.all.failed;
   if (left > 0 && status.seconds_per_job > 0.0) {
     text += fmt::format("{} jobs left, about {:.3g} min of one worker at {:.3g} s a job\n", left,

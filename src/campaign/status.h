@@ -26,17 +26,8 @@ class Heartbeat {
   std::chrono::steady_clock::time_point last_{};
 };
 
-struct RunningRun {
-  std::string where;  ///< host and process
-  std::vector<std::string> ids;
-  double silent = 0.0;  ///< since its last beat [s]
-};
-
 /// A run that has been silent for so long [s] is taken for dead; it beats every few seconds.
 constexpr double kSilentForLong = 120.0;
-
-/// All runs that have left a file; by the clock of the file system.
-std::vector<RunningRun> findRuns(const std::string& folder);
 
 struct JobCounts {
   std::size_t jobs = 0;  ///< of different ids
@@ -52,8 +43,8 @@ struct Status {
   std::map<std::string, JobCounts> by_group;
   std::vector<std::string> failures;  ///< name and error of each failed job, in the order of the manifest
   std::vector<std::string> broken;
-  std::vector<RunningRun> silent_runs;  ///< that ended without saying so
-  double seconds_per_job = 0.0;         ///< mean of those done [s of one worker]; 0: none is
+  std::vector<std::string> silent_runs;  ///< that ended without saying so
+  double seconds_per_job = 0.0;          ///< mean of those done [s of one worker]; 0: none is
 };
 
 /// Reads every record. Throws std::runtime_error.

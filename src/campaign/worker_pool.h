@@ -13,37 +13,34 @@
 
 namespace rubber_suspension::campaign {
 
+/// How a job ended.
+enum class JobEnd : char {
+  done,
+  failed,  ///< with an error, which the worker reported
+  died,    ///< together with its worker, also at the limit of time
+  left,    ///< undone, for what the machine lacks or did
+};
+
 struct PoolCallbacks {
-  /// In a worker process, once after the fork: gives what works off a job and returns true where it is done, false
-  /// where it failed; what it has to say it writes to files. std::bad_alloc leaves the job undone; any other exception
-  /// ends the run, told as `error`.
-  std::function<std::function<bool(std::size_t job)>()> start_worker;
-  /// In this process: a job is done, or has failed, as the worker said.
-  std::function<void(std::size_t job, bool done)> finished;
-  /// In this process: a worker died of a job, or was ended at its limit of time. `reason` says how, "the process
-  /// died of signal 11 (Segmentation fault)".
-  std::function<void(std::size_t job, const std::string& reason)> died;
-  /// In this process: a job was left undone, for what the machine lacks or did.
-  std::function<void(std::size_t job, const std::string& reason)> left;
-  /// In this process, at least once a second, with the jobs that are being worked on.
+  /// In a worker process, once after the fork: gives what works off a job. That returns the job's error, empty where it
+  /// is done, and throws std::bad_alloc to leave the job undone. Any other exception ends the run.
+  std::function<std::function<std::string(std::size_t job)>()> start_worker;
+  /// In this process: `reason` is the error, "the process died of signal 11 (Segmentation fault)" or the like.
+  std::function<void(std::size_t job, JobEnd end, const std::string& reason)> ended;
+  /// In this process, several times a second, with the jobs that are being worked on.
   std::function<void(const std::vector<std::size_t>& running)> tick;
 };
 
-enum class PoolEnd {
-  finished,     ///< every job was worked off
-  interrupted,  ///< by SIGINT, SIGTERM or SIGHUP; the workers have ended
-};
-
-/// Work off these jobs in their order with so many processes. To be called where this process has no other thread. A
-/// worker killed from outside (SIGKILL, SIGTERM, ...) speaks against its machine, not against the job, which is tried
-/// once more; killed twice (memory, most likely), it is left undone.
+/// Work off these jobs in their order with so many processes; false where SIGINT, SIGTERM or SIGHUP interrupted it,
+/// and then the workers have ended. To be called where this process has no other thread. A worker killed from outside
+/// (SIGKILL, SIGTERM, ...) speaks against its machine, not against the job, which is tried once more; killed twice
+/// (memory, most likely), it is left undone.
 ///
 /// A job that takes longer than `longest` [s] is ended with its worker and counts as died of it, at once; 0: there is
 /// no limit. Time in which this process itself did not run (suspended with its workers, as a cluster does for more
 /// urgent work) does not count.
 ///
 /// Throws std::runtime_error where no process can be made, or a worker reports an exception.
-PoolEnd workOff(const std::vector<std::size_t>& jobs, int workers, const PoolCallbacks& callbacks,
-                double longest = 0.0);
+bool workOff(const std::vector<std::size_t>& jobs, int workers, const PoolCallbacks& callbacks, double longest = 0.0);
 
 }  // namespace rubber_suspension::campaign

@@ -2,33 +2,24 @@
 #include "command/data_sheet.h"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <map>
 #include <stdexcept>
 
 #include "element/refuse.h"
-#include "element/suggestion.h"
+#include "io/element_reader.h"
 #include "log/text.h"
 #include "rubber_suspension/estimation/notes.h"
-#include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::command {
 namespace {
 
+using io::Entry;
+using io::into;
+using io::Key;
+
 constexpr const char* kNote = "# ";
 constexpr std::size_t kMaximumSize = 64 * 1024;  // bytes; a data sheet is some lines
-
-// Those of a data sheet and those of a specification.
-const std::vector<element::ParameterInfo>& allParameters() {
-  static const std::vector<element::ParameterInfo> all = [] {
-    std::vector<element::ParameterInfo> table = estimation::dataSheetParameters();
-    const std::vector<element::ParameterInfo>& further = estimation::specificationParameters();
-    table.insert(table.end(), further.begin(), further.end());
-    return table;
-  }();
-  return all;
-}
 
 struct Sheet {
   std::string component;
@@ -37,59 +28,49 @@ struct Sheet {
   std::map<std::string, double> values;
 };
 
-estimation::Model modelOf(const std::string& name) {
-  const auto model = estimation::modelFromString(name);
-  element::refuseIf(!model || *model == estimation::Model::elements,
-                    "model: '{}' is not a model; accepted: kelvin_voigt, maxwell, "
-                    "maxwell_dashpot, friction, friction_dashpot, berg, multi_maxwell",
-                    name);
-  return *model;
-}
+class SheetReader : public io::ElementReader {
+ public:
+  explicit SheetReader(std::string source) : ElementReader(std::move(source), "a data sheet", "data_sheet") {}
 
-estimation::LoadDirection loadOf(const std::string& name) {
-  element::refuseIf(name != "compression" && name != "shear", "load: '{}'; accepted: compression, shear", name);
-  return name == "shear" ? estimation::LoadDirection::shear : estimation::LoadDirection::compression;
-}
-
-double quantityOf(const std::string& key, const std::string& text) {
-  const element::ParameterInfo* parameter = element::findParameter(allParameters(), key);
-  element::refuseIf(parameter == nullptr, "{}: unknown key; accepted: component, model, load, {}", key,
-                    log::join(element::namesOf(allParameters())));
-  try {
-    return log::parseQuantity(text, parameter->unit);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("{}: {}: {}; accepted: a number in {}, or text with such a unit", key,
-                                            log::quoted(text), error.what(), parameter->unit));
-  }
-}
-
-Sheet readSheet(const YAML::Node& root) {
-  element::refuseIf(!root.IsMap() || root.size() != 1 || !root["data_sheet"] || !root["data_sheet"].IsMap(),
-                    "accepted: a map with the one key data_sheet, which is a map");
-  Sheet sheet;
-  std::map<std::string, int> seen;
-  for (const auto& entry : root["data_sheet"]) {
-    element::refuseIf(!entry.first.IsScalar() || !entry.second.IsScalar(),
-                      "data_sheet: every key takes one number or text");
-    const auto key = entry.first.as<std::string>();
-    const auto text = entry.second.as<std::string>();
-    element::refuseIf(++seen[key] > 1, "{}: stands twice; accepted: once", key);
-    if (key == "component") {
-      sheet.component = text;
-    } else if (key == "model") {
-      sheet.model = modelOf(text);
-    } else if (key == "load") {
-      sheet.load = loadOf(text);
-    } else {
-      sheet.values[key] = quantityOf(key, text);
+  Sheet load(const std::string& text) {
+    std::vector<Key<Sheet>> keys = {
+        into(
+            "component", &Sheet::component, [this](const Entry& entry) { return loadText(entry); }, "a name"),
+        into("model", &Sheet::model, [this](const Entry& entry) { return loadModel(entry); }),
+        into("load", &Sheet::load, [this](const Entry& entry) {
+          return static_cast<estimation::LoadDirection>(loadWord(entry, {"compression", "shear"}));
+        })};
+    for (const auto* table : {&estimation::dataSheetParameters(), &estimation::specificationParameters()}) {
+      for (const element::ParameterInfo& row : *table) {
+        keys.push_back({row.name, [this, &row](const Entry& entry, Sheet& sheet) {
+                          loadText(entry);
+                          sheet.values[row.name] = loadNumber(entry, row);
+                        }});
+      }
     }
+    const Entry root{parse(text), ""};
+    checkMap(root, {"data_sheet"}, "a map with the key 'data_sheet'");
+    Sheet sheet;
+    read(require(root, "data_sheet", "a map"), keys, sheet);
+    return sheet;
   }
-  return sheet;
-}
 
-std::string convert(const std::string& text) {
-  const Sheet sheet = readSheet(YAML::Load(text));
-  element::refuseIf(sheet.component.empty(), "component: missing; needed is the name of the component");
+ private:
+  std::string loadText(const Entry& entry) const {
+    if (!entry.isText()) {
+      refuseContent(entry, "one number or text");
+    }
+    return entry.text();
+  }
+
+  estimation::Model loadModel(const Entry& entry) const {
+    std::vector<std::string> names = io::modelNames();
+    names.pop_back();  // a list of elements has no data sheet
+    return static_cast<estimation::Model>(loadWord(entry, names, "a model"));
+  }
+};
+
+std::string convert(const Sheet& sheet) {
   element::refuseIf(sheet.load.has_value() != (sheet.values.count("shore_a") != 0),
                     "load: goes with shore_a; accepted: both (load: compression or shear) or none");
   const estimation::DataSheetResult result = estimation::specificationFromDataSheet(
@@ -115,12 +96,14 @@ std::string convert(const std::string& text) {
 
 std::string componentFileFromDataSheetText(const std::string& text, const std::string& source) {
   try {
-    return convert(text);
-  } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(
-        fmt::format("{}:{}: not YAML: {}; accepted: a data sheet", source, error.mark.line + 1, error.msg));
-  } catch (const std::exception& error) {
-    throw std::invalid_argument(source + ": " + error.what());
+    const Sheet sheet = SheetReader(source).load(text);
+    try {
+      return convert(sheet);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(source + ": " + error.what());
+    }
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
   }
 }
 

@@ -18,15 +18,6 @@ namespace {
 
 using element::namesOf;
 
-std::vector<std::string> modelNames() {
-  std::vector<std::string> names;
-  for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
-       ++i) {
-    names.push_back(estimation::toString(static_cast<estimation::Model>(i)));
-  }
-  return names;
-}
-
 // The direction that a key of a map names, which was checked.
 component::Direction directionOf(const YAML::Node& key) { return *component::directionFromString(key.Scalar()); }
 
@@ -48,7 +39,7 @@ Eigen::Isometry3d frameOf(const component::SixNumbers& numbers, component::Rotat
 // One file while it is read.
 class Loader : public SpecificationReader {
  public:
-  explicit Loader(std::string source) : SpecificationReader(std::move(source)) {}
+  explicit Loader(std::string source) : SpecificationReader(std::move(source), "a component file", "components") {}
 
   std::vector<ComponentDescription> load(const std::string& text) {
     const Entry root{parse(text), ""};
@@ -336,12 +327,7 @@ class Loader : public SpecificationReader {
 
   estimation::Model loadModel(const Entry& entry) const {
     const Entry model = require(entry, "model", log::join(modelNames()));
-    const std::optional<estimation::Model> found =
-        model.isText() ? estimation::modelFromString(model.text()) : std::nullopt;
-    if (!found) {
-      refuseWord(model, "a model", modelNames());
-    }
-    return *found;
+    return static_cast<estimation::Model>(loadWord(model, modelNames(), "a model"));
   }
 
   ComponentDescription loadListed(const Entry& list, const Entry& add) {
@@ -352,17 +338,6 @@ class Loader : public SpecificationReader {
     ComponentDescription description(component_, std::move(elements));
     description.add = loadAdded(add, {});
     return description;
-  }
-
-  RigTolerances loadRig(const Entry& entry) {
-    checkMap(entry, namesOf(rigToleranceTable()));
-    RigTolerances tolerances;
-    for (const RigToleranceInfo& row : rigToleranceTable()) {
-      if (const Entry value = entry[row.name]) {
-        tolerances.*row.member = loadTolerance(value, row.name);
-      }
-    }
-    return tolerances;
   }
 
   // One number for both sides, or the two ends.
@@ -388,25 +363,9 @@ class Loader : public SpecificationReader {
       refuseContent(list, "a list of effects: " + log::join(effectNames()));
     }
     for (std::size_t i = 0; i < list.node.size(); ++i) {
-      const Entry effect = list[i];
-      const std::vector<std::string>& names = effectNames();
-      if (!effect.isText() || std::find(names.begin(), names.end(), effect.text()) == names.end()) {
-        refuseWord(effect, "an effect", names);
-      }
-      effects.push_back(effect.text());
+      effects.push_back(effectNames()[loadWord(list[i], effectNames(), "an effect")]);
     }
     return effects;
-  }
-
-  RigTolerance loadTolerance(const Entry& entry, const std::string& key) const {
-    if (!entry.isText()) {
-      refuse(entry, fmt::format("{} is not a number; accepted: a number or text", kindOf(entry.node)));
-    }
-    try {
-      return parseRigTolerance(key, entry.text());
-    } catch (const std::invalid_argument& error) {
-      refuseAt(entry.node, fmt::format("rig.{}", error.what()));
-    }
   }
 };
 

@@ -34,6 +34,15 @@ std::string acceptedIn(const std::string& unit, const element::ParameterInfo& pa
 
 }  // namespace
 
+std::vector<std::string> modelNames() {
+  std::vector<std::string> names;
+  for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
+       ++i) {
+    names.push_back(estimation::toString(static_cast<estimation::Model>(i)));
+  }
+  return names;
+}
+
 std::string accepted(const element::ParameterInfo& parameter) {
   const element::Range& range = parameter.range;
   const bool bounded = std::isfinite(range.lower) || std::isfinite(range.upper);
@@ -148,13 +157,8 @@ element::ElementDescription ElementReader::loadTemperature(const Entry& entry) {
 const element::ElementType& ElementReader::loadType(const Entry& entry) {
   requireMap(entry, "a map with the key 'type'");
   checkUnique(entry);
-  const std::vector<std::string> names = namesOf(element::elementTypes());
-  const Entry type = require(entry, "type", log::join(names));
-  const element::ElementType* found = type.isText() ? element::findElementType(type.text()) : nullptr;
-  if (found == nullptr) {
-    refuseWord(type, "an element", names);
-  }
-  return *found;
+  const std::vector<element::ElementType>& types = element::elementTypes();
+  return types[loadWord(require(entry, "type", log::join(namesOf(types))), namesOf(types), "an element")];
 }
 
 element::ElementDescription ElementReader::loadElement(const Entry& entry,
@@ -203,14 +207,8 @@ element::ElementDescription ElementReader::scaled(const element::ElementDescript
 }
 
 const ShiftLaw& ElementReader::loadShift(const Entry& entry) const {
-  const auto& laws = shiftLaws();
-  const Entry shift = require(entry, "shift", log::join(namesOf(laws)));
-  const auto found = std::find_if(laws.begin(), laws.end(),
-                                  [&](const ShiftLaw& law) { return shift.isText() && shift.text() == law.name; });
-  if (found == laws.end()) {
-    refuseWord(shift, "a law of temperature", namesOf(laws));
-  }
-  return *found;
+  const std::vector<std::string> names = namesOf(shiftLaws());
+  return shiftLaws()[loadWord(require(entry, "shift", log::join(names)), names, "a law of temperature")];
 }
 
 double ElementReader::loadVertical(const Entry& entry, const element::ParameterInfo& parameter, double reference) {

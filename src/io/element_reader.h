@@ -6,6 +6,9 @@
 
 namespace rubber_suspension::io {
 
+/// In the order of estimation::Model.
+std::vector<std::string> modelNames();
+
 /// What is accepted for a parameter: "a number > 0, in N/m, or text with such a unit".
 std::string accepted(const element::ParameterInfo& parameter);
 

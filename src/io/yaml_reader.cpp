@@ -80,12 +80,6 @@ void YamlReader::refuseContent(const Entry& entry, const std::string& accepted) 
   refuse(entry, kindOf(entry.node) + "; accepted: " + accepted);
 }
 
-void YamlReader::refuseWord(const Entry& entry, const std::string& wanted,
-                            const std::vector<std::string>& names) const {
-  refuse(entry, fmt::format("{} is not {}{}; accepted: {}", kindOf(entry.node), wanted, hintOf(entry.node, names),
-                            log::join(names)));
-}
-
 void YamlReader::requireMap(const Entry& entry, const std::string& accepted) const {
   if (!entry.node.IsMap()) {
     refuseContent(entry, accepted);
@@ -114,8 +108,10 @@ void YamlReader::checkKeys(const Entry& map, const std::vector<std::string>& nam
     const std::string& key = entry.first.Scalar();
     if (std::find(names.begin(), names.end(), key) == names.end()) {
       const std::string hint = element::didYouMean(key, names);
-      refuse(keyOf(map, entry.first),
-             fmt::format("unknown key{}; accepted: {}", hint.empty() ? decimalCommaHint(key) : hint, log::join(names)));
+      attempt([&] {
+        refuse(keyOf(map, entry.first), fmt::format("unknown key{}; accepted: {}",
+                                                    hint.empty() ? decimalCommaHint(key) : hint, log::join(names)));
+      });
     }
   }
 }
@@ -128,18 +124,38 @@ void YamlReader::checkMap(const Entry& map, const std::vector<std::string>& name
 Entry YamlReader::require(const Entry& map, const std::string& key, const std::string& what) const {
   Entry entry = map[key];
   if (!entry) {
-    refuseAt(map.node, fmt::format("{} is missing; accepted: {}", entry.path, what));
+    refuseAt(map.node, fmt::format("{}{} missing; accepted: {}", entry.path, problems_ == nullptr ? " is" : ":", what));
   }
   return entry;
 }
 
-std::size_t YamlReader::loadWord(const Entry& entry, const std::vector<std::string>& words) const {
+std::size_t YamlReader::loadWord(const Entry& entry, const std::vector<std::string>& words,
+                                 const std::string& wanted) const {
   const auto found = entry.isText() ? std::find(words.begin(), words.end(), entry.text()) : words.end();
   if (found == words.end()) {
-    refuse(entry,
-           fmt::format("{}{}; accepted: {}", kindOf(entry.node), hintOf(entry.node, words), fmt::join(words, " or ")));
+    refuse(entry, fmt::format("{}{}{}; accepted: {}", kindOf(entry.node), wanted.empty() ? "" : " is not " + wanted,
+                              hintOf(entry.node, words), fmt::join(words, wanted.empty() ? " or " : ", ")));
   }
   return static_cast<std::size_t>(found - words.begin());
+}
+
+RigTolerances YamlReader::loadRig(const Entry& entry) {
+  std::vector<Key<RigTolerances>> keys;
+  for (const RigToleranceInfo& row : rigToleranceTable()) {
+    keys.push_back(into(row.name, row.member, [this, &row, &entry](const Entry& value) {
+      if (!value.isText()) {
+        refuse(value, fmt::format("{} is not a number; accepted: a number or text", kindOf(value.node)));
+      }
+      try {
+        return parseRigTolerance(row.name, value.text());
+      } catch (const std::invalid_argument& error) {  // it begins with the key
+        refuseAt(value.node, fmt::format("{}.{}", entry.path, error.what()));
+      }
+    }));
+  }
+  RigTolerances tolerances;
+  read(entry, keys, tolerances);
+  return tolerances;
 }
 
 YAML::Node YamlReader::parse(const std::string& text) const {
@@ -157,7 +173,7 @@ YAML::Node YamlReader::parse(const std::string& text) const {
     }
     const YAML::Node document = YAML::Load(text);
     if (document.IsNull()) {
-      refuseLine(1, "", "the file is empty; accepted: a map with the key 'components'");
+      refuseLine(1, "", fmt::format("the file is empty; accepted: a map with the key '{}'", key_));
     }
     if (const auto line = lineOfSecondDocument(text)) {
       refuseLine(*line, "", "a second YAML document; accepted: one");
@@ -167,8 +183,7 @@ YAML::Node YamlReader::parse(const std::string& text) const {
     if (const int line = lineWithTab(text, error.mark.line); line >= 0) {
       refuseLine(line + 1, "", "not YAML: indented with a tab; accepted: indentation by blanks alone");
     }
-    refuseLine(std::max(error.mark.line + 1, 1), "",
-               fmt::format("not YAML: {}; accepted: a component file", error.msg));
+    refuseLine(std::max(error.mark.line + 1, 1), "", fmt::format("not YAML: {}; accepted: {}", error.msg, kind_));
   }
 }
 

@@ -39,19 +39,36 @@ template <class Target>
 struct Key {
   std::string name;
   std::function<void(const Entry&, Target&)> read = {};
-  const char* needed = nullptr;  ///< what is accepted, of a key that may not be missing
+  std::string needed = {};  ///< what is accepted, of a key that may not be missing
 };
 
 /// A key whose value, as `load` finds it, becomes a member.
 template <class Target, class Value, class Load>
-Key<Target> into(std::string name, Value Target::*member, Load load, const char* needed = nullptr) {
-  return {std::move(name), [=](const Entry& entry, Target& target) { target.*member = load(entry); }, needed};
+Key<Target> into(std::string name, Value Target::*member, Load load, std::string needed = {}) {
+  return {std::move(name), [=](const Entry& entry, Target& target) { target.*member = load(entry); },
+          std::move(needed)};
 }
 
-/// One file while it is read. Throws ComponentFileError.
+/// Reads one YAML file strictly: a component file, a data sheet or a jobs file. The first problem throws
+/// ComponentFileError, unless `problems_` is set: then reading continues, and `problems_` receives every problem.
 class YamlReader {
  protected:
-  explicit YamlReader(std::string source) : source_(std::move(source)) {}
+  /// `kind` is what the file should be, such as "a component file"; `key` is the key that it has to have.
+  YamlReader(std::string source, std::string kind, std::string key)
+      : source_(std::move(source)), kind_(std::move(kind)), key_(std::move(key)) {}
+
+  /// Runs one step of reading. If problems are collected, a refusal ends this step alone.
+  template <class Action>
+  void attempt(const Action& action) {
+    try {
+      action();
+    } catch (const ComponentFileError& error) {
+      if (problems_ == nullptr) {
+        throw;
+      }
+      problems_->emplace_back(error.what());
+    }
+  }
 
   YAML::Node parse(const std::string& text) const;
 
@@ -62,10 +79,6 @@ class YamlReader {
 
   /// By what stands there.
   [[noreturn]] void refuseContent(const Entry& entry, const std::string& accepted) const;
-
-  /// A word that is none of these names.
-  [[noreturn]] void refuseWord(const Entry& entry, const std::string& wanted,
-                               const std::vector<std::string>& names) const;
 
   void requireMap(const Entry& entry, const std::string& accepted = "a map") const;
   Entry require(const Entry& map, const std::string& key, const std::string& what) const;
@@ -83,10 +96,12 @@ class YamlReader {
   void read(const Entry& map, const std::vector<Key<Target>>& keys, Target& target, const char* accepted = "a map") {
     checkMap(map, element::namesOf(keys), accepted);
     for (const Key<Target>& key : keys) {
-      const Entry value = key.needed == nullptr ? map[key.name] : require(map, key.name, key.needed);
-      if (value && key.read) {
-        key.read(value, target);
-      }
+      attempt([&] {
+        const Entry value = key.needed.empty() ? map[key.name] : require(map, key.name, key.needed);
+        if (value && key.read) {
+          key.read(value, target);
+        }
+      });
     }
   }
 
@@ -104,18 +119,23 @@ class YamlReader {
     return values;
   }
 
-  /// The index of a word among those accepted.
-  std::size_t loadWord(const Entry& entry, const std::vector<std::string>& words) const;
+  /// The index of a word among those accepted; `wanted` says what it should name, "a model".
+  std::size_t loadWord(const Entry& entry, const std::vector<std::string>& words, const std::string& wanted = "") const;
   bool loadFlag(const Entry& entry) const { return loadWord(entry, {"false", "true"}) == 1; }
 
-  std::string component_;  ///< the one being read, for errors
-  std::string place_;      ///< the direction being read, of a component of six
+  RigTolerances loadRig(const Entry& entry);
+
+  std::string component_;                         ///< the one being read, for errors
+  std::string place_;                             ///< the direction being read, of a component of six
+  std::vector<std::string>* problems_ = nullptr;  ///< receives all problems; nullptr: the first one is thrown
 
  private:
   [[noreturn]] void refuseLine(int line, const std::string& path, const std::string& problem) const;
   void merge(const Entry& map, int depth) const;
 
   std::string source_;
+  std::string kind_;
+  std::string key_;
   // A key without value: YAML places the nothing at the token that follows, perhaps lines below. By position, the key's
   // line.
   std::map<int, int> lines_of_nothing_;

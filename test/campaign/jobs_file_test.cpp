@@ -19,7 +19,7 @@ std::vector<std::string> problemsOf(const std::string& text) {
 
 TEST(JobsFile, IsRead) {
   std::vector<std::string> problems;
-  const campaign::JobsFile file = campaign::parseJobsFile(
+  const std::vector<campaign::JobGroup> groups = campaign::parseJobsFile(
       "settings: {reports: none, sampling_rate: 1000}\n"
       "jobs:\n"
       "  fleet:\n"
@@ -39,15 +39,15 @@ TEST(JobsFile, IsRead) {
       "0.1 kN/mm}}}\n",
       "jobs.yaml", problems);
   EXPECT_THAT(problems, IsEmpty());
-  ASSERT_EQ(file.groups.size(), 2U);
-  const campaign::JobGroup& fleet = file.groups[0];
+  ASSERT_EQ(groups.size(), 2U);
+  const campaign::JobGroup& fleet = groups[0];
   EXPECT_EQ(fleet.name, "fleet");
   EXPECT_EQ(fleet.line, 3);
   EXPECT_THAT(fleet.logs, ElementsAre("sweep*.csv", "track.csv"));
   EXPECT_EQ(fleet.options.reports, campaign::Reports::none);
   EXPECT_EQ(fleet.options.sampling_rate, 1000.0);
   EXPECT_EQ(fleet.options.rig.at("gain"), "1 %");
-  const campaign::JobGroup& study = file.groups[1];
+  const campaign::JobGroup& study = groups[1];
   EXPECT_EQ(study.options.reports, campaign::Reports::data);
   ASSERT_TRUE(study.monte_carlo);
   EXPECT_EQ(study.monte_carlo->runs, 10U);
@@ -84,11 +84,11 @@ TEST(JobsFile, TellsEveryProblemAtOnce) {
 
 TEST(JobsFile, EvidenceNeedsAReportAndADiagnosis) {
   std::vector<std::string> problems;
-  const campaign::JobsFile file = campaign::parseJobsFile(
+  const std::vector<campaign::JobGroup> groups = campaign::parseJobsFile(
       "jobs:\n  a: {command: diagnose, config: c, log: l, evidence: true, test_rig: hexapod}\n", "jobs.yaml", problems);
   EXPECT_THAT(problems, IsEmpty());
-  EXPECT_TRUE(file.groups.at(0).options.evidence);
-  EXPECT_EQ(file.groups.at(0).test_rig, "hexapod");
+  EXPECT_TRUE(groups.at(0).options.evidence);
+  EXPECT_EQ(groups.at(0).test_rig, "hexapod");
   EXPECT_THAT(
       problemsOf("settings: {reports: none}\njobs:\n  a: {command: diagnose, config: c, log: l, evidence: true}\n"),
       ElementsAre(HasSubstr("reports: none leaves none; accepted: reports: data, full")));
@@ -100,9 +100,9 @@ TEST(JobsFile, EvidenceNeedsAReportAndADiagnosis) {
 TEST(JobsFile, ExcludesKnownEffects) {
   const std::string entry = "jobs:\n  a: {command: diagnose, config: c, log: l, exclude: [free_play, ";
   std::vector<std::string> problems;
-  const campaign::JobsFile file = campaign::parseJobsFile(entry + "backlash]}\n", "jobs.yaml", problems);
+  const std::vector<campaign::JobGroup> groups = campaign::parseJobsFile(entry + "backlash]}\n", "jobs.yaml", problems);
   EXPECT_THAT(problems, IsEmpty());
-  EXPECT_THAT(file.groups.at(0).options.exclude, ElementsAre("free_play", "backlash"));
+  EXPECT_THAT(groups.at(0).options.exclude, ElementsAre("free_play", "backlash"));
   EXPECT_THAT(problemsOf(entry + "slack]}\n"), ElementsAre(HasSubstr("exclude: 'slack' is no effect")));
 }
 

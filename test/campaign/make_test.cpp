@@ -24,16 +24,14 @@ class MakeCampaign : public ::testing::Test {
  protected:
   campaign::Manifest make(const std::string& jobs, const std::string& version = "1.0") {
     const std::string path = folder_.write("jobs.yaml", jobs);
-    return campaign::makeManifest(path, folder_.path("out"), version, 2, readTestLog).manifest;
+    const campaign::Expansion made = campaign::makeManifest(path, folder_.path("out"), version, 2, readTestLog);
+    problems_ = made.problems;
+    return made.manifest;
   }
 
   std::vector<std::string> problems(const std::string& jobs) {
-    try {
-      make(jobs);
-    } catch (const campaign::BadInputs& error) {
-      return error.problems();
-    }
-    return {};
+    make(jobs);
+    return problems_;
   }
 
   // Two folders with a component and two logs each.
@@ -49,6 +47,7 @@ class MakeCampaign : public ::testing::Test {
       "jobs:\n  fleet:\n    command: diagnose\n    folders: fleet/*\n    config: component.yaml\n    log: log_*.csv\n";
 
   ScratchFolder folder_;
+  std::vector<std::string> problems_;
 };
 
 TEST_F(MakeCampaign, ARigIsKeptAndDecidesNoResult) {
@@ -57,7 +56,7 @@ TEST_F(MakeCampaign, ARigIsKeptAndDecidesNoResult) {
   const campaign::Manifest named = make(std::string(kFleet) + "    test_rig: hexapod\n");
   EXPECT_EQ(named.jobs[0].test_rig, "hexapod");
   EXPECT_EQ(named.jobs[0].id, plain.jobs[0].id);
-  EXPECT_EQ(campaign::jobFromJson(campaign::jobJson(named.jobs[0])).test_rig, "hexapod");
+  EXPECT_EQ(nlohmann::json(nlohmann::ordered_json(named.jobs[0])).get<campaign::Job>().test_rig, "hexapod");
 }
 
 TEST_F(MakeCampaign, AJobForEachFolder) {
@@ -115,9 +114,9 @@ TEST_F(MakeCampaign, TheIdIsThatOfContentsOptionsAndVersion) {
 
 TEST_F(MakeCampaign, AnOptionOfAnotherVersionIsRefused) {
   writeFleet();
-  nlohmann::json job = campaign::jobJson(make(kFleet).jobs.at(0));
+  nlohmann::json job = nlohmann::ordered_json(make(kFleet).jobs.at(0));
   job["options"]["rate"] = 200.0;
-  EXPECT_EQ(messageOf<std::invalid_argument>([&] { campaign::jobFromJson(job); }),
+  EXPECT_EQ(messageOf<std::invalid_argument>([&] { job.get<campaign::Job>(); }),
             "'rate' is unknown (did you mean 'sampling_rate'?)");
 }
 
@@ -135,7 +134,7 @@ TEST_F(MakeCampaign, TheManifestReadsBack) {
   EXPECT_EQ(again.version, "1.0");
   ASSERT_EQ(again.jobs.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(campaign::jobJson(again.jobs[i]), campaign::jobJson(manifest.jobs[i]));
+    EXPECT_EQ(nlohmann::ordered_json(again.jobs[i]), nlohmann::ordered_json(manifest.jobs[i]));
     EXPECT_EQ(campaign::jobId(again.jobs[i], again.inputs, "1.0"), manifest.jobs[i].id);
   }
   const std::string text = folder_.read("out/manifest.jsonl");
