@@ -10,10 +10,10 @@
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr double kEnoughGain = 1e-3;  // of the gap, for a further step
-constexpr double kSlow = 0.2;         // of what a fit still lacks: at least five more such steps would be needed
-constexpr int kMostHalvings = 6;      // of a step that does not lead down
-constexpr double kNothing = 1e-9;     // of the typical scale: a term of this scale is left out
+constexpr double kEnoughGain = 1e-3;       // of the gap, for a further step
+constexpr double kSlow = 0.2;              // of what a fit still lacks: at least five more such steps would be needed
+constexpr int kMostHalvings = 6;           // of a step that does not lead down
+constexpr double kNegligibleScale = 1e-9;  // of the typical scale: a term of this scale is left out
 
 // The mean over the logs of what such unknowns leave one of; by `of_columns`, what each column takes of it.
 double meanLeft(const Eigen::VectorXd& of_columns, const Eigen::VectorXd& unknowns) {
@@ -89,7 +89,7 @@ ParameterVector HypothesisFitter::moved(const Hypothesis& hypothesis, const Para
     const BasisTerm& term = hypothesis.terms[t];
     auto& scale = result.scales[static_cast<Eigen::Index>(t)];
     scale = std::clamp(scale, term.lower, term.upper);
-    scale = std::abs(scale) < kNothing * term.typical ? 0.0 : scale;
+    scale = std::abs(scale) < kNegligibleScale * term.typical ? 0.0 : scale;
   }
   return result;
 }

@@ -140,15 +140,15 @@ double SpecificationReader::loadSheetShare(const Entry& entry) {
 }
 
 estimation::StaticCurve SpecificationReader::loadCurve(const Entry& entry, const Entry& scale) {
-  using Curve = estimation::StaticCurve;
+  using StaticCurve = estimation::StaticCurve;
   const auto numbersIn = [this](const char* unit) {
     return [this, unit](const Entry& value) { return loadNumbers(value, anyNumber(unit)); };
   };
-  const std::vector<Key<Curve>> keys = {
-      into("displacement", &Curve::displacement, numbersIn("m"), "a list"),
-      into("force", &Curve::force, numbersIn("N"), "a list"),
-      into("monotone", &Curve::monotone, [this](const Entry& value) { return loadFlag(value); })};
-  Curve curve;
+  const std::vector<Key<StaticCurve>> keys = {
+      into("displacement", &StaticCurve::displacement, numbersIn("m"), "a list"),
+      into("force", &StaticCurve::force, numbersIn("N"), "a list"),
+      into("monotone", &StaticCurve::monotone, [this](const Entry& value) { return loadFlag(value); })};
+  StaticCurve curve;
   read(entry, keys, curve, "a map with the lists displacement and force");
   curve.scales = !scale || loadScale(scale);
   try {

@@ -132,8 +132,8 @@ void addDataset(std::vector<Hdf5Column>& columns, hid_t dataset, const std::stri
 std::string leafOf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 // That a column belongs to; the dataset itself is one for its members.
-std::string groupOf(const Hdf5Column& column) {
-  return column.member.empty() ? log::groupOf(column.path) : column.path;
+std::string folderOf(const Hdf5Column& column) {
+  return column.member.empty() ? groupOf(column.path) : column.path;
 }
 
 // Short names where they are clear.
@@ -141,7 +141,7 @@ void nameColumns(std::vector<Hdf5Column>& columns) {
   std::set<std::string> groups;
   std::set<std::string> paths;
   for (const Hdf5Column& column : columns) {
-    groups.insert(groupOf(column));
+    groups.insert(folderOf(column));
     paths.insert(column.path);
   }
   for (Hdf5Column& column : columns) {
@@ -235,7 +235,7 @@ class Hdf5File {
       ColumnName name = parseColumnName(column.name, column.unit);
       name.bare = leafOf(name.bare);
       table.names.push_back(name);
-      table.groups.push_back(groupOf(column));
+      table.groups.push_back(folderOf(column));
     }
     return table;
   }
@@ -262,7 +262,7 @@ class Hdf5File {
 
 // The result of `read` on a file, which nobody else reads meanwhile.
 template <class Read>
-auto withFile(const std::string& path, const Read& read) {
+auto withHdf5File(const std::string& path, const Read& read) {
   const std::lock_guard<std::mutex> lock(hdf5Mutex());
   try {
     return read(Hdf5File(path));
@@ -276,12 +276,12 @@ auto withFile(const std::string& path, const Read& read) {
 }  // namespace
 
 std::vector<Log> readHdf5Logs(const std::string& path, const LogFormat& format) {
-  return withFile(
+  return withHdf5File(
       path, [&](const Hdf5File& file) { return logsFromColumns(file.table(kMaximumLogRows), format, logName(path)); });
 }
 
 std::vector<std::string> readHdf5Blocks(const std::string& path, const LogFormat& format, const LogSource::Take& take) {
-  return withFile(path, [&](const Hdf5File& file) {
+  return withHdf5File(path, [&](const Hdf5File& file) {
     return blocksFromColumns(file.table(kAllSamples), format, logName(path), kLogBlock, take);
   });
 }

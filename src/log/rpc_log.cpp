@@ -85,7 +85,7 @@ class RpcHeader {
   std::string oneOf(const std::string& key, const std::string& otherwise, const std::vector<std::string>& all) const {
     std::string value = text(key, otherwise);
     element::refuseIf<std::runtime_error>(std::find(all.begin(), all.end(), value) == all.end(),
-                                          "{} is {}; accepted: {}", key, value.empty() ? "missing" : quoted(value),
+                                          "{} is {}; accepted: {}", key, value.empty() ? "missing" : log::quoted(value),
                                           join(all));
     return value;
   }
@@ -246,7 +246,7 @@ class RpcFile {
 
 // Calls it with the file; errors begin with its path.
 template <class Read>
-auto withFile(const std::string& path, Read read) {
+auto withRpcFile(const std::string& path, Read read) {
   try {
     RpcFile file(path);
     return read(file);
@@ -270,7 +270,7 @@ std::string record(const std::string& key, const std::string& value) {
 }  // namespace
 
 std::vector<Log> readRpcLogs(const std::string& path, const LogFormat& format) {
-  return withFile(path, [&](RpcFile& file) {
+  return withRpcFile(path, [&](RpcFile& file) {
     std::vector<Log> logs = logsFromColumns(file.table(), format, logName(path));
     for (Log& log : logs) {
       appendTo(log.notes, file.notes());
@@ -280,7 +280,7 @@ std::vector<Log> readRpcLogs(const std::string& path, const LogFormat& format) {
 }
 
 std::vector<std::string> readRpcBlocks(const std::string& path, const LogFormat& format, const LogSource::Take& take) {
-  return withFile(path, [&](RpcFile& file) {
+  return withRpcFile(path, [&](RpcFile& file) {
     std::vector<std::string> notes = blocksFromColumns(file.table(), format, logName(path), kLogBlock, take);
     appendTo(notes, file.notes());
     return notes;

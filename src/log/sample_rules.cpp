@@ -65,8 +65,6 @@ double rateOfStamps(const std::vector<std::int64_t>& stamps) {
   return numerics::medianOf(rates);
 }
 
-const char* pluralOf(std::size_t count) { return count == 1 ? "" : "s"; }
-
 }  // namespace
 
 SampleRules::SampleRules(const LogFormat& format, const Columns& columns, const char* word)

@@ -31,7 +31,6 @@ void requireSize(std::size_t place, const Column& column, double value) {
                                       column.toSi(value), element::kLargestNumber));
   }
 }
-const char* pluralOf(std::size_t count) { return count == 1 ? "" : "s"; }
 
 // True where the extent of nearly all values is far less than that of all: only then a number may stand for none.
 bool mayHoldSentinel(const std::vector<double>& values) {

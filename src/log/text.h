@@ -48,6 +48,9 @@ std::string oneLine(const std::string& text);
 /// Text that a user wrote, in quotes and fit for one line of an error: cut where it is long, as oneLine().
 std::string quoted(const std::string& text);
 
+/// The ending of a noun that counts things.
+inline const char* pluralOf(std::size_t count) { return count == 1 ? "" : "s"; }
+
 /// Names as a list "a, b, c".
 std::string join(const std::vector<std::string>& names);
 

@@ -28,7 +28,7 @@ components:
       rz: {model: elements, elements: [{type: spring, stiffness: 900 N m/rad}, {type: dashpot, damping: 4 N m s/rad}]}
 )";
 
-io::ComponentDescription bush() { return componentOf(kBush); }
+io::ComponentDescription sixDirectionsBush() { return componentOf(kBush); }
 
 component::SixNumbers inputsAt(int sample) {
   component::SixNumbers inputs;
@@ -47,7 +47,7 @@ Eigen::Isometry3d poseOf(const component::SixNumbers& inputs) {
 
 class SixDirections : public testing::TestWithParam<Version> {
  protected:
-  SixDirections() : fmu_(bush(), GetParam()), importer_(Importer::make(fmu_, fmu_.guid())) {
+  SixDirections() : fmu_(sixDirectionsBush(), GetParam()), importer_(Importer::make(fmu_, fmu_.guid())) {
     for (const char* name : {"x", "y", "z", "rx", "ry", "rz"}) {
       inputs_.push_back(fmu_.reference(name));
     }
@@ -89,7 +89,7 @@ class SixDirections : public testing::TestWithParam<Version> {
 
 TEST_P(SixDirections, WrenchesAreThoseOfTheComponent) {
   ASSERT_TRUE(importer_->valid());
-  const component::SixDirections component = bush().six->makeComponent();
+  const component::SixDirections component = sixDirectionsBush().six->makeComponent();
   component::SixDirectionsState state = component.makeState();
   const auto expect = [](const component::SixNumbers& numbers, const component::Wrench& expected) {
     EXPECT_EQ(numbers.head<3>(), expected.force);
@@ -109,7 +109,7 @@ TEST_P(SixDirections, WrenchesAreThoseOfTheComponent) {
 }
 
 TEST_P(SixDirections, TheDescriptionBreaksNoRule) {
-  EXPECT_EQ(brokenRules(modelDescription(dataOf(bush()), GetParam(), "test 1.0"), GetParam()),
+  EXPECT_EQ(brokenRules(modelDescription(dataOf(sixDirectionsBush()), GetParam(), "test 1.0"), GetParam()),
             std::vector<std::string>());
 }
 
@@ -139,7 +139,7 @@ TEST_P(SixDirections, ARotationBeyondTheMeasureIsAnErrorThatLeavesAllAsItWas) {
   drive(0, 50);
   component::SixNumbers of_bush = component::SixNumbers::Zero();
   of_bush[component::kRy] = 1.55;  // 88.8 deg; cardan angles of the bush's own axes end at 85
-  const Eigen::Isometry3d pose = bush().six->makeComponent().pose(of_bush);
+  const Eigen::Isometry3d pose = sixDirectionsBush().six->makeComponent().pose(of_bush);
   component::SixNumbers beyond;
   beyond << pose.translation(),
       component::coordinatesOf(component::RotationMeasure::cardan, Eigen::Quaterniond(pose.linear())).value;

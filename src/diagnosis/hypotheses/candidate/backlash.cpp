@@ -7,7 +7,7 @@ namespace {
 
 // Friction and a damper behind one clearance; dampers that blow off or are filled with what thins, and one with an
 // orifice.
-std::vector<fit::BasisTerm> termsAt(const fit::Excitation& excitation, double gap) {
+std::vector<fit::BasisTerm> clearanceTerms(const fit::Excitation& excitation, double gap) {
   const double typical = 0.1 * excitation.stiffness;
   const double largest = excitation.largest_displacement;
   std::vector<fit::BasisTerm> terms;
@@ -42,7 +42,7 @@ fit::Candidate backlash(const fit::Excitation& excitation) {
   candidate.is_friction = excitation.whole_logs > 1;
   candidate.least_shape = kLeastGap * excitation.largest_displacement;
   candidate.largest_shape = kLargestGap * excitation.largest_displacement;
-  candidate.terms_at = [excitation](double gap) { return termsAt(excitation, gap); };
+  candidate.terms_at = [excitation](double gap) { return clearanceTerms(excitation, gap); };
   candidate.terms = candidate.terms_at(0.1 * excitation.largest_displacement);
   return candidate;
 }

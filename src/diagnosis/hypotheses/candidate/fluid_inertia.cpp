@@ -47,7 +47,7 @@ fit::BasisTerm turbulentTerm(const fit::Excitation& excitation, double resonance
 }
 
 // Tracks about one frequency [Hz]: together any damping and a resonance between them, or one that the amplitude moves.
-std::vector<fit::BasisTerm> termsAt(const fit::Excitation& excitation, double frequency) {
+std::vector<fit::BasisTerm> tracksAt(const fit::Excitation& excitation, double frequency) {
   constexpr double kBeside = 1.18;  // a resonance over the next
   constexpr double kDecoupled = 0.25;
   constexpr double kTurbulent = 0.2;
@@ -91,7 +91,7 @@ fit::Candidate fluidInertia(const fit::Excitation& excitation) {
   candidate.contains = judge::containedIn(candidate.effect);
   candidate.least_shape = kLeast * excitation.highest_frequency;
   candidate.largest_shape = kLargest * excitation.highest_frequency;
-  candidate.terms_at = [excitation](double frequency) { return termsAt(excitation, frequency); };
+  candidate.terms_at = [excitation](double frequency) { return tracksAt(excitation, frequency); };
   candidate.terms = candidate.terms_at(0.5 * excitation.highest_frequency);
   candidate.laws = turbulentLaws(excitation, candidate.least_shape, candidate.largest_shape);
   return candidate;
