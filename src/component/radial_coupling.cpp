@@ -5,27 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <map>
 #include <stdexcept>
+#include <string>
 
-#include "rubber_suspension/element/along_curve.h"
+#include "element/position_table.h"
 #include "rubber_suspension/element/berg_friction.h"
-#include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/iwan.h"
 #include "rubber_suspension/element/maxwell.h"
-#include "rubber_suspension/element/spring.h"
-#include "rubber_suspension/element/spring_table.h"
-#include "rubber_suspension/element/springpot.h"
 
 namespace rubber_suspension::component {
 namespace {
 
 constexpr double kSameToRounding = 1e-9;
-
-template <class... Laws>
-bool isOneOf(const element::ParallelElement* law) {
-  return ((dynamic_cast<const Laws*>(law) != nullptr) || ...);
-}
 
 // Berg's friction has no form by the radius; the bank of the same numbers has, but is not the same friction.
 [[noreturn]] void refuseBerg(const element::BergFriction& berg) {
@@ -49,31 +41,35 @@ bool isOneOf(const element::ParallelElement* law) {
 constexpr const char* kStopType = "bump_stop";
 constexpr std::size_t kVector = 3;
 
+using ElementList = std::vector<element::ElementDescription>;
+
 // Elements by how the radius takes them.
 struct SortedElements {
-  std::vector<element::ElementDescription> along;  // each direction by itself
-  std::vector<element::ElementDescription> elastic;
-  std::vector<element::ElementDescription> scaled;
-  std::vector<element::ElementDescription> friction;
+  ElementList along;  // each direction by itself
+  ElementList elastic;
+  ElementList scaled;
+  ElementList friction;
 };
 
-std::vector<element::ElementDescription>& listFor(const element::ElementDescription& description,
-                                                  SortedElements& sorted) {
+ElementList& listFor(const element::ElementDescription& description, SortedElements& sorted) {
+  static const std::map<std::string, ElementList SortedElements::*> lists = {
+      {"spring", &SortedElements::along},
+      {"maxwell", &SortedElements::along},
+      {"dashpot", &SortedElements::along},
+      {"springpot", &SortedElements::along},
+      {"spring_table", &SortedElements::elastic},
+      {kStopType, &SortedElements::elastic},
+      {"radial_stiffness", &SortedElements::elastic},
+      {"maxwell_along_curve", &SortedElements::scaled},
+      {"dashpot_along_curve", &SortedElements::scaled},
+      {"iwan", &SortedElements::friction},
+      {"iwan_table", &SortedElements::friction},
+  };
   const element::ElementPointer element = element::makeElement(description);
-  const element::ParallelElement* law = element::parallelLaw(element);
-  if (isOneOf<element::Spring, element::Maxwell, element::Dashpot, element::SmoothDashpot, element::Springpot>(law)) {
-    return sorted.along;
+  if (const auto found = lists.find(description.type); found != lists.end()) {
+    return sorted.*found->second;
   }
-  if (isOneOf<element::SpringTable, element::BumpStop, element::RadialStiffness>(law)) {
-    return sorted.elastic;
-  }
-  if (isOneOf<element::MaxwellAlongCurve, element::DashpotAlongCurve>(law)) {
-    return sorted.scaled;
-  }
-  if (isOneOf<element::Iwan, element::IwanTable>(law)) {
-    return sorted.friction;
-  }
-  if (const auto* berg = dynamic_cast<const element::BergFriction*>(law)) {
+  if (const auto* berg = dynamic_cast<const element::BergFriction*>(element::parallelLaw(element))) {
     refuseBerg(*berg);
   }
   throw std::invalid_argument(
@@ -92,6 +88,11 @@ SortedElements sort(const std::vector<element::ElementDescription>& elements) {
   return sorted;
 }
 
+// Force of an elastic law, whose displacement is all of its state [N].
+double forceAt(const element::ElementPointer& law, double displacement) {
+  return element::parallelLaw(law)->initialise(displacement, nullptr);
+}
+
 std::vector<element::JenkinsSlider> slidersOf(const element::ElementDescription& friction) {
   const element::ElementPointer element = element::makeElement(friction);
   return dynamic_cast<const element::SliderBank&>(*parallelLaw(element)).sliders();
@@ -104,28 +105,29 @@ void RadialLaw::addCurve(const element::ElementDescription& table) {
     throw std::invalid_argument("a second static curve or spring_table; accepted: one by the radius");
   }
   const std::vector<double>& displacement = table.list("displacement");
-  const element::SpringTable law(displacement, table.list("force"), false);
+  const element::ElementPointer law = element::makeElement(
+      {table.type, {{"displacement", displacement}, {"force", table.list("force")}, {"monotone", {0.0}}}});
   double largest = 0.0;
   for (const double force : table.list("force")) {
     largest = std::max(largest, std::abs(force));
   }
   const bool both_sides = displacement.front() < 0.0;
   for (const double z : displacement) {
-    if (both_sides && std::abs(law.force(z) + law.force(-z)) > kSameToRounding * largest) {
+    if (both_sides && std::abs(forceAt(law, z) + forceAt(law, -z)) > kSameToRounding * largest) {
       throw std::invalid_argument(fmt::format(
           "the static curve has {:g} at {:g} and {:g} at {:g}, which no radius can tell apart; accepted: a curve that "
           "is odd, or points at displacements from 0 on",
-          law.force(z), z, law.force(-z), -z));
+          forceAt(law, z), z, forceAt(law, -z), -z));
     }
   }
-  if (std::abs(law.force(0.0)) > kSameToRounding * largest) {
+  if (std::abs(forceAt(law, 0.0)) > kSameToRounding * largest) {
     throw std::invalid_argument(fmt::format(
-        "the static curve has {:g} at 0; accepted: 0 there, as a radius has no direction at 0", law.force(0.0)));
+        "the static curve has {:g} at 0; accepted: 0 there, as a radius has no direction at 0", forceAt(law, 0.0)));
   }
   points_.push_back({0.0, 0.0, 0.0, 0.0});
   for (const double z : displacement) {
     if (z > 0.0) {
-      points_.push_back({z, law.force(z), 0.0, 0.0});
+      points_.push_back({z, forceAt(law, z), 0.0, 0.0});
     }
   }
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
@@ -135,16 +137,16 @@ void RadialLaw::addCurve(const element::ElementDescription& table) {
   }
   // Beyond the last point as the table has it, also where that lies below 0.
   const double beyond = points_.back().radius + std::max(points_.back().radius, 1.0);
-  points_.back().slope = (law.force(beyond) - points_.back().force) / (beyond - points_.back().radius);
+  points_.back().slope = (forceAt(law, beyond) - points_.back().force) / (beyond - points_.back().radius);
 }
 
 void RadialLaw::addStop(const element::ElementDescription& stop) {
   if (stop.value("side") < 0.0) {
     throw std::invalid_argument("bump_stop.side: -1, which no radius reaches; accepted: 0 or 1");
   }
-  stops_.push_back({element::BumpStop(stop.value("stiffness"), stop.value("gap"), stop.value("exponent"),
-                                      stop.value("reference_depth"), element::BumpStop::Side::both),
-                    stop.value("gap"), stop.value("exponent")});
+  element::ElementDescription of_radius = stop;
+  of_radius.values["side"] = {0.0};
+  stops_.push_back({element::makeElement(of_radius), stop.value("gap"), stop.value("exponent")});
 }
 
 void RadialLaw::addStiffening(const element::ElementDescription& radial) {
@@ -177,7 +179,7 @@ double RadialLaw::curveEnergy(double r) const {
 double RadialLaw::force(double r) const {
   double sum = curve(r);
   for (const Stop& stop : stops_) {
-    sum += stop.law.force(r);
+    sum += forceAt(stop.law, r);
   }
   for (const element::RadialStiffness& law : stiffenings_) {
     sum += law.alongRadius(r);
@@ -196,7 +198,7 @@ double RadialLaw::own(double displacement) const {
 double RadialLaw::energy(double r) const {
   double sum = curveEnergy(r);
   for (const Stop& stop : stops_) {
-    sum += stop.law.force(r) * (r - stop.gap) / (stop.exponent + 1.0);
+    sum += forceAt(stop.law, r) * (r - stop.gap) / (stop.exponent + 1.0);
   }
   for (const element::RadialStiffness& law : stiffenings_) {
     sum += law.energy(r);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "rubber_suspension/component/six_directions.h"
-#include "rubber_suspension/element/bump_stop.h"
 #include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/element/slider_bank.h"
 
@@ -43,7 +42,7 @@ class RadialLaw {
     double energy;  // up to here
   };
   struct Stop {
-    element::BumpStop law;
+    element::ElementPointer law;
     double gap;
     double exponent;
   };

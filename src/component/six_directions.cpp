@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "component/radial_coupling.h"
-#include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/element/temperature_shift.h"
 
@@ -30,7 +29,7 @@ double directDamping(const std::vector<element::ElementDescription>& elements) {
     if (law == nullptr) {
       return 0.0;
     }
-    if (dynamic_cast<const element::Dashpot*>(law) != nullptr) {
+    if (description.type == "dashpot") {
       law->addTo(sum);
     }
   }

@@ -1,14 +1,15 @@
-// Maxwell elements, dashpots and sliders whose size follows the displacement.
-#include "rubber_suspension/element/along_curve.h"
-
+// Maxwell elements, dashpots and sliders whose size follows the displacement: rubber under a preload.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <stdexcept>
 
+#include "element/position_table.h"
+#include "element/registry.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/iwan.h"
 #include "rubber_suspension/element/relaxation.h"
+#include "rubber_suspension/element/slider_bank.h"
 
 namespace rubber_suspension::element {
 namespace {
@@ -53,53 +54,90 @@ PositionTable grownTable(const ElementDescription& description, double growth, i
   return {description.type, std::move(displacement), "stiffness", std::move(grown)};
 }
 
-}  // namespace
+/// dF/dt = k(z) dz/dt - F/tau, tau = 1/(2 pi f_b), with a stiffness that is linear between points of the displacement
+/// and constant beyond. With k in proportion to the slope of the static curve, small oscillations have a loss angle
+/// that does not depend on the preload, as those of rubber. With U the integral of k over z and w = U(z) - F, the
+/// energy is the integral of U - w from the point where U = w; it never grows by more than the work done where k > 0.
+/// Exact for a displacement that is linear between samples: a step is split at the points. Memory: force. Validity: one
+/// relaxation time at all preloads. Source: branch of a nonlinear elastic function, A. Ledesma et al., UM-MEAM-95-05
+/// (1995), in structure.
+///
+/// With `growth` b the curve has two numbers in place of points: k(z) = k_r exp(b ((z/z_r)^2 - 1)) up to the one
+/// displacement z_r, constant beyond; on the other `side` it is that at 0. So the elastic force grows exponentially
+/// with strain, and relaxes alike from any. Source: quasi-linear viscoelasticity, Y. C. Fung, Biomechanics (Springer
+/// 1981), ch. 7.
+class MaxwellAlongCurve final : public ParallelElement {
+ public:
+  MaxwellAlongCurve(PositionTable stiffness /* k(z) [N/m] */, double break_frequency /* f_b [Hz] */)
+      : stiffness_(std::move(stiffness)), rate_(2.0 * kPi * break_frequency) {}
 
-PositionTable::PositionTable(const std::string& type, std::vector<double> displacement, const std::string& name,
-                             std::vector<double> value)
-    : displacement_(std::move(displacement)), value_(std::move(value)) {
-  if (displacement_.empty() || displacement_.size() != value_.size()) {
-    throw std::invalid_argument(fmt::format("{}.{}: {} values for {} displacements; accepted: as many as displacements",
-                                            type, name, value_.size(), displacement_.size()));
-  }
-  for (std::size_t i = 1; i < displacement_.size(); ++i) {
-    if (!(displacement_[i] >= displacement_[i - 1])) {
-      refuseValue(type, "displacement", displacement_[i], "m",
-                  fmt::format("at least {:g}, the value before it", displacement_[i - 1]));
+  std::size_t memorySize() const override { return 1; }
+  double step(const Motion& motion, double* memory) const override {
+    double force = memory[0];
+    if (motion.increment == 0.0) {
+      return memory[0] = force * Relaxation::over(motion.dt * rate_).decay;
     }
+    stiffness_.along(motion.displacement - motion.increment, motion.displacement,
+                     [&](double begin, double end, double stiffness_before, double stiffness_after) {
+                       const double x = motion.dt * rate_ * ((end - begin) / motion.increment);
+                       const Relaxation relaxation = Relaxation::over(x);
+                       const double gain = stiffness_after * relaxation.mean -
+                                           (stiffness_after - stiffness_before) * momentOverStep(x, relaxation);
+                       force = relaxation.decay * force + gain * (end - begin);
+                     });
+    return memory[0] = force;
   }
-}
+  Part part() const override { return Part::viscous; }
 
-MaxwellAlongCurve::MaxwellAlongCurve(PositionTable stiffness, double break_frequency)
-    : stiffness_(std::move(stiffness)), rate_(2.0 * kPi * break_frequency) {}
+ private:
+  PositionTable stiffness_;
+  double rate_;  // 1/tau [1/s]
+};
 
-double MaxwellAlongCurve::step(const Motion& motion, double* memory) const {
-  double force = memory[0];
-  if (motion.increment == 0.0) {
-    return memory[0] = force * Relaxation::over(motion.dt * rate_).decay;
-  }
-  stiffness_.along(motion.displacement - motion.increment, motion.displacement,
-                   [&](double begin, double end, double stiffness_before, double stiffness_after) {
-                     const double x = motion.dt * rate_ * ((end - begin) / motion.increment);
-                     const Relaxation relaxation = Relaxation::over(x);
-                     const double gain = stiffness_after * relaxation.mean -
-                                         (stiffness_after - stiffness_before) * momentOverStep(x, relaxation);
-                     force = relaxation.decay * force + gain * (end - begin);
+/// F = c(z) dz/dt with a damping as above: the mean over the step. Source: as above.
+class DashpotAlongCurve final : public ParallelElement {
+ public:
+  explicit DashpotAlongCurve(PositionTable damping /* c(z) [N s/m] */) : damping_(std::move(damping)) {}
+
+  double step(const Motion& motion, double* /*memory*/) const override {
+    double impulse = 0.0;
+    damping_.along(motion.displacement - motion.increment, motion.displacement,
+                   [&](double begin, double end, double damping_before, double damping_after) {
+                     impulse += 0.5 * (damping_before + damping_after) * (end - begin);
                    });
-  return memory[0] = force;
-}
+    return impulse / motion.dt;
+  }
+  Part part() const override { return Part::viscous; }
 
-double DashpotAlongCurve::step(const Motion& motion, double* /*memory*/) const {
-  double impulse = 0.0;
-  damping_.along(motion.displacement - motion.increment, motion.displacement,
-                 [&](double begin, double end, double damping_before, double damping_after) {
-                   impulse += 0.5 * (damping_before + damping_after) * (end - begin);
-                 });
-  return impulse / motion.dt;
-}
+ private:
+  PositionTable damping_;
+};
 
-ElementType maxwellAlongCurveType() {
-  return {"maxwell_along_curve",
+/// The force of a bank of Jenkins sliders times a factor b(z) >= 0 as above. The bank slides at the same displacements
+/// at every preload, and holds b times the force. The integral of b k (z - s) from the slider s is its energy, so it
+/// dissipates as it slides. Source: sliders as SliderBank.
+class SlidersAlongCurve final : public ParallelElement {
+ public:
+  SlidersAlongCurve(std::vector<JenkinsSlider> sliders, PositionTable factor /* b(z) [-] */)
+      : bank_(std::move(sliders)), factor_(std::move(factor)) {}
+
+  std::size_t memorySize() const override { return bank_.memorySize(); }
+  double initialise(double displacement, double* memory) const override {
+    return bank_.initialise(displacement, memory);
+  }
+
+  double step(const Motion& motion, double* memory) const override {
+    return factor_.at(motion.displacement) * bank_.step(motion, memory);
+  }
+  Part part() const override { return Part::friction; }
+
+ private:
+  SliderBank bank_;
+  PositionTable factor_;
+};
+
+const ElementEntry kMaxwellAlongCurveEntry(
+    170, {"maxwell_along_curve",
           "Maxwell element whose stiffness follows the displacement, dF/dt = k(z) dz/dt - 2 pi f_b F.",
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k at the points", std::nullopt, true},
            pointsParameter(),
@@ -114,21 +152,19 @@ ElementType maxwellAlongCurveType() {
             return std::make_shared<const MaxwellAlongCurve>(
                 growth > 0.0 ? grownTable(description, growth, side) : tableOf(description, "stiffness"),
                 description.value("break_frequency"));
-          }};
-}
+          }});
 
-ElementType dashpotAlongCurveType() {
-  return {"dashpot_along_curve",
+const ElementEntry kDashpotAlongCurveEntry(
+    180, {"dashpot_along_curve",
           "Dashpot whose damping follows the displacement, F = c(z) dz/dt.",
           {pointsParameter(),
            {"damping", "N s/m", Role::scale, Range::positive(), "damping c at the points", std::nullopt, true}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const DashpotAlongCurve>(tableOf(description, "damping"));
-          }};
-}
+          }});
 
-ElementType slidersAlongCurveType() {
-  return {"sliders_along_curve",
+const ElementEntry kSlidersAlongCurveEntry(
+    190, {"sliders_along_curve",
           "Friction sliders whose force follows the displacement: that of iwan_table times a factor b(z).",
           {pointsParameter(),
            {"factor", "1", Role::reference, Range::nonNegative(), "factor b at the points", std::nullopt, true},
@@ -138,7 +174,7 @@ ElementType slidersAlongCurveType() {
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const SlidersAlongCurve>(slidersFromTable(description),
                                                              tableOf(description, "factor"));
-          }};
-}
+          }});
 
+}  // namespace
 }  // namespace rubber_suspension::element

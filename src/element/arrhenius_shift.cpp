@@ -1,44 +1,69 @@
 // Shift by the law of Arrhenius.
-#include "rubber_suspension/element/arrhenius_shift.h"
-
 #include <cmath>
 
+#include "element/registry.h"
+#include "element/shift_parts.h"
+
 namespace rubber_suspension::element {
+namespace {
 
-Shift ArrheniusShift::at(double temperature) const {
-  // 1/T - 1/T_0 without the difference of two that are nearly equal; 0 at T_0.
-  const double reference = parameters_.reference + kZeroCelsius;
-  const double absolute = temperature + kZeroCelsius;
-  const double difference = (parameters_.reference - temperature) / (absolute * reference);
-  return {std::exp(parameters_.activation_energy / kGasConstant * difference), vertical_.at(temperature).force};
-}
+/// ln a_T = E/R (1/T - 1/T_0) with T in K, b_T = 1 + beta (T - T_0).
+///
+/// Validity: further than about 100 K above T_g, or over a few tens of kelvin anywhere with E as the slope there (of
+/// WLF at its reference: E = ln(10) R T_0^2 C_1/C_2); taken as far as 20 decades to the slow side. A negative E, which
+/// no rubber has, takes back too much of another shift.
+/// Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
+class ArrheniusShift final : public TemperatureShift {
+ public:
+  struct Parameters {
+    double activation_energy;  ///< E [J/mol]
+    double reference;          ///< T_0 [degC]
+    double vertical;           ///< beta [1/K]
+  };
 
-Range ArrheniusShift::temperatures() const {
-  Range range = vertical_.temperatures();
-  if (parameters_.activation_energy == 0.0) {
+  explicit ArrheniusShift(const Parameters& parameters)
+      : parameters_(parameters), vertical_(parameters.vertical, parameters.reference) {}
+
+  Shift at(double temperature) const override {
+    // 1/T - 1/T_0 without the difference of two that are nearly equal; 0 at T_0.
+    const double reference = parameters_.reference + kZeroCelsius;
+    const double absolute = temperature + kZeroCelsius;
+    const double difference = (parameters_.reference - temperature) / (absolute * reference);
+    return {std::exp(parameters_.activation_energy / kGasConstant * difference), vertical_.at(temperature).force};
+  }
+
+  Range temperatures() const override {
+    Range range = vertical_.temperatures();
+    if (parameters_.activation_energy == 0.0) {
+      return range;
+    }
+    const double inverse = 1.0 / (parameters_.reference + kZeroCelsius) +
+                           kMostDecades * std::log(10.0) * kGasConstant / parameters_.activation_energy;
+    if (inverse > 0.0) {
+      const double end = 1.0 / inverse - kZeroCelsius;
+      Range slow;
+      (parameters_.activation_energy > 0.0 ? slow.lower : slow.upper) = end;
+      range = intersection(range, slow);
+    }
     return range;
   }
-  const double inverse = 1.0 / (parameters_.reference + kZeroCelsius) +
-                         kMostDecades * std::log(10.0) * kGasConstant / parameters_.activation_energy;
-  if (inverse > 0.0) {
-    const double end = 1.0 / inverse - kZeroCelsius;
-    Range slow;
-    (parameters_.activation_energy > 0.0 ? slow.lower : slow.upper) = end;
-    range = intersection(range, slow);
-  }
-  return range;
-}
 
-ElementType arrheniusShiftType() {
-  constexpr double kMost = 1e6;  // [J/mol]; the steepest at the glass transition reach half of it
-  return {"arrhenius_shift",
+ private:
+  Parameters parameters_;
+  VerticalShift vertical_;
+};
+
+constexpr double kMost = 1e6;  // [J/mol]; the steepest at the glass transition reach half of it
+
+const ElementEntry kArrheniusShiftEntry(
+    360, {"arrhenius_shift",
           "Shift of all rates with temperature by Arrhenius, ln a_T = E/R (1/T - 1/T_0); the key `temperature` of a "
           "component makes one.",
           {{"activation_energy", "J/mol", Role::shape, Range::closed(-kMost, kMost),
             "activation energy E; negative only where it takes back another shift"},
            referenceParameter(),
            verticalParameter("vertical", 0.0)},
-          makes<ArrheniusShift, ArrheniusShift::Parameters>("activation_energy", "reference", "vertical")};
-}
+          makes<ArrheniusShift, ArrheniusShift::Parameters>("activation_energy", "reference", "vertical")});
 
+}  // namespace
 }  // namespace rubber_suspension::element

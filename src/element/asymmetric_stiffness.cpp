@@ -1,11 +1,10 @@
-// Even part of a characteristic.
-#include "rubber_suspension/element/asymmetric_stiffness.h"
-
+// Even part of a characteristic: a component that is stiffer in one direction than in the other.
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension::element {
+#include "element/registry.h"
 
+namespace rubber_suspension::element {
 namespace {
 
 // exp(x) - 1 - x, continued along its tangent.
@@ -15,40 +14,81 @@ double growth(double strain) {
   return std::expm1(bounded) - bounded + (strain - bounded) * std::expm1(bounded);
 }
 
+/// F = k2 z^2 + k_d |z|/2 + k_h s (cosh(z/s) - 1) + k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), to be added to a linear
+/// spring. No loss. The first three terms are even: they hold nothing of a spring or of progressive_stiffness, which
+/// are odd. The fourth is even but for a linear part; the last one has an odd part of the same size. Under a sine of
+/// amplitude A the first term shifts the mean force by k2 A^2/2 and adds a second harmonic of as much. Validity: the
+/// coefficients may have either sign, so the tangent stiffness of the component becomes negative where the linear
+/// spring no longer outweighs them, below z = -k/(2 k2) for k2 > 0; keep well within. The last exponential stiffens on
+/// the side of the sign of s, as rubber that is compressed far does; the even one stiffens one side and softens the
+/// other. Neither has a slope at z = 0; beyond |z| = 20 |s| both continue along their tangents. Source: power series of
+/// the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations (1979), section 2.1; exponential stiffening of Y.
+/// C. Fung, Am. J. Physiol. 213 (1967) 1532-1544.
+class AsymmetricStiffness final : public ParallelElement {
+ public:
+  struct Exponentials {
+    double one_sided;  ///< k_e [N/m]
+    double even;       ///< k_h [N/m]
+    double scale;      ///< s [m]; 0: none
+  };
+
+  AsymmetricStiffness(double quadratic /* k2 [N/m^2] */, double tension_stiffness /* k_t [N/m] */,
+                      const Exponentials& exponentials, double slope_difference /* k_d [N/m] */)
+      : quadratic_(quadratic),
+        upper_slope_(tension_stiffness + 0.5 * slope_difference),
+        lower_slope_(-0.5 * slope_difference),
+        exponentials_(exponentials) {}
+
+  double force(double displacement) const {
+    const double slope = displacement > 0.0 ? upper_slope_ : lower_slope_;
+    return displacement * (quadratic_ * displacement + slope) +
+           (exponentials_.scale != 0.0 ? stiffening(displacement) : 0.0);
+  }
+
+  double initialise(double displacement, double* /*memory*/) const override { return force(displacement); }
+  double step(const Motion& motion, double* /*memory*/) const override { return force(motion.displacement); }
+  Part part() const override { return Part::elastic; }
+  bool passive() const override { return false; }
+
+ private:
+  double stiffening(double displacement) const {
+    const double scale = exponentials_.scale;
+    const double upper = growth(displacement / scale);
+    const double even = 0.5 * exponentials_.even * std::abs(scale) * (upper + growth(-displacement / scale));
+    return exponentials_.one_sided * scale * upper + even;
+  }
+
+  double quadratic_;
+  double upper_slope_;  // at z > 0 [N/m]
+  double lower_slope_;
+  Exponentials exponentials_;
+};
+
+const ElementEntry kAsymmetricStiffnessEntry(
+    30, {"asymmetric_stiffness",
+         "Different stiffness in the two directions: F = k2 z^2 + k_d |z|/2 + k_h s (cosh(z/s) - 1) + "
+         "k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), on top of a linear spring.",
+         {{"quadratic", "N/m^2", Role::scale, Range::any(), "coefficient k2, of either sign", 0.0},
+          {"slope_difference", "N/m", Role::scale, Range::any(),
+           "stiffness k_d at z > 0 beyond that at z < 0, the mean of both kept; of either sign", 0.0},
+          {"tension_stiffness", "N/m", Role::scale, Range::any(), "extra stiffness k_t at z > 0, of either sign", 0.0},
+          {"even_exponential", "N/m", Role::scale, Range::any(),
+           "stiffness k_h of the even exponential, of either sign", 0.0},
+          {"exponential", "N/m", Role::scale, Range::any(),
+           "stiffness k_e of the one-sided exponential, of either sign", 0.0},
+          {"exponential_scale", "m", Role::shape, Range::any(),
+           "displacement s over which they grow by e; negative: towards negative z; 0: no exponential", 0.0}},
+         [](const ElementDescription& description) -> ElementPointer {
+           const double scale = description.value("exponential_scale");
+           const AsymmetricStiffness::Exponentials exponentials{description.value("exponential"),
+                                                                description.value("even_exponential"), scale};
+           if (scale == 0.0 && (exponentials.one_sided != 0.0 || exponentials.even != 0.0)) {
+             refuseValue(description.type, "exponential_scale", scale, "m", "not 0 beside an exponential");
+           }
+           return std::make_shared<const AsymmetricStiffness>(description.value("quadratic"),
+                                                              description.value("tension_stiffness"), exponentials,
+                                                              description.value("slope_difference"));
+         }});
+
 }  // namespace
-
-double AsymmetricStiffness::stiffening(double displacement) const {
-  const double scale = exponentials_.scale;
-  const double upper = growth(displacement / scale);
-  const double even = 0.5 * exponentials_.even * std::abs(scale) * (upper + growth(-displacement / scale));
-  return exponentials_.one_sided * scale * upper + even;
-}
-
-ElementType asymmetricStiffnessType() {
-  return {"asymmetric_stiffness",
-          "Different stiffness in the two directions: F = k2 z^2 + k_d |z|/2 + k_h s (cosh(z/s) - 1) + "
-          "k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), on top of a linear spring.",
-          {{"quadratic", "N/m^2", Role::scale, Range::any(), "coefficient k2, of either sign", 0.0},
-           {"slope_difference", "N/m", Role::scale, Range::any(),
-            "stiffness k_d at z > 0 beyond that at z < 0, the mean of both kept; of either sign", 0.0},
-           {"tension_stiffness", "N/m", Role::scale, Range::any(), "extra stiffness k_t at z > 0, of either sign", 0.0},
-           {"even_exponential", "N/m", Role::scale, Range::any(),
-            "stiffness k_h of the even exponential, of either sign", 0.0},
-           {"exponential", "N/m", Role::scale, Range::any(),
-            "stiffness k_e of the one-sided exponential, of either sign", 0.0},
-           {"exponential_scale", "m", Role::shape, Range::any(),
-            "displacement s over which they grow by e; negative: towards negative z; 0: no exponential", 0.0}},
-          [](const ElementDescription& description) -> ElementPointer {
-            const double scale = description.value("exponential_scale");
-            const AsymmetricStiffness::Exponentials exponentials{description.value("exponential"),
-                                                                 description.value("even_exponential"), scale};
-            if (scale == 0.0 && (exponentials.one_sided != 0.0 || exponentials.even != 0.0)) {
-              refuseValue(description.type, "exponential_scale", scale, "m", "not 0 beside an exponential");
-            }
-            return std::make_shared<const AsymmetricStiffness>(description.value("quadratic"),
-                                                               description.value("tension_stiffness"), exponentials,
-                                                               description.value("slope_difference"));
-          }};
-}
-
 }  // namespace rubber_suspension::element

@@ -3,7 +3,10 @@
 
 #include <cmath>
 
+#include "element/registry.h"
+
 namespace rubber_suspension::element {
+
 double BergFriction::initialise(double displacement, double* memory) const {
   memory[kReferenceDisplacement] = displacement;
   memory[kReferenceForce] = 0.0;
@@ -78,4 +81,9 @@ ElementType bergFrictionType() {
       makes<BergFriction>("maximum_force", "displacement", "dead_band")};
 }
 
+namespace {
+
+const ElementEntry kBergFrictionEntry(230, bergFrictionType());
+
+}  // namespace
 }  // namespace rubber_suspension::element

@@ -4,56 +4,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
+#include "element/each.h"
+#include "element/registry.h"
 #include "element/suggestion.h"
-#include "rubber_suspension/element/along_curve.h"
-#include "rubber_suspension/element/arrhenius_shift.h"
-#include "rubber_suspension/element/asymmetric_stiffness.h"
-#include "rubber_suspension/element/berg_friction.h"
-#include "rubber_suspension/element/bouc_wen.h"
-#include "rubber_suspension/element/bump_stop.h"
-#include "rubber_suspension/element/coulomb_friction.h"
-#include "rubber_suspension/element/creep.h"
-#include "rubber_suspension/element/dashpot.h"
-#include "rubber_suspension/element/first_loading.h"
-#include "rubber_suspension/element/force_drift.h"
-#include "rubber_suspension/element/force_offset.h"
-#include "rubber_suspension/element/free_play.h"
-#include "rubber_suspension/element/friction_behind_play.h"
-#include "rubber_suspension/element/inertia.h"
-#include "rubber_suspension/element/inertia_track.h"
-#include "rubber_suspension/element/iwan.h"
-#include "rubber_suspension/element/lift_off.h"
-#include "rubber_suspension/element/maxwell.h"
-#include "rubber_suspension/element/maxwell_behind_play.h"
-#include "rubber_suspension/element/nonlinear_maxwell.h"
-#include "rubber_suspension/element/overstress.h"
-#include "rubber_suspension/element/position_dashpot.h"
-#include "rubber_suspension/element/power_dashpot.h"
-#include "rubber_suspension/element/power_dashpot_behind_play.h"
-#include "rubber_suspension/element/progressive_stiffness.h"
-#include "rubber_suspension/element/radial_stiffness.h"
-#include "rubber_suspension/element/residual.h"
-#include "rubber_suspension/element/self_heating.h"
-#include "rubber_suspension/element/sensor_gain.h"
-#include "rubber_suspension/element/series_compliance.h"
-#include "rubber_suspension/element/sliding_maxwell.h"
-#include "rubber_suspension/element/spring.h"
-#include "rubber_suspension/element/spring_table.h"
-#include "rubber_suspension/element/springpot.h"
-#include "rubber_suspension/element/stress_softening.h"
-#include "rubber_suspension/element/thinning_dashpot.h"
-#include "rubber_suspension/element/thixotropic_maxwell.h"
-#include "rubber_suspension/element/time_delay.h"
-#include "rubber_suspension/element/transition_shift.h"
-#include "rubber_suspension/element/variable_friction.h"
-#include "rubber_suspension/element/vertical_shift.h"
-#include "rubber_suspension/element/viscoplastic_friction.h"
-#include "rubber_suspension/element/wlf_shift.h"
 
 namespace rubber_suspension::element {
 namespace {
+
+using Entries = std::map<int, ElementType>;
+
+// By place; made when the first law enters itself, whatever the order in which the files' static objects are made.
+Entries& entries() {
+  static Entries list;
+  return list;
+}
 
 const ElementType& requireType(const std::string& name) {
   if (const ElementType* type = findElementType(name)) {
@@ -78,56 +46,14 @@ void checkValue(const ElementType& type, const ParameterInfo& parameter, const s
 
 }  // namespace
 
+ElementEntry::ElementEntry(int place, ElementType type) {
+  if (!entries().emplace(place, std::move(type)).second) {
+    throw std::logic_error(fmt::format("two laws claim place {}", place));
+  }
+}
+
 const std::vector<ElementType>& elementTypes() {
-  static const std::vector<ElementType> types = {
-      springType(),
-      progressiveStiffnessType(),
-      asymmetricStiffnessType(),
-      radialStiffnessType(),
-      springTableType(),
-      bumpStopType(),
-      dashpotType(),
-      powerDashpotType(),
-      thinningDashpotType(),
-      positionDashpotType(),
-      maxwellType(),
-      nonlinearMaxwellType(),
-      slidingMaxwellType(),
-      thixotropicMaxwellType(),
-      maxwellBehindPlayType(),
-      powerDashpotBehindPlayType(),
-      maxwellAlongCurveType(),
-      dashpotAlongCurveType(),
-      slidersAlongCurveType(),
-      springpotType(),
-      creepType(),
-      inertiaTrackType(),
-      bergFrictionType(),
-      boucWenType(),
-      coulombFrictionType(),
-      iwanType(),
-      iwanTableType(),
-      variableFrictionType(),
-      viscoplasticFrictionType(),
-      overstressType(),
-      frictionBehindPlayType(),
-      firstLoadingType(),
-      stressSofteningType(),
-      selfHeatingType(),
-      wlfShiftType(),
-      arrheniusShiftType(),
-      verticalShiftType(),
-      transitionShiftType(),
-      freePlayType(),
-      seriesComplianceType(),
-      liftOffType(),
-      timeDelayType(),
-      inertiaType(),
-      sensorGainType(),
-      forceOffsetType(),
-      forceDriftType(),
-      residualType(),
-  };
+  static const std::vector<ElementType> types = each(entries(), &Entries::value_type::second);
   return types;
 }
 

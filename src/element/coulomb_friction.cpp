@@ -1,14 +1,23 @@
 // Coulomb friction with the elasticity of its contact.
-#include "rubber_suspension/element/coulomb_friction.h"
+#include "element/registry.h"
+#include "rubber_suspension/element/slider_bank.h"
 
 namespace rubber_suspension::element {
+namespace {
 
-ElementType coulombFrictionType() {
-  return {"coulomb_friction",
+/// A single Jenkins slider: sticks as a spring k up to F_max, then slides at F_max; turns at once at a reversal.
+/// For k -> infinity it is Coulomb's law. Settled loss per cycle at amplitude A > F_max/k: 4 F_max (A - F_max/k).
+/// Source: C. F. Jenkin, Engineering 114 (1922) 603; as an element of rubber models: Sedlaczek et al. (2011).
+const ElementEntry kCoulombFrictionEntry(
+    250, {"coulomb_friction",
           "Coulomb friction behind a contact spring: sticks up to its maximum force, then slides.",
           {{"maximum_force", "N", Role::shape, Range::positive(), "force F_max at which it slides"},
            {"stiffness", "N/m", Role::shape, Range::positive(), "stiffness k while it sticks"}},
-          makes<CoulombFriction>("maximum_force", "stiffness")};
-}
+          [](const ElementDescription& description) -> ElementPointer {
+            const double stiffness = description.value("stiffness");
+            return std::make_shared<const SliderBank>(
+                std::vector<JenkinsSlider>{{description.value("maximum_force") / stiffness, stiffness}});
+          }});
 
+}  // namespace
 }  // namespace rubber_suspension::element

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "element/registry.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::element {
@@ -266,6 +267,7 @@ ElementPointer makeInertiaTrack(const ElementDescription& description) {
     return std::make_shared<const InertiaTrack>(value("mass"), value("damping"), value("stiffness"),
                                                 value("free_travel"), value("quadratic_damping"));
   }
+
   if (fluid == kFluid.size() && !any_mechanical) {
     return std::make_shared<const InertiaTrack>(value("inertance") * area * area, value("resistance") * area * area,
                                                 area * area / value("compliance"), value("free_travel"),
@@ -278,8 +280,6 @@ ElementPointer makeInertiaTrack(const ElementDescription& description) {
                   any_mechanical && any_fluid ? "mechanical and fluid parameters are mixed" : "parameters are missing",
                   fmt::join(kMechanical, ", "), fmt::join(kFluid, ", ")));
 }
-
-}  // namespace
 
 ElementType inertiaTrackType() {
   const Range range = Range::nonNegative();
@@ -300,4 +300,7 @@ ElementType inertiaTrackType() {
           makeInertiaTrack};
 }
 
+const ElementEntry kInertiaTrackEntry(220, inertiaTrackType());
+
+}  // namespace
 }  // namespace rubber_suspension::element

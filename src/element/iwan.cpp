@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "element/registry.h"
+
 namespace rubber_suspension::element {
 namespace {
 
@@ -61,29 +63,30 @@ std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement
   return sliders;
 }
 
-ElementType iwanType() {
-  return {"iwan",
+namespace {
+
+const ElementEntry kIwanEntry(
+    260, {"iwan",
           "Friction with memory: a bank of Jenkins sliders (Iwan) whose curve from rest is a hyperbola.",
           {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max once all sliders slide"},
            {"displacement", "m", Role::shape, Range::positive(),
             "displacement z2 from rest at which friction reaches half of its maximum"},
            {"sliders", "1", Role::choice, Range::closed(2.0, kMaximumSliders), "number of sliders, whole", 16.0}},
           [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const Iwan>(description.value("maximum_force"), description.value("displacement"),
-                                                sliderCount(description));
-          }};
-}
+            return std::make_shared<const SliderBank>(iwanSliders(
+                description.value("maximum_force"), description.value("displacement"), sliderCount(description)));
+          }});
 
-ElementType iwanTableType() {
-  return {
-      "iwan_table",
-      "Friction with memory: a bank of Jenkins sliders (Iwan) given one by one.",
-      {{"yield_displacement", "m", Role::shape, Range::positive(),
-        "displacement of each slider's spring at which it slides", std::nullopt, true},
-       {"stiffness", "N/m", Role::scale, Range::positive(), "stiffness of each slider's spring", std::nullopt, true}},
-      [](const ElementDescription& description) -> ElementPointer {
-        return std::make_shared<const IwanTable>(slidersFromTable(description));
-      }};
-}
+const ElementEntry kIwanTableEntry(270,
+                                   {"iwan_table",
+                                    "Friction with memory: a bank of Jenkins sliders (Iwan) given one by one.",
+                                    {{"yield_displacement", "m", Role::shape, Range::positive(),
+                                      "displacement of each slider's spring at which it slides", std::nullopt, true},
+                                     {"stiffness", "N/m", Role::scale, Range::positive(),
+                                      "stiffness of each slider's spring", std::nullopt, true}},
+                                    [](const ElementDescription& description) -> ElementPointer {
+                                      return std::make_shared<const SliderBank>(slidersFromTable(description));
+                                    }});
 
+}  // namespace
 }  // namespace rubber_suspension::element

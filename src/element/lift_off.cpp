@@ -1,20 +1,44 @@
-// Contact that carries one sign of force.
-#include "rubber_suspension/element/lift_off.h"
+// Contact that carries one sign of force: a chevron, strap or spring that is not glued to the plate.
+#include "element/registry.h"
 
 namespace rubber_suspension::element {
+namespace {
 
-double LiftOff::deflection(double force) const {
-  const bool opens = carries_ == Carries::tension ? force < 0.0 : force > 0.0;
-  return opens ? force / slack_stiffness_ : 0.0;
-}
+/// In series with the test piece. It is closed while the force of the test piece has the sign that the contact carries,
+/// and does nothing. It opens where the force would turn: then the test piece is free, F = 0, and recovers by itself;
+/// its displacement is the root of that at each step. Contact returns where the plate meets it at the length that it
+/// has by then. Something else may hold an open contact, a bolt or a guide: F = k_s u with the opening u.
+///
+/// Memory: none, the free length is that of the test piece. Passive on a passive test piece: the contact does no work,
+/// as force or opening is zero; k_s is a spring. Validity: no adhesion, no impact of masses where contact returns. With
+/// k_s it is a series compliance of one side. Source: the Signorini condition; P. Wriggers, Computational Contact
+/// Mechanics, 2nd ed., Springer 2006, chapter 2.
+class LiftOff final : public SeriesElement {
+ public:
+  enum class Carries { compression = -1, tension = 1 };
 
-std::optional<SeriesElement::Compliance> LiftOff::compliance() const {
-  const double open = 1.0 / slack_stiffness_;
-  return carries_ == Carries::tension ? Compliance{0.0, open} : Compliance{open, 0.0};
-}
+  LiftOff(Carries carries, double slack_stiffness /* k_s [N/m], 0: nothing holds it */)
+      : carries_(carries), slack_stiffness_(slack_stiffness) {}
 
-ElementType liftOffType() {
-  return {"lift_off",
+  /// Not of an open contact that nothing holds, which may be anywhere.
+  double deflection(double force) const override {
+    const bool opens = carries_ == Carries::tension ? force < 0.0 : force > 0.0;
+    return opens ? force / slack_stiffness_ : 0.0;
+  }
+
+  /// Infinite for the sign of force that opens a contact that nothing holds.
+  std::optional<Compliance> compliance() const override {
+    const double open = 1.0 / slack_stiffness_;
+    return carries_ == Carries::tension ? Compliance{0.0, open} : Compliance{open, 0.0};
+  }
+
+ private:
+  Carries carries_;
+  double slack_stiffness_;
+};
+
+const ElementEntry kLiftOffEntry(
+    410, {"lift_off",
           "Contact that carries one sign of force, as of a chevron, strap or spring that is not glued to the plate: "
           "slack, the test piece has no force and recovers.",
           {{"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: carries F > 0 only, -1: F < 0 only"},
@@ -23,7 +47,7 @@ ElementType liftOffType() {
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const LiftOff>(static_cast<LiftOff::Carries>(sideOf(description, "F", false)),
                                                    description.value("slack_stiffness"));
-          }};
-}
+          }});
 
+}  // namespace
 }  // namespace rubber_suspension::element

@@ -1,6 +1,8 @@
 // Maxwell element.
 #include "rubber_suspension/element/maxwell.h"
 
+#include "element/registry.h"
+
 namespace rubber_suspension::element {
 
 ElementType maxwellType() {
@@ -11,4 +13,9 @@ ElementType maxwellType() {
           makes<Maxwell>("stiffness", "break_frequency")};
 }
 
+namespace {
+
+const ElementEntry kMaxwellEntry(110, maxwellType());
+
+}  // namespace
 }  // namespace rubber_suspension::element

@@ -1,31 +1,56 @@
-// Maxwell element whose dashpot yields to large forces.
-#include "rubber_suspension/element/nonlinear_maxwell.h"
-
+// Maxwell element whose dashpot yields to large forces: rate and amplitude dependence that are coupled.
 #include <cmath>
 
+#include "element/registry.h"
+#include "rubber_suspension/element/maxwell.h"
+
 namespace rubber_suspension::element {
+namespace {
 
-// dF/dt = -F/tau (|F|/(k y))^p has |F|^-p grow by p/(tau (k y)^p) a second.
-double NonlinearMaxwell::yielded(double force, double relaxation_times) const {
-  const double share = std::abs(force) / force_;
-  if (power_ == 1.0) {
-    return force / (1.0 + relaxation_times * share);
+/// dF/dt = k dz/dt - F/tau (1 + (|F|/(k y))^p), tau = 1/(2 pi f_b): a Maxwell element at displacements well below y,
+/// one that relaxes the faster the larger its force beyond; the larger the power p, the more y is a limit. So the
+/// stiffness falls with amplitude, but only at frequencies at which the element takes part at all; friction beside a
+/// Maxwell element, a sum, cannot do that. For a given y the force scales with k.
+///
+/// Stepped by splitting: half of the relaxation by the power, the exact linear step, the other half. Exact in the limit
+/// of a large y, of second order in dt/tau (|F|/(k y))^p else, and it dissipates at any step. Memory: the force.
+/// Source: flow that is activated by stress, J. S. Bergstrom and M. C. Boyce, J. Mech. Phys. Solids 46 (1998) 931-954,
+/// in one dimension, beside a linear part; p + 1 is their power m.
+class NonlinearMaxwell final : public ParallelElement {
+ public:
+  NonlinearMaxwell(double stiffness /* k [N/m] */, double break_frequency /* f_b [Hz] */,
+                   double displacement /* y [m] */, double power /* p [-] */)
+      : linear_(stiffness, break_frequency), force_(stiffness * displacement), power_(power) {}
+
+  std::size_t memorySize() const override { return linear_.memorySize(); }
+  double step(const Motion& motion, double* memory) const override {
+    const double half = 0.5 * motion.dt * linear_.rate();
+    memory[0] = yielded(memory[0], half);
+    linear_.step(motion, memory);
+    return memory[0] = yielded(memory[0], half);
   }
-  if (power_ == 3.0) {  // the same as below in half of the time
-    return force / std::cbrt(1.0 + 3.0 * relaxation_times * share * share * share);
+  Part part() const override { return Part::viscous; }
+
+ private:
+  // dF/dt = -F/tau (|F|/(k y))^p has |F|^-p grow by p/(tau (k y)^p) a second.
+  double yielded(double force, double relaxation_times) const {
+    const double share = std::abs(force) / force_;
+    if (power_ == 1.0) {
+      return force / (1.0 + relaxation_times * share);
+    }
+    if (power_ == 3.0) {  // the same as below in half of the time
+      return force / std::cbrt(1.0 + 3.0 * relaxation_times * share * share * share);
+    }
+    return force * std::pow(1.0 + power_ * relaxation_times * std::pow(share, power_), -1.0 / power_);
   }
-  return force * std::pow(1.0 + power_ * relaxation_times * std::pow(share, power_), -1.0 / power_);
-}
 
-double NonlinearMaxwell::step(const Motion& motion, double* memory) const {
-  const double half = 0.5 * motion.dt * linear_.rate();
-  memory[0] = yielded(memory[0], half);
-  linear_.step(motion, memory);
-  return memory[0] = yielded(memory[0], half);
-}
+  Maxwell linear_;
+  double force_;  // k y [N]
+  double power_;
+};
 
-ElementType nonlinearMaxwellType() {
-  return {"nonlinear_maxwell",
+const ElementEntry kNonlinearMaxwellEntry(
+    120, {"nonlinear_maxwell",
           "Maxwell element whose dashpot yields, dF/dt = k dz/dt - 2 pi f_b F (1 + (|F|/(k y))^p): rate and amplitude "
           "dependence that are coupled.",
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
@@ -33,7 +58,7 @@ ElementType nonlinearMaxwellType() {
            {"displacement", "m", Role::shape, Range::positive(), "displacement y at which the dashpot yields"},
            {"power", "1", Role::choice, Range::closed(0.5, 10.0),
             "p; the larger, the more y is a limit of the spring's displacement", 1.0}},
-          makes<NonlinearMaxwell>("stiffness", "break_frequency", "displacement", "power")};
-}
+          makes<NonlinearMaxwell>("stiffness", "break_frequency", "displacement", "power")});
 
+}  // namespace
 }  // namespace rubber_suspension::element

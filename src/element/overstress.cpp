@@ -1,34 +1,60 @@
-// Flow beyond a limit of the force.
-#include "rubber_suspension/element/overstress.h"
-
+// Spring that flows beyond a limit of its force, the faster the farther beyond.
 #include <cmath>
 
-#include "rubber_suspension/element/implicit_flow.h"
+#include "element/implicit_flow.h"
+#include "element/registry.h"
 
 namespace rubber_suspension::element {
+namespace {
 
-// Memory: the spring's displacement in units of y.
-double Overstress::step(const Motion& motion, double* memory) const {
-  const Parameters& p = parameters_;
-  const double target = memory[0] + motion.increment / p.yield_displacement;
-  const double beyond = std::abs(target) - 1.0;
-  memory[0] =
-      beyond <= 0.0
-          ? target
-          : std::copysign(1.0 + flowRoot(beyond, p.reference_rate * motion.dt / p.yield_displacement, p.power), target);
-  return p.stiffness * p.yield_displacement * memory[0];
-}
+/// dF/dt = k (dz/dt - v_r sign(F) max(0, |F|/(k y) - 1)^m): elastic up to the limit k y, at a steady rate v a force of
+/// k y (1 + (v/v_r)^(1/m)), and a slider in the limit of slow motion. So amplitude dependence depends on the rate, and
+/// a hold keeps k y. The force is linear in k, the others given.
+///
+/// The flow of a step is that at its end (flowRoot()): exact in steady flow, of first order in the step else, and it
+/// dissipates at any step. Memory: the displacement of the spring over y. Source: overstress, P. Perzyna, Adv. Appl.
+/// Mech. 9 (1966) 243-377; for elastomers with an equilibrium hysteresis P. Haupt and K. Sedlan, Arch. Appl. Mech. 71
+/// (2001) 89-109.
+class Overstress final : public ParallelElement {
+ public:
+  struct Parameters {
+    double stiffness;           // k [N/m]
+    double yield_displacement;  // y [m]
+    double reference_rate;      // v_r [m/s]
+    double power;               // m [-]
+  };
 
-ElementType overstressType() {
-  return {
-      "overstress",
-      "Spring that flows beyond a limit of its force, the faster the farther beyond: F = k y (1 + (v/v_r)^(1/m)) at "
-      "a steady rate v, k y after a hold.",
-      {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
-       {"yield_displacement", "m", Role::shape, Range::positive(), "displacement y of the spring at the limit k y"},
-       {"reference_rate", "m/s", Role::shape, Range::positive(), "rate v_r that doubles the force in flow"},
-       {"power", "1", Role::shape, Range::closed(0.25, 10.0), "m, by which what is beyond the limit flows", 2.0}},
-      makes<Overstress, Overstress::Parameters>("stiffness", "yield_displacement", "reference_rate", "power")};
-}
+  explicit Overstress(const Parameters& parameters) : parameters_(parameters) {}
 
+  std::size_t memorySize() const override { return 1; }
+
+  // Memory: the spring's displacement in units of y.
+  double step(const Motion& motion, double* memory) const override {
+    const Parameters& p = parameters_;
+    const double target = memory[0] + motion.increment / p.yield_displacement;
+    const double beyond = std::abs(target) - 1.0;
+    memory[0] = beyond <= 0.0
+                    ? target
+                    : std::copysign(
+                          1.0 + flowRoot(beyond, p.reference_rate * motion.dt / p.yield_displacement, p.power), target);
+    return p.stiffness * p.yield_displacement * memory[0];
+  }
+  Part part() const override { return Part::friction; }
+
+ private:
+  Parameters parameters_;
+};
+
+const ElementEntry kOverstressEntry(
+    300,
+    {"overstress",
+     "Spring that flows beyond a limit of its force, the faster the farther beyond: F = k y (1 + (v/v_r)^(1/m)) at "
+     "a steady rate v, k y after a hold.",
+     {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
+      {"yield_displacement", "m", Role::shape, Range::positive(), "displacement y of the spring at the limit k y"},
+      {"reference_rate", "m/s", Role::shape, Range::positive(), "rate v_r that doubles the force in flow"},
+      {"power", "1", Role::shape, Range::closed(0.25, 10.0), "m, by which what is beyond the limit flows", 2.0}},
+     makes<Overstress, Overstress::Parameters>("stiffness", "yield_displacement", "reference_rate", "power")});
+
+}  // namespace
 }  // namespace rubber_suspension::element

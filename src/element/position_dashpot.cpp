@@ -1,17 +1,42 @@
 // Dashpot whose damping grows towards one side.
-#include "rubber_suspension/element/position_dashpot.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "element/registry.h"
+#include "element/smooth_rate.h"
+
 namespace rubber_suspension::element {
+namespace {
 
-double PositionDashpot::dampingAt(double displacement) const {
-  return damping_ * std::pow(std::max(0.0, 0.5 * (1.0 + displacement / reference_)), power_);
-}
+/// F = c s^p v, s = max(0, (1 + side z/z_r)/2), v = dz/dt: the damping is c at z_r on that side, 0 at the same distance
+/// on the other, and continues to grow beyond; the larger the power p, the later. Sums of both sides and of a linear
+/// dashpot compose what a closing gap does, as in a squeeze film or a hydraulic stop, and dissipate as long as none is
+/// negative. The rate at a sample is that of SmoothRateDashpot. Source: the damping of a squeeze film grows with the
+/// inverse cube of its thickness (O. Reynolds, Phil. Trans. R. Soc. 177, 1886); powers of the position here, which have
+/// no singularity that a test piece could not reach.
+class PositionDashpot final : public SmoothRateDashpot {
+ public:
+  PositionDashpot(double damping /* c [N s/m] */,
+                  double reference_displacement /* z_r, with the sign of its side [m] */, double power /* p [-] */)
+      : damping_(damping), reference_(reference_displacement), power_(power) {}
 
-ElementType positionDashpotType() {
-  return {"position_dashpot",
+  double step(const Motion& motion, double* memory) const override {
+    return dampingAt(motion.displacement) * rateAfter(motion, memory);
+  }
+
+  /// Damping [N s/m] at a displacement [m].
+  double dampingAt(double displacement) const {
+    return damping_ * std::pow(std::max(0.0, 0.5 * (1.0 + displacement / reference_)), power_);
+  }
+
+ private:
+  double damping_;
+  double reference_;
+  double power_;
+};
+
+const ElementEntry kPositionDashpotEntry(
+    100, {"position_dashpot",
           "Dashpot whose damping grows towards one side as a gap closes, F = c s^p dz/dt, s = (1 + side z/z_r)/2 or 0.",
           {{"damping", "N s/m", Role::scale, Range::positive(), "damping constant c at z_r on that side"},
            {"reference_displacement", "m", Role::shape, Range::positive(),
@@ -22,7 +47,7 @@ ElementType positionDashpotType() {
             const double towards = sideOf(description, "z", false) * description.value("reference_displacement");
             return std::make_shared<const PositionDashpot>(description.value("damping"), towards,
                                                            description.value("power"));
-          }};
-}
+          }});
 
+}  // namespace
 }  // namespace rubber_suspension::element

@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "element/registry.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::element {
@@ -131,6 +132,7 @@ ResidualBasis::ResidualBasis(const Layout& layout)
     throw std::invalid_argument(
         fmt::format("{}.characteristic: {} values; accepted: at least 2", kResidualName, layout.points));
   }
+
   if (layout.lowest < -layout.stroke) {
     refuseValue(kResidualName, "lowest", layout.lowest, "m",
                 fmt::format("in [{:g}, 0], within the stroke", -layout.stroke));
@@ -252,6 +254,7 @@ Residual::Residual(const ResidualBasis::Layout& layout, const Weights& weights)
   for (double& force : characteristic_) {
     force -= at_zero;
   }
+
   for (std::size_t k = 0; k < weights.resonators.size() / 2; ++k) {
     position_[static_cast<Eigen::Index>(k)] = weights.resonators[2 * k];
     velocity_[static_cast<Eigen::Index>(k)] = weights.resonators[2 * k + 1];
@@ -313,6 +316,8 @@ ElementDescription residualDescription(const ResidualBasis& basis, const Eigen::
   return result;
 }
 
+namespace {
+
 ElementType residualType() {
   const Range any = Range::any();
   const Range positive = Range::positive();
@@ -344,4 +349,7 @@ ElementType residualType() {
       makeResidual};
 }
 
+const ElementEntry kResidualEntry(470, residualType());
+
+}  // namespace
 }  // namespace rubber_suspension::element

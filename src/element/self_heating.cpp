@@ -1,8 +1,7 @@
-// Self-heating.
-#include "rubber_suspension/element/self_heating.h"
-
+// Self-heating: hard work warms the rubber, which softens it.
 #include <algorithm>
 
+#include "element/registry.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::element {
@@ -13,33 +12,49 @@ enum HeatSlot { kRise, kLossForce };
 // Far beyond all that softens further; a displacement that no test piece survives must not leave an infinite rise.
 constexpr double kLargestRise = 1e6;
 
-double factorAt(double rise) { return std::clamp(1.0 - rise, SelfHeating::kLeastFactor, 1.0); }
+constexpr double kLeastFactor = 0.2;
+
+double factorAt(double rise) { return std::clamp(1.0 - rise, kLeastFactor, 1.0); }
+
+/// Factor on the test piece's force: 1 - x, at least 0.2 and at most 1, with dx/dt = s P - x/T.
+/// x is the temperature rise times the relative softening per kelvin; P the power that the viscous and friction parts
+/// take up (softened ones); s = (softening per kelvin)/(heat capacity); T = (heat capacity)/(heat transfer). Under
+/// settled work x tends to s T (mean P). Stiffness and loss force fall alike. Each step takes the mean force of its
+/// ends and decays x exactly. Validity: one temperature for the whole test piece; ambient temperature and the shift of
+/// frequencies are left out. Memory: x, the loss force of the step before. Source: lumped heat balance, e.g. A. R.
+/// Johnson and T.-K. Chen, Comput. Methods Appl. Mech. Eng. 194 (2005) 313-325.
+class SelfHeating final : public ForceEffect {
+ public:
+  SelfHeating(double energy_sensitivity /* s [1/J] */, double time_constant /* T [s] */)
+      : energy_sensitivity_(energy_sensitivity), time_constant_(time_constant) {}
+
+  std::size_t memorySize() const override { return 2; }
+  void initialise(double /*displacement*/, double* memory) const override { memory[kRise] = memory[kLossForce] = 0.0; }
+  double step(const Motion& motion, const ComponentForce& force, double* memory) const override {
+    const double loss_force = force.viscous + force.friction;
+    const double mean_force = 0.5 * (loss_force + memory[kLossForce]) * factorAt(memory[kRise]);
+    const Relaxation cooling = Relaxation::over(motion.dt / time_constant_);
+    const double heating = energy_sensitivity_ * mean_force * motion.increment;
+    // At constant power over the step: x+ = x e + s P T (1 - e).
+    const double rise = memory[kRise] * cooling.decay + heating * cooling.mean;
+    memory[kRise] = std::clamp(rise, -kLargestRise, kLargestRise);
+    memory[kLossForce] = loss_force;
+    return factorAt(memory[kRise]);
+  }
+  bool passive() const override { return false; }
+
+ private:
+  double energy_sensitivity_;
+  double time_constant_;
+};
+
+const ElementEntry kSelfHeatingEntry(
+    340,
+    {"self_heating",
+     "Softening by the heat of the component's own loss: stiffness falls slowly under hard work and recovers at rest.",
+     {{"energy_sensitivity", "1/J", Role::shape, Range::positive(), "relative softening per energy lost"},
+      {"time_constant", "s", Role::shape, Range::positive(), "time constant of cooling"}},
+     makes<SelfHeating>("energy_sensitivity", "time_constant")});
 
 }  // namespace
-
-void SelfHeating::initialise(double /*displacement*/, double* memory) const {
-  memory[kRise] = memory[kLossForce] = 0.0;
-}
-
-double SelfHeating::step(const Motion& motion, const ComponentForce& force, double* memory) const {
-  const double loss_force = force.viscous + force.friction;
-  const double mean_force = 0.5 * (loss_force + memory[kLossForce]) * factorAt(memory[kRise]);
-  const Relaxation cooling = Relaxation::over(motion.dt / time_constant_);
-  const double heating = energy_sensitivity_ * mean_force * motion.increment;
-  // At constant power over the step: x+ = x e + s P T (1 - e).
-  const double rise = memory[kRise] * cooling.decay + heating * cooling.mean;
-  memory[kRise] = std::clamp(rise, -kLargestRise, kLargestRise);
-  memory[kLossForce] = loss_force;
-  return factorAt(memory[kRise]);
-}
-
-ElementType selfHeatingType() {
-  return {
-      "self_heating",
-      "Softening by the heat of the component's own loss: stiffness falls slowly under hard work and recovers at rest.",
-      {{"energy_sensitivity", "1/J", Role::shape, Range::positive(), "relative softening per energy lost"},
-       {"time_constant", "s", Role::shape, Range::positive(), "time constant of cooling"}},
-      makes<SelfHeating>("energy_sensitivity", "time_constant")};
-}
-
 }  // namespace rubber_suspension::element

@@ -1,13 +1,35 @@
 // Gain of the force's channel.
-#include "rubber_suspension/element/sensor_gain.h"
+#include "element/registry.h"
 
 namespace rubber_suspension::element {
+namespace {
 
-ElementType sensorGainType() {
-  return {"sensor_gain",
+/// F_recorded = (1 + g) F, g the gain's error: an amplifier or a load cell that is not calibrated.
+///
+/// It acts on the force of the test piece; what a mass of the rig or a zero adds is taken as recorded. It cannot be
+/// told from stiffnesses and damping that are all off by one factor. Validity: behind a series compliance a small g
+/// only, since the deflection follows the recorded force.
+class SensorGain final : public ForceEffect {
+ public:
+  explicit SensorGain(double gain /* g [-] */) : factor_(1.0 + gain) {}
+
+  void initialise(double /*displacement*/, double* /*memory*/) const override {}
+  double relax(double /*displacement*/, double* /*memory*/) const override { return factor_; }
+  double step(const Motion& /*motion*/, const ComponentForce& /*force*/, double* /*memory*/) const override {
+    return factor_;
+  }
+  std::optional<double> constantFactor() const override { return factor_; }
+  bool ofMeasuringChain() const override { return true; }
+
+ private:
+  double factor_;
+};
+
+const ElementEntry kSensorGainEntry(
+    440, {"sensor_gain",
           "Wrong gain of the force's channel: the recorded force is 1 + g times that of the test piece.",
           {{"gain", "1", Role::shape, Range::closed(-0.9, 9.0), "error g of the gain"}},
-          makes<SensorGain>("gain")};
-}
+          makes<SensorGain>("gain")});
 
+}  // namespace
 }  // namespace rubber_suspension::element

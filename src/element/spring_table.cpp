@@ -1,11 +1,12 @@
 // Spring whose characteristic is given by points.
-#include "rubber_suspension/element/spring_table.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
+
+#include "element/registry.h"
 
 namespace rubber_suspension::element {
 namespace {
@@ -36,38 +37,55 @@ void checkOrder(const std::vector<double>& displacement, const std::vector<doubl
   }
 }
 
-}  // namespace
-
-SpringTable::SpringTable(std::vector<double> displacement, std::vector<double> force, bool monotone)
-    : displacement_(std::move(displacement)), force_(std::move(force)), monotone_(monotone) {
-  checkLengths(displacement_, force_);
-  checkOrder(displacement_, force_, monotone_);
-  const double at_zero = this->force(0.0);
-  if (monotone_ && std::abs(at_zero) > kRelativeOffset * std::max(std::abs(force_.front()), std::abs(force_.back()))) {
-    refuseValue(kTableName, "force", at_zero, "N at displacement 0",
-                "0 there (give a preload as force_offset), or monotone: 0");
+/// F(z) through the points (z_i, F_i), linear between them and with the end slopes beyond. No loss.
+/// The displacements increase. Where monotone, the forces do not decrease, and F(0) = 0: a preload is a `force_offset`.
+/// Else they are any characteristic, such as one in absolute displacements and forces, and the spring may be active.
+/// Validity: quasi-static characteristic; beyond the ends the table extrapolates without knowledge.
+class SpringTable final : public ParallelElement {
+ public:
+  /// Throws std::invalid_argument on lists that break the rules above.
+  SpringTable(std::vector<double> displacement /* [m] */, std::vector<double> force /* [N] */, bool monotone)
+      : displacement_(std::move(displacement)), force_(std::move(force)), monotone_(monotone) {
+    checkLengths(displacement_, force_);
+    checkOrder(displacement_, force_, monotone_);
+    const double at_zero = this->force(0.0);
+    if (monotone_ &&
+        std::abs(at_zero) > kRelativeOffset * std::max(std::abs(force_.front()), std::abs(force_.back()))) {
+      refuseValue(kTableName, "force", at_zero, "N at displacement 0",
+                  "0 there (give a preload as force_offset), or monotone: 0");
+    }
   }
-}
 
-double SpringTable::force(double displacement) const {
-  const auto after = std::upper_bound(displacement_.begin() + 1, displacement_.end() - 1, displacement);
-  const auto i = static_cast<std::size_t>(after - displacement_.begin());
-  const double slope = (force_[i] - force_[i - 1]) / (displacement_[i] - displacement_[i - 1]);
-  return force_[i - 1] + slope * (displacement - displacement_[i - 1]);
-}
+  double force(double displacement) const {
+    const auto after = std::upper_bound(displacement_.begin() + 1, displacement_.end() - 1, displacement);
+    const auto i = static_cast<std::size_t>(after - displacement_.begin());
+    const double slope = (force_[i] - force_[i - 1]) / (displacement_[i] - displacement_[i - 1]);
+    return force_[i - 1] + slope * (displacement - displacement_[i - 1]);
+  }
 
-ElementType springTableType() {
-  return {
-      kTableName,
-      "Spring with a characteristic given by points, linear between them, with the end slopes beyond.",
-      {{"displacement", "m", Role::choice, Range::any(), "displacements of the points, increasing", std::nullopt, true},
-       {"force", "N", Role::scale, Range::any(), "forces of the points", std::nullopt, true},
-       {"monotone", "1", Role::choice, Range::closed(0.0, 1.0),
-        "1: the forces do not decrease and are 0 at displacement 0; 0: any forces", 1.0}},
-      [](const ElementDescription& description) -> ElementPointer {
-        return std::make_shared<const SpringTable>(description.list("displacement"), description.list("force"),
-                                                   description.value("monotone") != 0.0);
-      }};
-}
+  double initialise(double displacement, double* /*memory*/) const override { return force(displacement); }
+  double step(const Motion& motion, double* /*memory*/) const override { return force(motion.displacement); }
+  Part part() const override { return Part::elastic; }
+  bool passive() const override { return monotone_; }
 
+ private:
+  std::vector<double> displacement_;
+  std::vector<double> force_;
+  bool monotone_;
+};
+
+const ElementEntry kSpringTableEntry(
+    50,
+    {kTableName,
+     "Spring with a characteristic given by points, linear between them, with the end slopes beyond.",
+     {{"displacement", "m", Role::choice, Range::any(), "displacements of the points, increasing", std::nullopt, true},
+      {"force", "N", Role::scale, Range::any(), "forces of the points", std::nullopt, true},
+      {"monotone", "1", Role::choice, Range::closed(0.0, 1.0),
+       "1: the forces do not decrease and are 0 at displacement 0; 0: any forces", 1.0}},
+     [](const ElementDescription& description) -> ElementPointer {
+       return std::make_shared<const SpringTable>(description.list("displacement"), description.list("force"),
+                                                  description.value("monotone") != 0.0);
+     }});
+
+}  // namespace
 }  // namespace rubber_suspension::element

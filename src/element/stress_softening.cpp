@@ -1,29 +1,14 @@
-// Stress softening.
-#include "rubber_suspension/element/stress_softening.h"
-
+// Stress softening (Mullins effect): softer within displacements that were reached before.
 #include <algorithm>
 #include <cmath>
 
+#include "element/registry.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::element {
 namespace {
 
 enum SofteningSlot { kLargest, kReach };
-
-StressSoftening::Parameters parametersFrom(const ElementDescription& description) {
-  StressSoftening::Parameters parameters{description.value("reduction"), description.value("width"),
-                                         description.value("path")};
-  parameters.reach_exponent = description.value("reach_exponent");
-  parameters.full_reach = description.value("full_reach");
-  parameters.recovery_time = description.value("recovery_time");
-  parameters.ratio_power = description.value("ratio_power");
-  parameters.side = static_cast<StressSoftening::Side>(sideOf(description, "z"));
-  if (parameters.reach_exponent > 0.0 && parameters.full_reach == 0.0) {
-    refuseValue(description.type, "full_reach", 0.0, "m", "greater than 0 beside a reach_exponent");
-  }
-  return parameters;
-}
 
 // Without std::pow for the powers that a fit tries most.
 double powerOf(double base, double exponent) {
@@ -36,82 +21,138 @@ double powerOf(double base, double exponent) {
 // tanh with an absolute rounding, which is all that a factor needs; its relative one near 0 would cost more.
 double tanhOf(double value) { return 1.0 - 2.0 / (1.0 + std::exp(2.0 * value)); }
 
-}  // namespace
+/// Factor on the test piece's force: 1 - R(S) tanh(u/w)/tanh(1/w), u = 1 - |z/S|^a while |z| < S, and 1 at |z| >= S.
+///
+/// S is the softened reach, at most the largest past displacement M. With path length L = 0 it is M at once, so the
+/// factor is 1 on the first loading and on from where a displacement is exceeded. With L > 0 it approaches M along the
+/// way travelled, dS = (M - S)(1 - exp(-|dz|/L)), so that softening takes some cycles: about L/(4 A) of amplitude A.
+/// Within S the force depends on z alone, the loss is that of the first loading.
+///
+/// The reduction grows with the reach, R(S) = R min(S/S_f, 1)^q; for q = 0 it is R whatever the reach.
+/// With a side, only displacement to that side counts and is softened, by the part that lies there: from nothing at S/4
+/// beyond zero to all at S/4 on the side itself, so that the force has no jump.
+/// With a recovery time T, M and S return to the present displacement, dM/dt = -(M - |z|)/T; without it softening is
+/// permanent, as it is over the hours of a test.
+/// Validity: displacement stands for the strain energy, which is right for a test piece of one shape under one kind of
+/// load. Memory: M, S.
+/// Source: pseudo-elasticity of R. W. Ogden and D. G. Roxburgh, Proc. R. Soc. A 455 (1999) 2861-2877; their error
+/// function of the energy is a tanh here, u being for a = 2 the energy of a linear spring that lacks to the largest
+/// one, over the latter; a = 1 counts displacement as M. F. Beatty and S. Krishnaswamy, J. Mech. Phys. Solids 48 (2000)
+/// 1931-1965, count strain. That the reduction grows with the largest strain, and recovers: J. Diani, B. Fayolle, P.
+/// Gilormini, Eur. Polymer J. 45 (2009) 601-612.
+class StressSoftening final : public ForceEffect {
+ public:
+  enum class Side { lower = -1, both = 0, upper = 1 };
 
-StressSoftening::StressSoftening(const Parameters& parameters)
-    : parameters_(parameters), deepest_(std::tanh(1.0 / parameters.width)) {}
+  struct Parameters {
+    double reduction;       ///< R [-]
+    double width;           ///< w [-]
+    double path;            ///< L [m]; 0: at once
+    double reach_exponent;  ///< q [-]
+    double full_reach;      ///< S_f [m]; greater than 0 beside an exponent
+    double recovery_time;   ///< T [s]; 0: permanent
+    Side side;
+    double ratio_power;  ///< a [-]
+  };
 
-double StressSoftening::reachOf(double displacement) const {
-  return parameters_.side == Side::both ? std::abs(displacement)
-                                        : std::max(0.0, static_cast<double>(parameters_.side) * displacement);
-}
+  explicit StressSoftening(const Parameters& parameters)
+      : parameters_(parameters), deepest_(std::tanh(1.0 / parameters.width)) {}
 
-void StressSoftening::initialise(double displacement, double* memory) const {
-  memory[kLargest] = memory[kReach] = reachOf(displacement);
-}
-
-// A long rest heals what heals at all; else only a displacement beyond all before counts again.
-double StressSoftening::relax(double displacement, double* memory) const {
-  if (parameters_.recovery_time > 0.0) {
-    initialise(displacement, memory);
-    return 1.0;
+  std::size_t memorySize() const override { return 2; }
+  void initialise(double displacement, double* memory) const override {
+    memory[kLargest] = memory[kReach] = reachOf(displacement);
   }
-  memory[kLargest] = std::max(memory[kLargest], reachOf(displacement));
-  if (parameters_.path == 0.0) {
-    memory[kReach] = memory[kLargest];
+
+  // A long rest heals what heals at all; else only a displacement beyond all before counts again.
+  double relax(double displacement, double* memory) const override {
+    if (parameters_.recovery_time > 0.0) {
+      initialise(displacement, memory);
+      return 1.0;
+    }
+    memory[kLargest] = std::max(memory[kLargest], reachOf(displacement));
+    if (parameters_.path == 0.0) {
+      memory[kReach] = memory[kLargest];
+    }
+    return factor(displacement, memory[kReach]);
   }
-  return factor(displacement, memory[kReach]);
+
+  double step(const Motion& motion, const ComponentForce& /*force*/, double* memory) const override {
+    const double reached = reachOf(motion.displacement);
+    if (parameters_.recovery_time > 0.0) {
+      recover(motion.dt, reached, memory);
+    }
+    memory[kLargest] = std::max(memory[kLargest], reached);
+    if (parameters_.path == 0.0) {
+      memory[kReach] = memory[kLargest];
+    } else if (memory[kReach] < memory[kLargest]) {
+      const double kept = Relaxation::over(std::abs(motion.increment) / parameters_.path).decay;
+      memory[kReach] += (memory[kLargest] - memory[kReach]) * (1.0 - kept);
+    }
+    return factor(motion.displacement, memory[kReach]);
+  }
+
+  /// The factor at a displacement [m] for a softened reach [m].
+  double factor(double displacement, double reach) const {
+    if (std::abs(displacement) >= reach) {
+      return 1.0;
+    }
+    const double ratio = std::abs(displacement) / reach;
+    const double lacking = (1.0 - powerOf(ratio, parameters_.ratio_power)) / parameters_.width;
+    return 1.0 - reductionAt(reach) * shareOfSide(displacement, reach) * tanhOf(lacking) / deepest_;
+  }
+
+ private:
+  /// How far a displacement reaches to the side that counts [m].
+  double reachOf(double displacement) const {
+    return parameters_.side == Side::both ? std::abs(displacement)
+                                          : std::max(0.0, static_cast<double>(parameters_.side) * displacement);
+  }
+
+  /// Part of a displacement that lies on the side that counts [-].
+  double shareOfSide(double displacement, double reach) const {
+    constexpr double kBlended = 0.25;  // of the reach, to either side of zero
+    if (parameters_.side == Side::both) {
+      return 1.0;
+    }
+    const double beyond = static_cast<double>(parameters_.side) * displacement / (kBlended * reach);
+    return std::clamp(0.5 * (1.0 + beyond), 0.0, 1.0);
+  }
+
+  double reductionAt(double reach) const {
+    const double exponent = parameters_.reach_exponent;
+    return exponent == 0.0 ? parameters_.reduction
+                           : parameters_.reduction * powerOf(std::min(reach / parameters_.full_reach, 1.0), exponent);
+  }
+
+  // Towards the reach of the present displacement.
+  void recover(double dt, double reached, double* memory) const {
+    const double kept = Relaxation::over(dt / parameters_.recovery_time).decay;
+    for (const SofteningSlot slot : {kLargest, kReach}) {
+      memory[slot] = std::min(memory[slot], reached + std::max(0.0, memory[slot] - reached) * kept);
+    }
+  }
+
+  Parameters parameters_;
+  double deepest_;  // tanh(1/w)
+};
+
+ElementPointer makeStressSoftening(const ElementDescription& description) {
+  const StressSoftening::Parameters parameters{description.value("reduction"),
+                                               description.value("width"),
+                                               description.value("path"),
+                                               description.value("reach_exponent"),
+                                               description.value("full_reach"),
+                                               description.value("recovery_time"),
+                                               static_cast<StressSoftening::Side>(sideOf(description, "z")),
+                                               description.value("ratio_power")};
+  if (parameters.reach_exponent > 0.0 && parameters.full_reach == 0.0) {
+    refuseValue(description.type, "full_reach", 0.0, "m", "greater than 0 beside a reach_exponent");
+  }
+  return std::make_shared<const StressSoftening>(parameters);
 }
 
-double StressSoftening::reductionAt(double reach) const {
-  const double exponent = parameters_.reach_exponent;
-  return exponent == 0.0 ? parameters_.reduction
-                         : parameters_.reduction * powerOf(std::min(reach / parameters_.full_reach, 1.0), exponent);
-}
-
-double StressSoftening::shareOfSide(double displacement, double reach) const {
-  constexpr double kBlended = 0.25;  // of the reach, to either side of zero
-  if (parameters_.side == Side::both) {
-    return 1.0;
-  }
-  const double beyond = static_cast<double>(parameters_.side) * displacement / (kBlended * reach);
-  return std::clamp(0.5 * (1.0 + beyond), 0.0, 1.0);
-}
-
-double StressSoftening::factor(double displacement, double reach) const {
-  if (std::abs(displacement) >= reach) {
-    return 1.0;
-  }
-  const double ratio = std::abs(displacement) / reach;
-  const double lacking = (1.0 - powerOf(ratio, parameters_.ratio_power)) / parameters_.width;
-  return 1.0 - reductionAt(reach) * shareOfSide(displacement, reach) * tanhOf(lacking) / deepest_;
-}
-
-// Towards the reach of the present displacement.
-void StressSoftening::recover(double dt, double reached, double* memory) const {
-  const double kept = Relaxation::over(dt / parameters_.recovery_time).decay;
-  for (const SofteningSlot slot : {kLargest, kReach}) {
-    memory[slot] = std::min(memory[slot], reached + std::max(0.0, memory[slot] - reached) * kept);
-  }
-}
-
-double StressSoftening::step(const Motion& motion, const ComponentForce& /*force*/, double* memory) const {
-  const double reached = reachOf(motion.displacement);
-  if (parameters_.recovery_time > 0.0) {
-    recover(motion.dt, reached, memory);
-  }
-  memory[kLargest] = std::max(memory[kLargest], reached);
-  if (parameters_.path == 0.0) {
-    memory[kReach] = memory[kLargest];
-  } else if (memory[kReach] < memory[kLargest]) {
-    const double kept = Relaxation::over(std::abs(motion.increment) / parameters_.path).decay;
-    memory[kReach] += (memory[kLargest] - memory[kReach]) * (1.0 - kept);
-  }
-  return factor(motion.displacement, memory[kReach]);
-}
-
-ElementType stressSofteningType() {
-  return {"stress_softening",
+const ElementEntry kStressSofteningEntry(
+    330, {"stress_softening",
           "Mullins effect: softer within displacements that were reached before.",
           {{"reduction", "1", Role::shape, Range::closed(0.0, 0.9), "share R of the force that is lost deep within"},
            {"width", "1", Role::shape, Range::closed(0.01, 10.0),
@@ -129,9 +170,7 @@ ElementType stressSofteningType() {
             "power a of the displacement over the reach by which the transition goes; 2: by energy, 1: by "
             "displacement",
             2.0}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const StressSoftening>(parametersFrom(description));
-          }};
-}
+          makeStressSoftening});
 
+}  // namespace
 }  // namespace rubber_suspension::element

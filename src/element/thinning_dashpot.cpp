@@ -1,14 +1,36 @@
 // Dashpot that thins under shear.
-#include "rubber_suspension/element/thinning_dashpot.h"
+#include <cmath>
+
+#include "element/registry.h"
+#include "element/smooth_rate.h"
 
 namespace rubber_suspension::element {
+namespace {
 
-ElementType thinningDashpotType() {
-  return {"thinning_dashpot",
-          "Dashpot that thins under shear, F = c v/(1 + |v|/v_h), v = dz/dt: c v_h at most.",
-          {{"damping", "N s/m", Role::scale, Range::positive(), "damping constant c at slow motion"},
-           {"half_rate", "m/s", Role::shape, Range::positive(), "rate v_h at half of the damping"}},
-          makes<ThinningDashpot>("damping", "half_rate")};
-}
+/// F = c v/(1 + |v|/v_h), v = dz/dt: a linear dashpot at slow motion, half of its damping at the rate v_h, and a force
+/// of c v_h at most. The rate at a sample is that of SmoothRateDashpot. Source: M. M. Cross, J. Colloid Sci. 20 (1965)
+/// 417-437, Eq. 6, with the exponent 1 and no damping at infinite rate.
+class ThinningDashpot final : public SmoothRateDashpot {
+ public:
+  ThinningDashpot(double damping /* c [N s/m] */, double half_rate /* v_h [m/s] */)
+      : damping_(damping), half_rate_(half_rate) {}
 
+  double step(const Motion& motion, double* memory) const override { return force(rateAfter(motion, memory)); }
+
+  /// Force [N] at a rate [m/s].
+  double force(double rate) const { return damping_ * rate / (1.0 + std::abs(rate) / half_rate_); }
+
+ private:
+  double damping_;
+  double half_rate_;
+};
+
+const ElementEntry kThinningDashpotEntry(
+    90, {"thinning_dashpot",
+         "Dashpot that thins under shear, F = c v/(1 + |v|/v_h), v = dz/dt: c v_h at most.",
+         {{"damping", "N s/m", Role::scale, Range::positive(), "damping constant c at slow motion"},
+          {"half_rate", "m/s", Role::shape, Range::positive(), "rate v_h at half of the damping"}},
+         makes<ThinningDashpot>("damping", "half_rate")});
+
+}  // namespace
 }  // namespace rubber_suspension::element

@@ -1,12 +1,14 @@
 // Time delay between the measured displacement and force.
-#include "rubber_suspension/element/time_delay.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "element/registry.h"
 
 namespace rubber_suspension::element {
 namespace {
 
+constexpr double kLongestAdvance = 0.02;  // [s]
+constexpr double kLongestDelay = 0.05;    // [s]
 constexpr int kSamples = 256;
 // Whole spacings that the ring is sure to hold: of two intervals in a row at least one spacing is kept (see store()).
 constexpr int kSpacings = kSamples / 2 - 2;
@@ -19,70 +21,94 @@ int after(int index) { return (index + 1) % kSamples; }
 
 bool isWhole(double value, int low, int high) { return value >= low && value <= high && std::floor(value) == value; }
 
+/// The test piece sees z(t - T): the force is late by T > 0, so the loss angle falls by 360 degrees times f T (1 ms
+/// is 3.6 degrees at 10 Hz), down to negative values; the magnitude stays. T < 0 raises it, as a late displacement
+/// signal does.
+///
+/// T > 0: past samples stand in a ring in the memory, linear in between, at any step length; before the start the
+/// displacement was constant. The ring holds 256 samples. Where the sampling is finer than T/126 the samples are
+/// thinned to that distance, so the ring is never too short; the error is then that of a chord, (w T/126)^2/8 under a
+/// sine.
+///
+/// T < 0: the displacement is carried forward along the last step, z + |T| dz/dt, good while w |T| is well below 1
+/// (error (w T)^2/2) and noise is small: |T| should be a few samples at most.
+///
+/// Source: shift theorem of the Fourier transform, K* exp(-i w T).
+class TimeDelay final : public DisplacementEffect {
+ public:
+  explicit TimeDelay(double delay /* T [s] */) : delay_(delay) {}
+
+  std::size_t memorySize() const override { return delay_ > 0.0 ? kEnd : 0; }
+  bool acceptsMemory(const double* memory) const override {
+    return delay_ <= 0.0 || (isWhole(memory[kNewest], 0, kSamples - 1) && isWhole(memory[kCount], 1, kSamples));
+  }
+
+  double initialise(double displacement, double* memory) const override {
+    if (delay_ > 0.0) {
+      std::fill(memory, memory + kEnd, 0.0);
+      memory[kCount] = 1.0;
+      memory[kDisplacements] = displacement;
+    }
+    return displacement;
+  }
+
+  double step(const Motion& motion, double* memory) const override {
+    if (delay_ <= 0.0) {
+      return motion.displacement - delay_ * (motion.increment / motion.dt);
+    }
+    memory[kTime] += motion.dt;
+    store(memory[kTime], motion.displacement, memory);
+    return lookUp(memory[kTime] - delay_, memory);
+  }
+
+  /// The record of a displacement or force is late.
+  bool ofSensor() const override { return true; }
+  bool ofMeasuringChain() const override { return true; }
+
+  /// exp(-i w T) for T > 0, 1 + i w |T| for T < 0, which is what the extrapolation does.
+  std::optional<std::complex<double>> transfer(double omega) const override {
+    return delay_ > 0.0 ? std::polar(1.0, -omega * delay_) : std::complex<double>(1.0, -omega * delay_);
+  }
+  bool passive() const override { return false; }
+
+ private:
+  // The newest sample is provisional: the next one takes its place if both lie within one spacing of the sample before.
+  void store(double time, double displacement, double* memory) const {
+    int newest = static_cast<int>(memory[kNewest]);
+    const bool replace = memory[kCount] >= 2.0 && time - memory[kTimes + before(newest)] < delay_ / kSpacings;
+    if (!replace) {
+      newest = after(newest);
+      memory[kNewest] = newest;
+      memory[kCount] = std::min(memory[kCount] + 1.0, static_cast<double>(kSamples));
+    }
+    memory[kTimes + newest] = time;
+    memory[kDisplacements + newest] = displacement;
+  }
+
+  double lookUp(double time, const double* memory) const {
+    int later = static_cast<int>(memory[kNewest]);
+    int earlier = later;
+    for (int left = static_cast<int>(memory[kCount]) - 1; left > 0 && memory[kTimes + earlier] > time; --left) {
+      later = earlier;
+      earlier = before(earlier);
+    }
+    const double start = memory[kTimes + earlier];
+    if (time <= start || earlier == later) {
+      return memory[kDisplacements + earlier];  // before the start: at rest
+    }
+    const double share = (time - start) / (memory[kTimes + later] - start);
+    return memory[kDisplacements + earlier] +
+           share * (memory[kDisplacements + later] - memory[kDisplacements + earlier]);
+  }
+
+  double delay_;
+};
+
+const ElementEntry kTimeDelayEntry(420, {"time_delay",
+                                         "Force late against the displacement (delay > 0) or early (delay < 0).",
+                                         {{"delay", "s", Role::shape, Range::closed(-kLongestAdvance, kLongestDelay),
+                                           "delay T of the force; a negative one should be a few samples at most"}},
+                                         makes<TimeDelay>("delay")});
+
 }  // namespace
-
-std::size_t TimeDelay::memorySize() const { return delay_ > 0.0 ? kEnd : 0; }
-
-bool TimeDelay::acceptsMemory(const double* memory) const {
-  return delay_ <= 0.0 || (isWhole(memory[kNewest], 0, kSamples - 1) && isWhole(memory[kCount], 1, kSamples));
-}
-
-double TimeDelay::initialise(double displacement, double* memory) const {
-  if (delay_ > 0.0) {
-    std::fill(memory, memory + kEnd, 0.0);
-    memory[kCount] = 1.0;
-    memory[kDisplacements] = displacement;
-  }
-  return displacement;
-}
-
-double TimeDelay::step(const Motion& motion, double* memory) const {
-  if (delay_ <= 0.0) {
-    return motion.displacement - delay_ * (motion.increment / motion.dt);
-  }
-  memory[kTime] += motion.dt;
-  store(memory[kTime], motion.displacement, memory);
-  return lookUp(memory[kTime] - delay_, memory);
-}
-
-// The newest sample is provisional: the next one takes its place if both lie within one spacing of the sample before.
-void TimeDelay::store(double time, double displacement, double* memory) const {
-  int newest = static_cast<int>(memory[kNewest]);
-  const bool replace = memory[kCount] >= 2.0 && time - memory[kTimes + before(newest)] < delay_ / kSpacings;
-  if (!replace) {
-    newest = after(newest);
-    memory[kNewest] = newest;
-    memory[kCount] = std::min(memory[kCount] + 1.0, static_cast<double>(kSamples));
-  }
-  memory[kTimes + newest] = time;
-  memory[kDisplacements + newest] = displacement;
-}
-
-double TimeDelay::lookUp(double time, const double* memory) const {
-  int later = static_cast<int>(memory[kNewest]);
-  int earlier = later;
-  for (int left = static_cast<int>(memory[kCount]) - 1; left > 0 && memory[kTimes + earlier] > time; --left) {
-    later = earlier;
-    earlier = before(earlier);
-  }
-  const double start = memory[kTimes + earlier];
-  if (time <= start || earlier == later) {
-    return memory[kDisplacements + earlier];  // before the start: at rest
-  }
-  const double share = (time - start) / (memory[kTimes + later] - start);
-  return memory[kDisplacements + earlier] + share * (memory[kDisplacements + later] - memory[kDisplacements + earlier]);
-}
-
-std::optional<std::complex<double>> TimeDelay::transfer(double omega) const {
-  return delay_ > 0.0 ? std::polar(1.0, -omega * delay_) : std::complex<double>(1.0, -omega * delay_);
-}
-
-ElementType timeDelayType() {
-  return {"time_delay",
-          "Force late against the displacement (delay > 0) or early (delay < 0).",
-          {{"delay", "s", Role::shape, Range::closed(-TimeDelay::kLongestAdvance, TimeDelay::kLongestDelay),
-            "delay T of the force; a negative one should be a few samples at most"}},
-          makes<TimeDelay>("delay")};
-}
-
 }  // namespace rubber_suspension::element

@@ -1,33 +1,51 @@
 // Shift of the force towards the glass transition.
-#include "rubber_suspension/element/transition_shift.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "element/registry.h"
+#include "element/shift_parts.h"
+
 namespace rubber_suspension::element {
+namespace {
 
-Shift TransitionShift::at(double temperature) const {
-  return {1.0, 1.0 + share_ * std::expm1((reference_ - temperature) / width_)};
-}
+/// b_T = 1 + a (exp(-(T - T_0)/w) - 1), a_T = 1: the stiffness rises the faster the colder it is, as rubber does on the
+/// way to its glass transition, and keeps 1 - a far above T_0.
+///
+/// Holds where the factor is positive, and as far as 20 decades of the exponential. Source: the foot of the transition
+/// in isochronous moduli, J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
+class TransitionShift final : public TemperatureShift {
+ public:
+  TransitionShift(double share /* a [-] */, double width /* w [K] */, double reference /* T_0 [degC] */)
+      : share_(share), width_(width), reference_(reference) {}
 
-Range TransitionShift::temperatures() const {
-  Range range{std::max(-kZeroCelsius, reference_ - kMostDecades * std::log(10.0) * width_), Range::any().upper, true,
-              false};
-  if (share_ > 1.0) {
-    range.upper = reference_ - width_ * std::log1p(-1.0 / share_);
-    range.open_upper = true;
+  Shift at(double temperature) const override {
+    return {1.0, 1.0 + share_ * std::expm1((reference_ - temperature) / width_)};
   }
-  return range;
-}
 
-ElementType transitionShiftType() {
-  return {"transition_shift",
+  Range temperatures() const override {
+    Range range{std::max(-kZeroCelsius, reference_ - kMostDecades * std::log(10.0) * width_), Range::any().upper, true,
+                false};
+    if (share_ > 1.0) {
+      range.upper = reference_ - width_ * std::log1p(-1.0 / share_);
+      range.open_upper = true;
+    }
+    return range;
+  }
+
+ private:
+  double share_;
+  double width_;
+  double reference_;
+};
+
+const ElementEntry kTransitionShiftEntry(
+    380, {"transition_shift",
           "Shift of the force towards the glass transition, b_T = 1 + a (exp(-(T - T_0)/w) - 1).",
           {{"share", "1", Role::shape, Range::closed(0.0, 100.0),
             "share a of the force at T_0 that falls with the temperature"},
            {"width", "K", Role::shape, Range::closed(0.1, 1000.0), "width w over which it falls by e"},
            referenceParameter()},
-          makes<TransitionShift>("share", "width", "reference")};
-}
+          makes<TransitionShift>("share", "width", "reference")});
 
+}  // namespace
 }  // namespace rubber_suspension::element

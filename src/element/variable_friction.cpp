@@ -1,68 +1,99 @@
-// Friction whose limit varies.
-#include "rubber_suspension/element/variable_friction.h"
-
+// Friction whose limit grows with displacement, wears with travel, and builds up again at rest.
 #include <algorithm>
 #include <cmath>
 
 #include "element/dead_band.h"
-#include "rubber_suspension/element/structure_state.h"
+#include "element/registry.h"
+#include "element/structure_state.h"
 
 namespace rubber_suspension::element {
 namespace {
 
 enum FrictionSlot { kStretch, kBristleState, kWay };
 
-}  // namespace
+/// A Jenkins slider, a spring k that slides at the force k y m (1 + |z|/d).
+///
+/// With a displacement d the limit grows with the displacement, as where a seat is pressed the harder the farther it
+/// moves: the loss grows faster than the amplitude. With a travel s the state m wears, dm/ds' = -m/s along the way s',
+/// and with a build-up time T_b it returns at rest, dm/dt = (1 - m)/T_b - m |dz/dt|/s (thixotropy: the friction falls
+/// with the rate). Without d, s and T_b it is Coulomb's friction behind a contact spring.
+///
+/// The force is linear in k, the others given. The slider's spring keeps its stiffness, only its limit moves, so the
+/// law dissipates whatever the motion. m is exact for a displacement that is linear over the step, the limit is that at
+/// its end. With a dead band the way is that behind play of this width, so that noise within it wears nothing.
+/// Validity: one rate for wear and build-up. Memory: stretch of the spring [m], m, the displacement behind the play
+/// [m]; a long rest builds m up unless T_b is 0, when wear is permanent. Source: C. F. Jenkin, Engineering 114 (1922)
+/// 603; the state of a structure that motion breaks down: P. Haupt, K. Sedlan, Arch. Appl. Mech. 71 (2001) 89-109; P.
+/// Hofer, A. Lion, J. Mech. Phys. Solids 57 (2009) 500-520.
+class VariableFriction final : public ParallelElement {
+ public:
+  struct Parameters {
+    double stiffness;            ///< k [N/m]
+    double yield_displacement;   ///< y [m]
+    double growth_displacement;  ///< d [m]; 0: the limit does not depend on the displacement
+    double travel;               ///< s [m]; 0: no wear
+    double build_up_time;        ///< T_b [s]; 0: what is worn stays so
+    double dead_band;            ///< of the way along which it wears [m]
+  };
 
-double VariableFriction::initialise(double displacement, double* memory) const {
-  memory[kStretch] = 0.0;
-  memory[kBristleState] = 1.0;
-  memory[kWay] = displacement;
-  return 0.0;
-}
+  explicit VariableFriction(const Parameters& parameters) : parameters_(parameters) {}
 
-double VariableFriction::relax(double displacement, double* memory) const {
-  memory[kStretch] = 0.0;
-  memory[kWay] = displacement;
-  if (parameters_.build_up_time > 0.0) {
+  std::size_t memorySize() const override { return 3; }
+  double initialise(double displacement, double* memory) const override {
+    memory[kStretch] = 0.0;
     memory[kBristleState] = 1.0;
+    memory[kWay] = displacement;
+    return 0.0;
   }
-  return 0.0;
-}
 
-double VariableFriction::step(const Motion& motion, double* memory) const {
-  if (parameters_.travel > 0.0) {
-    Motion way = motion;
-    if (parameters_.dead_band > 0.0) {
-      way.increment = followed(motion.displacement, parameters_.dead_band, memory[kWay]) - memory[kWay];
-      memory[kWay] += way.increment;
+  double relax(double displacement, double* memory) const override {
+    memory[kStretch] = 0.0;
+    memory[kWay] = displacement;
+    if (parameters_.build_up_time > 0.0) {
+      memory[kBristleState] = 1.0;
     }
-    memory[kBristleState] =
-        StructureState(way, parameters_.build_up_time, parameters_.travel).after(memory[kBristleState]);
+    return 0.0;
   }
-  double limit = parameters_.yield_displacement * memory[kBristleState];
-  if (parameters_.growth_displacement > 0.0) {
-    limit *= 1.0 + std::abs(motion.displacement) / parameters_.growth_displacement;
+
+  double step(const Motion& motion, double* memory) const override {
+    if (parameters_.travel > 0.0) {
+      Motion way = motion;
+      if (parameters_.dead_band > 0.0) {
+        way.increment = followed(motion.displacement, parameters_.dead_band, memory[kWay]) - memory[kWay];
+        memory[kWay] += way.increment;
+      }
+      memory[kBristleState] =
+          StructureState(way, parameters_.build_up_time, parameters_.travel).after(memory[kBristleState]);
+    }
+    double limit = parameters_.yield_displacement * memory[kBristleState];
+    if (parameters_.growth_displacement > 0.0) {
+      limit *= 1.0 + std::abs(motion.displacement) / parameters_.growth_displacement;
+    }
+    memory[kStretch] = std::clamp(memory[kStretch] + motion.increment, -limit, limit);
+    return parameters_.stiffness * memory[kStretch];
   }
-  memory[kStretch] = std::clamp(memory[kStretch] + motion.increment, -limit, limit);
-  return parameters_.stiffness * memory[kStretch];
-}
+  Part part() const override { return Part::friction; }
 
-ElementType variableFrictionType() {
-  return {"variable_friction",
-          "Friction behind a contact spring that slides at k y m (1 + |z|/d): grows with displacement, wears with "
-          "travel (m), builds up at rest.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
-           {"yield_displacement", "m", Role::shape, Range::positive(),
-            "displacement y at which it slides about zero displacement, unworn"},
-           {"growth_displacement", "m", Role::shape, Range::nonNegative(),
-            "displacement d at which the limit is twice that at zero; 0: no growth", 0.0},
-           {"travel", "m", Role::shape, Range::nonNegative(), "travel s over which it wears by e; 0: no wear", 0.0},
-           {"build_up_time", "s", Role::shape, Range::nonNegative(), "time T_b over which it builds up again; 0: never",
-            0.0},
-           {"dead_band", "m", Role::choice, Range::nonNegative(), kDeadBand, 0.0}},
-          makes<VariableFriction, VariableFriction::Parameters>(
-              "stiffness", "yield_displacement", "growth_displacement", "travel", "build_up_time", "dead_band")};
-}
+ private:
+  Parameters parameters_;
+};
 
+const ElementEntry kVariableFrictionEntry(
+    280,
+    {"variable_friction",
+     "Friction behind a contact spring that slides at k y m (1 + |z|/d): grows with displacement, wears with "
+     "travel (m), builds up at rest.",
+     {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
+      {"yield_displacement", "m", Role::shape, Range::positive(),
+       "displacement y at which it slides about zero displacement, unworn"},
+      {"growth_displacement", "m", Role::shape, Range::nonNegative(),
+       "displacement d at which the limit is twice that at zero; 0: no growth", 0.0},
+      {"travel", "m", Role::shape, Range::nonNegative(), "travel s over which it wears by e; 0: no wear", 0.0},
+      {"build_up_time", "s", Role::shape, Range::nonNegative(), "time T_b over which it builds up again; 0: never",
+       0.0},
+      {"dead_band", "m", Role::choice, Range::nonNegative(), kDeadBand, 0.0}},
+     makes<VariableFriction, VariableFriction::Parameters>("stiffness", "yield_displacement", "growth_displacement",
+                                                           "travel", "build_up_time", "dead_band")});
+
+}  // namespace
 }  // namespace rubber_suspension::element

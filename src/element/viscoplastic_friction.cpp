@@ -1,30 +1,57 @@
-// Friction that a rate brings to its limit.
-#include "rubber_suspension/element/viscoplastic_friction.h"
-
+// Friction that a rate brings to its limit: a spring in series with a dashpot whose force has a limit.
 #include <cmath>
 
+#include "element/registry.h"
+
 namespace rubber_suspension::element {
+namespace {
 
-// f + a f/(1 - |f|) = r with f = F/(k y), a = v_0 dt/y, r = f before + dz/y. f has the sign of r, and |f| is the
-// smaller root of f^2 - (1 + a + |r|) f + |r| = 0; both root and discriminant (|r| - 1 + a)^2 + 4 a without
-// cancellation.
-double ViscoplasticFriction::step(const Motion& motion, double* memory) const {
-  const double flow = half_rate_ * motion.dt / yield_displacement_;
-  const double target = memory[0] + motion.increment / yield_displacement_;
-  const double excess = std::abs(target) - 1.0 + flow;
-  memory[0] = 2.0 * target / (2.0 + excess + std::sqrt(excess * excess + 4.0 * flow));
-  return stiffness_ * yield_displacement_ * memory[0];
-}
+/// dF/dt = k (dz/dt - v_0 F/(k y - |F|)): at a steady rate v, F = k y v/(v_0 + |v|).
+///
+/// Half of the limit k y is reached at the rate v_0; at rates far above v_0 it is Coulomb's friction behind a contact
+/// spring, which slides at the displacement y; of small force it is a Maxwell element of tau = y/v_0. So is the force
+/// of a fluid with a yield stress, as in a magnetorheological damper, and of a seal on an oil film. For given y and v_0
+/// the force scales with k.
+///
+/// Stepped by the implicit Euler method, solved in closed form: of first order in dt v_0/y, below its limit and
+/// dissipating at any step. Memory: force over the limit. Source: the dashpot after M. M. Cross, J. Colloid Sci. 20
+/// (1965) 417-437, of exponent 1 and without a second plateau; in series with a spring before yield: D. R. Gamota and
+/// F. E. Filisko, J. Rheol. 35 (1991) 399-425.
+class ViscoplasticFriction final : public ParallelElement {
+ public:
+  ViscoplasticFriction(double stiffness /* k [N/m] */, double yield_displacement /* y [m] */,
+                       double half_rate /* v_0 [m/s] */)
+      : stiffness_(stiffness), yield_displacement_(yield_displacement), half_rate_(half_rate) {}
 
-ElementType viscoplasticFrictionType() {
-  return {"viscoplastic_friction",
+  std::size_t memorySize() const override { return 1; }
+
+  // f + a f/(1 - |f|) = r with f = F/(k y), a = v_0 dt/y, r = f before + dz/y. f has the sign of r, and |f| is the
+  // smaller root of f^2 - (1 + a + |r|) f + |r| = 0; both root and discriminant (|r| - 1 + a)^2 + 4 a without
+  // cancellation.
+  double step(const Motion& motion, double* memory) const override {
+    const double flow = half_rate_ * motion.dt / yield_displacement_;
+    const double target = memory[0] + motion.increment / yield_displacement_;
+    const double excess = std::abs(target) - 1.0 + flow;
+    memory[0] = 2.0 * target / (2.0 + excess + std::sqrt(excess * excess + 4.0 * flow));
+    return stiffness_ * yield_displacement_ * memory[0];
+  }
+  Part part() const override { return Part::friction; }
+
+ private:
+  double stiffness_;
+  double yield_displacement_;
+  double half_rate_;
+};
+
+const ElementEntry kViscoplasticFrictionEntry(
+    290, {"viscoplastic_friction",
           "Friction that a rate brings to its limit, dF/dt = k (dz/dt - v_0 F/(k y - |F|)): at a steady rate v, "
           "F = k y v/(v_0 + |v|).",
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
            {"yield_displacement", "m", Role::shape, Range::positive(),
             "displacement y of the spring at the limit k y of the force"},
            {"half_rate", "m/s", Role::shape, Range::positive(), "rate v_0 at half of the limit"}},
-          makes<ViscoplasticFriction>("stiffness", "yield_displacement", "half_rate")};
-}
+          makes<ViscoplasticFriction>("stiffness", "yield_displacement", "half_rate")});
 
+}  // namespace
 }  // namespace rubber_suspension::element

@@ -1,25 +1,53 @@
 // Shift by the equation of Williams, Landel and Ferry.
-#include "rubber_suspension/element/wlf_shift.h"
-
 #include <cmath>
 
+#include "element/registry.h"
+#include "element/shift_parts.h"
+
 namespace rubber_suspension::element {
+namespace {
 
-Shift WlfShift::at(double temperature) const {
-  const double above = temperature - parameters_.reference;
-  return {std::pow(10.0, -parameters_.c1 * above / (parameters_.c2 + above)), vertical_.at(temperature).force};
-}
+/// log10 a_T = -C_1 (T - T_0)/(C_2 + T - T_0), b_T = 1 + beta (T - T_0).
+///
+/// C_1 and C_2 belong to their reference: C_1 C_2 and T_0 - C_2 are the same at any reference, so constants at T_g turn
+/// into those at T_0 by C_2 + T_0 - T_g and C_1 C_2/(C_2 + T_0 - T_g). Where nothing is known C_1 = 17.44 and
+/// C_2 = 51.6 K at T_g.
+/// Validity: from T_g to about T_g + 100 K; the equation has no value at T_0 - C_2 and below, and is taken as far as
+/// 20 decades above that.
+/// Source: M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77 (1955) 3701-3707; constants of rubbers:
+/// J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, table 11-II.
+class WlfShift final : public TemperatureShift {
+ public:
+  struct Parameters {
+    double c1;         ///< C_1 [-]
+    double c2;         ///< C_2 [K]
+    double reference;  ///< T_0 [degC]
+    double vertical;   ///< beta [1/K]
+  };
 
-Range WlfShift::temperatures() const {
-  // -C_1 x/(C_2 + x) = kMostDecades, x = T - T_0.
-  const double lowest = parameters_.reference - parameters_.c2 * kMostDecades / (kMostDecades + parameters_.c1);
-  Range range;
-  range.lower = lowest;
-  return intersection(vertical_.temperatures(), range);
-}
+  explicit WlfShift(const Parameters& parameters)
+      : parameters_(parameters), vertical_(parameters.vertical, parameters.reference) {}
 
-ElementType wlfShiftType() {
-  return {"wlf_shift",
+  Shift at(double temperature) const override {
+    const double above = temperature - parameters_.reference;
+    return {std::pow(10.0, -parameters_.c1 * above / (parameters_.c2 + above)), vertical_.at(temperature).force};
+  }
+
+  Range temperatures() const override {
+    // -C_1 x/(C_2 + x) = kMostDecades, x = T - T_0.
+    const double lowest = parameters_.reference - parameters_.c2 * kMostDecades / (kMostDecades + parameters_.c1);
+    Range range;
+    range.lower = lowest;
+    return intersection(vertical_.temperatures(), range);
+  }
+
+ private:
+  Parameters parameters_;
+  VerticalShift vertical_;
+};
+
+const ElementEntry kWlfShiftEntry(
+    350, {"wlf_shift",
           "Shift of all rates with temperature by Williams, Landel and Ferry, log10 a_T = -C_1 (T - T_0)/(C_2 + T - "
           "T_0); the key `temperature` of a component makes one.",
           {{"c1", "1", Role::shape, Range::openBelow(0.0, 100.0), "constant C_1 at the reference temperature"},
@@ -27,7 +55,7 @@ ElementType wlfShiftType() {
             "constant C_2 at the reference temperature, a difference of temperatures"},
            referenceParameter(),
            verticalParameter("vertical", 0.0)},
-          makes<WlfShift, WlfShift::Parameters>("c1", "c2", "reference", "vertical")};
-}
+          makes<WlfShift, WlfShift::Parameters>("c1", "c2", "reference", "vertical")});
 
+}  // namespace
 }  // namespace rubber_suspension::element

@@ -18,10 +18,10 @@
 
 #include "element/each.h"
 #include "element/refuse.h"
+#include "element/shift_parts.h"
 #include "fit/residual_covariance.h"
 #include "numerics/bounded_least_squares.h"
 #include "numerics/trust_region.h"
-#include "rubber_suspension/element/arrhenius_shift.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {
@@ -219,7 +219,7 @@ class Superposition {
 
   // [J/mol], of decades between the coldest and the warmest rows.
   double energyOf(double decades) const {
-    return decades * std::log(10.0) * element::ArrheniusShift::kGasConstant /
+    return decades * std::log(10.0) * element::kGasConstant /
            (inverseOf(levels_.front().temperature) - inverseOf(levels_.back().temperature));
   }
 
@@ -360,7 +360,7 @@ class Superposition {
     const double below = std::max(0.0, reference_ - levels_.front().temperature);
     const double absolute = reference_ + element::kZeroCelsius;
     // d log10 a_T/dT at the reference is -C_1/C_2.
-    const double slope = energy / (std::log(10.0) * element::ArrheniusShift::kGasConstant * absolute * absolute);
+    const double slope = energy / (std::log(10.0) * element::kGasConstant * absolute * absolute);
     const numerics::Limits limits{Eigen::Vector2d(std::log(kSlowest), std::log(below + kLeastTemperatureRange)),
                                   Eigen::Vector2d(std::log(kMost1), std::log(kMost2))};
     std::optional<Shifted> best;
@@ -499,7 +499,7 @@ double MasterCurve::decadesAt(double temperature) const { return std::log10(shif
 double MasterCurve::activationEnergy() const {
   const double low = shifts.front().temperature;
   const double high = shifts.back().temperature;
-  return (decadesAt(low) - decadesAt(high)) * std::log(10.0) * element::ArrheniusShift::kGasConstant /
+  return (decadesAt(low) - decadesAt(high)) * std::log(10.0) * element::kGasConstant /
          (inverseOf(low) - inverseOf(high));
 }
 

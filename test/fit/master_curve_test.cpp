@@ -8,7 +8,6 @@
 #include <random>
 
 #include "fit/table_fit.h"
-#include "rubber_suspension/element/arrhenius_shift.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {

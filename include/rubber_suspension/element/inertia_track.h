@@ -70,6 +70,4 @@ class InertiaTrack final : public ParallelElement {
   double brake_;   // c_2/m [1/m]
 };
 
-ElementType inertiaTrackType();
-
 }  // namespace rubber_suspension::element

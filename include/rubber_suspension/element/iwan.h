@@ -14,24 +14,8 @@ namespace rubber_suspension::element {
 std::vector<JenkinsSlider> iwanSliders(double maximum_force /* F_max [N] */, double displacement /* z2 [m] */,
                                        int count /* n, at least 2 */);
 
-/// Smooth bank with two parameters, `iwan`; its make() throws where the count is not whole. Memory, source: SliderBank.
-class Iwan final : public SliderBank {
- public:
-  Iwan(double maximum_force, double displacement, int count)
-      : SliderBank(iwanSliders(maximum_force, displacement, count)) {}
-};
-
 /// Sliders from the lists yield_displacement and stiffness of an entry. Throws std::invalid_argument where they do not
 /// go together.
 std::vector<JenkinsSlider> slidersFromTable(const ElementDescription& description);
-
-/// Sliders one by one, `iwan_table`; its make() throws std::invalid_argument for lists that do not go together.
-class IwanTable final : public SliderBank {
- public:
-  using SliderBank::SliderBank;
-};
-
-ElementType iwanType();
-ElementType iwanTableType();
 
 }  // namespace rubber_suspension::element

@@ -56,6 +56,4 @@ void addAcross(const std::vector<RadialStiffness>& laws, const double* displacem
 
 bool isRadial(const ElementDescription& element);
 
-ElementType radialStiffnessType();
-
 }  // namespace rubber_suspension::element

@@ -146,6 +146,4 @@ class Residual final : public ParallelElement {
 ElementDescription residualDescription(const ResidualBasis& basis, const Eigen::VectorXd& weights, double lowest_force,
                                        double highest_force);
 
-ElementType residualType();
-
 }  // namespace rubber_suspension::element

@@ -1,6 +1,8 @@
 // Banks of Jenkins sliders: friction with memory of all reversals, and Coulomb friction as a bank of one.
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "rubber_suspension/element/catalogue.h"
@@ -36,8 +38,17 @@ class SliderBank : public ParallelElement {
   const std::vector<JenkinsSlider>& sliders() const { return sliders_; }
 
   std::size_t memorySize() const override { return sliders_.size(); }
-  double initialise(double displacement, double* memory) const override;
-  double step(const Motion& motion, double* memory) const override;
+  double initialise(double displacement, double* memory) const override {
+    std::fill(memory, memory + sliders_.size(), displacement);
+    return 0.0;
+  }
+  double step(const Motion& motion, double* memory) const override {
+    double force = 0.0;
+    for (std::size_t i = 0; i < sliders_.size(); ++i) {
+      force += sliders_[i].advance(motion.displacement, memory[i]);
+    }
+    return force;
+  }
   Part part() const override { return Part::friction; }
 
  private:

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "element/shift_parts.h"
 #include "fit/master_curve.h"
-#include "rubber_suspension/element/arrhenius_shift.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 double decadesPerEnergy(const fit::Excitation& excitation) {
   const auto inverse = [](double temperature) { return 1.0 / (temperature + element::kZeroCelsius); };
   return (inverse(excitation.lowest_temperature) - inverse(excitation.highest_temperature)) /
-         (std::log(10.0) * element::ArrheniusShift::kGasConstant);
+         (std::log(10.0) * element::kGasConstant);
 }
 
 // Of either sign: what the component's own shift has too much.

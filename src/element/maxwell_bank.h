@@ -1,4 +1,4 @@
-// A law that is realised by Maxwell elements in parallel. Throws nothing: makeElement() checks the values.
+// A law that is realised by Maxwell elements in parallel.
 #pragma once
 
 #include <vector>
@@ -15,13 +15,29 @@ class MaxwellBank : public ParallelElement {
  public:
   explicit MaxwellBank(std::vector<Maxwell> elements) : elements_(std::move(elements)) {}
 
-  const std::vector<Maxwell>& elements() const { return elements_; }
-
   std::size_t memorySize() const override { return elements_.size(); }
-  double step(const Motion& motion, double* memory) const override;
+  double step(const Motion& motion, double* memory) const override {
+    double force = 0.0;
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+      force += elements_[i].step(motion, memory + i);
+    }
+    return force;
+  }
   Part part() const override { return Part::viscous; }
-  bool addTo(BasicLaws& sum) const override;
-  std::optional<std::complex<double>> complexStiffness(double omega) const override;
+  bool addTo(BasicLaws& sum) const override {
+    for (const Maxwell& element : elements_) {
+      element.addTo(sum);
+    }
+    return true;
+  }
+
+  std::optional<std::complex<double>> complexStiffness(double omega) const override {
+    std::complex<double> stiffness = 0.0;
+    for (const Maxwell& element : elements_) {
+      stiffness += *element.complexStiffness(omega);
+    }
+    return stiffness;
+  }
 
  private:
   std::vector<Maxwell> elements_;

@@ -1,10 +1,15 @@
-// A number that depends on the displacement: linear between points, constant beyond. Throws nothing but in its
-// constructor.
+// A number that depends on the displacement: linear between points, constant beyond.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "rubber_suspension/element/parameter.h"
 
 namespace rubber_suspension::element {
 
@@ -14,7 +19,20 @@ class PositionTable {
   /// Throws std::invalid_argument that names law and parameter on lists of different lengths and on displacements that
   /// decrease.
   PositionTable(const std::string& type, std::vector<double> displacement /* [m] */, const std::string& name,
-                std::vector<double> value);
+                std::vector<double> value)
+      : displacement_(std::move(displacement)), value_(std::move(value)) {
+    if (displacement_.empty() || displacement_.size() != value_.size()) {
+      throw std::invalid_argument(
+          fmt::format("{}.{}: {} values for {} displacements; accepted: as many as displacements", type, name,
+                      value_.size(), displacement_.size()));
+    }
+    for (std::size_t i = 1; i < displacement_.size(); ++i) {
+      if (!(displacement_[i] >= displacement_[i - 1])) {
+        refuseValue(type, "displacement", displacement_[i], "m",
+                    fmt::format("at least {:g}, the value before it", displacement_[i - 1]));
+      }
+    }
+  }
 
   double at(double displacement) const {
     return inPiece(static_cast<std::size_t>(std::upper_bound(displacement_.begin(), displacement_.end(), displacement) -

@@ -1,9 +1,11 @@
-// Shift of the force with temperature. Throws nothing.
+// What shifts by temperature are made of: the gas constant, and the shift of the force alone.
 #pragma once
 
-#include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/temperature_shift.h"
 
 namespace rubber_suspension::element {
+
+constexpr double kGasConstant = 8.31446261815324;  ///< R [J/(mol K)], exact in the SI
 
 /// b_T = 1 + beta (T - T_0), a_T = 1.
 ///
@@ -16,13 +18,26 @@ class VerticalShift final : public TemperatureShift {
       : coefficient_(coefficient), reference_(reference) {}
 
   Shift at(double temperature) const override { return {1.0, 1.0 + coefficient_ * (temperature - reference_)}; }
-  Range temperatures() const override;
+  Range temperatures() const override {
+    const Range above_zero{-kZeroCelsius, Range::any().upper, true, false};
+    if (coefficient_ == 0.0) {
+      return above_zero;
+    }
+    const double end = reference_ - 1.0 / coefficient_;
+    Range positive;
+    if (coefficient_ > 0.0) {
+      positive.lower = end;
+      positive.open_lower = true;
+    } else {
+      positive.upper = end;
+      positive.open_upper = true;
+    }
+    return intersection(above_zero, positive);
+  }
 
  private:
   double coefficient_;
   double reference_;
 };
-
-ElementType verticalShiftType();
 
 }  // namespace rubber_suspension::element

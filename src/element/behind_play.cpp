@@ -1,0 +1,173 @@
+// Branches behind a clearance of their own: a slider, a damper with backlash, and a hydraulic damper in a worn eye.
+#include <algorithm>
+#include <cmath>
+
+#include "element/implicit_flow.h"
+#include "element/registry.h"
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/element/relaxation.h"
+
+namespace rubber_suspension::element {
+namespace {
+
+/// F = k d(z - w), with the dead zone d(x) = x - clamp(x, -g, g): a spring that is in contact only once the clearance g
+/// to either side of the place w is used up, in series with a branch that moves w. Other than free play before the
+/// whole test piece, only this branch is slack, and the clearance moves along with it: after each reversal its force is
+/// missing for 2 g of travel, whatever the amplitude; at amplitudes below g there is none once it has settled. The
+/// force is linear in k, the others given. Dissipates. Validity: contact without impact or friction of the joint.
+/// Memory: w.
+template <class Branch>
+class BehindPlay final : public ParallelElement {
+ public:
+  BehindPlay(double stiffness /* k [N/m] */, double gap /* g, to either side [m] */, const Branch& branch)
+      : stiffness_(stiffness), gap_(gap), branch_(branch) {}
+
+  std::size_t memorySize() const override { return 1; }
+  double initialise(double displacement, double* memory) const override {
+    memory[0] = displacement;
+    return 0.0;
+  }
+
+  double step(const Motion& motion, double* memory) const override {
+    return stiffness_ * branch_.stretch(motion, gap_, memory[0]);
+  }
+  Part part() const override { return Branch::kPart; }
+
+ private:
+  double stiffness_;
+  double gap_;
+  Branch branch_;
+};
+
+double deadZone(double offset, double gap) { return offset - std::clamp(offset, -gap, gap); }
+
+/// At k y the slider is pulled along. Settled loss per cycle at amplitude A > g + y: 4 k y (A - g - y).
+/// Rate-independent, exact for any step. Source: elastic-plastic element with a gap, e.g. K. Worden, G. R. Tomlinson,
+/// Nonlinearity in Structural Dynamics (2001).
+struct Slider {
+  static constexpr Part kPart = Part::friction;
+
+  double yield_displacement;  ///< y [m]
+
+  /// Stretch of the spring [m] at the end of a step.
+  double stretch(const Motion& motion, double gap, double& place) const {
+    const double reach = gap + yield_displacement;
+    place = std::clamp(place, motion.displacement - reach, motion.displacement + reach);
+    return deadZone(motion.displacement - place, gap);
+  }
+};
+
+/// dw/dt = F/c, c = k/(2 pi f_b): a Maxwell element where g is 0, a dashpot with backlash where f_b is high.
+/// Exact for a displacement that is linear over the step: contact, free flight and contact again have closed solutions.
+/// Source: dead zone in series with a linear dynamic, e.g. M. Nordin, P.-O. Gutman, Automatica 38 (2002) 1633-1649.
+struct Damper {
+  static constexpr Part kPart = Part::viscous;
+
+  explicit Damper(double break_frequency /* f_b [Hz] */) : relaxation_time(1.0 / (2.0 * kPi * break_frequency)) {}
+
+  double relaxation_time;  ///< tau [s]
+
+  double stretch(const Motion& motion, double gap, double& place) const {
+    const double start = motion.displacement - motion.increment - place;
+    const double offset = offsetAfter(start, motion.increment / motion.dt, motion.dt, gap);
+    place = motion.displacement - offset;
+    return deadZone(offset, gap);
+  }
+
+  /// Offset between displacement and dashpot [m] after `time` of constant velocity: contact on the side where it is,
+  /// then free flight, then contact on the side that the motion goes to.
+  double offsetAfter(double offset, double velocity, double time, double gap) const {
+    const double depth = std::abs(offset) - gap;
+    if (depth > 0.0) {
+      const double inward = std::copysign(velocity, velocity * offset);  // towards more contact, if positive
+      const double lasts = inward < 0.0 ? relaxation_time * std::log1p(-depth / (relaxation_time * inward)) : time;
+      if (lasts >= time) {
+        return std::copysign(gap + depthAfter(depth, inward, time), offset);
+      }
+      offset = std::copysign(gap, offset);
+      time -= lasts;
+    }
+    const double speed = std::abs(velocity);
+    const double way = gap - std::copysign(offset, velocity * offset);
+    if (speed * time <= way) {
+      return offset + velocity * time;
+    }
+    return std::copysign(gap + depthAfter(0.0, speed, time - way / speed), velocity);
+  }
+
+  /// Depth of contact [m] after `time` [s], the displacement moving into contact at `velocity` [m/s]:
+  /// dd/dt = v - d/tau.
+  double depthAfter(double depth, double velocity, double time) const {
+    const Relaxation relaxation = Relaxation::over(time / relaxation_time);
+    return relaxation.decay * depth + relaxation.mean * velocity * time;
+  }
+};
+
+/// dw/dt = v_r sign(F) (|F|/(k y))^(1/p): a damper whose force is k y (v/v_r)^p in steady flow. p = 2: an orifice;
+/// p < 1: a damper that blows off, or a fluid that thins; p = 1 is maxwell_behind_play. The flow of a step is that at
+/// its end (flowRoot()): exact in steady flow, of first order in the step else, and it dissipates at any step.
+/// Source: J. C. Dixon, The Shock Absorber Handbook, 2nd ed. 2007, chapter 5, behind the dead zone of
+/// maxwell_behind_play.
+struct PowerDamper {
+  static constexpr Part kPart = Part::viscous;
+
+  double displacement;    ///< y [m]
+  double reference_rate;  ///< v_r [m/s]
+  double exponent;        ///< p [-]
+
+  double stretch(const Motion& motion, double gap, double& place) const {
+    const double offset = motion.displacement - place;
+    const double depth = std::abs(offset) - gap;  // without flow
+    if (depth <= 0.0) {
+      return 0.0;
+    }
+    const double way = std::abs(motion.increment);
+    const double contact = way > depth ? depth / way : 1.0;  // share of the step
+    const double flow = reference_rate * contact * motion.dt / displacement;
+    const double left = displacement * flowRoot(depth / displacement, flow, 1.0 / exponent);
+    place = motion.displacement - std::copysign(gap + left, offset);
+    return std::copysign(left, offset);
+  }
+};
+
+/// Makes a branch from its parameters of these names, behind its play.
+template <class Branch, class... Names>
+auto makesBehindPlay(Names... names) {
+  return [=](const ElementDescription& description) -> ElementPointer {
+    return std::make_shared<const BehindPlay<Branch>>(description.value("stiffness"), description.value("gap"),
+                                                      Branch{description.value(names)...});
+  };
+}
+
+const ElementEntry kMaxwellBehindPlayEntry(
+    150, {"maxwell_behind_play",
+          "Spring and dashpot in series behind a clearance of their own: a damper with backlash.",
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
+           {"break_frequency", "Hz", Role::shape, Range::positive(),
+            "break frequency f_b; high for a dashpot c = k/(2 pi f_b)"},
+           {"gap", "m", Role::shape, Range::positive(), "clearance g to either side"}},
+          makesBehindPlay<Damper>("break_frequency")});
+
+const ElementEntry kPowerDashpotBehindPlayEntry(
+    160,
+    {"power_dashpot_behind_play",
+     "Spring and dashpot of any power in series behind a clearance of their own: a hydraulic damper in a worn eye, "
+     "F = k y (v/v_r)^p in steady flow.",
+     {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
+      {"displacement", "m", Role::shape, Range::positive(), "displacement y of the spring in flow at the rate v_r"},
+      {"reference_rate", "m/s", Role::shape, Range::positive(), "rate v_r"},
+      {"exponent", "1", Role::shape, Range::closed(0.1, 4.0), "power p; 1: a linear dashpot"},
+      {"gap", "m", Role::shape, Range::positive(), "clearance g to either side"}},
+     makesBehindPlay<PowerDamper>("displacement", "reference_rate", "exponent")});
+
+const ElementEntry kFrictionBehindPlayEntry(
+    310, {"friction_behind_play",
+          "Friction behind a clearance of its own: missing over 2 g of travel after each reversal.",
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
+           {"yield_displacement", "m", Role::shape, Range::positive(),
+            "displacement y beyond the clearance at which it slides"},
+           {"gap", "m", Role::shape, Range::positive(), "clearance g to either side"}},
+          makesBehindPlay<Slider>("yield_displacement")});
+
+}  // namespace
+}  // namespace rubber_suspension::element
