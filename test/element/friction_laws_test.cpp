@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "element/driver.h"
-#include "rubber_suspension/element/implicit_flow.h"
+#include "element/implicit_flow.h"
 
 namespace rubber_suspension::test {
 namespace {

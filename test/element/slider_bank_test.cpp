@@ -22,7 +22,7 @@ double backbone(const element::SliderBank& law, double displacement) {
 
 TEST(Iwan, BackboneReachesHalfAtItsDisplacementAndAllAtTheEnd) {
   for (const int count : {2, 3, 4, 16, 17, 64}) {
-    const element::Iwan law(5e3, 2.2e-3, count);
+    const element::SliderBank law(element::iwanSliders(5e3, 2.2e-3, count));
     EXPECT_EQ(law.sliders().size(), static_cast<std::size_t>(count));
     EXPECT_NEAR(backbone(law, 2.2e-3), 2.5e3, 1e-8) << count;
     EXPECT_NEAR(backbone(law, 50.0 * 2.2e-3), 5e3, 1e-8) << count;
@@ -35,14 +35,14 @@ TEST(Iwan, BackboneReachesHalfAtItsDisplacementAndAllAtTheEnd) {
 
 // With many sliders the backbone is the hyperbola of Berg's first loading, but for its end at 50 z2 (4 % of the force).
 TEST(Iwan, BackboneIsCloseToBergs) {
-  const element::Iwan law(5.0, 2.2, 64);
+  const element::SliderBank law(element::iwanSliders(5.0, 2.2, 64));
   for (const double z : {0.2, 1.0, 2.0, 4.0, 10.0}) {
     EXPECT_NEAR(backbone(law, z), 5.0 * z / (2.2 + z), 0.04 * backbone(law, z)) << z;
   }
 }
 
 TEST(Iwan, FirstLoadingFollowsTheBackbone) {
-  const element::Iwan law(5.0, 2.2, 16);
+  const element::SliderBank law(element::iwanSliders(5.0, 2.2, 16));
   Driver driver("iwan maximum_force=5 displacement=2.2");
   for (const double z : {0.1, 1.0, 3.0, 200.0}) {
     EXPECT_NEAR(driver.step(1.0, z), backbone(law, z), 1e-12);
@@ -50,7 +50,7 @@ TEST(Iwan, FirstLoadingFollowsTheBackbone) {
 }
 
 TEST(Iwan, MinorLoopClosesToTheLastBit) {
-  const element::Iwan law(5.0, 2.2, 16);
+  const element::SliderBank law(element::iwanSliders(5.0, 2.2, 16));
   Driver driver("iwan maximum_force=5 displacement=2.2");
   const double left = driver.step(1.0, 2.0);
   driver.step(1.0, 1.5);
@@ -63,7 +63,7 @@ TEST(Iwan, MinorLoopClosesToTheLastBit) {
 // Masing: the settled peak is that of the backbone (2.37 for this example, where Berg's element has 1.99), and the
 // branch after a reversal is the backbone doubled.
 TEST(Iwan, SettledLoopObeysMasing) {
-  const element::Iwan law(5.0, 2.2, 16);
+  const element::SliderBank law(element::iwanSliders(5.0, 2.2, 16));
   Driver driver("iwan maximum_force=5 displacement=2.2");
   for (const double z : {2.0, -2.0, 2.0, -2.0}) {
     driver.step(1.0, z);
