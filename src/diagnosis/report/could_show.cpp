@@ -73,7 +73,7 @@ std::string outcomesInWords(const CouldShow& could_show) {
   });
 }
 
-ordered_json rowJson(const CouldShow& could_show, const ImplantedEffect& row) {
+ordered_json implantedJson(const CouldShow& could_show, const ImplantedEffect& row) {
   ordered_json named = ordered_json::object();
   for (std::size_t e = 0; e < row.named_as.size(); ++e) {
     if (row.named_as[e] > 0.0) {
@@ -106,7 +106,7 @@ std::string toText(const CouldShow& could_show) {
 }
 
 ordered_json report::toJson(const CouldShow& could_show) {
-  const auto row_json = [&](const ImplantedEffect& row) { return rowJson(could_show, row); };
+  const auto row_json = [&](const ImplantedEffect& row) { return implantedJson(could_show, row); };
   return {{"size", could_show.size},
           {"size_N", could_show.force},
           {"why", could_show.why},
