@@ -17,8 +17,8 @@ namespace {
 using testing::Each;
 using testing::Eq;
 
-constexpr double kDt = 1e-3;           // [s]
-constexpr double kAmplitude = 1.5e-3;  // [m], beyond gap and yield of the typical parameters
+constexpr double kShortestStep = 1e-3;  // [s]
+constexpr double kAmplitude = 1.5e-3;   // [m], beyond gap and yield of the typical parameters
 
 /// A walk of moves of random size and duration within +-2 amplitudes, always the same.
 class RandomMoves {
@@ -26,7 +26,7 @@ class RandomMoves {
   explicit RandomMoves(unsigned seed) : generator_(seed) {}
 
   double displacement() { return 2.0 * kAmplitude * uniform_(generator_); }
-  double dt() { return kDt * std::exp(2.0 * uniform_(generator_)); }
+  double dt() { return kShortestStep * std::exp(2.0 * uniform_(generator_)); }
   double share() { return 0.5 + 0.45 * uniform_(generator_); }
 
  private:
