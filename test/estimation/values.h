@@ -10,6 +10,13 @@ namespace rubber_suspension {
 
 using Values = std::map<std::string, double>;
 
+inline Values operator+(Values values, const Values& more) {
+  for (const auto& [key, value] : more) {
+    values[key] = value;
+  }
+  return values;
+}
+
 inline Values with(Values values, const std::string& key, double value) {
   values[key] = value;
   return values;
@@ -28,6 +35,10 @@ inline estimation::Specification specificationOf(const Values& values,
   }
   specification.describe(describes);
   return specification;
+}
+
+inline std::vector<element::ElementDescription> estimated(estimation::Model model, const Values& values) {
+  return estimation::estimate(model, specificationOf(values, estimation::Describes::unsaid));
 }
 
 }  // namespace rubber_suspension

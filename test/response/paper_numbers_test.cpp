@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
-#include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/response/sweep.h"
 
 namespace rubber_suspension {
@@ -12,17 +12,16 @@ namespace {
 
 constexpr double kProduct = 8e-3;  // [m Hz]
 
-std::vector<element::ElementDescription> frictionModel(estimation::Model model) {
-  estimation::Specification specification;
-  specification.set("static_stiffness", 3e6);
-  specification.set("dynamic_stiffness", 4.2e6);
-  specification.set("nominal_frequency", 4.0);
-  specification.set("nominal_amplitude", 2e-3);
-  specification.set("relative_damping", 0.05);
+component::Component frictionModel(estimation::Model model) {
+  Values values = {{"static_stiffness", 3e6},
+                   {"dynamic_stiffness", 4.2e6},
+                   {"nominal_frequency", 4.0},
+                   {"nominal_amplitude", 2e-3},
+                   {"relative_damping", 0.05}};
   if (model == estimation::Model::berg) {
-    specification.set("break_frequency", 1.45);
+    values["break_frequency"] = 1.45;
   }
-  return estimation::estimate(model, specification);
+  return component::Component(estimated(model, values));
 }
 
 TEST(PaperNumbers, StiffnessAtTwentyHertz) {
@@ -33,8 +32,7 @@ TEST(PaperNumbers, StiffnessAtTwentyHertz) {
               {estimation::Model::friction_dashpot, 4.92e6},
               {estimation::Model::berg, 4.95e6}};
   for (const auto& row : rows) {
-    const auto points =
-        response::sweepConstantProduct(component::Component(frictionModel(row.model)), {20.0}, kProduct);
+    const auto points = response::sweepConstantProduct(frictionModel(row.model), {20.0}, kProduct);
     EXPECT_NEAR(points[0].characteristics.stiffness, row.stiffness, 0.005e6) << estimation::toString(row.model);
   }
 }
@@ -43,8 +41,7 @@ TEST(PaperNumbers, BergOverFrequencyAtConstantProduct) {
   const std::vector<double> frequencies = {0.5, 1, 2, 4, 8, 12, 20};
   const double stiffness[] = {3.28, 3.51, 3.84, 4.20, 4.55, 4.74, 4.95};
   const double angle[] = {4.88, 6.45, 6.72, 5.71, 4.29, 3.45, 2.51};
-  const auto points = response::sweepConstantProduct(component::Component(frictionModel(estimation::Model::berg)),
-                                                     frequencies, kProduct);
+  const auto points = response::sweepConstantProduct(frictionModel(estimation::Model::berg), frequencies, kProduct);
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
     EXPECT_NEAR(points[i].characteristics.stiffness, stiffness[i] * 1e6, 0.005e6) << frequencies[i];
     EXPECT_NEAR(points[i].characteristics.loss_angle * 180.0 / element::kPi, angle[i], 0.005) << frequencies[i];
