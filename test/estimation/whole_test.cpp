@@ -11,6 +11,7 @@
 #include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"
+#include "support/kit.h"
 #include "support/message_of.h"
 
 namespace rubber_suspension {
@@ -19,8 +20,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-using Entries = std::vector<element::ElementDescription>;
 
 // The same cases in every run, unless the environment asks for others.
 const bool kSeeded = setenv("RC_PARAMS", "seed=20150817 max_success=50", 0) == 0;
@@ -33,7 +32,7 @@ Values fiveInputs(double dynamic_stiffness, double amplitude) {
           {"high_frequency", 25.0},   {"nominal_amplitude", amplitude}};
 }
 
-const Entries kFriction = {{"friction", {{"maximum_force", {6e3}}, {"displacement", {2.2e-3}}}}};
+const Entries kFriction = {friction(6e3, 2.2e-3)};
 
 Entries wholeOf(estimation::Model model, const estimation::Specification& base, const Entries& add) {
   Entries all = estimation::estimate(model, base);
@@ -104,30 +103,25 @@ TEST(WholeComponent, NeedsAnAmplitudeWhereItIsNonlinear) {
   EXPECT_THAT(refusal(estimation::Model::multi_maxwell, specificationOf(values), kFriction),
               HasSubstr("nominal_amplitude is missing"));
   values["dynamic_stiffness"] = 4.2e6;
-  EXPECT_EQ(refusal(estimation::Model::multi_maxwell, specificationOf(values),
-                    {{"maxwell", {{"stiffness", {2e5}}, {"break_frequency", {1.0}}}}}),
-            "");
+  EXPECT_EQ(refusal(estimation::Model::multi_maxwell, specificationOf(values), {maxwell(2e5, 1.0)}), "");
 }
 
 // Springs and Maxwell elements that are added are part of K_st and K_max.
 TEST(WholeComponent, SharesItsStiffnessesWithWhatIsAdded) {
-  const Entries add = {{"spring", {{"stiffness", {5e5}}}},
-                       {"maxwell", {{"stiffness", {2e5}}, {"break_frequency", {1.0}}}}};
+  const Entries add = {spring(5e5), maxwell(2e5, 1.0)};
   const auto base = estimation::resolve(estimation::Model::multi_maxwell, specificationOf(fiveInputs(4.2e6, 2e-3)), add)
                         .specification;
   EXPECT_NEAR(base.at("static_stiffness"), 2.5e6, 1e-3);
   EXPECT_NEAR(base.at("maximum_stiffness"), 4.2e6, 1e-3);
   EXPECT_NEAR(at(wholeOf(estimation::Model::multi_maxwell, base, add), 4.0, 2e-3).stiffness, 4.2e6, 1e-2);
-  EXPECT_THAT(refusal(estimation::Model::multi_maxwell, specificationOf(fiveInputs(4.2e6, 2e-3)),
-                      {{"spring", {{"stiffness", {3.1e6}}}}}),
+  EXPECT_THAT(refusal(estimation::Model::multi_maxwell, specificationOf(fiveInputs(4.2e6, 2e-3)), {spring(3.1e6)}),
               HasSubstr("static_stiffness: 3e+06 N/m is not above the 3.1e+06 N/m of what is added"));
 }
 
 TEST(WholeComponent, LeavesOutWhatNeverSettles) {
-  const Entries add = {{"friction", {{"maximum_force", {6e3}}, {"displacement", {2.2e-3}}}},
-                       {"force_drift", {{"rate", {5.0}}}},
-                       {"self_heating", {{"energy_sensitivity", {1e-3}}, {"time_constant", {20.0}}}},
-                       {"stress_softening", {{"reduction", {0.3}}}}};
+  const Entries add = {friction(6e3, 2.2e-3), entry("force_drift rate=5"),
+                       entry("self_heating energy_sensitivity=1e-3 time_constant=20"),
+                       entry("stress_softening reduction=0.3")};
   const auto specification = specificationOf(fiveInputs(5e6, 2e-3));
   const auto resolved = estimation::resolve(estimation::Model::multi_maxwell, specification, add);
   EXPECT_THAT(resolved.notes, ElementsAre(HasSubstr("force_drift, self_heating, stress_softening")));
@@ -171,17 +165,17 @@ std::map<std::string, double> anyBase(estimation::Model model) {
 
 /// Each of these has a settled loop; behind the last two the forces do not add up.
 Entries anyAdded(estimation::Model model) {
-  const Entries all = {{"friction", {{"maximum_force", {2e3}}, {"displacement", {5e-4}}}},
-                       {"iwan", {{"maximum_force", {1e3}}, {"displacement", {3e-4}}, {"sliders", {8.0}}}},
-                       {"bouc_wen", {{"stiffness", {1e6}}, {"beta", {900.0}}, {"gamma", {300.0}}}},
-                       {"maxwell", {{"stiffness", {3e5}}, {"break_frequency", {2.0}}}},
-                       {"spring", {{"stiffness", {4e5}}}},
-                       {"dashpot", {{"damping", {2e3}}}},
-                       {"progressive_stiffness", {{"cubic", {5e10}}}},
-                       {"bump_stop", {{"stiffness", {5e6}}, {"gap", {1e-3}}}},
-                       {"inertia_track", {{"mass", {100.0}}, {"damping", {3e3}}, {"stiffness", {4e5}}}},
-                       {"free_play", {{"gap", {5e-5}}}},
-                       {"series_compliance", {{"stiffness", {6e7}}}}};
+  const Entries all = {friction(2e3, 5e-4),
+                       entry("iwan maximum_force=1e3 displacement=3e-4 sliders=8"),
+                       entry("bouc_wen stiffness=1e6 beta=900 gamma=300"),
+                       maxwell(3e5, 2.0),
+                       spring(4e5),
+                       dashpot(2e3),
+                       entry("progressive_stiffness cubic=5e10"),
+                       entry("bump_stop stiffness=5e6 gap=1e-3"),
+                       entry("inertia_track mass=100 damping=3e3 stiffness=4e5"),
+                       entry("free_play gap=5e-5"),
+                       entry("series_compliance stiffness=6e7")};
   // Slow elements take hundreds of cycles to settle behind a compliance.
   const int end = static_cast<int>(all.size()) - (model == estimation::Model::multi_maxwell ? 2 : 0);
   Entries added;
@@ -268,7 +262,7 @@ TEST(HighFrequencyStiffness, OfTheWholeComponent) {
   auto values = fiveInputs(5e6, 2e-3);
   values.erase("maximum_stiffness");
   values["high_frequency_stiffness"] = 5.6e6;
-  for (const Entries& added : {kFriction, Entries{kFriction[0], {"progressive_stiffness", {{"cubic", {5e10}}}}}}) {
+  for (const Entries& added : {kFriction, Entries{kFriction[0], entry("progressive_stiffness cubic=5e10")}}) {
     const auto base =
         estimation::resolve(estimation::Model::multi_maxwell, specificationOf(values), added).specification;
     const Entries whole = wholeOf(estimation::Model::multi_maxwell, base, added);

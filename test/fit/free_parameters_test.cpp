@@ -50,7 +50,7 @@ class FreeParameters : public testing::TestWithParam<element::ElementDescription
 INSTANTIATE_TEST_SUITE_P(AllLaws, FreeParameters, testing::ValuesIn(typicalElements()));
 
 TEST_P(FreeParameters, AreTheSameInEstimateAndDiagnosis) {
-  const std::vector<element::ElementDescription> elements = {{"spring", {{"stiffness", {3e6}}}}, GetParam()};
+  const std::vector<element::ElementDescription> elements = {spring(3e6), GetParam()};
   const std::set<std::string> names = freeInEstimate(elements);
   EXPECT_EQ(names, freeInDiagnosis(elements));
   EXPECT_THAT(names, IsSupersetOf({"spring[0].stiffness"}));
@@ -59,20 +59,20 @@ TEST_P(FreeParameters, AreTheSameInEstimateAndDiagnosis) {
 // The two lists that these roles replaced froze the order in one command, the ends of the range in the other.
 TEST(FreeParameters, OfASpringpotAreStiffnessAndOrder) {
   const std::vector<element::ElementDescription> elements = {
-      {"springpot", {{"stiffness", {1e6}}, {"order", {0.3}}, {"low_frequency", {0.1}}, {"high_frequency", {50.0}}}}};
+      entry("springpot stiffness=1e6 order=0.3 low_frequency=0.1 high_frequency=50")};
   EXPECT_THAT(freeInEstimate(elements), ElementsAre("springpot[0].order", "springpot[0].stiffness"));
 }
 
 TEST(FreeParameters, OfCreepIsTheFallPerDecade) {
   const std::vector<element::ElementDescription> elements = {
-      {"creep", {{"stiffness_per_decade", {2e5}}, {"shortest_time", {0.05}}, {"longest_time", {5.0}}}}};
+      entry("creep stiffness_per_decade=2e5 shortest_time=0.05 longest_time=5")};
   EXPECT_THAT(freeInDiagnosis(elements), ElementsAre("creep[0].stiffness_per_decade"));
 }
 
 // A default counts as a given value, and moving it writes it down.
 TEST(FreeParameters, IncludeDefaults) {
-  const fit::ModelParameters model(
-      io::ComponentDescription("component", {{"stress_softening", {{"reduction", {0.3}}}}}), fit::Level::elements);
+  const fit::ModelParameters model(io::ComponentDescription("component", {entry("stress_softening reduction=0.3")}),
+                                   fit::Level::elements);
   ASSERT_THAT(model.names(), ElementsAre("stress_softening[0].reduction", "stress_softening[0].width"));
   EXPECT_EQ(model.apply(Eigen::Vector2d(0.0, 0.0)).elements().at(0).values.count("width"), 0U);
   EXPECT_DOUBLE_EQ(model.apply(Eigen::Vector2d(0.0, 0.1)).elements().at(0).value("width"), 0.5 * std::exp(0.1));

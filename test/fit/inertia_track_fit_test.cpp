@@ -14,12 +14,8 @@
 namespace rubber_suspension {
 namespace {
 
-using Entries = std::vector<element::ElementDescription>;
-
-const Entries kTruth = {{"spring", {{"stiffness", {2e5}}}},
-                        {"inertia_track", {{"mass", {60.0}}, {"damping", {1500.0}}, {"stiffness", {2.5e5}}}}};
-const Entries kGiven = {{"spring", {{"stiffness", {3e5}}}},
-                        {"inertia_track", {{"mass", {40.0}}, {"damping", {2200.0}}, {"stiffness", {1.8e5}}}}};
+const Entries kTruth = {spring(2e5), entry("inertia_track mass=60 damping=1500 stiffness=2.5e5")};
+const Entries kGiven = {spring(3e5), entry("inertia_track mass=40 damping=2200 stiffness=1.8e5")};
 
 /// A sweep from 1 to 30 Hz of 1 mm, at 500 Hz, with 1 % of noise on the force.
 log::Log sweep() {

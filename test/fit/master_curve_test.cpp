@@ -9,6 +9,7 @@
 
 #include "fit/table_fit.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/kit.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -118,7 +119,7 @@ TEST(MasterCurve, LeavesTheNoiseOfAnyThermorheologicallySimpleTable) {
 
 TEST(MasterCurve, BecomesAPronySeriesOrASpringpot) {
   const std::vector<TablePoint> points = tableOf({0.0, 10.0, 20.0, 30.0, 40.0}, byArrhenius);
-  const io::ComponentDescription given{"bush", {{"spring", {{"stiffness", {1e6}}}}}};
+  const io::ComponentDescription given{"bush", {spring(1e6)}};
   const TableFit pot = fitToTable(given, points, Series::springpot);
   ASSERT_TRUE(pot.master_curve.has_value());
   ASSERT_EQ(pot.component.elements().size(), 2U);

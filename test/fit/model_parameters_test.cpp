@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "support/kit.h"
+
 namespace rubber_suspension::fit {
 namespace {
 
@@ -56,7 +58,7 @@ TEST(ModelParameters, DepartFromTheSheetInTolerances) {
   estimation::Specification sheet = multiMaxwell().specification();
   sheet.setTolerance({0.2, {{"dynamic_stiffness", 0.05}}});
   io::ComponentDescription bush("bush", estimation::Model::multi_maxwell, sheet);
-  bush.add = {{"spring", {{"stiffness", {1e5}}}}};
+  bush.add = {spring(1e5)};
   const ModelParameters model(bush, Level::specification);
   EXPECT_TRUE(model.departures(Eigen::VectorXd::Zero(model.size())).isZero(0.0));
   const Eigen::VectorXd near = Eigen::VectorXd::LinSpaced(model.size(), -0.1, 0.2);

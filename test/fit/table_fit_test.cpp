@@ -106,19 +106,18 @@ TEST(TableFit, RefusesWhatIsNoTable) {
   refuses({{1.0, 1e-3, 3e6, 0.1}}, "1 points");
   refuses({{1.0, 1e-3, 3e6, 0.1}, {0.0, 1e-3, 3e6, 0.1}}, "0 Hz");
   refuses({{1.0, 1e-3, 3e6, 0.1}, {1.0, 1e-3, 3e6, 2.0}}, "2 rad");
-  EXPECT_THROW(fitToTable(io::ComponentDescription(
-                              "none", {{"spring_table", {{"displacement", {-1e-3, 1e-3}}, {"force", {-1e3, 1e3}}}}}),
-                          tableOf(truth())),
-               std::invalid_argument);
+  EXPECT_THROW(
+      fitToTable(io::ComponentDescription("none", {entry("spring_table displacement=-1e-3,1e-3 force=-1e3,1e3")}),
+                 tableOf(truth())),
+      std::invalid_argument);
 }
 
 // About a preload a stiffening spring is stiffer: rows about their mean displacements find linear and cubic part.
 TEST(TableFit, FollowsRowsAboutAMeanDisplacement) {
   const auto stiffening = [](double stiffness, double cubic) {
-    return io::ComponentDescription{"bush",
-                                    {{"spring", {{"stiffness", {stiffness}}}},
-                                     {"progressive_stiffness", {{"cubic", {cubic}}}},
-                                     {"maxwell", {{"stiffness", {4e5}}, {"break_frequency", {2.0}}}}}};
+    return io::ComponentDescription{
+        "bush",
+        {{"spring", {{"stiffness", {stiffness}}}}, {"progressive_stiffness", {{"cubic", {cubic}}}}, maxwell(4e5, 2.0)}};
   };
   const component::Component truth = stiffening(3e6, 1e11).makeComponent();
   std::vector<TablePoint> points;

@@ -11,11 +11,10 @@
 #include <numeric>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "io/temporary_file.h"
-#include "rubber_suspension/log/log.h"
-#include "support/message_of.h"
+#include "log/read_text.h"
 
 namespace rubber_suspension {
 namespace {
@@ -23,10 +22,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::string refusalOfBytes(const std::string& name, const std::string& bytes) {
-  const TemporaryFile file(name, bytes);
-  return messageOf<log::LogError>([&] { log::readLogs(file.path()); });
-}
+std::string refusalOfMat(const std::string& bytes) { return refusalOf(bytes, {}, "log.mat"); }
 
 // Level 5 of MATLAB, written by its format.
 class MatBytes {
@@ -92,57 +88,54 @@ class MatBytes {
 
 constexpr std::size_t kRows = 100;
 
-std::vector<double> channel(double scale) {
+std::vector<double> valuesOf(double (*law)(double)) {
   std::vector<double> values(kRows);
   for (std::size_t i = 0; i < kRows; ++i) {
-    values[i] = scale * std::sin(0.1 * static_cast<double>(i));
+    values[i] = law(static_cast<double>(i));
   }
   return values;
 }
 
-std::vector<double> times() {
-  std::vector<double> values(kRows);
-  for (std::size_t i = 0; i < kRows; ++i) {
-    values[i] = 0.01 * static_cast<double>(i);
-  }
-  return values;
+const std::vector<double> kTimes = valuesOf([](double i) { return 0.01 * i; });
+const std::vector<double> kMillimetres = valuesOf([](double i) { return std::sin(0.1 * i); });
+const std::vector<double> kNewtons = valuesOf([](double i) { return 500.0 * std::sin(0.1 * i); });
+
+// The columns of a log, each as `wrap` has it.
+template <class Wrap>
+std::string columns(const Wrap& wrap) {
+  return wrap(MatBytes::numbers("time_s", kTimes)) + wrap(MatBytes::numbers("displacement_mm", kMillimetres)) +
+         wrap(MatBytes::numbers("force_N", kNewtons));
 }
 
 std::string plainMat() {
-  return MatBytes::header() + MatBytes::numbers("time_s", times()) +
-         MatBytes::numbers("displacement_mm", channel(1.0)) + MatBytes::numbers("force_N", channel(500.0));
+  return MatBytes::header() + columns([](const std::string& matrix) { return matrix; });
 }
 
-std::string compressedMat() {
-  return MatBytes::header() + MatBytes::compressed(MatBytes::numbers("time_s", times())) +
-         MatBytes::compressed(MatBytes::numbers("displacement_mm", channel(1.0))) +
-         MatBytes::compressed(MatBytes::numbers("force_N", channel(500.0)));
-}
+std::string compressedMat() { return MatBytes::header() + columns(MatBytes::compressed); }
 
 // As a scope of Simulink leaves it: structs within a struct, named by their labels.
 std::string scopeMat() {
   const std::vector<std::string> fields = {"values", "label"};
   const std::string signals =
       MatBytes::structure("", fields, 2,
-                          MatBytes::numbers("", channel(1.0)) + MatBytes::text("", "Displacement [mm]") +
-                              MatBytes::numbers("", channel(500.0)) + MatBytes::text("", "Force [N]"));
+                          MatBytes::numbers("", kMillimetres) + MatBytes::text("", "Displacement [mm]") +
+                              MatBytes::numbers("", kNewtons) + MatBytes::text("", "Force [N]"));
   return MatBytes::header() +
-         MatBytes::structure("ScopeData", {"time", "signals"}, 1, MatBytes::numbers("", times()) + signals);
+         MatBytes::structure("ScopeData", {"time", "signals"}, 1, MatBytes::numbers("", kTimes) + signals);
 }
 
 void expectChannels(const log::Log& log) {
   ASSERT_EQ(log.size(), kRows);
   for (std::size_t i = 0; i < kRows; ++i) {
     EXPECT_EQ(log.stamp[i], static_cast<std::int64_t>(i) * 10000000);
-    EXPECT_DOUBLE_EQ(log.displacement[i], 1e-3 * channel(1.0)[i]);
-    EXPECT_DOUBLE_EQ(log.force[i], channel(500.0)[i]);
+    EXPECT_DOUBLE_EQ(log.displacement[i], 1e-3 * kMillimetres[i]);
+    EXPECT_DOUBLE_EQ(log.force[i], kNewtons[i]);
   }
 }
 
 TEST(MatFile, IsReadWhereItIsWhole) {
   for (const std::string& bytes : {plainMat(), compressedMat(), scopeMat()}) {
-    const TemporaryFile file("log.mat", bytes);
-    expectChannels(log::readLog(file.path()));
+    expectChannels(readText(bytes, {}, "log.mat"));
   }
 }
 
@@ -151,11 +144,10 @@ TEST(MatFile, OfStructsWithALogEachHoldsSegments) {
   for (const char* name : {"run1", "run2"}) {
     bytes += MatBytes::structure(
         name, {"time_s", "displacement_mm", "force_N"}, 1,
-        MatBytes::numbers("", times()) + MatBytes::numbers("", channel(1.0)) + MatBytes::numbers("", channel(500.0)));
+        MatBytes::numbers("", kTimes) + MatBytes::numbers("", kMillimetres) + MatBytes::numbers("", kNewtons));
   }
-  EXPECT_THAT(refusalOfBytes("log.mat", bytes), HasSubstr("2 logs in one file: 'run1', 'run2'"));
-  const TemporaryFile file("log.mat", bytes);
-  expectChannels(log::readLog(file.path(), log::makeLogFormat({}, "", 0.0, "", "2", -1.0)));
+  EXPECT_THAT(refusalOfMat(bytes), HasSubstr("2 logs in one file: 'run1', 'run2'"));
+  expectChannels(readText(bytes, byOption("--segment", "2"), "log.mat"));
 }
 
 std::string zipped(const std::string& text) {
@@ -189,24 +181,21 @@ TEST(PackedFile, OfFarMoreThanItsSizeIsRefusedUnlessTheUserWantsIt) {
       }
     }
   }
-  EXPECT_THAT(refusalOfBytes("log.csv", zipped(zipped("time_s"))), HasSubstr("to convert it: gunzip"));
+  EXPECT_THAT(refusalOf(zipped(zipped("time_s"))), HasSubstr("to convert it: gunzip"));
 }
 
 TEST(PackedFile, OfMatlabIsRefusedByWhatItClaims) {
   constexpr std::size_t kNumbers = kBeyond / sizeof(double);
-  const std::string large = MatBytes::compressed(MatBytes::numbers("a", std::vector<double>(kNumbers)));
-  const std::string rest = MatBytes::compressed(MatBytes::numbers("time_s", times())) +
-                           MatBytes::compressed(MatBytes::numbers("displacement_mm", channel(1.0))) +
-                           MatBytes::compressed(MatBytes::numbers("force_N", channel(500.0)));
-  const TemporaryFile file("log.mat", MatBytes::header() + large + rest);
-  EXPECT_THAT(refusalOfBytes("log.mat", MatBytes::header() + large + rest), HasSubstr("or --large"));
+  const std::string bytes = MatBytes::header() +
+                            MatBytes::compressed(MatBytes::numbers("a", std::vector<double>(kNumbers))) +
+                            columns(MatBytes::compressed);
+  EXPECT_THAT(refusalOfMat(bytes), HasSubstr("or --large"));
   log::LogFormat format;
   format.large = true;
-  expectChannels(log::readLog(file.path(), format));
+  expectChannels(readText(bytes, format, "log.mat"));
   // Dimensions that need less than the data are.
   const std::string few = MatBytes::matrix(6, 1, 1, "a", MatBytes::element(9, std::string(kBeyond, '\0')));
-  EXPECT_THAT(refusalOfBytes("log.mat", MatBytes::header() + MatBytes::compressed(few)),
-              HasSubstr("more data than the matrix has"));
+  EXPECT_THAT(refusalOfMat(MatBytes::header() + MatBytes::compressed(few)), HasSubstr("more data than the matrix has"));
 }
 
 TEST(MatFile, IsRefusedWhereverItIsCut) {
@@ -215,7 +204,7 @@ TEST(MatFile, IsRefusedWhereverItIsCut) {
     // Between two variables a file that is cut is a whole one with fewer of them.
     for (int i = 0; i < 150; ++i) {
       const std::size_t size = std::uniform_int_distribution<std::size_t>(0, bytes.size() - 1)(random);
-      EXPECT_NE(refusalOfBytes("log.mat", bytes.substr(0, size)), "") << size << " of " << bytes.size();
+      EXPECT_NE(refusalOfMat(bytes.substr(0, size)), "") << size << " of " << bytes.size();
     }
   }
 }
@@ -225,7 +214,7 @@ TEST(MatFile, IsRefusedWhereAByteOfWhatIsCompressedIsChanged) {
   for (std::size_t at = 136; at + 4 < bytes.size(); at += 7) {
     std::string changed = bytes;
     changed[at] = static_cast<char>(changed[at] ^ 0x20);
-    EXPECT_NE(refusalOfBytes("log.mat", changed), "") << at;
+    EXPECT_NE(refusalOfMat(changed), "") << at;
   }
 }
 
@@ -234,96 +223,96 @@ TEST(MatFile, NamesTheTableThatItCannotRead) {
       14, MatBytes::element(6, std::string("\x11\x00\x00\x00\x00\x00\x00\x00", 8)) + MatBytes::element(1, "run") +
               MatBytes::element(1, "MCOS") + MatBytes::element(1, "table") +
               MatBytes::matrix(13, 1, 1, "", MatBytes::element(6, std::string(4, '\0'))));
-  EXPECT_THAT(refusalOfBytes("log.mat", MatBytes::header() + opaque),
+  EXPECT_THAT(refusalOfMat(MatBytes::header() + opaque),
               testing::AllOf(HasSubstr("run (table)"), HasSubstr("writetable(NAME, 'LOG.csv')")));
 }
 
-// Writes by libhdf5, which closes what it opens.
-class Hdf5Writer {
+// A file of libhdf5, which a test writes and which is closed before it is read.
+class Hdf5 {
  public:
-  explicit Hdf5Writer(const std::string& path)
-      : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
-  Hdf5Writer(const Hdf5Writer&) = delete;
-  Hdf5Writer& operator=(const Hdf5Writer&) = delete;
-  ~Hdf5Writer() { H5Fclose(file_); }
+  Hdf5() : file_(H5Fcreate(temporary_.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
+  Hdf5(const Hdf5&) = delete;
+  Hdf5& operator=(const Hdf5&) = delete;
+  ~Hdf5() { close(); }
 
   hid_t file() const { return file_; }
+  std::string path() const { return temporary_.path(); }
+
+  void close() {
+    if (file_ >= 0) {
+      H5Fclose(std::exchange(file_, -1));
+    }
+  }
 
   void group(const std::string& name) const {
     H5Gclose(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   }
 
   // Nothing is written where there are no values.
-  void dataset(const std::string& name, const std::vector<double>& values, hid_t properties = H5P_DEFAULT) const {
-    const hsize_t size = values.empty() ? kRows : values.size();
-    const hid_t space = H5Screate_simple(1, &size, nullptr);
-    const hid_t dataset =
-        H5Dcreate2(file_, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
-    if (!values.empty()) {
-      H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  void write(const std::string& name, hid_t type, const std::vector<hsize_t>& size, const void* values,
+             hid_t properties = H5P_DEFAULT) const {
+    const hid_t space = H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr);
+    const hid_t dataset = H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+    if (values != nullptr) {
+      H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
     }
     H5Dclose(dataset);
     H5Sclose(space);
   }
-
+  void dataset(const std::string& name, const std::vector<double>& values) const {
+    write(name, H5T_NATIVE_DOUBLE, {values.size()}, values.data());
+  }
   void integers(const std::string& name, const std::vector<std::int64_t>& values) const {
-    const hsize_t size = values.size();
-    const hid_t space = H5Screate_simple(1, &size, nullptr);
-    const hid_t dataset =
-        H5Dcreate2(file_, name.c_str(), H5T_NATIVE_INT64, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    H5Dwrite(dataset, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-    H5Dclose(dataset);
-    H5Sclose(space);
+    write(name, H5T_NATIVE_INT64, {values.size()}, values.data());
   }
 
   void log(const std::string& prefix) const {
-    dataset(prefix + "time_s", times());
-    dataset(prefix + "displacement_mm", channel(1.0));
-    dataset(prefix + "force_N", channel(500.0));
+    dataset(prefix + "time_s", kTimes);
+    dataset(prefix + "displacement_mm", kMillimetres);
+    dataset(prefix + "force_N", kNewtons);
+  }
+
+  log::Log read(const log::LogFormat& format = {}) {
+    close();
+    return log::readLog(path(), format);
+  }
+  std::string refusal() {
+    return messageOf<log::LogError>([&] { read(); });
   }
 
  private:
+  TemporaryFile temporary_{"log.h5", ""};
   hid_t file_;
 };
 
-std::string refusalOfHdf5(const std::string& path) {
-  return messageOf<log::LogError>([&] { log::readLog(path); });
-}
-
 TEST(Hdf5File, OfGroupsWithALogEachHoldsSegments) {
-  const TemporaryFile file("log.h5", "");
-  {
-    const Hdf5Writer writer(file.path());
-    writer.group("a");
-    writer.group("b");
-    writer.log("a/");
-    writer.log("b/");
+  Hdf5 file;
+  for (const std::string group : {"a", "b"}) {
+    file.group(group);
+    file.log(group + "/");
   }
-  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("2 logs in one file: 'a', 'b'"));
-  expectChannels(log::readLog(file.path(), log::makeLogFormat({}, "", 0.0, "", "1", -1.0)));
-  EXPECT_EQ(log::readLogs(file.path(), log::makeLogFormat({}, "", 0.0, "", "all", -1.0)).size(), 2U);
+  EXPECT_THAT(file.refusal(), HasSubstr("2 logs in one file: 'a', 'b'"));
+  expectChannels(file.read(byOption("--segment", "1")));
+  EXPECT_EQ(log::readLogs(file.path(), byOption("--segment", "all")).size(), 2U);
 }
 
 // As converters of MDF files write them: groups of a rate of their own.
 // Each group goes by its own time.
 TEST(Hdf5File, OfGroupsOfTwoRatesIsOneLog) {
-  const TemporaryFile file("log.h5", "");
-  {
-    const Hdf5Writer writer(file.path());
-    std::vector<double> values(100);
-    std::iota(values.begin(), values.end(), 0.0);
-    writer.group("a");
-    writer.dataset("a/time_s", values);
-    writer.dataset("a/displacement_mm", values);
-    for (double& value : values) {
-      value *= 2.0;
-    }
-    values.resize(50);
-    writer.group("b");
-    writer.dataset("b/time_s", values);
-    writer.dataset("b/force_N", values);
+  Hdf5 file;
+  std::vector<double> values(100);
+  std::iota(values.begin(), values.end(), 0.0);
+  file.group("a");
+  file.dataset("a/time_s", values);
+  file.dataset("a/displacement_mm", values);
+  for (double& value : values) {
+    value *= 2.0;
   }
-  const log::Log log = log::readLog(file.path());
+  values.resize(50);
+  file.group("b");
+  file.dataset("b/time_s", values);
+  file.dataset("b/force_N", values);
+  const log::Log log = file.read();
   ASSERT_EQ(log.size(), 100U);
   EXPECT_EQ(log.force[98], 98.0);
   EXPECT_EQ(log.counts[98], 1.0);
@@ -332,14 +321,11 @@ TEST(Hdf5File, OfGroupsOfTwoRatesIsOneLog) {
 
 // A group without a time goes by that of the displacement.
 TEST(Hdf5File, OfColumnsOfTwoLengthsIsRefused) {
-  const TemporaryFile file("log.h5", "");
-  {
-    const Hdf5Writer writer(file.path());
-    writer.dataset("time_s", std::vector<double>(100, 1.0));
-    writer.dataset("displacement_mm", std::vector<double>(100, 1.0));
-    writer.dataset("force_N", std::vector<double>(50, 1.0));
-  }
-  EXPECT_THAT(refusalOfHdf5(file.path()),
+  Hdf5 file;
+  file.dataset("time_s", std::vector<double>(100, 1.0));
+  file.dataset("displacement_mm", std::vector<double>(100, 1.0));
+  file.dataset("force_N", std::vector<double>(50, 1.0));
+  EXPECT_THAT(file.refusal(),
               HasSubstr("force_N has 50 values, displacement_mm has 100; accepted: as many in each column, or a time"));
 }
 
@@ -349,44 +335,33 @@ TEST(Hdf5File, OfACompoundDatasetHasItsMembersAsColumns) {
     float displacement_mm;
     double force_N;
   };
-  const TemporaryFile file("log.h5", "");
-  {
-    const Hdf5Writer writer(file.path());
-    std::vector<Row> rows(kRows);
-    for (std::size_t i = 0; i < kRows; ++i) {
-      rows[i] = {times()[i], static_cast<float>(i), channel(500.0)[i]};
-    }
-    const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
-    H5Tinsert(type, "time_s", HOFFSET(Row, time_s), H5T_NATIVE_DOUBLE);
-    H5Tinsert(type, "displacement_mm", HOFFSET(Row, displacement_mm), H5T_NATIVE_FLOAT);
-    H5Tinsert(type, "force_N", HOFFSET(Row, force_N), H5T_NATIVE_DOUBLE);
-    const hsize_t size = kRows;
-    const hid_t space = H5Screate_simple(1, &size, nullptr);
-    const hid_t dataset = H5Dcreate2(writer.file(), "run", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data());
-    H5Dclose(dataset);
-    H5Sclose(space);
-    H5Tclose(type);
+  std::vector<Row> rows(kRows);
+  for (std::size_t i = 0; i < kRows; ++i) {
+    rows[i] = {kTimes[i], static_cast<float>(i), kNewtons[i]};
   }
-  const log::Log log = log::readLog(file.path());
+  Hdf5 file;
+  const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
+  H5Tinsert(type, "time_s", HOFFSET(Row, time_s), H5T_NATIVE_DOUBLE);
+  H5Tinsert(type, "displacement_mm", HOFFSET(Row, displacement_mm), H5T_NATIVE_FLOAT);
+  H5Tinsert(type, "force_N", HOFFSET(Row, force_N), H5T_NATIVE_DOUBLE);
+  file.write("run", type, {kRows}, rows.data());
+  H5Tclose(type);
+  const log::Log log = file.read();
   ASSERT_EQ(log.size(), kRows);
   EXPECT_DOUBLE_EQ(log.displacement[7], 7e-3);
-  EXPECT_EQ(log.force[7], channel(500.0)[7]);
+  EXPECT_EQ(log.force[7], kNewtons[7]);
 }
 
 // Of a log whose force is a dataset of these properties, without data of its own.
 std::string refusalWhereTheForceHas(const std::function<void(hid_t)>& properties) {
-  const TemporaryFile file("log.h5", "");
-  {
-    const Hdf5Writer writer(file.path());
-    writer.dataset("time_s", times());
-    writer.dataset("displacement_mm", channel(1.0));
-    const hid_t list = H5Pcreate(H5P_DATASET_CREATE);
-    properties(list);
-    writer.dataset("force_N", {}, list);
-    H5Pclose(list);
-  }
-  return refusalOfHdf5(file.path());
+  Hdf5 file;
+  file.dataset("time_s", kTimes);
+  file.dataset("displacement_mm", kMillimetres);
+  const hid_t list = H5Pcreate(H5P_DATASET_CREATE);
+  properties(list);
+  file.write("force_N", H5T_NATIVE_DOUBLE, {kRows}, nullptr, list);
+  H5Pclose(list);
+  return file.refusal();
 }
 
 TEST(Hdf5File, IsRefusedWhereItsDataLieInAnotherFile) {
@@ -396,8 +371,9 @@ TEST(Hdf5File, IsRefusedWhereItsDataLieInAnotherFile) {
 }
 
 TEST(Hdf5File, IsRefusedWhereADatasetIsAViewOfOthers) {
-  const TemporaryFile source("source.h5", "");
-  { Hdf5Writer(source.path()).log(""); }
+  Hdf5 source;
+  source.log("");
+  source.close();
   const auto view = [&](hid_t force) {
     const hsize_t size = kRows;
     const hid_t space = H5Screate_simple(1, &size, nullptr);
@@ -418,72 +394,52 @@ TEST(Hdf5File, IsRefusedWhereDataWereNeverWritten) {
 }
 
 TEST(Hdf5File, IsRefusedWhereGroupsNestDeep) {
-  const TemporaryFile file("log.h5", "");
-  {
-    const Hdf5Writer writer(file.path());
-    std::string path;
-    for (int i = 0; i < 200; ++i) {
-      path += "/g";
-      writer.group(path);
-    }
+  Hdf5 file;
+  std::string path;
+  for (int i = 0; i < 200; ++i) {
+    path += "/g";
+    file.group(path);
   }
-  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("nested deeper than 32"));
+  EXPECT_THAT(file.refusal(), HasSubstr("nested deeper than 32"));
 }
 
 TEST(Hdf5File, RoundsNoWholeNumberWithoutAWord) {
   constexpr std::int64_t kBig = (std::int64_t{1} << 53) + 1;
   constexpr std::int64_t kNow = 1764259200000000001;  // [ns] since 1970
+  const std::vector<std::int64_t> stamps = {kNow, kNow + 1000003, kNow + 2000007};
   for (const std::int64_t force : {kBig - 1, kBig, -kBig}) {
-    const TemporaryFile file("log.h5", "");
-    {
-      const Hdf5Writer writer(file.path());
-      writer.integers("time_ns", {kNow, kNow + 1000003, kNow + 2000007});
-      writer.dataset("displacement_m", {0.0, 1.0, 2.0});
-      writer.integers("force_N", {1, force, 3});
-    }
-    const std::string refusal = refusalOfHdf5(file.path());
+    Hdf5 file;
+    file.integers("time_ns", stamps);
+    file.dataset("displacement_m", {0.0, 1.0, 2.0});
+    file.integers("force_N", {1, force, 3});
     if (force == kBig - 1) {
-      ASSERT_EQ(refusal, "");
-      const log::Log log = log::readLog(file.path());
-      EXPECT_EQ(log.stamp, (std::vector<std::int64_t>{kNow, kNow + 1000003, kNow + 2000007}));
+      const log::Log log = file.read();
+      EXPECT_EQ(log.stamp, stamps);
       EXPECT_EQ(log.force[1], static_cast<double>(kBig - 1));
     } else {
-      EXPECT_THAT(refusal, AllOf(HasSubstr("force_N: element 2: "), HasSubstr(std::to_string(force)),
-                                 HasSubstr("beyond 2^53"), HasSubstr("accepted")));
+      EXPECT_THAT(file.refusal(), AllOf(HasSubstr("force_N: element 2: "), HasSubstr(std::to_string(force)),
+                                        HasSubstr("beyond 2^53"), HasSubstr("accepted")));
     }
   }
 }
 
 TEST(Hdf5File, NamesWhatIsThereInPlaceOfColumns) {
-  const TemporaryFile file("log.h5", "");
-  {
-    const Hdf5Writer writer(file.path());
-    EXPECT_EQ(H5Fflush(writer.file(), H5F_SCOPE_LOCAL), 0);
-  }
-  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("no columns: no datasets; accepted: "));
-  {
-    const Hdf5Writer writer(file.path());
-    const hsize_t size[] = {3, 4, 5};
-    const hid_t space = H5Screate_simple(3, size, nullptr);
-    H5Dclose(H5Dcreate2(writer.file(), "cube", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
-    H5Sclose(space);
-  }
-  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("no columns: 'cube' of 3 x 4 x 5; accepted: "));
+  EXPECT_THAT(Hdf5().refusal(), HasSubstr("no columns: no datasets; accepted: "));
+  Hdf5 file;
+  file.write("cube", H5T_NATIVE_DOUBLE, {3, 4, 5}, nullptr);
+  EXPECT_THAT(file.refusal(), HasSubstr("no columns: 'cube' of 3 x 4 x 5; accepted: "));
 }
 
 TEST(Hdf5File, NamesATableOfPandas) {
-  const TemporaryFile file("log.h5", "");
-  {
-    const Hdf5Writer writer(file.path());
-    writer.group("run");
-    const hid_t space = H5Screate(H5S_SCALAR);
-    const hid_t group = H5Gopen2(writer.file(), "run", H5P_DEFAULT);
-    const hid_t attribute = H5Acreate2(group, "pandas_type", H5T_NATIVE_INT, space, H5P_DEFAULT, H5P_DEFAULT);
-    H5Aclose(attribute);
-    H5Gclose(group);
-    H5Sclose(space);
-  }
-  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("pandas.read_hdf('" + file.path() + "', 'run').reset_index()"));
+  Hdf5 file;
+  file.group("run");
+  const hid_t space = H5Screate(H5S_SCALAR);
+  const hid_t group = H5Gopen2(file.file(), "run", H5P_DEFAULT);
+  const hid_t attribute = H5Acreate2(group, "pandas_type", H5T_NATIVE_INT, space, H5P_DEFAULT, H5P_DEFAULT);
+  H5Aclose(attribute);
+  H5Gclose(group);
+  H5Sclose(space);
+  EXPECT_THAT(file.refusal(), HasSubstr("pandas.read_hdf('" + file.path() + "', 'run').reset_index()"));
 }
 
 }  // namespace

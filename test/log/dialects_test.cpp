@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/temporary_file.h"
-#include "rubber_suspension/log/log.h"
-#include "support/message_of.h"
+#include "log/read_text.h"
 
 namespace rubber_suspension {
 namespace {
@@ -217,8 +215,7 @@ TEST(Dialects, SayWhatTheirWriterWrote) {
     if (logs.size() > 1) {
       EXPECT_THROW(log::readLog(file.path()), log::LogError);
     } else {
-      expectLog(log::readLog(file.path(), log::makeLogFormat({"time", "displacement", "force"}, "", 0.0)),
-                dialect.logs()[0], dialect);
+      expectLog(log::readLog(file.path(), byColumns({"time", "displacement", "force"})), dialect.logs()[0], dialect);
     }
     if (::testing::Test::HasFailure()) {
       return;
@@ -226,54 +223,32 @@ TEST(Dialects, SayWhatTheirWriterWrote) {
   }
 }
 
-std::string refusalOf(const std::string& text, const log::LogFormat& format = {}) {
-  const TemporaryFile file("log.csv", text);
-  return messageOf<log::LogError>([&] { log::readLog(file.path(), format); });
-}
-
-log::Log readBy(const std::string& text, const log::LogFormat& format) {
-  const TemporaryFile file("log.csv", text);
-  return log::readLog(file.path(), format);
-}
-
-// What an error names as accepted is tried with the file that raised it.
-log::LogFormat adviceOf(const std::string& error, const std::string& option) {
-  const std::size_t at = error.find(option + " ");
-  EXPECT_NE(at, std::string::npos) << error;
-  const std::string value =
-      error.substr(at + option.size() + 1).substr(0, error.substr(at + option.size() + 1).find_first_of(" ;"));
-  const auto given = [&](const char* name) { return option == name ? value : ""; };
-  return log::makeLogFormat({}, "", option == "--sampling-rate" ? std::stod(value) : 0.0, given("--decimal"),
-                            given("--segment"), option == "--bridge" ? std::stod(value) : -1.0);
-}
-
 TEST(Advice, SettlesWhetherMarksAreThousands) {
   const std::string text = "Time [ms];Travel [um];Force [N]\n0;1;998\n5;2;999\n10;3;1.000\n15;4;1.001\n";
   const std::string error = refusalOf(text);
   EXPECT_THAT(error, HasSubstr(":4: Force [N]: '1.000' may have decimals or thousands"));
-  EXPECT_EQ(readBy(text, adviceOf(error, "--decimal")).force[2], 1.0);
-  EXPECT_EQ(readBy(text, log::makeLogFormat({}, "", 0.0, ",", "", -1.0)).force[2], 1000.0);
+  EXPECT_EQ(readText(text, advised(error, "--decimal")).force[2], 1.0);
+  EXPECT_EQ(readText(text, byOption("--decimal", ",")).force[2], 1000.0);
 }
 
 // A mark that other columns tell holds for all, unless it makes jumps of a channel that has none.
 TEST(Advice, LeavesTheMarkToTheOtherColumns) {
   const std::string head = "Time [s];Travel [mm];Force [N]\n";
-  EXPECT_EQ(readBy(head + "0,005;1,25;998\n0,010;1,5;1.002\n", {}).force[1], 1002.0);
-  EXPECT_EQ(readBy(head + "0.005;1.25;1\n0.010;1.5;1.125\n", {}).force[1], 1.125);
+  EXPECT_EQ(readText(head + "0,005;1,25;998\n0,010;1,5;1.002\n", {}).force[1], 1002.0);
+  EXPECT_EQ(readText(head + "0.005;1.25;1\n0.010;1.5;1.125\n", {}).force[1], 1.125);
   const std::string both = head + "0.005;1.25;998\n0.010;1.5;1.002\n";
   const std::string error = refusalOf(both);
   EXPECT_THAT(error, HasSubstr("or --decimal force=, (it stands between thousands)"));
-  EXPECT_EQ(readBy(both, adviceOf(error, "--decimal")).force[1], 1.002);
-  EXPECT_EQ(readBy(both, log::makeLogFormat({}, "", 0.0, "force=,", "", -1.0)).force[1], 1002.0);
-  EXPECT_EQ(readBy("time_s,displacement_mm,force_N\n0.0,1.5,998\n0.1,1.6,1.002\n",
-                   log::makeLogFormat({}, "", 0.0, "force=,", "", -1.0))
+  EXPECT_EQ(readText(both, advised(error, "--decimal")).force[1], 1.002);
+  EXPECT_EQ(readText(both, byOption("--decimal", "force=,")).force[1], 1002.0);
+  EXPECT_EQ(readText("time_s,displacement_mm,force_N\n0.0,1.5,998\n0.1,1.6,1.002\n", byOption("--decimal", "force=,"))
                 .force[1],
             1002.0);
 }
 
 // The mark that a late number tells holds for those before, too.
 TEST(Advice, ReadsAgainWhereALateNumberTellsTheMark) {
-  EXPECT_EQ(readBy("Time [s];Travel [um]\n1;1.250\n2;1.500\n3;2,5\n", {}).displacement[0], 1250e-6);
+  EXPECT_EQ(readText("Time [s];Travel [um]\n1;1.250\n2;1.500\n3;2,5\n", {}).displacement[0], 1250e-6);
 }
 
 TEST(Advice, ReplacesStampsThatAreEqualSwappedOrRounded) {
@@ -285,7 +260,7 @@ TEST(Advice, ReplacesStampsThatAreEqualSwappedOrRounded) {
       text += fmt::format("{:.6f},{},{}\n", time, i, 2 * i);
     }
     const std::string error = refusalOf(text);
-    const log::Log log = readBy(text, adviceOf(error, "--sampling-rate"));
+    const log::Log log = readText(text, advised(error, "--sampling-rate"));
     ASSERT_EQ(log.size(), 200U) << error;
     EXPECT_EQ(log.stamp[199], 199 * 5000000) << error;
     EXPECT_THAT(log.notes.back(), HasSubstr("are replaced by --sampling-rate 200"));
@@ -298,18 +273,18 @@ TEST(Advice, CountsTheRowsOfWholeSeconds) {
   for (int i = 0; i < 2000; ++i) {
     text += fmt::format("10:11:{:02d},{},{}\n", 10 + (130 + i) / 200, i % 17, i % 13);
   }
-  EXPECT_EQ(adviceOf(refusalOf(text), "--sampling-rate").rate, 200.0);
+  EXPECT_EQ(advised(refusalOf(text), "--sampling-rate").rate, 200.0);
 }
 
 TEST(Advice, KeepsGoodStampsAgainstAnotherRate) {
   const std::string text = "time_s,displacement_mm\n0,1\n0.005,2\n0.01,3\n";
-  const std::string error = refusalOf(text, log::makeLogFormat({}, "", 2000.0));
+  const std::string error = refusalOf(text, byOption("--sampling-rate", "2000.0"));
   EXPECT_THAT(error, HasSubstr("--sampling-rate says 2000 Hz, the stamps of column 'time_s' 200 Hz"));
-  EXPECT_EQ(readBy(text, log::makeLogFormat({}, "", 200.0)).size(), 3U);
+  EXPECT_EQ(readText(text, byOption("--sampling-rate", "200.0")).size(), 3U);
 }
 
 TEST(Advice, MergesRowsThatRepeat) {
-  const log::Log log = readBy("time_s,displacement_mm\n0,1\n1,2\n1,2\n2,3\n", {});
+  const log::Log log = readText("time_s,displacement_mm\n0,1\n1,2\n1,2\n2,3\n");
   EXPECT_EQ(log.size(), 3U);
   EXPECT_THAT(log.notes, ::testing::ElementsAre(HasSubstr("1 row that repeats the one before")));
 }
@@ -321,15 +296,15 @@ TEST(Advice, BridgesALongerGap) {
   }
   const std::string error = refusalOf(text);
   EXPECT_THAT(error, HasSubstr(":502: displacement_mm: 'Overrun' is not a number"));
-  EXPECT_EQ(readBy(text, adviceOf(error, "--bridge")).size(), 992U);
+  EXPECT_EQ(readText(text, advised(error, "--bridge")).size(), 992U);
 }
 
 TEST(Advice, NamesTheSegments) {
   const std::string text = "time_s,displacement_mm\n0,1\n1,2\n\nSpecimen 2\ntime_s,displacement_mm\n0,3\n1,4\n";
   const std::string error = refusalOf(text);
   EXPECT_THAT(error, HasSubstr("2 logs in one file: lines 2 to 3, lines 7 to 8"));
-  EXPECT_EQ(readBy(text, adviceOf(error, "--segment")).displacement[0], 1e-3);
-  EXPECT_EQ(readBy(text, log::makeLogFormat({}, "", 0.0, "", "2", -1.0)).displacement[0], 3e-3);
+  EXPECT_EQ(readText(text, advised(error, "--segment")).displacement[0], 1e-3);
+  EXPECT_EQ(readText(text, byOption("--segment", "2")).displacement[0], 3e-3);
 }
 
 // As LabVIEW writes it, whose X_Value is in seconds.
@@ -341,7 +316,7 @@ TEST(Advice, NamesTheSegmentsOfAFormatThatDefinesItsTime) {
   }
   const std::string error = refusalOf(text);
   EXPECT_THAT(error, HasSubstr("2 logs in one file: lines 6 to 7, lines 14 to 15"));
-  const log::Log log = readBy(text, log::makeLogFormat({}, "", 0.0, "", "2", -1.0));
+  const log::Log log = readText(text, byOption("--segment", "2"));
   EXPECT_EQ(log.stamp[1], 500000000);
   EXPECT_EQ(log.displacement[0], 2e-3);
   EXPECT_THAT(log.notes, ::testing::Contains("column 'X_Value' is taken to be in s; another unit by --unit"));
@@ -365,26 +340,26 @@ TEST(Units, AreUnderstoodOrRefusedByName) {
   const auto at = [](const std::string& column, const std::string& value = "1") {
     return "time_s," + column + "\n0," + value + "\n1,2\n";
   };
-  EXPECT_EQ(readBy(at("Displacement [MM]"), {}).displacement[0], 1e-3);
+  EXPECT_EQ(readText(at("Displacement [MM]")).displacement[0], 1e-3);
   EXPECT_THAT(refusalOf(at("Displacement [Mm]")), HasSubstr("unit 'Mm' is 1e+06 m (did you mean 'mm'?)"));
   EXPECT_THAT(refusalOf(at("Displacement [steps]")), HasSubstr("unit 'steps' is unknown"));
   for (const auto& [unit, newton] :
        {std::pair("KN", 1e3), {"lbs", 4.4482216152605}, {"kgf", 9.80665}, {"kp", 9.80665}}) {
-    const log::Log log = readBy(fmt::format("time_s,displacement_mm,Force [{}]\n0,1,1\n1,2,2\n", unit), {});
+    const log::Log log = readText(fmt::format("time_s,displacement_mm,Force [{}]\n0,1,1\n1,2,2\n", unit));
     EXPECT_NEAR(log.force[0], newton, 1e-12 * newton) << unit;
   }
   EXPECT_THAT(refusalOf("time_s,displacement_mm,Force [Nm]\n0,1,1\n1,2,2\n"), HasSubstr("'Nm'"));
   for (const char* unit : {"C", "deg C", "\u00b0C"}) {
-    const log::Log log = readBy(fmt::format("time_s,displacement_mm,Temperature [{}]\n0,1,20\n1,2,21\n", unit), {});
+    const log::Log log = readText(fmt::format("time_s,displacement_mm,Temperature [{}]\n0,1,20\n1,2,21\n", unit));
     EXPECT_EQ(log.temperature, (std::vector<double>{20.0, 21.0})) << unit;
   }
 }
 
 TEST(Columns, TakeAFactorAndASign) {
   const std::string text = "time_s,displacement_mm,cell\n0,1,1000\n1,2,-500\n";
-  const log::Log log = readBy(text, log::makeLogFormat({"force=-0.001*cell"}, "force=kN", 0.0));
+  const log::Log log = readText(text, byColumns({"force=-0.001*cell"}, "force=kN"));
   EXPECT_DOUBLE_EQ(log.force[0], -1000.0);
-  EXPECT_DOUBLE_EQ(readBy(text, log::makeLogFormat({"force=-cell"}, "force=N", 0.0)).force[1], 500.0);
+  EXPECT_DOUBLE_EQ(readText(text, byColumns({"force=-cell"}, "force=N")).force[1], 500.0);
 }
 
 TEST(Header, TellsUnitsHoweverItsColumnsAreChosen) {
@@ -393,7 +368,7 @@ TEST(Header, TellsUnitsHoweverItsColumnsAreChosen) {
        {"Time (ms),Position (mm),Load (kN),\n", "Time,Position,Load,\nms,mm,kN,\n",
         "Time,Analog 1,Analog 2,\nms,Displacement (mm),Force (kN),\n", "Unit,mm,kN\nTime [ms],Position,Load,\n"}) {
     for (const auto& columns : {std::vector<std::string>{}, {"time=1", "displacement=2", "force=3"}}) {
-      const log::Log log = readBy(header + rows, log::makeLogFormat(columns, "", 0.0));
+      const log::Log log = readText(header + rows, byColumns(columns));
       EXPECT_EQ(log.stamp[1], 1000000) << header;
       EXPECT_DOUBLE_EQ(log.displacement[0], 1e-3) << header;
       EXPECT_DOUBLE_EQ(log.force[0], 2e3) << header;
@@ -403,7 +378,7 @@ TEST(Header, TellsUnitsHoweverItsColumnsAreChosen) {
 
 TEST(Times, AreReadWithZoneMidnightAndDays) {
   const auto stampsOf = [](const std::string& first, const std::string& second) {
-    const log::Log log = readBy("Time;Travel [mm]\n" + first + ";1\n" + second + ";2\n", {});
+    const log::Log log = readText("Time;Travel [mm]\n" + first + ";1\n" + second + ";2\n", {});
     return log.stamp[1] - log.stamp[0];
   };
   EXPECT_EQ(stampsOf("23:59:59.5", "00:00:00,25"), 750000000);
@@ -424,8 +399,7 @@ TEST(Dialects, OfLabViewHaveCommentsBehindTheRows) {
       "Y_Unit_Label\tmm\tN\t\nX0\t0.0\t0.0\t\n***End_of_Header***\t\t\t\n";
   for (const char* rows : {"0.0\t1.0\t2.0\n0.1\t1.5\t3.0\n", "0.0\t1.0\t2.0\tstart\n0.1\t1.5\t3.0\n",
                            "0.0\t1.0\t2.0\t\n0.1\t1.5\t3.0\tthe end\n"}) {
-    const TemporaryFile file("log.lvm", preamble + "X_Value\tPosition\tLoad\tComment\n" + rows);
-    const log::Log log = log::readLog(file.path());
+    const log::Log log = readText(preamble + "X_Value\tPosition\tLoad\tComment\n" + rows, {}, "log.lvm");
     EXPECT_EQ(log.stamp, (std::vector<std::int64_t>{0, 100000000})) << rows;
     EXPECT_DOUBLE_EQ(log.displacement[1], 1.5e-3);
     EXPECT_EQ(log.force[1], 3.0);
@@ -436,16 +410,14 @@ TEST(Dialects, OfTimeTellItsUnitBehindTheName) {
   const std::map<std::string, std::int64_t> units = {
       {"ns", 1}, {"us", 1000}, {"min", 60000000000}, {"h", 3600000000000}};
   for (const auto& [unit, nanoseconds] : units) {
-    const TemporaryFile file("log.csv", "time_" + unit + ",displacement_mm,force_N\n0,0,0\n2,1,1\n");
-    EXPECT_EQ(log::readLog(file.path()).stamp.back(), 2 * nanoseconds) << unit;
+    EXPECT_EQ(readText("time_" + unit + ",displacement_mm,force_N\n0,0,0\n2,1,1\n").stamp.back(), 2 * nanoseconds)
+        << unit;
   }
 }
 
 TEST(Dialects, OfDatesHaveDaysThatThereAre) {
   const auto refusal = [](const std::string& day) {
-    const TemporaryFile file("log.csv",
-                             "Zeit;Weg [mm];Kraft [N]\n" + day + " 10:00:00;0;0\n" + day + " 10:00:01;1;1\n");
-    return messageOf<log::LogError>([&] { log::readLog(file.path()); });
+    return refusalOf("Zeit;Weg [mm];Kraft [N]\n" + day + " 10:00:00;0;0\n" + day + " 10:00:01;1;1\n");
   };
   for (const char* day : {"31.01.2025", "29.02.2024", "2025-12-31", "28.02.1900"}) {
     EXPECT_EQ(refusal(day), "");
@@ -457,9 +429,8 @@ TEST(Dialects, OfDatesHaveDaysThatThereAre) {
 
 TEST(Dialects, OfNumbersEndWhereTheirSquaresWould) {
   for (const char* row : {"1,1e31,0", "1,0,1e308", "1,0,-1e31"}) {
-    const TemporaryFile file("log.csv", std::string("time_s,displacement_m,force_N\n0,0,0\n") + row + "\n");
-    const std::string message = messageOf<log::LogError>([&] { log::readLog(file.path()); });
-    EXPECT_THAT(message, ::testing::AllOf(HasSubstr(":3: "), HasSubstr("out of range; accepted: at most 1e+30")));
+    EXPECT_THAT(refusalOf(std::string("time_s,displacement_m,force_N\n0,0,0\n") + row + "\n"),
+                ::testing::AllOf(HasSubstr(":3: "), HasSubstr("out of range; accepted: at most 1e+30")));
   }
 }
 

@@ -15,9 +15,10 @@
 #include <limits>
 #include <random>
 
-#include "io/temporary_file.h"
+#include "log/read_text.h"
+#include "support/files.h"
+#include "support/kit.h"
 #include "support/measured_data.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
@@ -25,56 +26,94 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-log::Log readText(const std::string& text, const log::LogFormat& format = {}) {
-  const TemporaryFile file("log.csv", text);
-  return log::readCsvLog(file.path(), format);
+void expectNear(const std::vector<double>& values, const std::vector<double>& expected) {
+  ASSERT_EQ(values.size(), expected.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_DOUBLE_EQ(values[i], expected[i]) << "sample " << i;  // some roundings in the chain of conversions
+  }
 }
 
-std::string errorOf(const std::string& text, const log::LogFormat& format = {}) {
-  return messageOf<log::LogError>([&] { readText(text, format); });
-}
-
-TEST(ReadCsvLog, ConvertsTheUnitsInColumnNames) {
-  const log::Log log = readText("time_s,displacement_mm,force_kN,temperature_degC\n0,38,1.5,20\n0.001,-0.1,-2,20.5\n");
+// What a text is read as; the notes begin like these.
+void expectRead(const std::string& name, const std::string& text, const log::LogFormat& format,
+                const std::vector<std::int64_t>& stamp, const std::vector<double>& displacement,
+                const std::vector<double>& force, const std::vector<std::string>& notes) {
+  SCOPED_TRACE(name);
+  const log::Log log = readText(text, format);
   EXPECT_EQ(log.name, "log");
-  EXPECT_THAT(log.stamp, ElementsAre(0, 1000000));
-  EXPECT_THAT(log.displacement, ElementsAre(0.038, -0.0001));
-  EXPECT_THAT(log.force, ElementsAre(1500.0, -2000.0));
-  EXPECT_THAT(log.temperature, ElementsAre(20.0, 20.5));
-  EXPECT_TRUE(log.notes.empty());
+  EXPECT_EQ(log.stamp, stamp);
+  expectNear(log.displacement, displacement);
+  expectNear(log.force, force);
+  ASSERT_EQ(log.notes.size(), notes.size()) << ::testing::PrintToString(log.notes);
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    EXPECT_THAT(log.notes[i], ::testing::StartsWith(notes[i]));
+  }
 }
 
-TEST(ReadCsvLog, TakesColumnsInAnyOrderAndNotesThoseThatItIgnores) {
-  const log::Log log = readText("force_MN,cycle,displacement_um,time_s\n0.001,1,2000,0\n0.002,1,-3000,0.5\n");
-  EXPECT_THAT(log.displacement, ElementsAre(0.002, -0.003));
-  EXPECT_THAT(log.force, ElementsAre(1000.0, 2000.0));
-  EXPECT_THAT(log.notes, ElementsAre("column 'cycle' is ignored"));
-}
-
-TEST(ReadCsvLog, ForceMayBeMissing) {
-  const log::Log log = readText("time_s,displacement_m\n0,0\n1,1\n");
-  EXPECT_EQ(log.size(), 2u);
-  EXPECT_TRUE(log.force.empty());
-  EXPECT_TRUE(log.temperature.empty());
-}
-
-TEST(ReadCsvLog, AcceptsCarriageReturnsByteOrderMarkQuotedNamesBlanksAndBlankEnd) {
-  const log::Log log = readText("\xEF\xBB\xBF\"time_s\", \"displacement_m\"\r\n0, 0.5\r\n1 ,\t-0.5 \r\n\r\n\n");
-  EXPECT_THAT(log.stamp, ElementsAre(0, 1000000000));
-  EXPECT_THAT(log.displacement, ElementsAre(0.5, -0.5));
-}
-
-TEST(ReadCsvLog, NotesALastLineWithoutEnd) {
-  const log::Log log = readText("time_s,displacement_m\n0,0\n1,0.25");
-  EXPECT_THAT(log.displacement, ElementsAre(0.0, 0.25));
-  EXPECT_THAT(log.notes, ElementsAre("line 3, the last, has no line end: it may have been cut off"));
-}
-
-TEST(ReadCsvLog, TimeIsTheNearestNanosecond) {
+TEST(ReadCsvLog, GivesWhatATextSays) {
+  expectRead("UnitsInColumnNames",
+             "time_s,displacement_mm,force_kN,temperature_degC\n0,38,1.5,20\n0.001,-0.1,-2,20.5\n", {}, {0, 1000000},
+             {0.038, -0.0001}, {1500.0, -2000.0}, {});
+  expectRead("ColumnsInAnyOrder", "force_MN,cycle,displacement_um,time_s\n0.001,1,2000,0\n0.002,1,-3000,0.5\n", {},
+             {0, 500000000}, {0.002, -0.003}, {1000.0, 2000.0}, {"column 'cycle' is ignored"});
+  expectRead("WithoutForce", "time_s,displacement_m\n0,0\n1,1\n", {}, {0, 1000000000}, {0.0, 1.0}, {}, {});
+  expectRead("CarriageReturnsByteOrderMarkQuotedNamesBlanksAndBlankEnd",
+             "\xEF\xBB\xBF\"time_s\", \"displacement_m\"\r\n0, 0.5\r\n1 ,\t-0.5 \r\n\r\n\n", {}, {0, 1000000000},
+             {0.5, -0.5}, {}, {});
+  expectRead("ALastLineWithoutEnd", "time_s,displacement_m\n0,0\n1,0.25", {}, {0, 1000000000}, {0.0, 0.25}, {},
+             {"line 3, the last, has no line end: it may have been cut off"});
   // The last is a time since 1970: a double would be off by up to 119 ns.
-  const log::Log log =
-      readText("time_s,displacement_m\n-0.5,0\n0.0000000014,0\n3.3333333335,0\n1732190400.123456789,0\n");
-  EXPECT_THAT(log.stamp, ElementsAre(-500000000, 1, 3333333334, 1732190400123456789));
+  expectRead("TimeToTheNearestNanosecond",
+             "time_s,displacement_m\n-0.5,0\n0.0000000014,0\n3.3333333335,0\n1732190400.123456789,0\n", {},
+             {-500000000, 1, 3333333334, 1732190400123456789}, {0.0, 0.0, 0.0, 0.0}, {}, {});
+  // 1 tonf is 1000 kgf = 9806.65 N by definition.
+  expectRead("MappedColumnsAndUnits", "t,Weg,Kraft\n0,1,1\n0.5,2,2\n",
+             byColumns({"displacement=Weg", "force=Kraft", "time=t"}, "displacement=cm force=tonf"), {0, 500000000},
+             {0.01, 0.02}, {9806.65, 2 * 9806.65},
+             {"time from 't', displacement from 'Weg', force from 'Kraft', 2 Hz", "column 't' is taken to be in s"});
+  expectRead("AMappedColumnKeepsTheUnitInItsName", "time_s,rig_mm,cell_kN\n0,1,1\n1,2,2\n",
+             byColumns({"displacement=rig_mm", "force=cell_kN"}), {0, 1000000000}, {0.001, 0.002}, {1000.0, 2000.0},
+             {"time from 'time_s', displacement from 'rig_mm', force from 'cell_kN', 1 Hz"});
+  expectRead("ARateForATime", "displacement_m\n0\n1\n2\n3\n", byColumns({}, "", 3.0),
+             {0, 333333333, 666666667, 1000000000}, {0.0, 1.0, 2.0, 3.0}, {}, {});
+  expectRead(
+      "ARateOverridesATimeColumn", "time_s,displacement_m\n5,0\n5,1\n", byColumns({}, "", 100.0), {0, 10000000},
+      {0.0, 1.0}, {},
+      {"the stamps of column 'time_s' are replaced by --sampling-rate 100: 1 of 2 are not later than the one before"});
+  expectRead("AMappedTimeKeepsTheUnitInItsName", "time_ms,displacement_m\n0.1,0\n3,1\n", byColumns({"time=time_ms"}),
+             {100000, 3000000}, {0.0, 1.0}, {}, {"time from 'time_ms'"});
+  expectRead("AUnitGoesBeforeThatOfTheHeader", "time_s,displacement,force_kN\n0,1,1\n1,2,2\n",
+             byColumns({}, "displacement=mm force=N"), {0, 1000000000}, {0.001, 0.002}, {1.0, 2.0},
+             {"time from 'time_s', displacement from 'displacement', force from 'force_kN', 1 Hz",
+              "column 'force_kN' is taken to be in 'N', by --unit"});
+  expectRead(
+      "UnitsInBrackets", "T [ms],D (mm),F [kN]\n0,1,2\n4.5,2,3\n",
+      byColumns({"time=T [ms]", "displacement=D (mm)", "force=F [kN]"}), {0, 4500000}, {0.001, 0.002}, {2000.0, 3000.0},
+      {"time from 'T [ms]', displacement from 'D (mm)', force from 'F [kN]', 222.222 Hz; header in line 1, separator "
+       "comma"});
+  expectRead("UnitsByOption", "T,D\n0,1\n4.5,2\n", byColumns({"time=T", "displacement=D"}, "displacement=mm time=ms"),
+             {0, 4500000}, {0.001, 0.002}, {}, {"time from 'T', displacement from 'D'"});
+  expectRead("MinutesByOption", "T,D\n0,1\n1.5,2\n",
+             byColumns({"time=T", "displacement=D"}, "displacement=mm time=min"), {0, 90000000000}, {0.001, 0.002}, {},
+             {"time from 'T', displacement from 'D'"});
+  expectRead(
+      "UnitsThatAreAssumed", "T (DAQ),D\n0,1\n4.5,2\n", byColumns({"time=T (DAQ)", "displacement=D"}), {0, 4500000000},
+      {1.0, 2.0}, {},
+      {"time from 'T (DAQ)', displacement from 'D'", "column 'T (DAQ)' is taken to be in s; another unit by --unit",
+       "column 'D' is taken to be in m; another unit by --unit"});
+  expectRead("AUnitInPlaceOfAName", "ms,mm,kN\n0,1,2\n4.5,2,3\n", byColumns({"time=1", "displacement=2", "force=3"}),
+             {0, 4500000}, {0.001, 0.002}, {2000.0, 3000.0}, {"time from 'ms'"});
+  expectRead("AUnitInPlaceOfSomeNames", "ms,Position (mm),kN\n0,1,2\n4.5,2,3\n",
+             byColumns({"time=1", "displacement=2", "force=3"}), {0, 4500000}, {0.001, 0.002}, {2000.0, 3000.0},
+             {"time from 'ms'"});
+  // A unit of something else is a name.
+  expectRead("ASecondThatIsADisplacement", "t,s\n0,1\n4.5,2\n", byColumns({"time=t", "displacement=s"}),
+             {0, 4500000000}, {1.0, 2.0}, {}, {"time from 't'", "", ""});
+}
+
+TEST(ReadCsvLog, HasATemperatureWhereThereIsOne) {
+  EXPECT_THAT(readText("time_s,displacement_mm,temperature_degC\n0,38,20\n0.001,-0.1,20.5\n").temperature,
+              ElementsAre(20.0, 20.5));
+  EXPECT_TRUE(readText("time_s,displacement_m\n0,0\n1,1\n").temperature.empty());
 }
 
 TEST(ReadCsvLog, DoesNotDependOnTheLocale) {
@@ -88,114 +127,30 @@ TEST(ReadCsvLog, DoesNotDependOnTheLocale) {
   EXPECT_THAT(log.displacement, ElementsAre(0.5, 1.5));
 }
 
-TEST(ReadCsvLog, MappedColumnsAndUnits) {
-  const log::LogFormat format =
-      log::makeLogFormat({"displacement=Weg", "force=Kraft", "time=t"}, "displacement=cm force=tonf", 0.0);
-  const log::Log log = readText("t,Weg,Kraft\n0,1,1\n0.5,2,2\n", format);
-  EXPECT_THAT(log.displacement, ElementsAre(0.01, 0.02));
-  // 1 tonf is 1000 kgf = 9806.65 N by definition; a few units of rounding in the chain of conversions.
-  EXPECT_NEAR(log.force[1], 2 * 9806.65, 1e-9);
-}
-
-TEST(ReadCsvLog, AMappedColumnKeepsTheUnitInItsName) {
-  const log::Log log = readText("time_s,rig_mm,cell_kN\n0,1,1\n1,2,2\n",
-                                log::makeLogFormat({"displacement=rig_mm", "force=cell_kN"}, "", 0));
-  EXPECT_THAT(log.displacement, ElementsAre(0.001, 0.002));
-  EXPECT_THAT(log.force, ElementsAre(1000.0, 2000.0));
-}
-
-TEST(ReadCsvLog, ALogWithoutTimeTakesItsRate) {
-  const log::Log log = readText("displacement_m\n0\n1\n2\n3\n", log::makeLogFormat({}, "", 3.0));
-  EXPECT_THAT(log.stamp, ElementsAre(0, 333333333, 666666667, 1000000000));
-}
-
-TEST(ReadCsvLog, ARateOverridesATimeColumnAndSaysSo) {
-  const log::Log log = readText("time_s,displacement_m\n5,0\n5,1\n", log::makeLogFormat({}, "", 100.0));
-  EXPECT_THAT(log.stamp, ElementsAre(0, 10000000));
-  EXPECT_THAT(
-      log.notes,
-      ElementsAre(
-          "the stamps of column 'time_s' are replaced by --sampling-rate 100: 1 of 2 are not later than the one "
-          "before"));
-}
-
-TEST(ReadCsvLog, AMappedTimeKeepsTheUnitInItsName) {
-  const log::Log log = readText("time_ms,displacement_m\n0.1,0\n3,1\n", log::makeLogFormat({"time=time_ms"}, "", 0));
-  EXPECT_THAT(log.stamp, ElementsAre(100000, 3000000));
-}
-
-TEST(ReadCsvLog, AUnitGoesBeforeThatOfTheHeaderAndSaysSo) {
-  const log::Log bare =
-      readText("time_s,displacement,force_kN\n0,1,1\n1,2,2\n", log::makeLogFormat({}, "displacement=mm force=N", 0));
-  EXPECT_THAT(bare.displacement, ElementsAre(0.001, 0.002));
-  EXPECT_THAT(bare.force, ElementsAre(1.0, 2.0));
-  EXPECT_THAT(bare.notes, ElementsAre(HasSubstr("displacement from 'displacement', force from 'force_kN', 1 Hz"),
-                                      "column 'force_kN' is taken to be in 'N', by --unit"));
-}
-
-TEST(LogFormat, TakesUnitsFromBracketsAndFromTheThirdPlace) {
-  const std::vector<std::string> columns = {"time=T [ms]", "displacement=D (mm)", "force=F [kN]"};
-  const log::Log brackets = readText("T [ms],D (mm),F [kN]\n0,1,2\n4.5,2,3\n", log::makeLogFormat(columns, "", 0));
-  EXPECT_EQ(brackets.stamp, (std::vector<std::int64_t>{0, 4500000}));
-  EXPECT_DOUBLE_EQ(brackets.displacement[0], 1e-3);
-  EXPECT_DOUBLE_EQ(brackets.force[0], 2e3);
-  EXPECT_THAT(brackets.notes,
-              ElementsAre("time from 'T [ms]', displacement from 'D (mm)', force from 'F [kN]', 222.222 "
-                          "Hz; header in line 1, separator comma"));
-  const std::vector<std::string> bare = {"time=T", "displacement=D"};
-  EXPECT_EQ(readText("T,D\n0,1\n4.5,2\n", log::makeLogFormat(bare, "displacement=mm time=ms", 0)).stamp[1], 4500000);
-  EXPECT_EQ(readText("T,D\n0,1\n1.5,2\n", log::makeLogFormat(bare, "displacement=mm time=min", 0)).stamp[1],
-            90000000000);
-}
-
-TEST(LogFormat, SaysWhichUnitsItAssumes) {
-  const log::Log log =
-      readText("T (DAQ),D\n0,1\n4.5,2\n", log::makeLogFormat({"time=T (DAQ)", "displacement=D"}, "", 0));
-  EXPECT_EQ(log.stamp[1], 4500000000);
-  EXPECT_THAT(log.notes, ElementsAre(HasSubstr("time from 'T (DAQ)', displacement from 'D'"),
-                                     "column 'T (DAQ)' is taken to be in s; another unit by --unit",
-                                     "column 'D' is taken to be in m; another unit by --unit"));
-}
-
-TEST(LogFormat, TakesAUnitInPlaceOfAName) {
-  const log::LogFormat format = log::makeLogFormat({"time=1", "displacement=2", "force=3"}, "", 0);
-  for (const char* header : {"ms,mm,kN", "ms,Position (mm),kN"}) {
-    const log::Log log = readText(std::string(header) + "\n0,1,2\n4.5,2,3\n", format);
-    EXPECT_EQ(log.stamp[1], 4500000) << header;
-    EXPECT_DOUBLE_EQ(log.displacement[0], 1e-3) << header;
-    EXPECT_DOUBLE_EQ(log.force[0], 2e3) << header;
-  }
-  // A unit of something else is a name.
-  EXPECT_DOUBLE_EQ(
-      readText("t,s\n0,1\n4.5,2\n", log::makeLogFormat({"time=t", "displacement=s"}, "", 0)).displacement[0], 1.0);
-}
-
 TEST(MakeLogFormat, WordsAloneAreTheColumnsInTheirOrder) {
-  const log::LogFormat format = log::makeLogFormat({"force", "time", "displacement=D"}, "", 0);
+  const log::LogFormat format = byColumns({"force", "time", "displacement=D"});
   EXPECT_EQ(format.of[2].column, "1");
   EXPECT_EQ(format.of[0].column, "2");
   EXPECT_EQ(format.of[1].column, "D");
 }
 
 TEST(MakeLogFormat, RefusesWhatItCannotUse) {
-  EXPECT_THROW(log::makeLogFormat({"displacement="}, "", 0), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({"time", "time"}, "", 0), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({"speed=v"}, "", 0), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({}, "displacement=mm force=mm", 0), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({}, "time=Hz", 0), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({}, "mm,kN,s", 0), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({}, "displacement=furlongs per fortnight", 0), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({}, "", -1), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({}, "", std::nan("")), std::invalid_argument);
+  for (const std::vector<std::string>& columns :
+       {std::vector<std::string>{"displacement="}, {"time", "time"}, {"speed=v"}}) {
+    EXPECT_THROW(byColumns(columns), std::invalid_argument) << columns[0];
+  }
+  for (const char* units : {"displacement=mm force=mm", "time=Hz", "mm,kN,s", "displacement=furlongs per fortnight"}) {
+    EXPECT_THROW(byColumns({}, units), std::invalid_argument) << units;
+  }
+  for (const double rate : {-1.0, std::nan("")}) {
+    EXPECT_THROW(byColumns({}, "", rate), std::invalid_argument) << rate;
+  }
 }
 
-TEST(ReadCsvLog, NamesALineThatIsTooLong) {
-  EXPECT_THAT(errorOf("time_s,displacement_m\n0,0\n1," + std::string(100000, '1') + "\n"),
+TEST(ReadCsvLog, NamesALineThatIsTooLongAndOneWithAZeroByte) {
+  EXPECT_THAT(refusalOf("time_s,displacement_m\n0,0\n1," + std::string(100000, '1') + "\n"),
               HasSubstr(":3: line of more than 65536 bytes"));
-}
-
-TEST(ReadCsvLog, RefusesZeroBytes) {
-  EXPECT_THAT(errorOf(std::string("time_s,displacement_m\n0,0\n1,\0001\n", 31)), HasSubstr(":3: holds a 0 byte"));
+  EXPECT_THAT(refusalOf(std::string("time_s,displacement_m\n0,0\n1,\0001\n", 31)), HasSubstr(":3: holds a 0 byte"));
 }
 
 TEST(ReadCsvLog, NamesAFileThatCannotBeRead) {
@@ -269,14 +224,12 @@ TEST(ReadCsvLog, ReadsTheMeasuredBearing) {
 }
 
 TEST(WriteForceCsv, ReadsBackBitByBit) {
-  log::Log log;
-  log.name = "out";
   std::mt19937 random(2);
   std::normal_distribution<double> normal;
+  log::Log log = logOf("out", 1000, 1234567891011, [&](int /*i*/) { return 1e-3 * normal(random); });
   std::vector<double> force;
-  for (int i = 0; i < 1000; ++i) {
-    log.stamp.push_back(-500000001 + i * 1234567891011LL);
-    log.displacement.push_back(1e-3 * normal(random));
+  for (std::int64_t& stamp : log.stamp) {
+    stamp -= 500000001;
     force.push_back(1e5 * normal(random));
   }
   const TemporaryFile file("out.csv", "");
@@ -303,35 +256,33 @@ TEST(LogCsvWriter, LeavesAnOlderFileWholeUnlessItIsClosed) {
     log::LogCsvWriter writer(file.path(), true);
     writer.append(0, 1.0, 2.0);
   }
-  std::ifstream older(file.path());
-  std::string content;
-  std::getline(older, content);
-  EXPECT_EQ(content, "older");
+  EXPECT_EQ(contentOf(file.path()), "older");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file.folder()), {}), 1);
 }
 
 TEST(CheckLog, RefusesWhatALogMustNotHold) {
-  log::Log good;
-  good.name = "bag";
-  good.stamp = {0, 10, 20};
-  good.displacement = {0.0, 1.0, 2.0};
+  const log::Log good = logOf("bag", 3, 10, [](int i) { return 1.0 * i; });
   EXPECT_NO_THROW(log::checkLog(good));
-
-  log::Log bad = good;
-  bad.stamp[2] = 10;
-  EXPECT_THROW(log::checkLog(bad), log::LogError);
-  bad = good;
-  bad.force = {1.0, 2.0};
-  EXPECT_THROW(log::checkLog(bad), log::LogError);
-  bad = good;
-  bad.temperature = {20.0, 20.0, std::nan("")};
-  EXPECT_THROW(log::checkLog(bad), log::LogError);
-  bad = good;
-  bad.displacement.clear();
-  EXPECT_THROW(log::checkLog(bad), log::LogError);
-  bad.stamp = {0};
-  bad.displacement = {0.0};
-  EXPECT_THROW(log::checkLog(bad), log::LogError);
+  const std::pair<const char*, void (*)(log::Log&)> changes[] = {
+      {"a stamp twice", [](log::Log& log) { log.stamp[2] = 10; }},
+      {"a force too few",
+       [](log::Log& log) {
+         log.force = {1.0, 2.0};
+       }},
+      {"a temperature that is no number",
+       [](log::Log& log) {
+         log.temperature = {20.0, 20.0, std::nan("")};
+       }},
+      {"no displacement", [](log::Log& log) { log.displacement.clear(); }},
+      {"one sample", [](log::Log& log) {
+         log.stamp = {0};
+         log.displacement = {0.0};
+       }}};
+  for (const auto& [name, change] : changes) {
+    log::Log bad = good;
+    change(bad);
+    EXPECT_THROW(log::checkLog(bad), log::LogError) << name;
+  }
 }
 
 }  // namespace

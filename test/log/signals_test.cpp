@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "io/temporary_file.h"
 #include "log/file_format.h"
-#include "rubber_suspension/log/log.h"
-#include "support/message_of.h"
+#include "log/read_text.h"
 
 namespace rubber_suspension {
 namespace {
@@ -21,26 +19,6 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-log::Log readText(const std::string& text, const log::LogFormat& format = {}) {
-  const TemporaryFile file("log.csv", text);
-  return log::readLog(file.path(), format);
-}
-
-std::string refusal(const std::string& text, const log::LogFormat& format = {}) {
-  return messageOf<log::LogError>([&] { readText(text, format); });
-}
-
-// The format of an option that an error advises, of those that take a number or a word.
-log::LogFormat advised(const std::string& error, const std::string& option) {
-  const std::size_t at = error.find(option + " ");
-  EXPECT_NE(at, std::string::npos) << error;
-  const std::string rest = at == std::string::npos ? "" : error.substr(at + option.size() + 1);
-  const std::string value = rest.substr(0, rest.find_first_of(" ,;"));
-  const auto given = [&](const char* name) { return option == name ? value : std::string(); };
-  return log::makeLogFormat({}, "", option == "--sampling-rate" ? std::stod(value) : 0.0, "", given("--segment"),
-                            option == "--bridge" ? std::stod(value) : -1.0, given("--sentinel"));
-}
 
 constexpr int kRows = 2000;
 
@@ -159,10 +137,10 @@ TEST(Signals, ALostDisplacementIsBridgedWhereLittleIsLost) {
     many.push_back(3 + 4 * i);
   }
   const std::string text = table(kHeader, {insteadAt(few, "Overrun", displacementCells()), forceCells()});
-  const std::string error = refusal(text);
+  const std::string error = refusalOf(text);
   EXPECT_THAT(error, HasSubstr(":22: displacement_mm: 'Overrun' is not a number"));
   EXPECT_EQ(readText(text, advised(error, "--bridge")).size(), static_cast<std::size_t>(kRows - 60));
-  const std::string worse = refusal(table(kHeader, {insteadAt(many, "Overrun", displacementCells()), forceCells()}));
+  const std::string worse = refusalOf(table(kHeader, {insteadAt(many, "Overrun", displacementCells()), forceCells()}));
   EXPECT_THAT(worse, AllOf(HasSubstr("400 of 2000 lack one"), Not(HasSubstr("--bridge"))));
 }
 
@@ -180,7 +158,7 @@ TEST(Sentinels, AreNoMeasurements) {
 
 TEST(Sentinels, AreKeptOrNamedByTheOption) {
   const std::string text = table(kHeader, {insteadAt({700, 701, 1500}, "-9999", displacementCells()), forceCells()});
-  const auto by = [](const std::string& option) { return log::makeLogFormat({}, "", 0.0, "", "", -1.0, option); };
+  const auto by = [](const std::string& value) { return byOption("--sentinel", value); };
   EXPECT_DOUBLE_EQ(readText(text, by("none")).displacement[700], -9.999);
   const std::string near = table(kHeader, {insteadAt({700, 1500}, "99", displacementCells()), forceCells()});
   EXPECT_EQ(readText(near).size(), static_cast<std::size_t>(kRows));
@@ -194,7 +172,7 @@ TEST(Sentinels, OfManyRowsAreRefusedWithAnOption) {
     rows.push_back(10 + 45 * i);
   }
   const std::string text = table(kHeader, {insteadAt(rows, "-9999", displacementCells()), forceCells()});
-  const std::string error = refusal(text);
+  const std::string error = refusalOf(text);
   EXPECT_THAT(error, HasSubstr("40 cells of -9999 amid -2 to 2"));
   EXPECT_EQ(readText(text, advised(error, "--bridge")).size(), static_cast<std::size_t>(kRows - 40));
   EXPECT_EQ(readText(text, advised(error, "--sentinel")).size(), static_cast<std::size_t>(kRows));
@@ -226,7 +204,7 @@ TEST(Restarts, OfTheTimeAreSegments) {
   for (int row = 0; row < kRows; ++row) {
     text += fmt::format("{:.3f},{},{}\n", 1e-3 * (row % 250), displacementAt(row), forceAt(row));
   }
-  const std::string error = refusal(text);
+  const std::string error = refusalOf(text);
   EXPECT_THAT(error, HasSubstr("8 logs in one file: lines 2 to 251, lines 252 to 501"));
   const log::Log first = readText(text, advised(error, "--segment"));
   EXPECT_EQ(first.size(), 250U);
@@ -234,10 +212,8 @@ TEST(Restarts, OfTheTimeAreSegments) {
   const log::Log whole = readText(text, advised(error, "--sampling-rate"));
   expectAllSamples(whole, kRows);
   EXPECT_EQ(whole.stamp[kRows - 1], 1999000000);
-  log::LogFormat all;
-  all.segment = log::kAllSegments;
   const TemporaryFile file("log.csv", text);
-  EXPECT_EQ(log::readLogs(file.path(), all).size(), 8U);
+  EXPECT_EQ(log::readLogs(file.path(), byOption("--segment", "all")).size(), 8U);
 }
 
 // A counter that wraps begins elsewhere than the log did.
@@ -246,7 +222,7 @@ TEST(Restarts, OfACounterTellTheRateOfItsSteps) {
   for (int row = 0; row < kRows; ++row) {
     text += fmt::format("{},{}\n", (430000000LL + 1000000LL * row) % 1000000000LL, displacementAt(row));
   }
-  EXPECT_EQ(advised(refusal(text), "--sampling-rate").rate, 1000.0);
+  EXPECT_EQ(advised(refusalOf(text), "--sampling-rate").rate, 1000.0);
 }
 
 TEST(Times, MayBeDurations) {
@@ -255,7 +231,7 @@ TEST(Times, MayBeDurations) {
     return log.stamp[1] - log.stamp[0];
   };
   EXPECT_EQ(stamp("0 sec", "0.001 sec"), 1000000);
-  EXPECT_EQ(stamp("0 sec", "0.001 sec", log::makeLogFormat({}, "time=s", 0.0)), 1000000);
+  EXPECT_EQ(stamp("0 sec", "0.001 sec", byOption("--unit", "time=s")), 1000000);
   EXPECT_EQ(stamp("0 ms", "1.5 ms"), 1500000);
   EXPECT_EQ(stamp("0 days 00:00:00", "0 days 00:00:00.001000"), 1000000);
   EXPECT_EQ(stamp("-1 days +23:59:59.999", "1 days 00:00:00"), 86400001000000);
@@ -264,10 +240,9 @@ TEST(Times, MayBeDurations) {
 TEST(Headers, OfExportsAreRead) {
   const std::string rows = "0,1,2\n0.001,2,3\n0.002,3,4\n";
   const std::string unnamed = ",displacement [mm],force [N]\n" + rows;
-  EXPECT_THAT(refusal(unnamed), HasSubstr("--columns time=1 --unit time=s"));
+  EXPECT_THAT(refusalOf(unnamed), HasSubstr("--columns time=1 --unit time=s"));
   for (const log::Log& log :
-       {readText(unnamed, log::makeLogFormat({"time=1"}, "time=s", 0.0)),
-        readText(unnamed, log::makeLogFormat({"time=1"}, "", 0.0)),
+       {readText(unnamed, byColumns({"time=1"}, "time=s")), readText(unnamed, byColumns({"time=1"})),
         readText("ETASAsciiItemFile,record\ntime,Weg,Kraft\nf8,f4,f4\ns,mm,N\n" + rows),
         readText("1,Time,Displacement,Force\n,(s),(mm),(N)\n\"\",\"0\",\"1\",\"2\"\n\"\",\"0.001\",\"2\",\"3\"\n")}) {
     EXPECT_EQ(log.stamp[1], 1000000);
@@ -292,11 +267,11 @@ TEST(UnitSpellings, AreThoseOfBrackets) {
     }
   }
   for (const char* name : {"load_kg", "Load (kg)", "load_g", "force_t"}) {
-    const std::string error = refusal(fmt::format("time_s,displacement_mm,{}\n0,1,1\n1,2,2\n", name));
+    const std::string error = refusalOf(fmt::format("time_s,displacement_mm,{}\n0,1,1\n1,2,2\n", name));
     EXPECT_THAT(error, AllOf(HasSubstr(name), HasSubstr("cannot be converted to N"), HasSubstr("--unit force=")));
   }
-  EXPECT_DOUBLE_EQ(force("load_g", log::makeLogFormat({}, "force=gf", 0.0)), 9.80665e-3);
-  EXPECT_THAT(refusal("time_s,displacement_mm\n0,1\n1,2\n", log::makeLogFormat({}, "force=gf", 0.0)),
+  EXPECT_DOUBLE_EQ(force("load_g", byOption("--unit", "force=gf")), 9.80665e-3);
+  EXPECT_THAT(refusalOf("time_s,displacement_mm\n0,1\n1,2\n", byOption("--unit", "force=gf")),
               HasSubstr("--unit force=gf, but there is no column of force"));
   EXPECT_THAT(readText("time_s,displacement_mm,force_in\n0,1,1\n1,2,2\n").notes,
               Contains(HasSubstr("column 'force_in' is ignored: where it is the measured force, --columns force=3")));
@@ -306,7 +281,7 @@ TEST(UnitSpellings, AreThoseOfBrackets) {
 TEST(Formats, ThatRostopicWritesAreReadByTheColumnsThatAreAdvised) {
   const log::Log log =
       readText("%time,field.header.seq,field.displacement\n1764244000000000000,0,0.001\n1764244000001000000,1,0.002\n",
-               log::makeLogFormat({"time=%time", "displacement=field.displacement"}, "time=ns displacement=m", 0.0));
+               byColumns({"time=%time", "displacement=field.displacement"}, "time=ns displacement=m"));
   EXPECT_EQ(log.stamp[1] - log.stamp[0], 1000000);
   EXPECT_EQ(log.displacement[1], 0.002);
 }
@@ -328,111 +303,98 @@ TEST(Formats, AreNamedByTheirFirstBytes) {
                                     {inZip("log.csv"), "a ZIP archive"},
                                     {"SQLite format 3\0"s, "SQLite"},
                                     {"\xD0\xCF\x11\xE0"s, "an old spreadsheet (.xls)"}}) {
-    EXPECT_THAT(refusal(bytes), AllOf(HasSubstr(name), HasSubstr("to convert it: "))) << name;
+    EXPECT_THAT(refusalOf(bytes), AllOf(HasSubstr(name), HasSubstr("to convert it: "))) << name;
   }
   EXPECT_EQ(log::formatOf("[s],[mm],[N]\n0,1,2\n"), log::FileFormat::text);
 }
 
 // A file of several rates, with cells that were not measured, and what it says.
-struct Drawn {
-  std::string text;
-  double newton = 1.0;
-  int force_step = 1;
-  std::vector<int> lost;  // rows without a displacement
-  std::vector<int> no_force;
-  bool warm = false;
-};
-
-Drawn draw(unsigned seed) {
-  std::mt19937 random(seed);
-  const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
-  Drawn drawn;
-  static constexpr std::array<std::pair<const char*, double>, 8> kUnits = {{{"N", 1.0},
+class Drawn {
+ public:
+  explicit Drawn(unsigned seed) : random_(seed) {
+    const auto [unit, newton_of_unit] = of<std::pair<const char*, double>>({{"N", 1.0},
                                                                             {"kN", 1e3},
                                                                             {"daN", 10.0},
                                                                             {"kgf", 9.80665},
                                                                             {"mN", 1e-3},
                                                                             {"lbs", 4.4482216152605},
                                                                             {"kp", 9.80665},
-                                                                            {"KN", 1e3}}};
-  static constexpr std::array<const char*, 4> kForms = {"force_{}", "Kraft [{}]", "Load {}", "Load_{}"};
-  static constexpr std::array<const char*, 4> kSentinels = {"-9999", "9.9E37", "1e30", "-1e6"};
-  static constexpr std::array<const char*, 4> kNothing = {"", "", "NaN", "nan"};
-  static constexpr std::array<const char*, 3> kWords = {"OL", "--", "#N/A"};
-  const auto& [unit, newton] = kUnits[static_cast<std::size_t>(upTo(7))];
-  drawn.newton = newton;
-  drawn.force_step = std::array<int, 5>{1, 1, 2, 4, 10}[static_cast<std::size_t>(upTo(4))];
-  const std::string nothing = kNothing[static_cast<std::size_t>(upTo(3))];
-  Cell motion = displacementCells();
-  Cell force = every(drawn.force_step, forceCells(), nothing);
-  const auto someRows = [&](int most) {
-    std::vector<int> rows;
-    for (int i = upTo(most); i > 0; --i) {
-      rows.push_back(10 + 40 * upTo(45));
+                                                                            {"KN", 1e3}});
+    newton = newton_of_unit;
+    force_step = of<int>({1, 1, 2, 4, 10});
+    const std::string nothing = of<std::string>({"", "", "NaN", "nan"});
+    const std::string stands_for_none =
+        chance() ? of<std::string>({"-9999", "9.9E37", "1e30", "-1e6"}) : of<std::string>({"OL", "--", "#N/A"});
+    Cell motion = displacementCells();
+    Cell force = every(force_step, forceCells(), nothing);
+    if (chance()) {
+      for (int i = upTo(5); i > 0; --i) {
+        lost.insert(10 + 40 * upTo(45));
+      }
+      if (lost.size() == 1) {
+        lost.insert(1900);
+      }
+      motion = insteadAt({lost.begin(), lost.end()}, stands_for_none, motion);
     }
-    return rows;
-  };
-  const std::string stands_for_none =
-      upTo(1) == 0 ? kSentinels[static_cast<std::size_t>(upTo(3))] : kWords[static_cast<std::size_t>(upTo(2))];
-  if (upTo(1) == 0) {
-    drawn.lost = someRows(5);
-    std::sort(drawn.lost.begin(), drawn.lost.end());
-    drawn.lost.erase(std::unique(drawn.lost.begin(), drawn.lost.end()), drawn.lost.end());
-    if (drawn.lost.size() == 1) {
-      drawn.lost.push_back(1900);
+    if (chance()) {
+      no_force = {100, 200 + 20 * upTo(50)};
+      force = insteadAt({no_force.begin(), no_force.end()}, chance() ? "9.9E37" : "OL", force);
     }
-    motion = insteadAt(drawn.lost, stands_for_none, motion);
+    std::vector<Cell> cells = {motion, force};
+    const auto form = of<std::string>({"force_{}", "Kraft [{}]", "Load {}", "Load_{}"});
+    std::string header = "time_s,Weg [mm]," + fmt::format(fmt::runtime(form), unit);
+    const int temperature = upTo(3);
+    warm = temperature == 1 || temperature == 2;
+    if (temperature > 0) {
+      header += ",temperature_degC";
+      const Cell warming = [](int row) { return number(20.0 + 0.01 * row); };
+      cells.push_back(temperature == 1   ? every(of<int>({1, 7, 100}), warming, nothing)
+                      : temperature == 2 ? insteadAt({500, 501}, "OL", warming)
+                                         : [=](int) { return nothing; });
+    }
+    if (chance()) {
+      header += ",Spare";
+      cells.push_back([=](int) { return nothing; });
+    }
+    text = table(header, cells);
   }
-  if (upTo(1) == 0) {
-    drawn.no_force = {100, 200 + 20 * upTo(50)};
-    force = insteadAt(drawn.no_force, upTo(1) == 0 ? "9.9E37" : "OL", force);
-  }
-  std::vector<Cell> cells = {motion, force};
-  std::string header = "time_s,Weg [mm]," + fmt::format(fmt::runtime(kForms[static_cast<std::size_t>(upTo(3))]), unit);
-  const int temperature = upTo(3);
-  if (temperature > 0) {
-    header += ",temperature_degC";
-    drawn.warm = temperature < 3;
-    const Cell warming = [](int row) { return number(20.0 + 0.01 * row); };
-    cells.push_back(temperature == 1
-                        ? every(std::array<int, 3>{1, 7, 100}[static_cast<std::size_t>(upTo(2))], warming, nothing)
-                    : temperature == 2 ? insteadAt({500, 501}, "OL", warming)
-                                       : [=](int) { return nothing; });
-  }
-  if (upTo(1) == 0) {
-    header += ",Spare";
-    cells.push_back([=](int) { return nothing; });
-  }
-  drawn.text = table(header, cells);
-  return drawn;
-}
 
-TEST(Signals, OfRandomDialectsAreReadRightOrRefused) {
-  int read = 0;
+  std::string text;
+  double newton = 1.0;
+  int force_step = 1;
+  std::set<int> lost;  // rows without a displacement
+  std::set<int> no_force;
+  bool warm = false;
+
+ private:
+  int upTo(int most) { return std::uniform_int_distribution<int>(0, most)(random_); }
+  bool chance() { return upTo(1) == 0; }
+  template <class Value>
+  Value of(const std::vector<Value>& values) {
+    return values[static_cast<std::size_t>(upTo(static_cast<int>(values.size()) - 1))];
+  }
+
+  std::mt19937 random_;
+};
+
+TEST(Signals, OfRandomDialectsAreReadRight) {
   for (unsigned seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
-    const Drawn drawn = draw(seed);
-    log::Log log;
-    try {
-      log = readText(drawn.text);
-    } catch (const log::LogError& error) {
-      ADD_FAILURE() << error.what() << "\n" << drawn.text.substr(0, 200);
-      continue;
-    }
-    ++read;
+    const Drawn drawn(seed);
+    const std::string refusal = refusalOf(drawn.text);
+    ASSERT_EQ(refusal, "") << drawn.text.substr(0, 200);
+    const log::Log log = readText(drawn.text);
     ASSERT_EQ(log.size(), static_cast<std::size_t>(kRows) - drawn.lost.size()) << drawn.text.substr(0, 200);
     ASSERT_EQ(log.temperature.size(), drawn.warm ? log.size() : 0U);
     std::size_t i = 0;
     for (int row = 0; row < kRows; ++row) {
-      if (std::count(drawn.lost.begin(), drawn.lost.end(), row) > 0) {
+      if (drawn.lost.count(row) > 0) {
         continue;
       }
       ASSERT_EQ(log.stamp[i], std::int64_t{1000000} * row);
       ASSERT_DOUBLE_EQ(log.displacement[i], 1e-3 * displacementAt(row));
-      const bool has_force =
-          row % drawn.force_step == 0 && std::count(drawn.no_force.begin(), drawn.no_force.end(), row) == 0;
-      const bool counts = log.counts.empty() || log.counts[i] > 0.0;
-      ASSERT_EQ(counts, has_force) << row;
+      const bool has_force = row % drawn.force_step == 0 && drawn.no_force.count(row) == 0;
+      ASSERT_EQ(log.counts.empty() || log.counts[i] > 0.0, has_force) << row;
       if (has_force) {
         ASSERT_NEAR(log.force[i], drawn.newton * forceAt(row), 1e-11 * drawn.newton * 400.0);
       }
@@ -442,7 +404,6 @@ TEST(Signals, OfRandomDialectsAreReadRightOrRefused) {
       ++i;
     }
   }
-  EXPECT_EQ(read, 300);
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+// Logs of texts: what is read, what is refused, and the option that an error advises.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "io/temporary_file.h"
+#include "rubber_suspension/log/log.h"
+#include "support/message_of.h"
+
+namespace rubber_suspension {
+
+/// The log of a text, which may be bytes of any format.
+inline log::Log readText(const std::string& text, const log::LogFormat& format = {},
+                         const std::string& name = "log.csv") {
+  const TemporaryFile file(name, text);
+  return log::readLog(file.path(), format);
+}
+
+/// Why a text is refused; empty where it is not.
+inline std::string refusalOf(const std::string& text, const log::LogFormat& format = {},
+                             const std::string& name = "log.csv") {
+  return messageOf<log::LogError>([&] { readText(text, format, name); });
+}
+
+inline log::LogFormat byColumns(const std::vector<std::string>& columns, const std::string& units = "",
+                                double rate = 0.0) {
+  return log::makeLogFormat(columns, units, rate);
+}
+
+/// The format of an option that takes a number or a word.
+inline log::LogFormat byOption(const std::string& option, const std::string& value) {
+  const auto given = [&](const char* name) { return option == name ? value : std::string(); };
+  return log::makeLogFormat({}, given("--unit"), option == "--sampling-rate" ? std::stod(value) : 0.0,
+                            given("--decimal"), given("--segment"), option == "--bridge" ? std::stod(value) : -1.0,
+                            given("--sentinel"));
+}
+
+/// The same with the value that an error advises: it is tried with the file that raised the error.
+inline log::LogFormat advised(const std::string& error, const std::string& option) {
+  const std::size_t at = error.find(option + " ");
+  EXPECT_NE(at, std::string::npos) << error;
+  const std::string rest = at == std::string::npos ? "0" : error.substr(at + option.size() + 1);
+  return byOption(option, rest.substr(0, rest.find_first_of(option == "--decimal" ? " ;" : " ,;")));
+}
+
+}  // namespace rubber_suspension
