@@ -107,7 +107,7 @@ class JobsReader : public io::YamlReader {
   }
 
   void load(const Entry& entry, Reports& reports) {
-    reports = static_cast<Reports>(loadWord(entry, kReports, "a kind of reports"));
+    reports = static_cast<Reports>(loadWord(entry, kReports));
   }
 
   void load(const Entry& entry, std::map<std::string, std::string>& rig) {
