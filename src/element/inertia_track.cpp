@@ -23,7 +23,7 @@ constexpr double kSplit = 0.25;
 constexpr double kMostTurned = 4.0;       // radians of the resonance in a step that is split, with quadratic loss
 constexpr double kPastTurn = 1.0 + 1e-9;  // a deflection is known twice as well as the time at which it turns
 constexpr double kEdgeTolerance = 1e-15;  // of the time of an edge, over the part
-constexpr int kMostSteps = 50;            // to an edge, as many as halves would take
+constexpr int kMostStepsToEdge = 50;      // to an edge, as many as halves would take
 constexpr int kMostStops = 64;  // of one part; a guard against edges that rounding places on top of each other
 
 // exp(-a t) times cos(w t), sin(w t)/w and 1 - cos(w t), w^2 = square - a^2; hyperbolic where that is negative.
@@ -167,7 +167,7 @@ double InertiaTrack::timeOfEdge(int piece, double edge, Flow flow, double dt, do
   double before = 0.0;
   double after = dt;
   double at = dt;
-  for (int step = 0; step < kMostSteps && after - before > kEdgeTolerance * dt; ++step) {
+  for (int step = 0; step < kMostStepsToEdge && after - before > kEdgeTolerance * dt; ++step) {
     const Flow then = along(piece, flow, at, velocity);
     (isIn(piece, then.deflection) ? before : after) = at;
     const double moved = (then.deflection - edge) / (then.rate - velocity);

@@ -128,7 +128,7 @@ def run_case(builds, folder, output, options):
             "evidence": read_json(os.path.join(place, "evidence.json")),
             "replay": replay(build, case, folder, place),
             "node": play(build, case, folder, place) if options.node and case.get("logs") else None}
-    old, new = (found[build.name] for build in builds)
+    old, new = found["old"], found["new"]
     differ = {key: compare(old[key], new[key], options.tolerance) for key in old}
     if options.node and case.get("logs") and new["node"] != new["replay"][case["logs"][0]]:
         differ["node"] = "the node's forces are not those of replay"

@@ -23,14 +23,15 @@ REPORT = {"verdict": "named", "effects": ["friction"], "gap": {"augmented": 0.02
 
 
 class BaselineTest(unittest.TestCase):
-    """One case of a bench, an old build and a new one."""
+    """Two cases of a bench, an old build and a new one."""
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory(prefix="rubber_suspension_baseline_")
         self.addCleanup(scratch.cleanup)
         self.folder = scratch.name
-        self.write("case/component.yaml", "components:\n  bush:\n    model: elements\n")
-        self.write("case/log_1.csv", "time_s,displacement_m,force_N\n")
+        for case in ("cases/one", "cases/two"):  # of which the second runs the new build first
+            self.write(f"{case}/component.yaml", "components:\n  bush:\n    model: elements\n")
+            self.write(f"{case}/log_1.csv", "time_s,displacement_m,force_N\n")
         for build in ("old", "new"):
             for program in ("diagnose", "replay"):
                 self.write(f"{build}/lib/rubber_suspension/{program}", PROGRAM)
@@ -52,7 +53,7 @@ class BaselineTest(unittest.TestCase):
     def compared(self, *more):
         """Exit status of the script and what it prints."""
         printed = io.StringIO()
-        arguments = ["baseline.py", os.path.join(self.folder, "case"), "--old", os.path.join(self.folder, "old"), "--new",
+        arguments = ["baseline.py", os.path.join(self.folder, "cases"), "--old", os.path.join(self.folder, "old"), "--new",
                      os.path.join(self.folder, "new"), "--output", os.path.join(self.folder, "output"), *more]
         with contextlib.redirect_stdout(printed), mock.patch("sys.argv", arguments):
             status = baseline.main()
@@ -73,7 +74,7 @@ class BaselineTest(unittest.TestCase):
                 self.give("new", *given)
                 status, printed = self.compared()
                 self.assertEqual(status, 1, printed)
-                self.assertRegex(printed, f"{what} +differs in 1: ")
+                self.assertRegex(printed, f"{what} +differs in 2: ")
 
     def test_a_tolerance_is_relative(self):
         self.give("new", REPORT, {"chi_squared": [1.0, 2.0000001]}, "0,0,1\n")
