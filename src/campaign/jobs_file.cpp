@@ -58,7 +58,7 @@ class JobsReader : public io::YamlReader {
   // Loads the value of a key into a member.
   template <class Member>
   auto to(Member member) {
-    return [this, member](const Entry& entry, auto& target) { load(entry, target.*member); };
+    return [this, member](const Entry& entry, auto& target) { this->load(entry, target.*member); };
   }
 
   // The keys of the options; `of` returns the options of a target.
@@ -106,9 +106,7 @@ class JobsReader : public io::YamlReader {
     command = static_cast<Command>(loadWord(entry, kCommands, "a command"));
   }
 
-  void load(const Entry& entry, Reports& reports) {
-    reports = static_cast<Reports>(loadWord(entry, kReports));
-  }
+  void load(const Entry& entry, Reports& reports) { reports = static_cast<Reports>(loadWord(entry, kReports)); }
 
   void load(const Entry& entry, std::map<std::string, std::string>& rig) {
     loadRig(entry);  // refuses wrong tolerances; the manifest contains their text

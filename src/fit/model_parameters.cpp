@@ -169,14 +169,14 @@ Eigen::VectorXd ModelParameters::departures(const Eigen::VectorXd& logarithms) c
 }
 
 Eigen::MatrixXd ModelParameters::departureSlopes(const Eigen::VectorXd& logarithms) const {
-  constexpr double kStep = 1e-5;
+  constexpr double kDifference = 1e-5;
   Eigen::MatrixXd slopes(static_cast<Eigen::Index>(known_.size()), size());
   Eigen::VectorXd moved = logarithms;
   for (Eigen::Index i = 0; i < size(); ++i) {
-    moved[i] = logarithms[i] + kStep;
+    moved[i] = logarithms[i] + kDifference;
     const Eigen::VectorXd above = departures(moved);
-    moved[i] = logarithms[i] - kStep;
-    slopes.col(i) = (above - departures(moved)) / (2.0 * kStep);
+    moved[i] = logarithms[i] - kDifference;
+    slopes.col(i) = (above - departures(moved)) / (2.0 * kDifference);
     moved[i] = logarithms[i];
   }
   return slopes;

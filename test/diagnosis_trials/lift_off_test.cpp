@@ -19,7 +19,7 @@ constexpr double kNoise = 20.0;  // [N]
 /// The rig's component as a strap (side 1) or a chevron (-1): while slack, the rate of its length is what relaxes, by
 /// Euler steps of a hundredth of a sample.
 log::Log unglued(log::Log log, double side) {
-  constexpr int kParts = 100;
+  constexpr int kPartsOfSample = 100;
   const auto elements = rigComponent().allElements();
   const double spring = elements[0].value("stiffness");
   const double relaxing = elements[1].value("stiffness");
@@ -28,9 +28,9 @@ log::Log unglued(log::Log log, double side) {
   double relaxed = length;                                         // what the dashpot has moved
   for (std::size_t i = 0; i < log.size(); ++i) {
     const double from = log.displacement[i == 0 ? 0 : i - 1];
-    const double dt = (i == 0 ? 0.0 : log.time(i) - log.time(i - 1)) / kParts;
-    for (int part = 1; part <= kParts; ++part) {
-      const double plate = side * (from + (log.displacement[i] - from) * part / kParts);
+    const double dt = (i == 0 ? 0.0 : log.time(i) - log.time(i - 1)) / kPartsOfSample;
+    for (int part = 1; part <= kPartsOfSample; ++part) {
+      const double plate = side * (from + (log.displacement[i] - from) * part / kPartsOfSample);
       relaxed += dt * rate * (length - relaxed);
       length = std::max(plate, relaxing * relaxed / (spring + relaxing));
     }
