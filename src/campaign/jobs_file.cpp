@@ -248,10 +248,9 @@ class JobsReader : public io::YamlReader {
     for (const auto& [key, commands] : uses) {
       const bool used = std::find(commands.begin(), commands.end(), toString(command)) != commands.end();
       if (const Entry given = entry[key]; given && !used) {
-        attempt([&] {
-          refuse(given,
-                 fmt::format("has no effect on {}; accepted: with {}", toString(command), fmt::join(commands, " or ")));
-        });
+        const std::string problem =
+            fmt::format("has no effect on {}; accepted: with {}", toString(command), fmt::join(commands, " or "));
+        attempt([&] { refuse(given, problem); });
       }
     }
   }
