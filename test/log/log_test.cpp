@@ -74,7 +74,8 @@ TEST(ReadCsvLog, GivesWhatATextSays) {
              byColumns({"displacement=rig_mm", "force=cell_kN"}), {0, 1000000000}, {0.001, 0.002}, {1000.0, 2000.0},
              {"time from 'time_s', displacement from 'rig_mm', force from 'cell_kN', 1 Hz"});
   expectRead("ARateForATime", "displacement_m\n0\n1\n2\n3\n", byColumns({}, "", 3.0),
-             {0, 333333333, 666666667, 1000000000}, {0.0, 1.0, 2.0, 3.0}, {}, {});
+             {0, 333333333, 666666667, 1000000000}, {0.0, 1.0, 2.0, 3.0}, {},
+             {"displacement from 'displacement_m', 3 Hz"});
   expectRead(
       "ARateOverridesATimeColumn", "time_s,displacement_m\n5,0\n5,1\n", byColumns({}, "", 100.0), {0, 10000000},
       {0.0, 1.0}, {},
@@ -101,7 +102,7 @@ TEST(ReadCsvLog, GivesWhatATextSays) {
       {"time from 'T (DAQ)', displacement from 'D'", "column 'T (DAQ)' is taken to be in s; another unit by --unit",
        "column 'D' is taken to be in m; another unit by --unit"});
   expectRead("AUnitInPlaceOfAName", "ms,mm,kN\n0,1,2\n4.5,2,3\n", byColumns({"time=1", "displacement=2", "force=3"}),
-             {0, 4500000}, {0.001, 0.002}, {2000.0, 3000.0}, {"time from 'ms'"});
+             {0, 4500000}, {0.001, 0.002}, {2000.0, 3000.0}, {"time from '1 [ms]'"});
   expectRead("AUnitInPlaceOfSomeNames", "ms,Position (mm),kN\n0,1,2\n4.5,2,3\n",
              byColumns({"time=1", "displacement=2", "force=3"}), {0, 4500000}, {0.001, 0.002}, {2000.0, 3000.0},
              {"time from 'ms'"});
