@@ -106,7 +106,9 @@ class JobsReader : public io::YamlReader {
     command = static_cast<Command>(loadWord(entry, kCommands, "a command"));
   }
 
-  void load(const Entry& entry, Reports& reports) { reports = static_cast<Reports>(loadWord(entry, kReports, "a value of this key")); }
+  void load(const Entry& entry, Reports& reports) {
+    reports = static_cast<Reports>(loadWord(entry, kReports, "a value of this key"));
+  }
 
   void load(const Entry& entry, std::map<std::string, std::string>& rig) {
     loadRig(entry);  // refuses wrong tolerances; the manifest contains their text

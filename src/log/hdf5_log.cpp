@@ -132,9 +132,7 @@ void addDataset(std::vector<Hdf5Column>& columns, hid_t dataset, const std::stri
 std::string leafOf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 // That a column belongs to; the dataset itself is one for its members.
-std::string folderOf(const Hdf5Column& column) {
-  return column.member.empty() ? groupOf(column.path) : column.path;
-}
+std::string folderOf(const Hdf5Column& column) { return column.member.empty() ? groupOf(column.path) : column.path; }
 
 // Short names where they are clear.
 void nameColumns(std::vector<Hdf5Column>& columns) {
