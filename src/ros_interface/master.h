@@ -37,8 +37,8 @@ using Registered = std::map<std::string, std::vector<std::string>>;
 /// not answer so within `limit` [s].
 std::optional<std::array<Registered, 3>> registeredNames(double limit);
 
-/// Take all that the master knows of this process off it, as far as starting up has come. False where the master did
-/// not do it within `limit` [s]. Nothing registers meanwhile.
+/// Take all that the master knows of this process off it, as far as starting up has come. False where the master could
+/// not be told within `limit` [s]; a busy one may still be at it on return. Nothing registers meanwhile.
 bool leaveMaster(double limit);
 
 /// From now on roscpp calls nobody in the master's place: each call fails at once. For the end of a process whose
