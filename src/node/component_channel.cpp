@@ -288,11 +288,6 @@ void ComponentChannel::keepTemperature() {
 // Whether another model is computed, too.
 bool ComponentChannel::isBeside() const { return promotion_ && promotion_->fade.stage() != RunStage::configured; }
 
-void ComponentChannel::countLatency(std::int64_t nanoseconds) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  counts_.latency.add(nanoseconds);
-}
-
 void ComponentChannel::countLost(std::uint64_t samples) {
   const std::lock_guard<std::mutex> lock(mutex_);
   counts_.lost += samples;
@@ -447,7 +442,7 @@ ChannelReport ComponentChannel::report() {
   const std::lock_guard<std::mutex> lock(mutex_);
   dropFinished(finished);
   ChannelReport result = counts_;
-  counts_.latency = {};
+  result.latency = latency_.take();
   result.valid = model_->valid;
   model_->ask([&](const auto& component, const auto& stream) {
     add(stream.counters(), result);

@@ -119,7 +119,7 @@ class ComponentChannel {
   bool setTemperature(std::int64_t stamp, double temperature);
 
   /// Count a served sample: from arrival to publication [ns].
-  void countLatency(std::int64_t nanoseconds);
+  void countLatency(std::int64_t nanoseconds) { latency_.add(nanoseconds); }
 
   /// Count samples that a sender sent and that never arrived.
   void countLost(std::uint64_t samples);
@@ -182,6 +182,7 @@ class ComponentChannel {
   std::string note_;                      // how the last promotion ended
   std::int64_t since_ = 0;                // and with which sample
   ChannelReport counts_;                  // what is counted here, and by models before a reload
+  LatencyCounter latency_;                // needs no lock
   TemperatureFeed temperatures_;
   std::deque<GapMonitor> gaps_;  // each has a lock of its own
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 
@@ -11,13 +12,6 @@ namespace rubber_suspension::node {
 /// Durations in nanoseconds, in buckets that are eight to an octave: a percentile is exact to 9 %.
 class LatencyHistogram {
  public:
-  void add(std::int64_t nanoseconds) {
-    const double octaves = std::log2(static_cast<double>(std::max<std::int64_t>(nanoseconds, 1)));
-    ++buckets_[std::min(static_cast<std::size_t>(kPerOctave * octaves), buckets_.size() - 1)];
-    ++count_;
-    maximum_ = std::max(maximum_, nanoseconds);
-  }
-
   std::uint64_t count() const { return count_; }
   double maximum() const { return 1e-9 * static_cast<double>(maximum_); }  ///< [s]
 
@@ -37,9 +31,39 @@ class LatencyHistogram {
   static constexpr double kPerOctave = 8.0;
   static constexpr std::size_t kBuckets = 320;  // up to 2^40 ns, 18 minutes
 
+  friend class LatencyCounter;
+
   std::array<std::uint32_t, kBuckets> buckets_{};
   std::uint64_t count_ = 0;
   std::int64_t maximum_ = 0;
+};
+
+/// Counts durations in any number of threads, without a lock.
+class LatencyCounter {
+ public:
+  void add(std::int64_t nanoseconds) {
+    const double octaves = std::log2(static_cast<double>(std::max<std::int64_t>(nanoseconds, 1)));
+    const auto bucket = static_cast<std::size_t>(LatencyHistogram::kPerOctave * octaves);
+    ++buckets_[std::min(bucket, buckets_.size() - 1)];
+    for (std::int64_t longest = maximum_; longest < nanoseconds;) {
+      maximum_.compare_exchange_weak(longest, nanoseconds);
+    }
+  }
+
+  /// Returns what was counted since the last call.
+  LatencyHistogram take() {
+    LatencyHistogram result;
+    for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) {
+      result.buckets_[bucket] = buckets_[bucket].exchange(0);
+      result.count_ += result.buckets_[bucket];
+    }
+    result.maximum_ = maximum_.exchange(0);
+    return result;
+  }
+
+ private:
+  std::array<std::atomic<std::uint32_t>, LatencyHistogram::kBuckets> buckets_{};
+  std::atomic<std::int64_t> maximum_{0};
 };
 
 }  // namespace rubber_suspension::node

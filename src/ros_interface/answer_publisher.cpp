@@ -9,9 +9,9 @@
 #include <atomic>
 #include <boost/make_shared.hpp>
 #include <chrono>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -73,13 +73,24 @@ class AnswerLink : public ros::SubscriberLink {
   void endTurn() {
     undelivered += losses_.end() ? 1 : 0;
     in_turn_ = false;
+    wake();
   }
 
-  // Until the network thread has taken over enough of what was published, as long as it runs.
-  void waitForRoom() const {
-    while (published - handed_over_ >= most_ahead_ && !stopped && !ros::isShuttingDown()) {
-      std::this_thread::sleep_for(std::chrono::microseconds(100));
+  // Waits until the network thread has taken over enough of what was published, as long as it runs. Nothing announces
+  // that it ends, so that the wait looks for it.
+  void waitForRoom() {
+    constexpr std::chrono::milliseconds kLook(10);
+    const auto may_go_on = [&] { return published - handed_over_ < most_ahead_ || stopped_ || ros::isShuttingDown(); };
+    if (!may_go_on()) {
+      std::unique_lock<std::mutex> lock(mutex_);
+      while (!room_.wait_for(lock, kLook, may_go_on)) {
+      }
     }
+  }
+
+  void stop() {
+    stopped_ = true;
+    wake();
   }
 
   void drop() override {}
@@ -91,12 +102,20 @@ class AnswerLink : public ros::SubscriberLink {
 
   std::atomic<std::uint64_t> published{0};
   std::atomic<std::uint64_t> undelivered{0};
-  std::atomic<bool> stopped{false};
 
  private:
+  // The lock keeps the change from falling between a look at it and the wait for it.
+  void wake() {
+    { const std::lock_guard<std::mutex> lock(mutex_); }
+    room_.notify_all();
+  }
+
   const std::uint64_t most_ahead_;
   const std::shared_ptr<NetworkTurns> turns_ = NetworkTurns::get();
   std::atomic<std::uint64_t> handed_over_{0};
+  std::atomic<bool> stopped_{false};
+  std::mutex mutex_;
+  std::condition_variable room_;
   node::LossCount losses_;  // of the network thread only
   bool in_turn_ = false;    // likewise
 };
@@ -138,7 +157,7 @@ std::uint64_t AnswerPublisher::undelivered() const { return link_ ? link_->undel
 
 void AnswerPublisher::shutdown() {
   if (link_) {
-    link_->stopped = true;
+    link_->stop();
     publication_->removeSubscriberLink(link_);
   }
   publisher_.shutdown();

@@ -30,6 +30,7 @@ class Client : public XmlRpc::XmlRpcClient {
   using XmlRpcClient::XmlRpcClient;
   ~Client() override { close(); }
 
+  // Returns true if an answer came that is no fault.
   bool callWithin(double limit, const std::string& method, const XmlRpcValue& arguments, XmlRpcValue& answer,
                   const std::atomic<bool>* stop) {
     using Clock = std::chrono::steady_clock;
@@ -44,6 +45,9 @@ class Client : public XmlRpc::XmlRpcClient {
     }
     return false;
   }
+
+  // Returns true if the whole call went out and the peer has not closed the connection.
+  bool waitsForAnswer() const { return _connectionState == READ_HEADER || _connectionState == READ_RESPONSE; }
 };
 
 constexpr std::chrono::seconds kPeriod(2);
@@ -82,12 +86,41 @@ std::optional<XmlRpcValue> registrations(const std::vector<std::string>& service
   return calls;
 }
 
-// All calls at once, where roscpp makes one after the other and takes seconds for hundreds. A subscription is also told
-// of the publishers that have registered before, as the master does of later ones. False where something failed.
-bool callMaster(double limit, const XmlRpcValue& calls) {
+struct Reply {
+  std::optional<XmlRpcValue> answer;
+  bool is_late = false;  // the peer has the whole call, but has not answered it within the limit
+};
+
+Reply callPeer(double limit, const std::string& uri, const std::string& method, const XmlRpcValue& arguments,
+               const std::atomic<bool>* stop) {
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::network::splitURI(uri, host, port)) {
+    return {};
+  }
+  try {
+    XmlRpcValue answer;
+    Client client(host.c_str(), static_cast<int>(port), "/");
+    if (client.callWithin(limit, method, arguments, answer, stop)) {
+      return {answer, false};
+    }
+    return {std::nullopt, client.waitsForAnswer()};
+  } catch (const XmlRpc::XmlRpcException&) {
+    return {};  // no XML-RPC came back
+  }
+}
+
+// All calls at once, where roscpp makes one after the other and takes seconds for hundreds.
+Reply callMaster(double limit, const XmlRpcValue& calls) {
   XmlRpcValue arguments;
   arguments[0] = calls;
-  const auto answers = call(limit, ros::master::getURI(), "system.multicall", arguments);
+  return callPeer(limit, ros::master::getURI(), "system.multicall", arguments, nullptr);
+}
+
+// Registers. A subscription is also told of the publishers that have registered before, as the master does of later
+// ones. Returns false if something failed.
+bool registerAll(const XmlRpcValue& calls) {
+  const auto answers = callMaster(kLimit, calls).answer;
   bool done = answers && answers->size() == calls.size();
   for (int i = 0; done && i < calls.size(); ++i) {
     const XmlRpcValue& answer = (*answers)[i][0];
@@ -114,17 +147,7 @@ XmlRpcValue callArguments(const std::vector<std::string>& arguments) {
 
 std::optional<XmlRpcValue> call(double limit, const std::string& uri, const std::string& method,
                                 const XmlRpcValue& arguments, const std::atomic<bool>* stop) {
-  std::string host;
-  std::uint32_t port = 0;
-  XmlRpcValue answer;
-  try {
-    const bool came =
-        ros::network::splitURI(uri, host, port) &&
-        Client(host.c_str(), static_cast<int>(port), "/").callWithin(limit, method, arguments, answer, stop);
-    return came ? std::make_optional(answer) : std::nullopt;
-  } catch (const XmlRpc::XmlRpcException&) {
-    return std::nullopt;  // no XML-RPC came back
-  }
+  return callPeer(limit, uri, method, arguments, stop).answer;
 }
 
 void giveUpMaster() { ros::master::init({{"__master", "http://127.0.0.1:1"}}); }
@@ -168,7 +191,7 @@ void RegistrationKeeper::check() {
     return;
   }
   const auto calls = registrations(services_());
-  incomplete_ = !calls || !callMaster(kLimit, *calls);
+  incomplete_ = !calls || !registerAll(*calls);
   if (is_ending_()) {
     leaveMaster(kLimit);  // what comes to the master while this node leaves it is taken back
   } else if (!incomplete_) {
@@ -210,14 +233,11 @@ bool leaveMaster(double limit) {
       }
     }
   }
-  try {
-    if (calls.valid()) {
-      callMaster(limit, calls);  // a busy master answers late, but does what it has been sent
-    }
+  if (!calls.valid()) {
     return names.has_value();
-  } catch (const XmlRpc::XmlRpcException&) {
-    return false;
   }
+  const Reply reply = callMaster(limit, calls);
+  return reply.answer || reply.is_late;  // a busy master answers late, but does what it has been sent
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <thread>
 #include <vector>
 
 namespace rubber_suspension {
@@ -20,14 +21,15 @@ TEST(LatencyHistogram, IsZeroWithoutSamples) {
 TEST(LatencyHistogram, PercentilesAreExactToAnEighthOfAnOctave) {
   std::mt19937 random(7);
   std::lognormal_distribution<double> latency(std::log(1e5), 2.0);  // around 100 us, over some decades
-  node::LatencyHistogram histogram;
+  node::LatencyCounter counter;
   std::vector<double> samples;
   for (int i = 0; i < 100000; ++i) {
     const auto nanoseconds = static_cast<std::int64_t>(latency(random));
-    histogram.add(nanoseconds);
+    counter.add(nanoseconds);
     samples.push_back(1e-9 * static_cast<double>(nanoseconds));
   }
   std::sort(samples.begin(), samples.end());
+  const node::LatencyHistogram histogram = counter.take();
   for (const double fraction : {0.01, 0.1, 0.5, 0.9, 0.99, 0.999}) {
     const double exact = samples[static_cast<std::size_t>(fraction * 1e5) - 1];
     // The upper edge of a bucket that is an eighth of an octave wide; and it never flatters.
@@ -39,12 +41,28 @@ TEST(LatencyHistogram, PercentilesAreExactToAnEighthOfAnOctave) {
 }
 
 TEST(LatencyHistogram, TakesAnyNumber) {
-  node::LatencyHistogram histogram;
+  node::LatencyCounter counter;
   for (const std::int64_t nanoseconds : {std::int64_t{-5}, std::int64_t{0}, std::int64_t{7}, std::int64_t{8},
                                          std::numeric_limits<std::int64_t>::max() / 4}) {
-    histogram.add(nanoseconds);
+    counter.add(nanoseconds);
   }
-  EXPECT_EQ(histogram.count(), 5U);
+  EXPECT_EQ(counter.take().count(), 5U);
+}
+
+TEST(LatencyHistogram, CountsEachSampleOnceWhileItIsTaken) {
+  constexpr std::uint64_t kSamples = 100000;
+  node::LatencyCounter counter;
+  std::thread adding([&] {
+    for (std::uint64_t i = 0; i < kSamples; ++i) {
+      counter.add(1000);
+    }
+  });
+  std::uint64_t taken = 0;
+  for (int i = 0; i < 100; ++i) {
+    taken += counter.take().count();
+  }
+  adding.join();
+  EXPECT_EQ(taken + counter.take().count(), kSamples);
 }
 
 }  // namespace
