@@ -236,8 +236,9 @@ bool leaveMaster(double limit) {
   if (!calls.valid()) {
     return names.has_value();
   }
-  const Reply reply = callMaster(limit, calls);
-  return reply.answer || reply.is_late;  // a busy master answers late, but does what it has been sent
+  constexpr double kSendLimit = 1.0;  // [s]; a busy master answers late, but does what it has been sent
+  const Reply reply = callMaster(kSendLimit, calls);
+  return reply.answer || reply.is_late;
 }
 
 }  // namespace rubber_suspension::ros_interface

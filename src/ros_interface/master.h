@@ -37,8 +37,9 @@ using Registered = std::map<std::string, std::vector<std::string>>;
 /// not answer so within `limit` [s].
 std::optional<std::array<Registered, 3>> registeredNames(double limit);
 
-/// Take all that the master knows of this process off it, as far as starting up has come. False where the master could
-/// not be told within `limit` [s]; a busy one may still be at it on return. Nothing registers meanwhile.
+/// Unregisters all that the master knows of this process, as far as starting up has come. Returns false if the master
+/// did not say within `limit` [s] what it knows, or did not accept the calls; a busy master may still be executing them
+/// on return. Nothing may register meanwhile.
 bool leaveMaster(double limit);
 
 /// From now on roscpp calls nobody in the master's place: each call fails at once. For the end of a process whose

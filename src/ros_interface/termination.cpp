@@ -11,8 +11,6 @@
 namespace rubber_suspension::ros_interface {
 namespace {
 
-constexpr std::chrono::seconds kLimit(10);  // roslaunch follows SIGINT up with SIGTERM after 15 s
-
 std::atomic<bool> signal_came{false};
 
 sigset_t endingSignals() {
@@ -48,10 +46,10 @@ void Termination::wait() {
   while (!finished_) {
     const bool came = sigtimedwait(&signals, nullptr, &turn) > 0 || ros::isShuttingDown();
     if (came && !signal_came.exchange(true)) {
-      end = Clock::now() + kLimit;
+      end = Clock::now() + std::chrono::seconds(5);
     }
     if (Clock::now() > end) {  // the process may hang anywhere: nothing that locks
-      constexpr char kLine[] = "ended without leaving the master: it took longer than 10 s\n";
+      constexpr char kLine[] = "ended without leaving the master: it took longer than 5 s\n";
       (void)!write(STDERR_FILENO, kLine, sizeof(kLine) - 1);
       _exit(1);
     }

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Ends a node many times: main has to return with status 0 within 10 s, and with nothing left at the master. Each end has
+"""Ends a node many times: main has to return with status 0 within 5 s, and with nothing left at the master. Each end has
 a master and a node of its own with 100, 150 or 256 components and a live diagnosis, and two processes that take the
 machine's time. In turn it comes at some moment of the start, which the signal alone may end where it comes before main,
 and while samples stream in; by SIGINT and SIGTERM; of those that stream, half come after the master was killed.
@@ -21,7 +21,7 @@ import time
 import tcpros
 
 NODE = "/simulate"
-LIMIT = 10.0  # [s] from the signal to the end
+LIMIT = 5.0  # [s] from the signal to the end
 PATIENCE = 15.0  # [s] of the test, for a master that has been told everything
 STREAMS = 4  # components that get samples
 
