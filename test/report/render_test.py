@@ -351,6 +351,8 @@ class StyleSheet(unittest.TestCase):
         schemes = [dict(re.findall(r"--(\w+):\s*#([0-9a-f]{6})", block))
                    for block in re.findall(r":root\s*\{([^}]*)\}", self.STYLE)]
         self.assertEqual(len(schemes), 3)
+        self.assertIn("@media screen and (prefers-color-scheme: dark)", self.STYLE)
+        schemes[2] = {**schemes[0], **schemes[2]}  # paper is printed on in the light scheme, but for what it changes
         for scheme in schemes:
             for text in ("ink", "note", "link", "added", "removed"):
                 for background in ("paper", "soft"):
