@@ -43,16 +43,6 @@ gap::Forces softenedShare(const BasisTerm& term, const std::vector<gap::Prepared
   return result;
 }
 
-std::vector<int> containedBy(const std::vector<Candidate>& candidates, int larger) {
-  std::vector<int> contained;
-  for (std::size_t other = 0; other < candidates.size(); ++other) {
-    if (contains(candidates[static_cast<std::size_t>(larger)], candidates[other])) {
-      contained.push_back(static_cast<int>(other));
-    }
-  }
-  return contained;
-}
-
 bool isAmong(const std::vector<int>& list, int one) { return std::find(list.begin(), list.end(), one) != list.end(); }
 
 // Those that the hypothesis does not have yet, along the curve where that is asked for.
@@ -76,7 +66,7 @@ void addTerms(const std::vector<Candidate>& candidates, int candidate, const std
 // Of the laws that a candidate contains the one that it is beyond, which no other member is: the first of `preferred`.
 std::optional<int> heldBy(const std::vector<Candidate>& candidates, int larger, const std::vector<int>& preferred,
                           const std::vector<int>& by_others) {
-  const std::vector<int> contained = containedBy(candidates, larger);
+  const std::vector<int> contained = containedBy(candidates, candidates[static_cast<std::size_t>(larger)]);
   const auto order = [&](int one) { return std::find(preferred.begin(), preferred.end(), one); };
   const auto best = std::min_element(contained.begin(), contained.end(), [&](int a, int b) {
     return std::pair(isAmong(by_others, a), order(a)) < std::pair(isAmong(by_others, b), order(b));
@@ -139,6 +129,16 @@ Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::v
 
 bool contains(const Candidate& larger, const Candidate& smaller) {
   return std::find(larger.contains.begin(), larger.contains.end(), smaller.effect) != larger.contains.end();
+}
+
+std::vector<int> containedBy(const std::vector<Candidate>& candidates, const Candidate& larger) {
+  std::vector<int> contained;
+  for (std::size_t other = 0; other < candidates.size(); ++other) {
+    if (contains(larger, candidates[other])) {
+      contained.push_back(static_cast<int>(other));
+    }
+  }
+  return contained;
 }
 
 bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& larger, const std::vector<int>& smaller) {

@@ -30,6 +30,7 @@ struct BasisTerm {
   bool is_gain = false;    ///< the scale is a gain on all forces: of gains that are free in each log, the mean
   /// A force effect whose factor is 1 less the scale times a share that the displacement alone decides.
   bool softening = false;
+  bool of_a_side = false;  ///< differs from its fellows by a side only, which a settled loop about its mean has not
   /// A zero of the displacement changes more of it than its mean; set by Fitter::prepare.
   bool depends_on_place = false;
   /// Force of the entry alone at scale 1 where samples to come tell it better than the entry, which may not look ahead.
@@ -77,6 +78,9 @@ struct Candidate {
   /// Further laws of few numbers, at the places where a fit of all their numbers may start: after the verdict one of
   /// these, or a few of the terms, stands for the effect.
   std::vector<BasisTerm> laws = {};
+
+  /// One, or as many as the laws are that it contains: what does the work of two is as seldom as two.
+  std::size_t mechanisms() const { return contains.empty() ? 1 : contains.size(); }
 
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }
@@ -136,6 +140,9 @@ Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::v
 
 /// Whether a candidate contains another one.
 bool contains(const Candidate& larger, const Candidate& smaller);
+
+/// Those that a candidate contains.
+std::vector<int> containedBy(const std::vector<Candidate>& candidates, const Candidate& larger);
 
 /// Whether a set of candidates can do all that another one can: for each of these it has a member that is the same or
 /// contains it.

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 #include "diagnosis/hypotheses/implant.h"
 #include "diagnosis/hypotheses/screening.h"
 #include "diagnosis/judge/numbers.h"
@@ -146,7 +146,7 @@ TEST(Implants, LeaveWhatAFitLeaves) {
   const fit::ModelParameters model(rigComponent(), fit::Level::specification);
   const std::vector<gap::PreparedRecord> records = {log::makeRecord(runRig("plain", 1, nothing, 2.0))};
   const fit::Fitter fitter(records, model, kOneDeviation);
-  auto candidates = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
+  auto candidates = diagnosis::candidates(fit::summarise(records));
   fit::findUnitEffects(candidates, records, 1);
   diagnosis::hypotheses::FittedHypothesis about;
   about.fit.parameters = fitter.configured(about.hypothesis);

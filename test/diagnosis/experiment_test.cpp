@@ -6,10 +6,10 @@
 #include <limits>
 #include <set>
 
+#include "diagnosis/effect.h"
 #include "diagnosis/experiment/discrimination.h"
 #include "diagnosis/experiment/menu.h"
 #include "diagnosis/experiment/next_experiment.h"
-#include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/words/sentence.h"
 #include "rig.h"
@@ -124,7 +124,7 @@ class Rivals : public testing::Test {
         fitter_({log::makeRecord(slowLog())}, model_, kOneDeviation),
         excitation_(fit::summarise(fitter_.records())) {
     search_.excitation = excitation_;
-    search_.candidates = diagnosis::hypotheses::candidate::candidates(excitation_);
+    search_.candidates = diagnosis::candidates(excitation_);
     search_.noise.floor = 0.005;
     search_.re_estimated.fit.parameters = fitter_.configured({});
     search_.re_estimated.fit.held_out = 0.05;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/log/record.h"
 #include "support/kit.h"
@@ -66,7 +66,7 @@ fit::Excitation excitation() {
 // is 5 standard deviations.
 TEST(HeldDisplacement, KeepsTheForceOfAnyLawThatIsWritten) {
   const log::Record record = held();
-  for (const fit::Candidate& candidate : diagnosis::hypotheses::candidate::candidates(excitation())) {
+  for (const fit::Candidate& candidate : diagnosis::candidates(excitation())) {
     const auto curved = candidate.along ? candidate.along({2.0, 0.0}) : std::vector<fit::BasisTerm>();
     for (const auto* laws : {&candidate.terms, &candidate.laws, &curved}) {
       for (const fit::BasisTerm& law : *laws) {

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
-#include "diagnosis/judge/containment.h"
+#include "diagnosis/effect.h"
 #include "fit/excitation.h"
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
@@ -185,7 +184,7 @@ Eigen::VectorXd scalesOf(const std::vector<fit::Candidate>& candidates, const Sc
 TEST(Candidates, AreEnteredOnceEach) {
   const std::vector<gap::PreparedRecord> records = {log::makeRecord(noisyLog(0.0))};
   std::set<std::string> names;
-  for (const fit::Candidate& candidate : diagnosis::hypotheses::candidate::candidates(fit::summarise(records))) {
+  for (const fit::Candidate& candidate : diagnosis::candidates(fit::summarise(records))) {
     EXPECT_TRUE(names.insert(candidate.effect).second) << candidate.effect;
     // The logs have neither a temperature nor another displacement, and forces of both signs.
     EXPECT_EQ(candidate.applies(), candidate.effect != "temperature" && candidate.effect != "radial_coupling" &&
@@ -211,8 +210,7 @@ TEST(Candidates, RadialCouplingNeedsAnotherDisplacement) {
     for (std::size_t i = 0; i < log.size(); ++i) {
       log.across.push_back(share * log.displacement[i] + apart * 1e-3 * std::sin(11.0 * log.time(i)));
     }
-    for (const fit::Candidate& candidate :
-         diagnosis::hypotheses::candidate::candidates(fit::summarise({log::makeRecord(log)}))) {
+    for (const fit::Candidate& candidate : diagnosis::candidates(fit::summarise({log::makeRecord(log)}))) {
       if (candidate.effect == "radial_coupling") {
         return candidate.applies();
       }
@@ -233,7 +231,7 @@ TEST(Candidates, LiftOffNeedsForcesOfOneSign) {
       for (double& force : log.force) {
         force *= side * force > 0.0 ? 1.0 : share;
       }
-      const auto all = diagnosis::hypotheses::candidate::candidates(fit::summarise({log::makeRecord(log)}));
+      const auto all = diagnosis::candidates(fit::summarise({log::makeRecord(log)}));
       const auto found = std::find_if(all.begin(), all.end(), [](const auto& c) { return c.effect == "lift_off"; });
       ASSERT_NE(found, all.end());
       const fit::Hypothesis alone = fit::makeHypothesis(all, {static_cast<int>(found - all.begin())});
@@ -248,8 +246,7 @@ TEST(Candidates, LiftOffNeedsForcesOfOneSign) {
 
 // The table of laws that have others as a limit: they have their terms, once each, and their further numbers count.
 TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
-  const std::vector<fit::Candidate> all =
-      diagnosis::hypotheses::candidate::candidates(fit::summarise({log::makeRecord(noisyLog(0.0))}));
+  const std::vector<fit::Candidate> all = diagnosis::candidates(fit::summarise({log::makeRecord(noisyLog(0.0))}));
   const auto placeOf = [&](const std::string& effect) {
     return static_cast<int>(std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.effect == effect; }) -
                             all.begin());
@@ -277,9 +274,7 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
             (std::vector<std::size_t>{termsOf(backlash) + termsOf(friction), termsOf(coupling) + termsOf(relaxation)}));
   EXPECT_EQ(fit::makeHypothesis(all, {coupling}, {relaxation}).held, std::vector<int>{relaxation});
   EXPECT_EQ(fit::makeHypothesis(all, {coupling}).held, std::vector<int>{friction});
-  const auto mechanisms = [&](int candidate) {
-    return diagnosis::judge::mechanismsOf(all[static_cast<std::size_t>(candidate)].effect);
-  };
+  const auto mechanisms = [&](int candidate) { return all[static_cast<std::size_t>(candidate)].mechanisms(); };
   EXPECT_EQ(mechanisms(friction) + mechanisms(backlash) + mechanisms(coupling), 4U);
   EXPECT_TRUE(fit::holds(all, {backlash, coupling}, {friction, relaxation}));
   EXPECT_FALSE(fit::holds(all, {backlash}, {relaxation}));
@@ -322,7 +317,7 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
                                               log::makeRecord(runRig("second", 2, nothing))};
   const fit::ModelParameters model(component, fit::Level::specification);
   const fit::Fitter fitter(records, model, kOneDeviation);
-  const std::vector<fit::Candidate> plain = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
+  const std::vector<fit::Candidate> plain = diagnosis::candidates(fit::summarise(records));
   std::vector<fit::Candidate> known = plain;
   fit::findUnitEffects(known, records, 2);
   const std::vector<Scales> cases = {

@@ -13,7 +13,7 @@
 #include <regex>
 #include <sstream>
 
-#include "diagnosis/headline.h"
+#include "diagnosis/effect.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/report/report_parts.h"
 #include "diagnosis/report/run_record.h"

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-#include "diagnosis/headline.h"
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/judge/numbers.h"
 #include "diagnosis/report/augmented_yaml.h"
@@ -50,7 +49,7 @@ class SimplestLaw : public testing::Test {
       records[r].force += added[r];
     }
     fitter_ = std::make_unique<fit::Fitter>(records, model_, kOneDeviation);
-    candidates_ = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
+    candidates_ = diagnosis::candidates(fit::summarise(records));
     int member = 0;
     while (candidates_[static_cast<std::size_t>(member)].effect != effect) {
       ++member;

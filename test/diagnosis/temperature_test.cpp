@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 #include "diagnosis/words/sentence.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/record.h"
@@ -32,7 +32,7 @@ std::size_t termsFor(const std::vector<log::Log>& logs) {
   for (const log::Log& log : logs) {
     records.emplace_back(log::makeRecord(log));
   }
-  const auto all = diagnosis::hypotheses::candidate::candidates(fit::summarise(records));
+  const auto all = diagnosis::candidates(fit::summarise(records));
   return std::find_if(all.begin(), all.end(), [](const fit::Candidate& c) { return c.effect == "temperature"; })
       ->terms.size();
 }

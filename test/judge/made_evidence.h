@@ -36,6 +36,7 @@ inline diagnosis::judge::Evidence unexplained(std::size_t logs, int effects, dou
     evidence.effects.push_back("effect_" + std::to_string(effect));
     evidence.one_form.push_back(false);
     evidence.constant.push_back(false);
+    evidence.contains.emplace_back();
   }
   return evidence;
 }

@@ -163,6 +163,7 @@ RC_GTEST_PROP(AnEffectThatDoesNotApply, ChangesNothing, ()) {
   evidence.effects.emplace_back("of_other_logs");
   evidence.one_form.push_back(false);
   evidence.constant.push_back(false);
+  evidence.contains.emplace_back();
   const SetPosterior after = posteriorOf(evidence);
   // The sum over all hypotheses is rounded in another order.
   const auto same = [](double x, double y) { return std::abs(x - y) <= 1e-13 * std::max(x, y); };
@@ -228,6 +229,7 @@ RC_GTEST_PROP(ALawThatContainsTwo, HasThePriorOfTwo, ()) {
   explain(evidence, 0, left);
   explain(evidence, 1, left);
   evidence.effects[1] = "rate_amplitude_coupling";
+  evidence.contains[1] = {2, 3};  // which are in no hypothesis
   const SetPosterior posterior = posteriorOf(evidence);
   const auto& numbers = diagnosis::judge::fittedNumbers();
   const double cost = diagnosis::judge::priorOfCount(1, numbers) - diagnosis::judge::priorOfCount(2, numbers) -

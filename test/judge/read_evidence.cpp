@@ -36,9 +36,9 @@ judge::HypothesisEvidence hypothesisOf(const ordered_json& value) {
   value.at("members").get_to(hypothesis.members);
   value.at("terms").get_to(hypothesis.terms);
   value.at("beyond").get_to(hypothesis.beyond);
-  value.at("free_trends").get_to(hypothesis.free_trends);
-  value.at("free_offsets").get_to(hypothesis.free_offsets);
-  value.at("free_gains").get_to(hypothesis.free_gains);
+  value.at("free_trends").get_to(hypothesis.free_in_log.trend);
+  value.at("free_offsets").get_to(hypothesis.free_in_log.offset);
+  value.at("free_gains").get_to(hypothesis.free_in_log.gain);
   value.at("keeps_values").get_to(hypothesis.keeps_values);
   hypothesis.chi_squared = numberOf(value.at("chi_squared"));
   hypothesis.log_errors = numbersOf(value.at("log_errors"));
@@ -61,6 +61,7 @@ judge::Evidence evidenceOf(const ordered_json& value) {
   value.at("guess").get_to(evidence.guess);
   value.at("excluded").get_to(evidence.excluded);
   value.at("constant").get_to(evidence.constant);
+  value.at("contains").get_to(evidence.contains);
   for (const ordered_json& hypothesis : value.at("hypotheses")) {
     evidence.hypotheses.push_back(hypothesisOf(hypothesis));
   }

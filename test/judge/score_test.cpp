@@ -113,7 +113,7 @@ TEST(EvidenceJson, IsReadAsItWasWritten) {
   explain(evidence, 1, 0.01);
   evidence.logs.back().unseen = true;
   evidence.logs.front().octaves = {0.25, 0.75};
-  evidence.hypotheses.back().free_gains = true;
+  evidence.hypotheses.back().free_in_log.gain = true;
   evidence.excluded = {false, true};
   evidence.hypotheses.back().beyond = 2;
   evidence.hypotheses.back().shares = {{0.5, 0.5}, {1.0}, {1.0}};
@@ -151,6 +151,7 @@ TEST(Answer, TellsAGainOfAllLogsBesideWrongValues) {
 TEST(Answer, NamesALawThatContainsAnotherForWhatItRemovesBeyond) {
   Evidence evidence = unexplained(3, 2, 0.1);
   evidence.effects = {"friction", "backlash"};
+  evidence.contains[1] = {0};
   const auto leave = [&](double friction, double backlash) {
     explain(evidence, 0, friction);
     explain(evidence, 1, backlash);
@@ -162,7 +163,8 @@ TEST(Answer, NamesALawThatContainsAnotherForWhatItRemovesBeyond) {
   EXPECT_LT(alike.candidates[1], 0.01);
   EXPECT_EQ(leave(0.06, 0.01).effects, std::vector<int>{1});
 
-  evidence.effects = {"friction", "relaxation"};  // neither contains the other
+  evidence.effects = {"friction", "relaxation"};
+  evidence.contains[1].clear();  // neither contains the other
   EXPECT_GT(leave(0.0101, 0.01).candidates[1], 0.05);
 }
 

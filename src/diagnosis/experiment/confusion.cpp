@@ -191,13 +191,12 @@ judge::Evidence evidenceOf(const Search& search, const Implant& implant, double 
     single.sizes = {{std::pow(size * implant.singles[c].added, 2)}};
     single.terms = candidate.terms.size();
     single.beyond = implant.singles[c].beyond;
-    single.free_trends = candidate.free_in_log.trend;
-    single.free_offsets = candidate.free_in_log.offset;
-    single.free_gains = candidate.free_in_log.gain;
+    single.free_in_log = candidate.free_in_log;
     evidence.hypotheses.push_back(std::move(single));
     evidence.effects.push_back(candidate.effect);
     evidence.one_form.push_back(candidate.one_form);
     evidence.constant.push_back(candidate.constant);
+    evidence.contains.push_back(fit::containedBy(search.candidates, candidate));
   }
   return evidence;
 }

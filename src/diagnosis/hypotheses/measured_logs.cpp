@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 #include "diagnosis/hypotheses/screening.h"
 #include "diagnosis/hypotheses/shapes.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
@@ -59,7 +59,7 @@ fit::Excitation MeasuredLogs::excitation() const { return fit::summarise(fitter_
 
 std::vector<fit::Candidate> MeasuredLogs::candidates(const fit::Excitation& excitation,
                                                      const FittedHypothesis& re_estimated, int threads) const {
-  std::vector<fit::Candidate> all = candidate::candidates(excitation);
+  std::vector<fit::Candidate> all = diagnosis::candidates(excitation);
   settleShapes(fitter_, re_estimated, fitter_.records(), threads, all);
   fitter_.prepare(all, threads);
   return all;
@@ -134,7 +134,7 @@ Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& se
 Search implanted(fit::Fitter& fitter, double noise, int threads) {
   Search search;
   search.excitation = fit::summarise(fitter.records());
-  search.candidates = candidate::candidates(search.excitation);
+  search.candidates = diagnosis::candidates(search.excitation);
   fitter.prepare(search.candidates, threads);
   search.noise.floor = noise;
   search.re_estimated.fit.parameters = fitter.configured(search.re_estimated.hypothesis);

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
-#include "diagnosis/judge/containment.h"
 #include "diagnosis/judge/numbers.h"
 #include "diagnosis/judge/score.h"
 
@@ -34,9 +32,9 @@ double Odds::of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales
   double prior = 0.0;
   std::size_t mechanisms = 0;
   for (const int member : hypothesis.members) {
-    const std::string& effect = candidates_[static_cast<std::size_t>(member)].effect;
-    prior += numbers.rateOf(effect);
-    mechanisms += judge::mechanismsOf(effect);
+    const fit::Candidate& candidate = candidates_[static_cast<std::size_t>(member)];
+    prior += numbers.rateOf(candidate.effect);
+    mechanisms += candidate.mechanisms();
   }
   prior += judge::priorOfCount(mechanisms, numbers);
   const std::size_t beyond = fit::numbersBeyond(candidates_, hypothesis, scales);

@@ -16,7 +16,11 @@
 #include "diagnosis/hypotheses/shapes.h"
 #include "diagnosis/hypotheses/starts.h"
 #include "element/each.h"
+#include "element/refuse.h"
+#include "element/suggestion.h"
 #include "fit/parallel.h"
+#include "io/effect_names.h"
+#include "log/text.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
@@ -40,6 +44,12 @@ struct Planned {
   double error = 0.0;  // as screened
   double odds = 0.0;
   fit::ParameterVector start;
+};
+
+// Sets that may be worth a fit, the likeliest first, by odds that suppose that no set leaves less than this floor.
+struct Plan {
+  std::vector<Planned> sets;
+  double floor;
 };
 
 Odds oddsAt(const Search& search, double floor) {
@@ -193,7 +203,6 @@ class Searcher {
 
   // Laws of members along a curve, in place of those of a list that are less likely.
   void tryCurve(std::vector<FittedHypothesis>& list) {
-    floor_ = result_.noise.floor;
     std::vector<OtherLaw> straight;
     for (FittedHypothesis& fitted : list) {
       for (const int member : fitted.hypothesis.members) {
@@ -218,7 +227,6 @@ class Searcher {
 
   // Friction with a factor of its own in each log, in place of those of a list that are less likely.
   void tryFactors(std::vector<FittedHypothesis>& list) {
-    floor_ = result_.noise.floor;
     std::vector<OtherLaw> with;
     for (FittedHypothesis& fitted : list) {
       if (mayHaveFactors(fitted)) {
@@ -259,7 +267,7 @@ class Searcher {
     with.free_in_log.by_factor = fit::columnOf({});
     return friction && fitted.hypothesis.competes() && !fitted.hypothesis.free_in_log.by_factor &&
            !fitted.hypothesis.free_in_log.gain &&
-           odds().of(with, fitted.fit.parameters.scales, floor_) > oddsOf(fitted);
+           odds().of(with, fitted.fit.parameters.scales, result_.noise.floor) > oddsOf(fitted);
   }
 
   // Whether the law of a member could gain as much by a curve as that costs.
@@ -268,7 +276,7 @@ class Searcher {
     const fit::Candidate& candidate = result_.candidates[static_cast<std::size_t>(member)];
     return candidate.along && candidate.applies() && std::find(curved.begin(), curved.end(), member) == curved.end() &&
            fitted.hypothesis.competes() && fitted.fit.gap <= kHopeless * bestOfAll()->fit.gap &&
-           oddsWithCurve(fitted, floor_) > oddsOf(fitted);
+           oddsWithCurve(fitted, result_.noise.floor) > oddsOf(fitted);
   }
 
   // Of the same members with one number more that leave this.
@@ -319,10 +327,13 @@ class Searcher {
     return least;
   }
 
-  Odds odds() const { return oddsAt(result_, floor_); }
+  // By the noise alone.
+  Odds odds() const { return oddsAt(result_, result_.noise.floor); }
+  double oddsOf(const FittedHypothesis& fitted) const { return oddsOf(fitted, result_.noise.floor); }
 
-  double oddsOf(const FittedHypothesis& fitted) const {
-    return odds().of(fitted.hypothesis, fitted.fit.parameters.scales, fitted.fit.score());
+  // Where no set is supposed to leave less than a floor.
+  double oddsOf(const FittedHypothesis& fitted, double floor) const {
+    return oddsAt(result_, floor).of(fitted.hypothesis, fitted.fit.parameters.scales, fitted.fit.score());
   }
 
   // Of those that compete.
@@ -334,31 +345,33 @@ class Searcher {
     return best;
   }
 
-  double bestOdds() const {
+  double bestOdds(double floor) const {
     double best = -std::numeric_limits<double>::infinity();
     for (const FittedHypothesis* fitted : result_.withEffects()) {
-      best = fitted->hypothesis.competes() ? std::max(best, oddsOf(*fitted)) : best;
+      best = fitted->hypothesis.competes() ? std::max(best, oddsOf(*fitted, floor)) : best;
     }
     return best;
   }
 
   // Whether a set of so many effects can come near the best of fewer.
-  bool isWorthMore(std::size_t effects) const { return odds().mostOf(effects) > bestOdds() - kWorthAFit; }
+  bool isWorthMore(std::size_t effects, double floor) const {
+    return oddsAt(result_, floor).mostOf(effects) > bestOdds(floor) - kWorthAFit;
+  }
 
   // The likeliest of one size, from which further effects are added: an effect that is unlikely alone may be one of a
   // pair, so that one more than those within reach is taken.
-  std::vector<const FittedHypothesis*> likeliest(std::size_t effects) const {
+  std::vector<const FittedHypothesis*> likeliest(std::size_t effects, double floor) const {
     std::vector<const FittedHypothesis*> chosen;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
       if (fitted->hypothesis.members.size() == effects && fitted->hypothesis.competes()) {
         chosen.push_back(fitted);
       }
     }
+    const auto odds = [&](const FittedHypothesis* fitted) { return oddsOf(*fitted, floor); };
     std::stable_sort(chosen.begin(), chosen.end(),
-                     [&](const FittedHypothesis* x, const FittedHypothesis* y) { return oddsOf(*x) > oddsOf(*y); });
+                     [&](const FittedHypothesis* x, const FittedHypothesis* y) { return odds(x) > odds(y); });
     std::size_t count = 0;
-    while (count < std::min(kMostStarts, chosen.size()) &&
-           oddsOf(*chosen[count]) > oddsOf(*chosen.front()) - kWithinReach) {
+    while (count < std::min(kMostStarts, chosen.size()) && odds(chosen[count]) > odds(chosen.front()) - kWithinReach) {
       ++count;
     }
     chosen.resize(std::min({count + 1, kMostStarts, chosen.size()}));
@@ -368,12 +381,12 @@ class Searcher {
   // Sets of so many effects, the likeliest first: of all pairs about the model, and of those with one less about what
   // they arrived at. None where it is not worth a fit, nor those that were fitted before. What the rig costs the best
   // so far may be one more effect: the floor is no higher than what one of them leaves.
-  std::vector<Planned> plan(const Screening& about_model, std::size_t effects) {
-    floor_ = result_.noise.floor;
-    if (!isWorthMore(effects)) {
-      return {};
+  Plan planFits(const Screening& about_model, std::size_t effects) const {
+    Plan plan{{}, result_.noise.floor};
+    if (!isWorthMore(effects, plan.floor)) {
+      return plan;
     }
-    floor_ = result_.noise.floor_with_rig;
+    plan.floor = result_.noise.floor_with_rig;
     std::map<std::vector<int>, Planned> best;  // of each set, by members
     const auto add = [&](const Screening& screening, const std::vector<Screened>& sets) {
       for (const Screened& set : sets) {
@@ -381,35 +394,39 @@ class Searcher {
         if (planned.hypothesis.members.empty() || set.error < planned.error) {
           planned = planOf(screening, set);
         }
-        floor_ = std::max(std::min(floor_, set.error), result_.noise.floor);
+        plan.floor = std::max(std::min(plan.floor, set.error), result_.noise.floor);
       }
     };
     if (effects == 2) {
       add(about_model, about_model.pairs());
     }
-    for (const FittedHypothesis* fitted : likeliest(effects - 1)) {
+    for (const FittedHypothesis* fitted : likeliest(effects - 1, plan.floor)) {
       add(about_model, about_model.withContained(fitted->hypothesis.members, effects));
       const Screening screening(fitter_, result_.candidates, *fitted, threads_);
       add(screening, screening.additions(fitted->hypothesis.members));
     }
-    std::vector<Planned> sorted;
+    if (!isWorthMore(effects, plan.floor)) {
+      return plan;
+    }
+    const Odds odds = oddsAt(result_, plan.floor);
     for (auto& [members, planned] : best) {
       if (!isFitted(members)) {
-        planned.odds = odds().of(planned.hypothesis, planned.start.scales, planned.error);
-        sorted.push_back(std::move(planned));
+        planned.odds = odds.of(planned.hypothesis, planned.start.scales, planned.error);
+        plan.sets.push_back(std::move(planned));
       }
     }
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Planned& x, const Planned& y) { return x.odds > y.odds; });
-    return isWorthMore(effects) ? sorted : std::vector<Planned>{};
+    std::stable_sort(plan.sets.begin(), plan.sets.end(),
+                     [](const Planned& x, const Planned& y) { return x.odds > y.odds; });
+    return plan;
   }
 
   // Fits those that may be as likely as the best, some at once; false where none is.
   bool fitSets(const Screening& about_model, std::size_t effects, std::vector<FittedHypothesis>& list) {
-    const std::vector<Planned> planned = plan(about_model, effects);
+    const auto [planned, floor] = planFits(about_model, effects);
     const std::size_t most = std::min(kMostOfOneSize, planned.size());
     std::size_t fitted = 0;
-    while (fitted < most && planned[fitted].odds > bestOdds() - kWithinReach - kScreeningKnown) {
-      const double least_odds = bestOdds() - kWithinReach - kScreeningKnown;
+    while (fitted < most && planned[fitted].odds > bestOdds(floor) - kWithinReach - kScreeningKnown) {
+      const double least_odds = bestOdds(floor) - kWithinReach - kScreeningKnown;
       std::vector<Planned> some;
       while (fitted < most && some.size() < kAtOnce && planned[fitted].odds > least_odds) {
         some.push_back(planned[fitted++]);
@@ -417,7 +434,7 @@ class Searcher {
       fitAll(some, list);
     }
     if (fitted > 0) {
-      fitContained(about_model, effects, list);
+      fitContained(about_model, effects, floor, list);
       estimateNoise();
       tryCurve(list);
       tryFactors(list);
@@ -426,9 +443,10 @@ class Searcher {
   }
 
   // The laws that a likely one contains, in its place: a larger law leaves less, and hides what they leave.
-  void fitContained(const Screening& about_model, std::size_t effects, std::vector<FittedHypothesis>& list) {
+  void fitContained(const Screening& about_model, std::size_t effects, double floor,
+                    std::vector<FittedHypothesis>& list) {
     std::map<std::vector<int>, Planned> contained;
-    for (const FittedHypothesis* fitted : likeliest(effects)) {
+    for (const FittedHypothesis* fitted : likeliest(effects, floor)) {
       for (const Screened& set : about_model.withContained(fitted->hypothesis.members, effects)) {
         if (!isFitted(set.members)) {
           contained[set.members] = planOf(about_model, set);
@@ -530,7 +548,6 @@ class Searcher {
   const std::vector<std::string>& excluded_;
   int threads_;
   const ProgressCallback& progress_;
-  double floor_ = 0.0;      // what odds suppose that no set leaves less than
   bool has_curve_ = false;  // candidates have terms along it
   Search result_;
 };
@@ -540,9 +557,7 @@ judge::HypothesisEvidence evidenceOf(const std::vector<fit::Candidate>& candidat
   evidence.members = fitted.hypothesis.members;
   evidence.terms = fitted.hypothesis.terms.size();
   evidence.beyond = fit::numbersBeyond(candidates, fitted.hypothesis, fitted.fit.parameters.scales);
-  evidence.free_trends = fitted.hypothesis.free_in_log.trend;
-  evidence.free_offsets = fitted.hypothesis.free_in_log.offset;
-  evidence.free_gains = fitted.hypothesis.free_in_log.gain || fitted.hypothesis.free_in_log.by_factor;
+  evidence.free_in_log = fitted.hypothesis.free_in_log;
   evidence.keeps_values = fitted.hypothesis.keepsParameters();
   const bool applies = !fitted.hypothesis.terms.empty() || fitted.hypothesis.members.empty();
   evidence.chi_squared =
@@ -600,8 +615,21 @@ judge::Evidence evidenceOf(const Search& search) {
     evidence.one_form.push_back(candidate.one_form);
     evidence.excluded.push_back(candidate.excluded);
     evidence.constant.push_back(candidate.constant);
+    evidence.contains.push_back(fit::containedBy(search.candidates, candidate));
   }
   return evidence;
+}
+
+std::vector<std::string> excludedEffects(const io::ComponentDescription& component, const DiagnosisOptions& options) {
+  std::vector<std::string> excluded = component.excluded_effects;
+  const std::vector<std::string>& names = io::effectNames();
+  for (const std::string& effect : options.excluded) {
+    element::refuseIf(std::find(names.begin(), names.end(), effect) == names.end(),
+                      "excluded: no effect '{}'{}; accepted: {}", effect, element::didYouMean(effect, names),
+                      log::join(names));
+    excluded.push_back(effect);
+  }
+  return excluded;
 }
 
 Search search(const Measured& measured, const std::vector<std::string>& excluded, int threads,

@@ -10,6 +10,8 @@
 #include "diagnosis/judge/evidence.h"
 #include "fit/excitation.h"
 #include "fit/hypothesis_fitter.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
@@ -73,6 +75,9 @@ judge::Evidence evidenceOf(const Search& search);
 using ProgressCallback = std::function<void(const std::string&, double)>;
 
 class Measured;
+
+/// Effects that the component or the options rule out. Throws std::invalid_argument for a name that is none.
+std::vector<std::string> excludedEffects(const io::ComponentDescription& component, const DiagnosisOptions& options);
 
 /// Fit all hypotheses about what was measured on `threads` threads. With effects that are excluded the search
 /// continues once the others are fitted, as if nothing was.

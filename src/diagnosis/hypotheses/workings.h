@@ -18,9 +18,6 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Effects that the component or the options rule out. Throws std::invalid_argument for a name that is none.
-std::vector<std::string> excludedEffects(const io::ComponentDescription& component, const DiagnosisOptions& options);
-
 /// A component and its logs, ready for the fits.
 struct PreparedCase {
   PreparedCase(const io::ComponentDescription& configured, std::vector<gap::PreparedRecord> logs,

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "fit/free_in_log.h"
+
 namespace rubber_suspension::diagnosis::judge {
 
 /// A fitted hypothesis. Errors and sizes are mean squares in units of the variance of the force; what no model run
@@ -14,9 +16,7 @@ struct HypothesisEvidence {
   std::size_t terms = 0;     ///< numbers that they add to the model; 0: the logs lack what they need
   /// Of these the ones beyond the laws that the members contain (fit::numbersBeyond()) that are not at their limits.
   std::size_t beyond = 0;
-  bool free_trends = false;        ///< a slow trend per log is free, too
-  bool free_offsets = false;       ///< a zero of the force per log is free, too
-  bool free_gains = false;         ///< a gain per log is free, too, or a factor on its friction
+  fit::FreeInLog free_in_log;      ///< is free in each log, too
   bool keeps_values = false;       ///< model parameters are as configured: its member does what other ones would
   double chi_squared = 0.0;        ///< of the numbers of the data sheet, each over its tolerance
   std::vector<double> log_errors;  ///< error on each log, on blocks that took no part in the fit
@@ -49,8 +49,10 @@ struct Evidence {
   std::vector<std::string> effects;  ///< names, by the numbers that members are
   std::vector<bool> one_form;        ///< of each effect: its law has one form, as that of a mass
   std::vector<bool> constant;        ///< of each effect: it adds a constant force, whose form is never wrong
-  bool guess = false;                ///< the data sheet is a guess, so that the model as configured is no answer
-  std::vector<bool> excluded = {};   ///< of each effect: it is ruled out, as all hypotheses with it; empty: none is
+  /// Of each effect those that its law has as limits, so that it can do all that these do; none of most.
+  std::vector<std::vector<int>> contains;
+  bool guess = false;               ///< the data sheet is a guess, so that the model as configured is no answer
+  std::vector<bool> excluded = {};  ///< of each effect: it is ruled out, as all hypotheses with it; empty: none is
 
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
 };

@@ -20,9 +20,9 @@ ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
   return {{"members", hypothesis.members},
           {"terms", hypothesis.terms},
           {"beyond", hypothesis.beyond},
-          {"free_trends", hypothesis.free_trends},
-          {"free_offsets", hypothesis.free_offsets},
-          {"free_gains", hypothesis.free_gains},
+          {"free_trends", hypothesis.free_in_log.trend},
+          {"free_offsets", hypothesis.free_in_log.offset},
+          {"free_gains", hypothesis.free_in_log.gain || hypothesis.free_in_log.by_factor},
           {"keeps_values", hypothesis.keeps_values},
           {"chi_squared", hypothesis.chi_squared},
           {"log_errors", hypothesis.log_errors},
@@ -41,13 +41,10 @@ std::string toJson(const Evidence& evidence) {
   for (const LogEvidence& log : evidence.logs) {
     logs.push_back(logJson(log));
   }
-  const ordered_json value = {{"schema", kEvidenceSchema},
-                              {"effects", evidence.effects},
-                              {"one_form", evidence.one_form},
-                              {"guess", evidence.guess},
-                              {"excluded", evidence.excluded},
-                              {"constant", evidence.constant},
-                              {"logs", logs},
+  const ordered_json value = {{"schema", kEvidenceSchema},     {"effects", evidence.effects},
+                              {"one_form", evidence.one_form}, {"guess", evidence.guess},
+                              {"excluded", evidence.excluded}, {"constant", evidence.constant},
+                              {"contains", evidence.contains}, {"logs", logs},
                               {"hypotheses", hypotheses}};
   return value.dump() + "\n";
 }

@@ -9,8 +9,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "diagnosis/judge/containment.h"
-
 namespace rubber_suspension::diagnosis::judge {
 namespace {
 
@@ -88,11 +86,8 @@ void fillErrors(const Evidence& evidence, const HypothesisEvidence& hypothesis, 
 }
 
 void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
-  const auto logs = static_cast<double>(table.weight.size());
   table.beyond[row] = static_cast<double>(hypothesis.beyond);
-  table.trends[row] = hypothesis.free_trends ? logs : 0.0;
-  table.offsets[row] = hypothesis.free_offsets ? logs : 0.0;
-  table.gains[row] = hypothesis.free_gains ? logs : 0.0;
+  table.free_in_log.push_back(hypothesis.free_in_log);
   table.sizes.emplace_back();
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
     const ArrayXd squares = arrayOf(hypothesis.sizes[m]);
@@ -117,12 +112,12 @@ void fillSizeOfWrongValues(Index row, ScoreTable& table) {
 }
 
 // The hypotheses that have in place of a member an effect that its law contains, as far as they were fitted.
-std::vector<Index> withContained(const ScoreTable& table, std::size_t hypothesis, int member) {
+std::vector<Index> withContained(const Evidence& evidence, std::size_t hypothesis, int member,
+                                 const ScoreTable& table) {
   std::vector<Index> rows;
-  for (const std::string& effect : containedIn(table.effects[static_cast<std::size_t>(member)])) {
-    const auto place = std::find(table.effects.begin(), table.effects.end(), effect);
+  for (const int contained : evidence.contains[static_cast<std::size_t>(member)]) {
     std::vector<int> members = table.members[hypothesis];
-    std::replace(members.begin(), members.end(), member, static_cast<int>(place - table.effects.begin()));
+    std::replace(members.begin(), members.end(), member, contained);
     std::sort(members.begin(), members.end());
     members.erase(std::unique(members.begin(), members.end()), members.end());
     const auto found = std::find(table.members.begin(), table.members.end(), members);
@@ -134,11 +129,11 @@ std::vector<Index> withContained(const ScoreTable& table, std::size_t hypothesis
 }
 
 // What a law removes beyond those that it contains has a size, as an effect has: at their limit it is one of these.
-void fillSizesBeyond(std::size_t hypothesis, ScoreTable& table) {
+void fillSizesBeyond(const Evidence& evidence, std::size_t hypothesis, ScoreTable& table) {
   std::vector<double>& sizes = table.sizes_beyond.emplace_back();
   for (const int member : table.members[hypothesis]) {
     double least = std::numeric_limits<double>::infinity();
-    for (const Index row : withContained(table, hypothesis, member)) {
+    for (const Index row : withContained(evidence, hypothesis, member, table)) {
       least = std::min(least, sizeRemoved(table, static_cast<Index>(hypothesis), row));
     }
     sizes.push_back(least);  // of most members: no limit
@@ -159,8 +154,10 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
   for (const int member : members) {
     prior += numbers.rateOf(table.effects[static_cast<std::size_t>(member)]);
   }
-  return prior - costOfNumbers(table.beyond[row], table.blocks, numbers) - numbers.per_trend * table.trends[row] -
-         numbers.per_offset * table.offsets[row] - numbers.per_gain * table.gains[row];
+  const fit::FreeInLog& free = table.free_in_log[hypothesis];
+  const auto inAllLogs = [&](bool is_free) { return is_free ? static_cast<double>(table.weight.size()) : 0.0; };
+  return prior - costOfNumbers(table.beyond[row], table.blocks, numbers) - numbers.per_trend * inAllLogs(free.trend) -
+         numbers.per_offset * inAllLogs(free.offset) - numbers.per_gain * inAllLogs(free.gain || free.by_factor);
 }
 
 // Values that are far from those of the data sheet are improbable, whatever they leave: Student's t.
@@ -232,13 +229,13 @@ ScoreTable scoreTable(const Evidence& evidence) {
   const auto rows = static_cast<Index>(evidence.hypotheses.size());
   table.left = table.added = table.added_of_one = ArrayXXd::Zero(rows, table.weight.size());
   table.in_bands = ArrayXXd::Zero(rows, static_cast<Index>(table.bands.size()));
-  table.departure = table.beyond = table.trends = table.offsets = table.gains = ArrayXd::Zero(rows);
+  table.departure = table.beyond = ArrayXd::Zero(rows);
   for (Index row = 0; row < rows; ++row) {
     const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
     table.members.push_back(hypothesis.members);
     table.mechanisms.push_back(std::accumulate(
         hypothesis.members.begin(), hypothesis.members.end(), std::size_t{0}, [&](std::size_t sum, int member) {
-          return sum + mechanismsOf(table.effects[static_cast<std::size_t>(member)]);
+          return sum + std::max<std::size_t>(evidence.contains[static_cast<std::size_t>(member)].size(), 1);
         }));
     table.another_reading.push_back(hypothesis.keeps_values);
     fillErrors(evidence, hypothesis, row, table);
@@ -251,7 +248,7 @@ ScoreTable scoreTable(const Evidence& evidence) {
     if (table.another_reading[static_cast<std::size_t>(row)]) {
       fillSizeOfWrongValues(row, table);
     }
-    fillSizesBeyond(static_cast<std::size_t>(row), table);
+    fillSizesBeyond(evidence, static_cast<std::size_t>(row), table);
   }
   return table;
 }

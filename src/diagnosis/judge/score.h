@@ -30,9 +30,7 @@ struct ScoreTable {
   Eigen::ArrayXXd in_bands;  ///< squares beyond the noise floor by band of a log, each over what the band counts
   Eigen::ArrayXd departure;  ///< chi^2 of the numbers of the data sheet
   Eigen::ArrayXd beyond;     ///< numbers beyond the laws that the members contain
-  Eigen::ArrayXd trends;     ///< of logs, that are free
-  Eigen::ArrayXd offsets;    ///< likewise
-  Eigen::ArrayXd gains;      ///< likewise
+  std::vector<fit::FreeInLog> free_in_log;
   std::vector<bool> another_reading;  ///< of wrong values, by an effect beside those as configured
   /// Logarithm of the size of each member over all logs; of wrong values, of what they remove.
   std::vector<std::vector<double>> sizes;

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 #include "element/each.h"
 
 namespace rubber_suspension::diagnosis::report {
@@ -54,7 +54,7 @@ std::string effectReference() {
       "is\nin [parameters.md](parameters.md), how the search works in [diagnosis.md](diagnosis.md). An effect of the "
       "rig is one of\nthe measurement and not of the rubber: it explains a gap, and does not belong into a vehicle.\n\n"
       "| effect | of the | what it is: how it shows | elements |\n|---|---|---|---|\n";
-  for (const fit::Candidate& candidate : hypotheses::candidate::candidates(typicalExcitation())) {
+  for (const fit::Candidate& candidate : diagnosis::candidates(typicalExcitation())) {
     text += fmt::format("| `{}` | {} | {} | {} |\n", candidate.effect, candidate.on_rig ? "rig" : "rubber",
                         candidate.documentation, elementsOf(candidate));
   }

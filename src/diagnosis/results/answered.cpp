@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-#include "diagnosis/headline.h"
+#include "diagnosis/effect.h"
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/results/predictive.h"
 #include "element/each.h"

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diagnosis/headline.h"
+#include "diagnosis/effect.h"
 #include "element/each.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"

@@ -12,10 +12,11 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 #include "diagnosis/hypotheses/measured_logs.h"
 #include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/shapes.h"
+#include "element/each.h"
 #include "fit/master_curve.h"
 #include "numerics/least_squares.h"
 
@@ -145,12 +146,14 @@ Rest smoothness(const Points& points) {
 
 }  // namespace
 
-// Softening and heat are over before a loop has settled; what creeps has crept; a constant force and a trend are no
-// part of a loop.
-const std::vector<std::string>& neverShownByTables() {
-  static const std::vector<std::string> names = {"stress_softening", "self_heating", "creep", "force_offset",
-                                                 "force_drift"};
-  return names;
+std::vector<std::string> neverShownByTables() {
+  std::vector<Effect> never = effects();
+  never.erase(std::remove_if(never.begin(), never.end(),
+                             [](const Effect& effect) { return effect.in_settled_loops == InSettledLoops::shown; }),
+              never.end());
+  std::stable_sort(never.begin(), never.end(),
+                   [](const Effect& a, const Effect& b) { return a.in_settled_loops < b.in_settled_loops; });
+  return element::each(never, &Effect::name);
 }
 
 MeasuredRows::MeasuredRows(const io::ComponentDescription& component, const std::vector<fit::TablePoint>& points,
@@ -175,18 +178,15 @@ fit::Excitation MeasuredRows::excitation() const {
 std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& excitation,
                                                      const hypotheses::FittedHypothesis& re_estimated,
                                                      int threads) const {
-  std::vector<fit::Candidate> all = hypotheses::candidate::candidates(excitation);
-  const std::vector<std::string>& never = neverShownByTables();
+  std::vector<fit::Candidate> all = diagnosis::candidates(excitation);
   for (fit::Candidate& candidate : all) {
-    if (std::find(never.begin(), never.end(), candidate.effect) != never.end()) {
+    if (effectNamed(candidate.effect).in_settled_loops != InSettledLoops::shown) {
       candidate.terms.clear();
       candidate.free_in_log = {};
     }
-  }
-  // A loop about its mean has no side: to its fundamental, damping that grows towards one is a dashpot.
-  for (fit::Candidate& candidate : all) {
-    const auto has_side = [](const fit::BasisTerm& term) { return term.at(term.typical).type == "position_dashpot"; };
-    candidate.terms.erase(std::remove_if(candidate.terms.begin(), candidate.terms.end(), has_side),
+    // A loop about its mean has no side: to its fundamental, damping that grows towards one is a dashpot.
+    candidate.terms.erase(std::remove_if(candidate.terms.begin(), candidate.terms.end(),
+                                         [](const fit::BasisTerm& term) { return term.of_a_side; }),
                           candidate.terms.end());
   }
   hypotheses::settleShapes(fitter_, re_estimated, *loops_->records(), threads, all);

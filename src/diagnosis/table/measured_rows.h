@@ -26,8 +26,8 @@ struct Scatter {
 /// end of its one-sided interval of 84 %, a standard error of the normal distribution.
 Scatter scatterOf(const std::vector<fit::TablePoint>& points, std::optional<double> stated);
 
-/// Effects that the settled loops under single sines never show.
-const std::vector<std::string>& neverShownByTables();
+/// Effects that the settled loops under single sines never show (Effect::in_settled_loops).
+std::vector<std::string> neverShownByTables();
 
 class MeasuredRows final : public hypotheses::Measured {
  public:

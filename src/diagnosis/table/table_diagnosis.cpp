@@ -11,6 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "diagnosis/effect.h"
 #include "diagnosis/experiment/confusion.h"
 #include "diagnosis/experiment/explanation.h"
 #include "diagnosis/hypotheses/fitted_component.h"
@@ -374,11 +375,9 @@ void checkRows(const io::ComponentDescription& component, const fit::MeasuredTab
   }
   const component::Component built = component.makeComponent();
   for (const element::ElementDescription& element : built.elements()) {
-    if (element.type == "self_heating") {
-      throw std::invalid_argument(
-          fmt::format("{}: has self_heating, which a table has in the state that each sine ends in; accepted: logs, or "
-                      "the component without it",
-                      component.name));
+    if (const std::string& reason = effectNamed(element.type).not_beside_tables; !reason.empty()) {
+      throw std::invalid_argument(fmt::format("{}: has {}, {}; accepted: logs, or the component without it",
+                                              component.name, element.type, reason));
     }
   }
   const auto has_temperature = [](const fit::TablePoint& point) { return point.temperature.has_value(); };

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/headline.h"
+#include "diagnosis/effect.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "diagnosis/headline.h"
+#include "diagnosis/effect.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
 #include "rubber_suspension/element/constants.h"

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
+#include "diagnosis/effect.h"
 #include "diagnosis/words/model_values.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
@@ -51,28 +51,18 @@ struct ChangeTexts {
   std::string noise;
 };
 
-// The sign of force that a contact carries; of other effects nothing.
-std::vector<std::string> carriedText(const Diagnosis& diagnosis, const std::string& effect) {
-  const auto& added = diagnosis.law.augmented.add;
-  const auto contact = std::find_if(added.begin(), added.end(), [&](const element::ElementDescription& entry) {
-    return entry.type == "lift_off" && entry.type == effect;
-  });
-  if (contact == added.end()) {
-    return {};
-  }
-  return {contact->value("side") > 0.0 ? "carries tension alone" : "carries compression alone"};
-}
-
 // "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers. Of those without a
-// unit only how much there is of the law: a width or an exponent tells nobody anything. A resonance of the fixture has
-// the transfer function of a column of fluid: only the component file tells one from the other.
+// unit only how much there is of the law: a width or an exponent tells nobody anything.
 std::string effectsText(const Diagnosis& diagnosis) {
   constexpr std::size_t kMost = 4;  // a gap and a stiffness of each of two stops
   std::vector<std::string> texts;
   for (const std::string& effect : diagnosis.answer.effects) {
-    const bool either = effect == "fluid_inertia" && !diagnosis.configured.holds_fluid;
-    const char* const readings = either ? "a fluid track, or a mass on a spring such as the fixture" : "";
-    std::vector<std::string> sizes = carriedText(diagnosis, effect);
+    const Effect& known = effectNamed(effect);
+    const std::string readings = known.readings == nullptr ? "" : known.readings(diagnosis.configured);
+    std::vector<std::string> sizes;
+    if (known.facts != nullptr) {
+      sizes = known.facts(diagnosis.law.augmented.add);
+    }
     for (const SizedValue& size : diagnosis.law.effect_sizes) {
       const bool tells = size.unit != "1" || sizes.empty();
       if (size.owner == effect && tells && !isAtBound(size) && sizes.size() < kMost) {
@@ -80,7 +70,7 @@ std::string effectsText(const Diagnosis& diagnosis) {
       }
     }
     const std::string inside =
-        fmt::format("{}{}{}", readings, either && !sizes.empty() ? ": " : "", fmt::join(sizes, ", "));
+        fmt::format("{}{}{}", readings, readings.empty() || sizes.empty() ? "" : ": ", fmt::join(sizes, ", "));
     texts.push_back(inside.empty() ? effect : fmt::format("{} ({})", effect, inside));
   }
   return enumerated(texts);
@@ -153,26 +143,22 @@ std::string identifiedText(const Diagnosis& diagnosis) {
   return text;
 }
 
-// The gain of the force channel, where that is named: values of the model may be off by as much.
-std::string gainText(const Diagnosis& diagnosis) {
-  for (const CandidateResult& candidate : diagnosis.candidates) {
-    const auto gain = candidate.parameters.find("gain");
-    if (gain != candidate.parameters.end() && candidate.effect == diagnosis.answer.effects.front()) {
-      return fmt::format(
-          " The force channel reads {:.1f} % too {}, or all stiffnesses and damping of the model are off by as much: a "
-          "known weight on the load cell tells.",
-          100.0 * std::abs(gain->second), gain->second > 0.0 ? "much" : "little");
-    }
-  }
-  return "";
+// What the effect that is named first has to say of itself.
+std::string remarkText(const Diagnosis& diagnosis) {
+  const std::string& first = diagnosis.answer.effects.front();
+  const auto found = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                                  [&](const CandidateResult& candidate) { return candidate.effect == first; });
+  const auto remark = effectNamed(first).remark;
+  return remark == nullptr || found == diagnosis.candidates.end() ? "" : remark(found->parameters);
 }
 
-// The other reading of values that are all off by one factor.
-std::string weightText(const Diagnosis& diagnosis) {
-  const bool gain =
-      std::any_of(diagnosis.answer.alternatives.begin(), diagnosis.answer.alternatives.end(),
-                  [](const auto& other) { return other.effects == std::vector<std::string>{"sensor_gain"}; });
-  return gain ? " A known weight on the load cell tells." : "";
+// An effect alone that is another reading of wrong values.
+std::string besideValuesText(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const Alternative& other : diagnosis.answer.alternatives) {
+    text += other.effects.size() == 1 ? effectNamed(other.effects.front()).beside_values : "";
+  }
+  return text;
 }
 
 // Gaps are those of the logs held out, where there are any.
@@ -186,9 +172,6 @@ std::string agreement(const Gap& gap) {
   return fmt::format("The model agrees with the measurement: gap {}, noise floor {}.", percent(gap.as_configured),
                      percent(gap.noise_floor));
 }
-
-// Stiffness that falls in the course of logs, as it does where a room warms.
-bool mayBeTemperature(const std::string& effect) { return effect == "self_heating" || effect == "stress_softening"; }
 
 using experiment::NextExperiment;
 using experiment::Proposal;
@@ -253,13 +236,13 @@ std::string sentence(const Diagnosis& diagnosis) {
       return fmt::format("{}: other values remove {} % of the gap as configured, from {} to {} (noise {}).{}{}",
                          diagnosis.parameters.guess ? "The data sheet is a guess" : ownValuesText(diagnosis),
                          wholePercent(shareOfValues(diagnosis)), moved.before, moved.after, moved.noise, values,
-                         otherwise(diagnosis) + weightText(diagnosis));
+                         otherwise(diagnosis) + besideValuesText(diagnosis));
     case Verdict::named:
-      return withOwnValues(diagnosis, lacks) + "." + closes + values + gainText(diagnosis);
+      return withOwnValues(diagnosis, lacks) + "." + closes + values + remarkText(diagnosis);
     case Verdict::confounded:
       return withOwnValues(diagnosis, "most probably " + lacks) + "." + closes + " " +
              capitalised(sourceOf(diagnosis)) + " cannot tell apart: " + setsText(diagnosis.answer.confounded) + "." +
-             values + gainText(diagnosis);
+             values + remarkText(diagnosis);
     case Verdict::partly:
       return withOwnValues(diagnosis, lacks + ", and something else") + "." + closes + values +
              " No effect of the list explains the rest.";
@@ -305,8 +288,8 @@ std::string headline(const Diagnosis& diagnosis) {
 }
 
 std::string temperatureNote(const std::vector<std::string>& effects, const fit::Excitation& excitation) {
-  std::vector<std::string> doubtful;
-  std::copy_if(effects.begin(), effects.end(), std::back_inserter(doubtful), mayBeTemperature);
+  const std::vector<std::string> doubtful =
+      element::those(effects, [](const std::string& effect) { return effectNamed(effect).falls_like_warming; });
   if (excitation.has_temperature || doubtful.empty()) {
     return "";
   }

@@ -9,6 +9,7 @@
 #include <regex>
 #include <utility>
 
+#include "diagnosis/effect.h"
 #include "io/rotational_unit.h"
 
 namespace rubber_suspension::diagnosis::words {
@@ -155,7 +156,9 @@ std::string labelOf(const std::string& name) {
 }
 
 std::string sizeName(const SizedValue& size) {
-  return size.owner == "friction" && size.name == "displacement" ? "half of it at" : labelOf(size.name);
+  const auto& labels = effectNamed(size.owner).labels;
+  const auto label = labels.find(size.name);
+  return label == labels.end() ? labelOf(size.name) : label->second;
 }
 
 std::string symbolOf(const std::string& name) {

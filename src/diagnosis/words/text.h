@@ -59,7 +59,7 @@ std::string spoken(const std::string& name);
 /// The same in front of a value: "maximum force", but "gap in tension:" of one side.
 std::string labelOf(const std::string& name);
 
-/// The name of a size in front of its value: labelOf(), and "half of it at" of the displacement of friction.
+/// The name of a size in front of its value: that of its effect (Effect::labels), or else labelOf().
 std::string sizeName(const SizedValue& size);
 
 /// The symbol of a value in a specification, where it has one: "K_n" of dynamic_stiffness, else spoken().

@@ -1,19 +1,15 @@
 // Candidate effect: unlike stiffness in tension and compression.
 #include <cmath>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-fit::Candidate asymmetricStiffness(const fit::Excitation& excitation) {
+void addAsymmetricStiffness(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double typical = 0.1 * excitation.stiffness;
-  fit::Candidate candidate{
-      "asymmetric_stiffness",
-      "even stiffness: second harmonic, mean force grows with amplitude squared",
-      false,
-      {fit::additiveTerm("asymmetric_stiffness", "quadratic", typical / excitation.largest_displacement),
-       fit::additiveTerm("asymmetric_stiffness", "tension_stiffness", typical)}};
+  candidate.terms = {fit::additiveTerm("asymmetric_stiffness", "quadratic", typical / excitation.largest_displacement),
+                     fit::additiveTerm("asymmetric_stiffness", "tension_stiffness", typical)};
   for (fit::BasisTerm& term : candidate.terms) {
     term.lower = -term.upper;
   }
@@ -24,10 +20,11 @@ fit::Candidate asymmetricStiffness(const fit::Excitation& excitation) {
                                                 typical * std::exp(-1.0 / std::abs(share)),
                                                 {{"exponential_scale", {scale}}}));
   }
-  return candidate;
 }
 
-const CandidateEntry kAsymmetricStiffnessEntry(60, asymmetricStiffness);
+const EffectEntry kAsymmetricStiffness({60, "asymmetric_stiffness",
+                                        "even stiffness: second harmonic, mean force grows with amplitude squared",
+                                        false, addAsymmetricStiffness});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,6 +1,5 @@
 // Candidate effect: friction or a damper that a clearance of its own leaves without force after each reversal.
-#include "diagnosis/hypotheses/candidate/registry.h"
-#include "diagnosis/judge/containment.h"
+#include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
@@ -30,24 +29,26 @@ std::vector<fit::BasisTerm> clearanceTerms(const fit::Excitation& excitation, do
   return terms;
 }
 
-fit::Candidate backlash(const fit::Excitation& excitation) {
+void addBacklash(const fit::Excitation& excitation, fit::Candidate& candidate) {
   constexpr double kLeastGap = 0.01;  // of the largest displacement
   constexpr double kLargestGap = 0.5;
-  fit::Candidate candidate{"backlash",
-                           "friction or damper with a clearance of its own: no loss force for some travel after each "
-                           "reversal, none at small amplitude",
-                           true,
-                           {}};
-  candidate.contains = judge::containedIn(candidate.effect);
   candidate.is_friction = excitation.whole_logs > 1;
   candidate.least_shape = kLeastGap * excitation.largest_displacement;
   candidate.largest_shape = kLargestGap * excitation.largest_displacement;
   candidate.terms_at = [excitation](double gap) { return clearanceTerms(excitation, gap); };
   candidate.terms = candidate.terms_at(0.1 * excitation.largest_displacement);
-  return candidate;
 }
 
-const CandidateEntry kBacklashEntry(85, backlash);
+const EffectEntry kBacklash({85,
+                             "backlash",
+                             "friction or damper with a clearance of its own: no loss force for some travel after each "
+                             "reversal, none at small amplitude",
+                             true,
+                             addBacklash,
+                             InSettledLoops::shown,
+                             false,
+                             "",
+                             {"friction"}});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

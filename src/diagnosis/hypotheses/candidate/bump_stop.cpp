@@ -1,12 +1,14 @@
 // Candidate effect: a stop that is met beyond a gap.
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-fit::Candidate bumpStop(const fit::Excitation& excitation) {
-  fit::Candidate candidate{
-      "bump_stop", "stop beyond a gap on one or both sides: a knee, error only beyond it", false, {}};
+void addBumpStop(const fit::Excitation& excitation, fit::Candidate& candidate) {
   candidate.terms_of_one = 4;  // a gap between two of these on each side; knees at many gaps are a curve without one
   for (const double side : {0.0, 1.0, -1.0}) {
     for (const double share : {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
@@ -17,10 +19,38 @@ fit::Candidate bumpStop(const fit::Excitation& excitation) {
       candidate.laws.push_back(fit::additiveTerm("bump_stop", "stiffness", excitation.stiffness, of_rubber));
     }
   }
-  return candidate;
 }
 
-const CandidateEntry kBumpStopEntry(70, bumpStop);
+// Where the force of each side begins, and how it rises once all stops of that side are met.
+std::vector<HeadlineValue> bySide(const Effect::Entries& stops) {
+  std::vector<HeadlineValue> result;
+  for (const auto& [side, suffix] :
+       {std::pair(0.0, ""), std::pair(1.0, "_in_tension"), std::pair(-1.0, "_in_compression")}) {
+    double gap = std::numeric_limits<double>::infinity();
+    double stiffness = 0.0;
+    for (const element::ElementDescription& stop : stops) {
+      if (valueOr(stop, "side", 0.0) == side) {
+        gap = std::min(gap, stop.value("gap"));
+        stiffness += stop.value("stiffness");
+      }
+    }
+    if (stiffness > 0.0) {
+      result.push_back({std::string("gap") + suffix, "m", gap, false});
+      result.push_back({std::string("stiffness") + suffix, "N/m", stiffness, true});
+    }
+  }
+  return result;
+}
+
+Effect bumpStop() {
+  Effect effect{70, "bump_stop", "stop beyond a gap on one or both sides: a knee, error only beyond it", false,
+                addBumpStop};
+  effect.headline = bySide;
+  effect.headline_types = {effect.name};
+  return effect;
+}
+
+const EffectEntry kBumpStop(bumpStop());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

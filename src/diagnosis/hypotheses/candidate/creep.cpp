@@ -1,15 +1,14 @@
 // Candidate effect: relaxation that is slower than the motion.
 #include <algorithm>
 
+#include "diagnosis/effect.h"
 #include "diagnosis/hypotheses/candidate/branches.h"
-#include "diagnosis/hypotheses/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-fit::Candidate creep(const fit::Excitation& excitation) {
-  fit::Candidate candidate{"creep", "slow relaxation: force under a hold drifts with the logarithm of time", false, {}};
+void addCreep(const fit::Excitation& excitation, fit::Candidate& candidate) {
   // The law of creep, which begins within the time of relaxation, and departures from it.
   const double longest = longestRelaxationTime(excitation);
   constexpr double kBegins = 0.2;      // of the longest time of relaxation
@@ -24,10 +23,10 @@ fit::Candidate creep(const fit::Excitation& excitation) {
     frequencies.push_back(1.0 / (2.0 * element::kPi * time));
   }
   addBranches(frequencies, 0.05 * excitation.stiffness, excitation, candidate);
-  return candidate;
 }
 
-const CandidateEntry kCreepEntry(30, creep);
+const EffectEntry kCreep({30, "creep", "slow relaxation: force under a hold drifts with the logarithm of time", false,
+                          addCreep, InSettledLoops::has_crept});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

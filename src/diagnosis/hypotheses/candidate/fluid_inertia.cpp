@@ -1,8 +1,7 @@
 // Candidate effect: a column of fluid that resonates, as in a hydraulic mount.
 #include <cmath>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
-#include "diagnosis/judge/containment.h"
+#include "diagnosis/effect.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
@@ -80,24 +79,33 @@ std::vector<fit::BasisTerm> turbulentLaws(const fit::Excitation& excitation, dou
 }
 
 // Far below its resonance a column is a mass and a damper, far above it a spring: these are effects of their own.
-fit::Candidate fluidInertia(const fit::Excitation& excitation) {
+void addFluidInertia(const fit::Excitation& excitation, fit::Candidate& candidate) {
   constexpr double kLeast = 0.15;  // of the highest frequency of the motion
   constexpr double kLargest = 1.5;
-  fit::Candidate candidate{"fluid_inertia",
-                           "column of fluid that resonates, as in a hydraulic mount: the loss has a peak at one "
-                           "frequency, below which stiffness falls and above which it is higher",
-                           false,
-                           {}};
-  candidate.contains = judge::containedIn(candidate.effect);
   candidate.least_shape = kLeast * excitation.highest_frequency;
   candidate.largest_shape = kLargest * excitation.highest_frequency;
   candidate.terms_at = [excitation](double frequency) { return tracksAt(excitation, frequency); };
   candidate.terms = candidate.terms_at(0.5 * excitation.highest_frequency);
   candidate.laws = turbulentLaws(excitation, candidate.least_shape, candidate.largest_shape);
-  return candidate;
 }
 
-const CandidateEntry kFluidInertiaEntry(45, fluidInertia);
+// A resonance of the fixture has the transfer function of a column of fluid: only the component file tells one from the
+// other.
+std::string fluidOrFixture(const io::ComponentDescription& configured) {
+  return configured.holds_fluid ? "" : "a fluid track, or a mass on a spring such as the fixture";
+}
+
+Effect fluidInertia() {
+  Effect effect{45, "fluid_inertia",
+                "column of fluid that resonates, as in a hydraulic mount: the loss has a peak at one frequency, below "
+                "which stiffness falls and above which it is higher",
+                false, addFluidInertia};
+  effect.contains = {"inertia"};
+  effect.readings = fluidOrFixture;
+  return effect;
+}
+
+const EffectEntry kFluidInertia(fluidInertia());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

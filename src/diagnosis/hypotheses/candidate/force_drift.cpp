@@ -1,20 +1,19 @@
 // Candidate effect: a force that drifts with time.
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-fit::Candidate forceDrift(const fit::Excitation& excitation) {
+void addForceDrift(const fit::Excitation& excitation, fit::Candidate& candidate) {
   fit::BasisTerm term = fit::additiveTerm("force_drift", "rate", 0.02 * excitation.force / excitation.longest_duration);
   term.lower = -term.upper;
   term.on_rig = true;
-  fit::Candidate candidate{
-      "force_drift", "drift of the load cell: open loops, whatever the displacement", true, {term}};
+  candidate.terms = {term};
   candidate.free_in_log.trend = true;
-  return candidate;
 }
 
-const CandidateEntry kForceDriftEntry(150, forceDrift);
+const EffectEntry kForceDrift({150, "force_drift", "drift of the load cell: open loops, whatever the displacement",
+                               true, addForceDrift, InSettledLoops::no_part_of_loop});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

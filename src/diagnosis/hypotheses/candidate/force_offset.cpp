@@ -1,26 +1,24 @@
 // Candidate effect: a constant force, another one in each log.
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 // A zero belongs to a log: amplifiers are set to zero between them, and pressures change.
-fit::Candidate forceOffset(const fit::Excitation& excitation) {
+void addForceOffset(const fit::Excitation& excitation, fit::Candidate& candidate) {
   fit::BasisTerm term = fit::additiveTerm("force_offset", "offset", 0.02 * excitation.force);
   term.lower = -term.upper;
   term.on_rig = true;
   term.is_offset = true;
-  fit::Candidate candidate{"force_offset",
-                           "zero of the load cell: error of the mean only, the same in all logs or another one in each",
-                           true,
-                           {term}};
+  candidate.terms = {term};
   candidate.free_in_log.offset = excitation.whole_logs > 1;
   candidate.one_form = true;
   candidate.constant = true;
-  return candidate;
 }
 
-const CandidateEntry kForceOffsetEntry(140, forceOffset);
+const EffectEntry kForceOffset(
+    {140, "force_offset", "zero of the load cell: error of the mean only, the same in all logs or another one in each",
+     true, addForceOffset, InSettledLoops::no_part_of_loop});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,12 +1,13 @@
 // Candidate effect: a dead zone about zero.
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include <numeric>
+
+#include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 // Dead zones one after the other, each taking a share of the motion within it: sharp or soft edges.
-fit::Candidate freePlay(const fit::Excitation& excitation) {
-  fit::Candidate candidate{"free_play", "dead zone: stiffness falls at small amplitude", true, {}};
+void addFreePlay(const fit::Excitation& excitation, fit::Candidate& candidate) {
   for (const double size : {0.01, 0.025, 0.06, 0.12, 0.22, 0.4}) {
     fit::BasisTerm term =
         fit::additiveTerm("free_play", "share", 0.3, {{"gap", {size * excitation.largest_displacement}}});
@@ -14,10 +15,24 @@ fit::Candidate freePlay(const fit::Excitation& excitation) {
     term.additive = false;
     candidate.terms.push_back(term);
   }
-  return candidate;
 }
 
-const CandidateEntry kFreePlayEntry(80, freePlay);
+// The motion that dead zones lose one after the other once it is beyond all of them.
+std::vector<HeadlineValue> lostMotion(const Effect::Entries& plays) {
+  const double lost = std::accumulate(plays.begin(), plays.end(), 0.0, [](double sum, const auto& entry) {
+    return sum + valueOr(entry, "share", 1.0) * entry.value("gap");
+  });
+  return {{plays.size() > 1 ? "total_gap" : "gap", "m", lost, true}};
+}
+
+Effect freePlay() {
+  Effect effect{80, "free_play", "dead zone: stiffness falls at small amplitude", true, addFreePlay};
+  effect.headline = lostMotion;
+  effect.headline_types = {effect.name};
+  return effect;
+}
+
+const EffectEntry kFreePlay(freePlay());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,5 +1,13 @@
 // Candidate effect: friction of any smoothness, the same at any displacement or not, of any rate or reached with it.
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "diagnosis/effect.h"
+#include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/iwan.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
@@ -13,9 +21,7 @@ fit::BasisTerm sliderTerm(double yield, double typical) {
   return term;
 }
 
-fit::Candidate friction(const fit::Excitation& excitation) {
-  fit::Candidate candidate{
-      "friction", "friction, a force with a limit: stiffness falls with amplitude at any frequency", false, {}};
+void addFriction(const fit::Excitation& excitation, fit::Candidate& candidate) {
   candidate.is_friction = excitation.whole_logs > 1;
   const double typical = 0.1 * excitation.stiffness;
   const double largest = excitation.largest_displacement;
@@ -51,10 +57,70 @@ fit::Candidate friction(const fit::Excitation& excitation) {
     candidate.laws.push_back(
         fit::additiveTerm("iwan", "maximum_force", typical * share * largest, {{"displacement", {share * largest}}}));
   }
-  return candidate;
 }
 
-const CandidateEntry kFrictionEntry(10, friction);
+// Sliders in one table, before all else.
+void mergeSliders(Effect::Entries& entries) {
+  element::ElementDescription table{"iwan_table", {{"yield_displacement", {}}, {"stiffness", {}}}};
+  const auto others = std::stable_partition(entries.begin(), entries.end(),
+                                            [&](const auto& entry) { return entry.type == table.type; });
+  if (others == entries.begin()) {
+    return;
+  }
+  for (auto slider = entries.begin(); slider != others; ++slider) {
+    for (auto& [name, values] : table.values) {
+      values.push_back(slider->value(name));
+    }
+  }
+  *entries.begin() = table;
+  entries.erase(entries.begin() + 1, others);
+}
+
+// Force of an entry that is moved from rest; at an infinite displacement its limit. Limits that grow or wear count as
+// they begin, those that a rate brings up as they end.
+double forceAt(const element::ElementDescription& entry, double z) {
+  if (entry.type == "friction") {
+    return entry.value("maximum_force") / (1.0 + entry.value("displacement") / z);
+  }
+  const std::vector<element::JenkinsSlider> sliders =
+      entry.type == "iwan" ? element::iwanSliders(entry.value("maximum_force"), entry.value("displacement"),
+                                                  static_cast<int>(element::complete(entry).value("sliders")))
+                           : element::slidersFromTable(entry);
+  return std::accumulate(sliders.begin(), sliders.end(), 0.0, [&](double force, const element::JenkinsSlider& slider) {
+    return force + slider.stiffness * std::min(z, slider.yield_displacement);
+  });
+}
+
+// Limit of all together, and the displacement from rest at half of it, as of the element `friction`.
+std::vector<HeadlineValue> limitOf(const Effect::Entries& entries) {
+  const auto at = [&](double z) {
+    return std::accumulate(entries.begin(), entries.end(), 0.0,
+                           [&](double sum, const auto& entry) { return sum + forceAt(entry, z); });
+  };
+  const double maximum = at(std::numeric_limits<double>::infinity());
+  double low = 0.0;
+  double high = 1e-9;
+  while (at(high) < 0.5 * maximum) {
+    low = std::exchange(high, 2.0 * high);
+  }
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (at(middle) < 0.5 * maximum ? low : high) = middle;
+  }
+  return {{"maximum_force", "N", maximum, true}, {"displacement", "m", high, false}};
+}
+
+Effect friction() {
+  Effect effect{10, "friction", "friction, a force with a limit: stiffness falls with amplitude at any frequency",
+                false, addFriction};
+  effect.tidy = mergeSliders;
+  effect.headline = limitOf;
+  effect.headline_types = {"iwan_table", "variable_friction", "viscoplastic_friction", "friction", "iwan"};
+  effect.labels = {{"displacement", "half of it at"}};
+  return effect;
+}
+
+const EffectEntry kFriction(friction());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,24 +1,22 @@
 // Candidate effect: mass that moves with the displacement.
-#include "diagnosis/hypotheses/candidate/registry.h"
-#include "fit/excitation.h"
+#include "diagnosis/effect.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-fit::Candidate inertia(const fit::Excitation& excitation) {
+void addInertia(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double omega = 2.0 * element::kPi * excitation.highest_frequency;
   fit::BasisTerm mass = fit::additiveTerm("inertia", "mass", 0.05 * excitation.stiffness / (omega * omega),
                                           {{"bandwidth", {excitation.mass_bandwidth}}});
   mass.on_rig = true;
   mass.exact = fit::acceleration;
-  fit::Candidate candidate{
-      "inertia", "moving fixture: error of stiffness grows with frequency squared, in phase", true, {mass}};
+  candidate.terms = {mass};
   candidate.one_form = true;
-  return candidate;
 }
 
-const CandidateEntry kInertiaEntry(120, inertia);
+const EffectEntry kInertia({120, "inertia", "moving fixture: error of stiffness grows with frequency squared, in phase",
+                            true, addInertia});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

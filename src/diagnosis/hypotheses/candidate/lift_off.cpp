@@ -1,6 +1,8 @@
 // Candidate effect: a contact that opens.
-#include "diagnosis/hypotheses/candidate/registry.h"
-#include "diagnosis/judge/containment.h"
+#include <algorithm>
+
+#include "diagnosis/effect.h"
+#include "element/each.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
@@ -29,23 +31,45 @@ double sideOf(const fit::Excitation& excitation) {
                                                                        : 0.0;
 }
 
-// A contact that something holds is a compliance of one side.
-fit::Candidate liftOff(const fit::Excitation& excitation) {
-  fit::Candidate candidate{
-      "lift_off",
-      "contact that carries one sign of force, as of a chevron, strap or spring that is not glued: "
-      "slack on the way back, no force beyond",
-      false,
-      {}};
+void addLiftOff(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double side = sideOf(excitation);
   if (side != 0.0) {
     candidate.terms = {contactTerm(excitation, side)};
-    candidate.contains = judge::containedIn(candidate.effect);
   }
-  return candidate;
 }
 
-const CandidateEntry kLiftOffEntry(115, liftOff);
+// The side on which a contact is slack says as much as what holds it there, mostly nothing.
+std::vector<HeadlineValue> whatHoldsIt(const Effect::Entries& contacts) {
+  return element::each(contacts, [](const element::ElementDescription& entry) -> HeadlineValue {
+    return {entry.value("side") > 0.0 ? "slack_stiffness_in_compression" : "slack_stiffness_in_tension", "N/m",
+            valueOr(entry, "slack_stiffness", 0.0), false};
+  });
+}
+
+// The sign of force that it carries.
+std::vector<std::string> carried(const Effect::Entries& augmented) {
+  const auto contact = std::find_if(augmented.begin(), augmented.end(),
+                                    [](const element::ElementDescription& entry) { return entry.type == "lift_off"; });
+  if (contact == augmented.end()) {
+    return {};
+  }
+  return {contact->value("side") > 0.0 ? "carries tension alone" : "carries compression alone"};
+}
+
+// A contact that something holds is a compliance of one side.
+Effect liftOff() {
+  Effect effect{115, "lift_off",
+                "contact that carries one sign of force, as of a chevron, strap or spring that is not glued: slack on "
+                "the way back, no force beyond",
+                false, addLiftOff};
+  effect.contains = {"series_compliance"};
+  effect.headline = whatHoldsIt;
+  effect.headline_types = {effect.name};
+  effect.facts = carried;
+  return effect;
+}
+
+const EffectEntry kLiftOff(liftOff());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

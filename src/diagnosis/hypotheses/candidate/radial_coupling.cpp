@@ -1,22 +1,17 @@
 // Candidate effect: stiffening along the radius that the direction shares with another one.
 #include <cmath>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 // All of a law by the radius is missing where the configured one is linear; where that is right along each direction
 // alone, what the radius adds to it.
-fit::Candidate radialCoupling(const fit::Excitation& excitation) {
-  fit::Candidate candidate{"radial_coupling",
-                           "stiffening along the radius of two directions across an axis: the gap in one goes with the "
-                           "displacement of the other, as a bush of six directions is diagnosed",
-                           false,
-                           {}};
+void addRadialCoupling(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double r = excitation.largest_radius;
   if (r == 0.0) {
-    return candidate;
+    return;
   }
   const double typical = 0.2 * excitation.stiffness;
   for (const double alone : {1.0, 0.0}) {
@@ -25,10 +20,13 @@ fit::Candidate radialCoupling(const fit::Excitation& excitation) {
           fit::additiveTerm("radial_stiffness", key, typical / std::pow(r, power), {{"alone", {alone}}}));
     }
   }
-  return candidate;
 }
 
-const CandidateEntry kRadialCouplingEntry(65, radialCoupling);
+const EffectEntry kRadialCoupling(
+    {65, "radial_coupling",
+     "stiffening along the radius of two directions across an axis: the gap in one goes with the displacement of the "
+     "other, as a bush of six directions is diagnosed",
+     false, addRadialCoupling});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,8 +1,7 @@
 // Candidate effect: amplitude dependence that itself depends on the rate.
 #include <array>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
-#include "diagnosis/judge/containment.h"
+#include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
@@ -52,21 +51,23 @@ void addThixotropy(const fit::Excitation& excitation, std::vector<fit::BasisTerm
   }
 }
 
-// Flow at a limit of the force is friction, and flow at any force relaxation: named only where these fail.
-fit::Candidate rateAmplitudeCoupling(const fit::Excitation& excitation) {
-  fit::Candidate candidate{"rate_amplitude_coupling",
-                           "flow that large forces or fast motion accelerate: stiffness falls with amplitude, and more "
-                           "so at higher frequency",
-                           false,
-                           {}};
-  candidate.contains = judge::containedIn(candidate.effect);
+void addRateAmplitudeCoupling(const fit::Excitation& excitation, fit::Candidate& candidate) {
   addFlow(excitation, candidate.terms);
   addOverstress(excitation, candidate.terms);
   addThixotropy(excitation, candidate.terms);
-  return candidate;
 }
 
-const CandidateEntry kRateAmplitudeCouplingEntry(160, rateAmplitudeCoupling);
+// Flow at a limit of the force is friction, and flow at any force relaxation: named only where these fail.
+const EffectEntry kRateAmplitudeCoupling({160,
+                                          "rate_amplitude_coupling",
+                                          "flow that large forces or fast motion accelerate: stiffness falls with "
+                                          "amplitude, and more so at higher frequency",
+                                          false,
+                                          addRateAmplitudeCoupling,
+                                          InSettledLoops::shown,
+                                          false,
+                                          "",
+                                          {"friction", "relaxation"}});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,6 +1,6 @@
 // Candidate effect: further relaxation times within the band of the excitation.
+#include "diagnosis/effect.h"
 #include "diagnosis/hypotheses/candidate/branches.h"
-#include "diagnosis/hypotheses/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
@@ -8,25 +8,22 @@ namespace {
 
 // Faster than creep. Of all that is faster than the motion, as a spectrum without an end has it, the logs show damping
 // alone: one element stands for it.
-fit::Candidate relaxation(const fit::Excitation& excitation) {
+void addRelaxation(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double slowest = 1.0 / (2.0 * element::kPi * longestRelaxationTime(excitation));
   constexpr double kRatio = 2.2;
   constexpr double kBeyondMotion = 8.0;
-  fit::Candidate candidate{"relaxation",
-                           "further relaxation: error in stiffness and loss depends on frequency only, or grows with "
-                           "strain as the branches of a nonlinear spring do",
-                           false,
-                           {}};
   std::vector<double> frequencies;
   for (double frequency = slowest; frequency < 2.0 * excitation.highest_frequency; frequency *= kRatio) {
     frequencies.push_back(frequency);
   }
   frequencies.push_back(kBeyondMotion * excitation.highest_frequency);
   addBranches(frequencies, 0.1 * excitation.stiffness, excitation, candidate);
-  return candidate;
 }
 
-const CandidateEntry kRelaxationEntry(20, relaxation);
+const EffectEntry kRelaxation({20, "relaxation",
+                               "further relaxation: error in stiffness and loss depends on frequency only, or grows "
+                               "with strain as the branches of a nonlinear spring do",
+                               false, addRelaxation});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

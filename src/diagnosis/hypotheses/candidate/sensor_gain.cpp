@@ -1,30 +1,49 @@
 // Candidate effect: a force channel of wrong gain.
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// One factor on all logs is what wrong values are. Where an amplifier's range was changed between logs, their gains
-// differ, which no values do.
-fit::Candidate sensorGain(const fit::Excitation& excitation) {
+void addSensorGain(const fit::Excitation& excitation, fit::Candidate& candidate) {
   fit::BasisTerm term = fit::additiveTerm("sensor_gain", "gain", 0.05);
   term.lower = -0.5;
   term.upper = 1.0;
   term.additive = false;
   term.softening = true;
   term.is_gain = true;
-  fit::Candidate candidate{"sensor_gain",
-                           "force channel of wrong gain, beyond the rig's tolerance: one factor on all forces, as "
-                           "stiffnesses and damping that are all off by it, or another one in each log",
-                           true,
-                           {term}};
+  candidate.terms = {term};
   candidate.free_in_log.gain = excitation.whole_logs > 1;
   candidate.one_form = true;
   candidate.like_parameters = true;
-  return candidate;
 }
 
-const CandidateEntry kSensorGainEntry(145, sensorGain);
+std::string gainOrValues(const std::map<std::string, double>& numbers) {
+  const auto gain = numbers.find("gain");
+  return gain == numbers.end()
+             ? ""
+             : fmt::format(
+                   " The force channel reads {:.1f} % too {}, or all stiffnesses and damping of the model are off by "
+                   "as much: a known weight on the load cell tells.",
+                   100.0 * std::abs(gain->second), gain->second > 0.0 ? "much" : "little");
+}
+
+// One factor on all logs is what wrong values are. Where an amplifier's range was changed between logs, their gains
+// differ, which no values do.
+Effect sensorGain() {
+  Effect effect{145, "sensor_gain",
+                "force channel of wrong gain, beyond the rig's tolerance: one factor on all forces, as stiffnesses and "
+                "damping that are all off by it, or another one in each log",
+                true, addSensorGain};
+  effect.remark = gainOrValues;
+  effect.beside_values = " A known weight on the load cell tells.";
+  return effect;
+}
+
+const EffectEntry kSensorGain(sensorGain());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

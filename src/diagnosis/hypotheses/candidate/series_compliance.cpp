@@ -1,5 +1,8 @@
 // Candidate effect: a bracket or rig that yields.
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include <algorithm>
+#include <utility>
+
+#include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
@@ -23,18 +26,63 @@ fit::BasisTerm complianceTerm(const fit::Excitation& excitation, double closing_
 }
 
 // One compliance for each side, and one that load takes away: together a mount that is uneven, hardens, or neither.
-fit::Candidate seriesCompliance(const fit::Excitation& excitation) {
+void addSeriesCompliance(const fit::Excitation& excitation, fit::Candidate& candidate) {
   constexpr double kClosing = 0.5;  // of the largest force
   const double closing_force = kClosing * excitation.stiffness * excitation.largest_displacement;
-  return {"series_compliance",
-          "rig, bracket or joint that yields, to both sides alike or not: error grows with stiffness whatever the "
-          "frequency",
-          true,
-          {complianceTerm(excitation, 0.0, 1.0), complianceTerm(excitation, 0.0, -1.0),
-           complianceTerm(excitation, closing_force, 0.0)}};
+  candidate.terms = {complianceTerm(excitation, 0.0, 1.0), complianceTerm(excitation, 0.0, -1.0),
+                     complianceTerm(excitation, closing_force, 0.0)};
 }
 
-const CandidateEntry kSeriesComplianceEntry(110, seriesCompliance);
+// The common part of compliances of either side as one, and one for the rest of the softer side.
+void mergeSides(Effect::Entries& entries) {
+  const auto ofSide = [&](double side) {
+    return std::find_if(entries.begin(), entries.end(), [&](const element::ElementDescription& entry) {
+      return entry.type == "series_compliance" && entry.values.count("side") != 0 && entry.value("side") == side;
+    });
+  };
+  auto stiff = ofSide(1.0);
+  auto soft = ofSide(-1.0);
+  if (stiff == entries.end() || soft == entries.end()) {
+    return;
+  }
+  if (stiff->value("stiffness") < soft->value("stiffness")) {
+    std::swap(stiff, soft);
+  }
+  const double rest = 1.0 / soft->value("stiffness") - 1.0 / stiff->value("stiffness");
+  stiff->values.erase("side");
+  if (rest > 0.0) {
+    soft->values["stiffness"] = {1.0 / rest};
+  } else {
+    entries.erase(soft);
+  }
+}
+
+// Stiffnesses in series do not add up.
+std::vector<HeadlineValue> eachOf(const Effect::Entries& compliances) {
+  std::vector<HeadlineValue> result;
+  for (const element::ElementDescription& entry : compliances) {
+    for (HeadlineValue value : movedOf({entry})) {
+      const double side = valueOr(entry, "side", 0.0);
+      value.name += side > 0.0 ? "_in_tension" : side < 0.0 ? "_in_compression" : "";
+      value.name += entry.values.count("closing_force") != 0 && compliances.size() > 1 ? "_that_closes" : "";
+      result.push_back(value);
+    }
+  }
+  return result;
+}
+
+Effect seriesCompliance() {
+  Effect effect{110, "series_compliance",
+                "rig, bracket or joint that yields, to both sides alike or not: error grows with stiffness whatever "
+                "the frequency",
+                true, addSeriesCompliance};
+  effect.tidy = mergeSides;
+  effect.headline = eachOf;
+  effect.headline_types = {effect.name};
+  return effect;
+}
+
+const EffectEntry kSeriesCompliance(seriesCompliance());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,5 +1,5 @@
 // Candidate effect: softening by past displacement.
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
@@ -74,18 +74,17 @@ void addFirstLoading(const fit::Excitation& excitation, std::vector<fit::BasisTe
   }
 }
 
-fit::Candidate stressSoftening(const fit::Excitation& excitation) {
-  fit::Candidate candidate{
-      "stress_softening", "softening below the largest past displacement, gone by cycle 3 to 5", false, {}};
+void addStressSoftening(const fit::Excitation& excitation, fit::Candidate& candidate) {
   addAtAnyReach(excitation.largest_displacement, candidate.terms);
   addByReach(excitation.largest_displacement, candidate.terms);
   addByDisplacement(excitation.largest_displacement, candidate.terms);
   addOneSidedAndRecovering(excitation, candidate.terms);
   addFirstLoading(excitation, candidate.terms);
-  return candidate;
 }
 
-const CandidateEntry kStressSofteningEntry(90, stressSoftening);
+const EffectEntry kStressSoftening({90, "stress_softening",
+                                    "softening below the largest past displacement, gone by cycle 3 to 5", false,
+                                    addStressSoftening, InSettledLoops::over_before, true});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -1,8 +1,11 @@
 // Candidate effect: rates and stiffness that follow the temperature of the logs.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 #include "element/shift_parts.h"
 #include "fit/master_curve.h"
 
@@ -71,22 +74,48 @@ fit::BasisTerm transition(double reference, double width) {
   return term;
 }
 
-fit::Candidate temperature(const fit::Excitation& excitation) {
-  fit::Candidate candidate{"temperature",
-                           "rates and stiffness that follow the temperature: the gap goes with the column "
-                           "temperature_degC, which logs need for it",
-                           false,
-                           {}};
+void addTemperature(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double range = excitation.highest_temperature - excitation.lowest_temperature;
   if (excitation.has_temperature && range >= fit::kLeastTemperatureRange) {
     const double reference = std::round(0.5 * (excitation.lowest_temperature + excitation.highest_temperature));
     candidate.terms = {rates(excitation, reference), stiffness(reference, range), transition(reference, 0.5 * range)};
     addRelaxationBeyond(excitation, candidate.terms);
   }
-  return candidate;
 }
 
-const CandidateEntry kTemperatureEntry(105, temperature);
+// Derivatives by the temperature at the reference.
+std::vector<HeadlineValue> changesPerKelvin(const Effect::Entries& entries) {
+  constexpr double kGas = 8.314462618;  // [J/(mol K)]
+  double stiffness = 0.0;
+  double rates = 0.0;
+  for (const element::ElementDescription& entry : entries) {
+    const double reference = entry.value("reference") + element::kZeroCelsius;
+    stiffness += valueOr(entry, "coefficient", 0.0) + valueOr(entry, "vertical", 0.0) -
+                 valueOr(entry, "share", 0.0) / valueOr(entry, "width", 1.0);
+    rates += valueOr(entry, "activation_energy", 0.0) / (kGas * reference * reference) +
+             std::log(10.0) * valueOr(entry, "c1", 0.0) / valueOr(entry, "c2", 1.0);
+  }
+  std::vector<HeadlineValue> result;
+  for (const auto& [name, value] : {std::pair("stiffness", stiffness), std::pair("rates", rates)}) {
+    if (value != 0.0) {
+      result.push_back(
+          {fmt::format("change_of_{}_at_{:g}_degC", name, entries.front().value("reference")), "1/K", value, true});
+    }
+  }
+  return result;
+}
+
+Effect temperature() {
+  Effect effect{105, "temperature",
+                "rates and stiffness that follow the temperature: the gap goes with the column temperature_degC, which "
+                "logs need for it",
+                false, addTemperature};
+  effect.headline = changesPerKelvin;
+  effect.headline_types = {"arrhenius_shift", "transition_shift", "vertical_shift", "wlf_shift"};
+  return effect;
+}
+
+const EffectEntry kTemperature(temperature());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

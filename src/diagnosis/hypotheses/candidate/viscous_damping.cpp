@@ -1,16 +1,13 @@
 // Candidate effect: viscous damping, linear or not, the same at any displacement or not.
-#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/effect.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-fit::Candidate viscousDamping(const fit::Excitation& excitation) {
+void addViscousDamping(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double typical = 0.05 * excitation.stiffness / (2.0 * element::kPi * excitation.highest_frequency);
-  fit::Candidate candidate{"viscous_damping",
-                           "dashpot: loss force grows with frequency",
-                           false,
-                           {fit::additiveTerm("dashpot", "damping", typical, {{"order", {2.0}}})}};
+  candidate.terms = {fit::additiveTerm("dashpot", "damping", typical, {{"order", {2.0}}})};
   for (const double exponent : {0.5, 2.0}) {  // thins under shear; flows through an orifice
     candidate.terms.push_back(
         fit::additiveTerm("power_dashpot", "damping", typical,
@@ -25,12 +22,13 @@ fit::Candidate viscousDamping(const fit::Excitation& excitation) {
       candidate.terms.push_back(fit::additiveTerm(
           "position_dashpot", "damping", typical,
           {{"reference_displacement", {excitation.largest_displacement}}, {"power", {power}}, {"side", {side}}}));
+      candidate.terms.back().of_a_side = true;
     }
   }
-  return candidate;
 }
 
-const CandidateEntry kViscousDampingEntry(40, viscousDamping);
+const EffectEntry kViscousDamping({40, "viscous_damping", "dashpot: loss force grows with frequency", false,
+                                   addViscousDamping});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate
