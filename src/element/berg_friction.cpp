@@ -69,21 +69,18 @@ double BergFriction::settledLoss(double amplitude) const {
   return 2.0 * maximum_force_ * (travel - displacement_ * mu_factor * mu_factor * std::log1p(travel / reach));
 }
 
-ElementType bergFrictionType() {
-  return {
-      "friction",
-      "Berg's friction element: smooth, rate-independent, amplitude-dependent stiffness and loss.",
-      {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max that friction tends to"},
-       {"displacement", "m", Role::shape, Range::positive(),
-        "displacement z2 from rest at which friction reaches half of its maximum"},
-       {"dead_band", "m", Role::choice, Range::nonNegative(),
-        "travel back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise", 0.0}},
-      makes<BergFriction>("maximum_force", "displacement", "dead_band")};
-}
-
 namespace {
 
-const ElementEntry kBergFrictionEntry(230, bergFrictionType());
+const ElementEntry kBergFrictionEntry(
+    230,
+    {"friction",
+     "Berg's friction element: smooth, rate-independent, amplitude-dependent stiffness and loss.",
+     {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max that friction tends to"},
+      {"displacement", "m", Role::shape, Range::positive(),
+       "displacement z2 from rest at which friction reaches half of its maximum"},
+      {"dead_band", "m", Role::choice, Range::nonNegative(),
+       "travel back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise", 0.0}},
+     makes<BergFriction>("maximum_force", "displacement", "dead_band")});
 
 }  // namespace
 }  // namespace rubber_suspension::element

@@ -86,7 +86,8 @@ VERSIONS = {
     "package.xml": r"<version>(.*)</version>",
     "CMakeLists.txt": r"^project\(\w+ VERSION (\S+)",
     "CITATION.cff": r"^version: (.*)$",
-    **{f"scripts/{name}": r'^VERSION = "(.*)"$' for name in ("generate_track", "live_plot", "show_bush")},
+    **{f"scripts/{name}": r'^VERSION = "(.*)"$'
+       for name in ("generate_track", "live_plot", "reproduce_paper", "show_bush")},
 }
 
 FIND_PACKAGE = re.compile(r"^\s*find_package\((\w[\w+-]*)([^)]*)\)", re.MULTILINE | re.DOTALL)

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/element.h"
 
 namespace rubber_suspension::element {
 
@@ -155,7 +155,5 @@ class BergFriction final : public ParallelElement {
   double dead_band_;
   double compliance_;  // z2/F_max [m/N]
 };
-
-ElementType bergFrictionType();
 
 }  // namespace rubber_suspension::element

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/element/element.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::element {
@@ -53,7 +53,5 @@ class Maxwell final : public ParallelElement {
   double relaxation_time_;
   double rate_;
 };
-
-ElementType maxwellType();
 
 }  // namespace rubber_suspension::element
