@@ -7,7 +7,6 @@
 #include <cmath>
 #include <vector>
 
-#include "diagnosis/number_style.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
 #include "log/text.h"
@@ -54,10 +53,16 @@ std::string intervalInFile(const SizedValue& size) {
 }  // namespace
 
 io::YamlStyle augmentedStyle(const Diagnosis& d) {
-  io::YamlStyle style = styleOf(d.law.numbers);
-  style.note = [&](const std::string& place) {
-    const auto size =
-        std::find_if(d.law.numbers.begin(), d.law.numbers.end(), [&](const auto& one) { return one.name == place; });
+  const auto written = [&numbers = d.law.numbers](const std::string& place) {
+    return std::find_if(numbers.begin(), numbers.end(), [&](const auto& one) { return one.name == place; });
+  };
+  io::YamlStyle style;
+  style.number = [=, &d](const std::string& place, double value) {
+    const auto size = written(place);
+    return size == d.law.numbers.end() || size->text.empty() ? fmt::format("{}", value) : size->text;
+  };
+  style.note = [=, &d](const std::string& place) {
+    const auto size = written(place);
     return size == d.law.numbers.end() || size->value == size->configured ||
                    !(size->interval_95[0] < size->interval_95[1])
                ? ""

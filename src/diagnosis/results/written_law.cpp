@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diagnosis/number_style.h"
 #include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/sizes.h"
 #include "gap/simulate.h"
@@ -40,11 +39,19 @@ Rounded roundTo(const io::ComponentDescription& exact, const std::vector<gap::Pr
       if (gapOf(result.component) <= allowed) {
         return result;
       }
-    } catch (const std::runtime_error&) {
+    } catch (const std::invalid_argument&) {
       continue;  // so roughly there is no such component
     }
   }
   return {exact, written};
+}
+
+// Copies the properties of a component that no fit changes.
+void copyProperties(const io::ComponentDescription& from, io::ComponentDescription& to) {
+  to.valid_displacement = from.valid_displacement;
+  to.excluded_effects = from.excluded_effects;
+  to.holds_fluid = from.holds_fluid;
+  to.units = from.units;
 }
 
 io::ComponentDescription componentOf(const hypotheses::PreparedCase& prepared, const FittedLaw& fitted) {
@@ -52,10 +59,7 @@ io::ComponentDescription componentOf(const hypotheses::PreparedCase& prepared, c
   for (const Entries& entries : fitted.law.at(fitted.fit.parameters.scales)) {
     result.add.insert(result.add.end(), entries.begin(), entries.end());
   }
-  result.valid_displacement = prepared.component.valid_displacement;
-  result.excluded_effects = prepared.component.excluded_effects;
-  result.holds_fluid = prepared.component.holds_fluid;
-  result.units = prepared.component.units;
+  copyProperties(prepared.component, result);
   return result;
 }
 
@@ -109,6 +113,24 @@ std::string roundedText(const SizedValue& size, const std::string& unit, int fin
   return number + (unit.empty() ? "" : " " + unit);
 }
 
+// The number that a reader of the text at this place gets; the number itself where no text is given.
+double readBack(const std::vector<SizedValue>& written, const std::string& place, double value) {
+  const auto size = std::find_if(written.begin(), written.end(), [&](const auto& one) { return one.name == place; });
+  return size == written.end() || size->text.empty() ? value : log::parseQuantity(size->text, size->unit);
+}
+
+Entries readBack(const std::vector<SizedValue>& written, const std::string& list, Entries entries) {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    for (auto& [key, numbers] : entries[i].values) {
+      for (std::size_t j = 0; j < numbers.size(); ++j) {
+        const int index = numbers.size() == 1 ? -1 : static_cast<int>(j);
+        numbers[j] = readBack(written, io::numberPlace(fmt::format("{}[{}]", list, i), key, index), numbers[j]);
+      }
+    }
+  }
+  return entries;
+}
+
 }  // namespace
 
 MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
@@ -139,8 +161,24 @@ std::vector<SizedValue> rounded(std::vector<SizedValue> written, const io::Compo
 }
 
 io::ComponentDescription asWritten(const io::ComponentDescription& exact, const std::vector<SizedValue>& written) {
-  io::ComponentDescription result = io::parseComponentFile(io::toYaml({exact}, styleOf(written)), "augmented").front();
-  result.units = exact.units;
+  const bool listed = exact.model() == estimation::Model::elements;
+  io::ComponentDescription result =
+      listed ? io::ComponentDescription(exact.name, readBack(written, "elements", exact.elements())) : exact;
+  result.add = readBack(written, "add", exact.add);
+  if (!listed) {
+    estimation::Specification specification = exact.specification();
+    for (const auto& [name, value] : exact.specification().values()) {
+      specification.set(name, readBack(written, "specification." + name, value));
+    }
+    if (!exact.add.empty() || specification.describes() != estimation::Describes::unsaid) {
+      specification.describe(estimation::Describes::base);
+    }
+    result.specify(std::move(specification));
+  }
+  result.rig = exact.rig;
+  result.temperature = exact.temperature;
+  copyProperties(exact, result);
+  result.makeComponent();  // throws where a number is out of its range
   return result;
 }
 

@@ -23,7 +23,8 @@ MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const std::vect
 /// half its interval in the unit of the configured file, and `finer` digits finer.
 std::vector<SizedValue> rounded(std::vector<SizedValue> written, const io::ComponentDescription& component, int finer);
 
-/// The component as the file of that style reads back. Throws std::runtime_error where the numbers are no component.
+/// The component that a file with these texts describes. Throws std::invalid_argument where the numbers are no
+/// component.
 io::ComponentDescription asWritten(const io::ComponentDescription& exact, const std::vector<SizedValue>& written);
 
 }  // namespace rubber_suspension::diagnosis::results
