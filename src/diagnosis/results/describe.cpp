@@ -67,28 +67,49 @@ Admission admit(const log::Record& record, bool hold_out, double noise, const Lo
   return admission;
 }
 
+// Forces of a component on the logs of the fit, then on those held out.
+gap::Forces simulate(const hypotheses::PreparedCase& prepared, const io::ComponentDescription& description) {
+  const auto elements = description.allElements();
+  gap::Forces forces = gap::simulate(elements, prepared.training, gap::asRecorded);
+  const gap::Forces unseen = gap::simulateEach(elements, prepared.held_out);
+  forces.insert(forces.end(), unseen.begin(), unseen.end());
+  return forces;
+}
+
+Simulated simulateAll(const hypotheses::PreparedCase& prepared, const io::ComponentDescription& re_estimated,
+                      const io::ComponentDescription& augmented, int threads) {
+  Simulated simulated;
+  simulated.records = prepared.training;
+  simulated.records.insert(simulated.records.end(), prepared.held_out.begin(), prepared.held_out.end());
+  simulated.training = prepared.training.size();
+  const std::array<std::pair<const io::ComponentDescription*, gap::Forces*>, 3> models = {
+      {{&prepared.component, &simulated.configured},
+       {&re_estimated, &simulated.re_estimated},
+       {&augmented, &simulated.augmented}}};
+  fit::parallelFor(models.size(), threads,
+                   [&](std::size_t i) { *models[i].second = simulate(prepared, *models[i].first); });
+  return simulated;
+}
+
+// The numbers of a report, from what describe() found before.
 class Describer {
  public:
-  Describer(const hypotheses::PreparedCase& prepared, Workings workings,
-            const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
+  Describer(const hypotheses::PreparedCase& prepared, const Workings& workings,
+            const io::ComponentDescription& re_estimated, const Replayed& before, const MeasuredLaw& written,
             const DiagnosisOptions& options)
       : prepared_(prepared),
-        recorded_(recorded),
-        raw_(raw),
-        options_(options),
-        workings_(std::move(workings)),
-        search_(workings_.search),
-        answer_(workings_.answer),
-        judged_(search_.at(answer_.model)),
-        re_estimated_(prepared_.model.apply(search_.re_estimated.fit.parameters.model)),
-        before_(
-            replayed(prepared_.fitter, fullLaw(search_.re_estimated), re_estimated_.allElements(), prepared_.held_out)),
-        written_(writtenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_.unseen()), options_)),
-        law_(written_.law) {
-    workings_.simulated = simulateAll();
-  }
+        workings_(workings),
+        search_(workings.search),
+        answer_(workings.answer),
+        judged_(workings.search.at(workings.answer.model)),
+        re_estimated_(re_estimated),
+        before_(before),
+        written_(written),
+        law_(written.law),
+        options_(options) {}
 
-  Diagnosis run(std::vector<measurement::RigFinding> findings) {
+  Diagnosis run(const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
+                std::vector<measurement::RigFinding> findings) const {
     const Left left = leftOfLogs();
     Diagnosis result;
     result.component = prepared_.component.name;
@@ -105,18 +126,17 @@ class Describer {
     result.rig_findings = std::move(findings);
     const std::vector<measurement::RigFinding> of_rig = leavesMoreThanItExplains(gap) ? Findings() : findingsOfRig();
     result.rig_findings.insert(result.rig_findings.end(), of_rig.begin(), of_rig.end());
-    result.logs = admittedLogs();
+    result.logs = admittedLogs(raw);
     result.parameters =
         ownParameters(prepared_.model, search_.re_estimated.fit.parameters.model, judged_.fit.parameters.model);
     result.whole = wholeStiffness(prepared_.component, law_.augmented, prepared_.training);
     result.surrogate = leavesRest(answer_.verdict) ? std::optional(surrogateOf(gap.noise_floor)) : std::nullopt;
-    const std::vector<double> recorded = gapsAsRecorded(result.surrogate);
-    result.gap_as_recorded = {recorded[0], recorded[1], recorded[2]};
+    const std::vector<double> gaps = gapsAsRecorded(recorded, result.surrogate);
+    result.gap_as_recorded = {gaps[0], gaps[1], gaps[2]};
     if (result.surrogate) {
-      result.surrogate->gap = recorded[3];
+      result.surrogate->gap = gaps[3];
     }
-    result.law = std::move(written_.law);
-    result.workings = std::make_shared<const Workings>(std::move(workings_));
+    result.law = law_;
     return result;
   }
 
@@ -124,29 +144,6 @@ class Describer {
   using Findings = std::vector<measurement::RigFinding>;
 
   bool hasUnseenLogs() const { return !prepared_.held_out.empty(); }
-
-  // The logs of the fit, then those held out.
-  gap::Forces simulate(const io::ComponentDescription& description) const {
-    const auto elements = description.allElements();
-    gap::Forces forces = gap::simulate(elements, prepared_.training, gap::asRecorded);
-    const gap::Forces unseen = gap::simulateEach(elements, prepared_.held_out);
-    forces.insert(forces.end(), unseen.begin(), unseen.end());
-    return forces;
-  }
-
-  Simulated simulateAll() const {
-    Simulated simulated;
-    simulated.records = prepared_.training;
-    simulated.records.insert(simulated.records.end(), prepared_.held_out.begin(), prepared_.held_out.end());
-    simulated.training = prepared_.training.size();
-    const std::array<std::pair<const io::ComponentDescription*, gap::Forces*>, 3> models = {
-        {{&prepared_.component, &simulated.configured},
-         {&re_estimated_, &simulated.re_estimated},
-         {&law_.augmented, &simulated.augmented}}};
-    fit::parallelFor(models.size(), options_.threads,
-                     [&](std::size_t i) { *models[i].second = simulate(*models[i].first); });
-    return simulated;
-  }
 
   gap::Forces ofTraining(const gap::Forces& forces) const {
     return {forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size())};
@@ -227,14 +224,15 @@ class Describer {
   }
 
   // Gaps of the whole logs with all that the rig did to them: as configured, re-estimated, augmented, with a surrogate.
-  std::vector<double> gapsAsRecorded(const std::optional<Surrogate>& surrogate) const {
+  std::vector<double> gapsAsRecorded(const std::vector<prepare::LogSurvey>& logs,
+                                     const std::optional<Surrogate>& surrogate) const {
     std::vector<std::vector<element::ElementDescription>> models = {
         prepared_.component.allElements(), re_estimated_.allElements(), law_.augmented.allElements()};
     if (surrogate) {
       models.push_back(surrogate->component.allElements());
     }
     const Recorded recorded = hasUnseenLogs() ? Recorded::each_on_a_new_one : Recorded::on_one_component;
-    return recordedGaps(models, recorded_, recorded, options_.threads);
+    return recordedGaps(models, logs, recorded, options_.threads);
   }
 
   std::vector<gap::GapCell> mapOf(const gap::Forces& forces) const {
@@ -281,9 +279,9 @@ class Describer {
     return left > squared(gap.as_configured) - squared(gap.augmented) && left > squared(noise);
   }
 
-  AdmittedLogs admittedLogs() const {
+  AdmittedLogs admittedLogs(const std::vector<prepare::RawChannels>& raw) const {
     const std::vector<LogAccount> accounts = accountsOf(law_.augmented.allElements(), prepared_.training,
-                                                        prepared_.held_out, raw_, judged_.hypothesis.free_in_log);
+                                                        prepared_.held_out, raw, judged_.hypothesis.free_in_log);
     const std::size_t training = prepared_.training.size();
     AdmittedLogs logs;
     logs.admission.resize(accounts.size());
@@ -307,30 +305,39 @@ class Describer {
     Surrogate surrogate =
         fitSurrogate(law_.augmented, {prepared_.training, ofTraining(s.augmented), prepared_.held_out}, noise_floor,
                      options_.threads);
-    surrogate.missing = missingForce(s.records, s.augmented, simulate(surrogate.component));
+    surrogate.missing = missingForce(s.records, s.augmented, simulate(prepared_, surrogate.component));
     return surrogate;
   }
 
   const hypotheses::PreparedCase& prepared_;
-  const std::vector<prepare::LogSurvey>& recorded_;
-  const std::vector<prepare::RawChannels>& raw_;
-  const DiagnosisOptions& options_;
-  Workings workings_;
+  const Workings& workings_;
   const hypotheses::Search& search_;
   const judge::Answer& answer_;
   const hypotheses::FittedHypothesis& judged_;
-  const io::ComponentDescription re_estimated_;
-  const Replayed before_;
-  MeasuredLaw written_;
+  const io::ComponentDescription& re_estimated_;
+  const Replayed& before_;
+  const MeasuredLaw& written_;
   const WrittenLaw& law_;
+  const DiagnosisOptions& options_;
 };
 
 }  // namespace
 
-Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings workings,
+Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
                    const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options) {
-  return Describer(prepared, std::move(workings), recorded, raw, options).run(std::move(findings));
+  const auto workings = std::make_shared<Workings>(std::move(judged));
+  const hypotheses::Search& search = workings->search;
+  const io::ComponentDescription re_estimated = prepared.model.apply(search.re_estimated.fit.parameters.model);
+  const Replayed before =
+      replayed(prepared.fitter, fullLaw(search.re_estimated), re_estimated.allElements(), prepared.held_out);
+  const MeasuredLaw written = writtenLaw(prepared, search.candidates, search.at(workings->answer.model),
+                                         gap::gapOfParts(before.unseen()), options);
+  workings->simulated = simulateAll(prepared, re_estimated, written.law.augmented, options.threads);
+  Diagnosis result =
+      Describer(prepared, *workings, re_estimated, before, written, options).run(recorded, raw, std::move(findings));
+  result.workings = workings;
+  return result;
 }
 
 }  // namespace rubber_suspension::diagnosis::results

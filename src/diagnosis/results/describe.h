@@ -12,7 +12,7 @@ namespace rubber_suspension::diagnosis::results {
 /// The numbers of a search and its judgement; words and the next experiment are still to be found. `recorded`: the logs
 /// that the gaps are of with all that the rig did to them; `raw`: of each record; `findings`: what single samples of
 /// the logs told.
-Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings workings,
+Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
                    const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options);
 
