@@ -13,7 +13,6 @@
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/words/candidates.h"
 #include "diagnosis/words/model_values.h"
-#include "diagnosis/words/text.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -116,19 +115,18 @@ bool intervalHoldsWhatIsClosed(const Diagnosis& d) {
          (d.gaps.closed_interval[0] <= d.gaps.closed && d.gaps.closed <= d.gaps.closed_interval[1]);
 }
 
-// No other value than that of the headline is in the sentence.
+// No value that the sentence could begin with is farther from the component file than the one that it begins with.
 bool headlineIsTheLargest(const Diagnosis& d) {
   const SizedValue* const headline = words::headlineValue(d);
   return all(words::changedValues(d), [&](const SizedValue* size) {
-    return size == headline || d.sentence.find(words::offText(*size)) == std::string::npos;
+    return !words::mayBeHeadline(*size) || (headline != nullptr && words::farOff(*size) <= words::farOff(*headline));
   });
 }
 
+// An interval of a value other than 0 that ends at 0 ends at a bound of the fit.
 bool boundsAreSaid(const Diagnosis& d) {
   const auto holds = [](const SizedValue& size) {
-    const bool says = words::intervalText(size).find("bound") != std::string::npos;
-    return says == (size.at_bound[0] || size.at_bound[1]) &&
-           (size.interval_95[0] != 0.0 || size.value == 0.0 || size.at_bound[0]);
+    return size.interval_95[0] != 0.0 || size.value == 0.0 || size.at_bound[0];
   };
   return all(d.law.model_sizes, holds) && all(d.law.effect_sizes, holds);
 }

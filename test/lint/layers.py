@@ -42,7 +42,8 @@ BELOW = {
         "bag"},
     "benchmark": {"element", "component", "estimation", "numerics", "log", "io", "gap", "diagnosis"},
 }
-# What each folder of diagnosis/ may include of the others; what lies beside the folders may include all of them.
+# What each folder of diagnosis/ may include of the others, a folder or a single header; what lies beside the folders may
+# include all of them.
 WITHIN_DIAGNOSIS = {
     "prepare": set(),
     "judge": set(),
@@ -50,10 +51,14 @@ WITHIN_DIAGNOSIS = {
     "hypotheses": {"judge"},
     "results": {"prepare", "judge", "hypotheses"},
     "experiment": {"prepare", "judge", "hypotheses"},
-    "words": {"experiment"},
+    "words": {"experiment/next_experiment.h"},
     "table": {"words", "prepare", "judge", "hypotheses", "experiment", "results"},
-    "report": {"words", "prepare", "judge", "hypotheses"},
+    "report": {
+        "words", "prepare/bench_evidence.h", "judge/evidence_json.h", "hypotheses/workings.h"},
 }
+# These folders end the flow: they take values, and call no step before them. A writer is no step.
+ENDS = {"words", "report"}
+NO_STEPS = {"judge::toJson"}
 KNOW_ROS = {"bag", "ros_interface", "apps"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(
@@ -63,6 +68,7 @@ ROS_HEADER = re.compile(
 OWN_MESSAGE = re.compile(r"^rubber_suspension/[A-Z]\w*\.h$")
 OWN_HEADER = re.compile(r"^(?:rubber_suspension/)?([a-z_]+)/")
 NAMESPACE = re.compile(r"^namespace (rubber_suspension[\w:]*) \{", re.M)
+CALL = re.compile(r"\b((?:prepare|hypotheses|judge|results|experiment|table)::(?:\w+::)*[a-z]\w*)\(")
 OF_DIAGNOSIS = re.compile(r"(?:^|/src/)diagnosis/([a-z_]+)/")
 
 
@@ -77,9 +83,16 @@ def violation_within(path, header):
     own, other = OF_DIAGNOSIS.search(path.as_posix()), OF_DIAGNOSIS.search(header)
     if own is None or other is None or own.group(1) == other.group(1):
         return None
-    if other.group(1) not in WITHIN_DIAGNOSIS.get(own.group(1), ()):
-        return f"diagnosis/{own.group(1)} must not depend on diagnosis/{other.group(1)}"
+    if not {other.group(1), header.partition("diagnosis/")[2]} & WITHIN_DIAGNOSIS.get(own.group(1), set()):
+        return f"diagnosis/{own.group(1)} must not depend on {header}"
     return None
+
+
+def steps_called(path, line):
+    """Steps of a diagnosis that a line of a folder at its end calls."""
+    own = OF_DIAGNOSIS.search(path.as_posix())
+    called = set(CALL.findall(line)) - NO_STEPS if own and own.group(1) in ENDS else ()
+    return [f"calls {step}(): diagnosis/{own.group(1)} takes values alone" for step in sorted(called)]
 
 
 def violation_of_namespace(path, text, root):
@@ -127,9 +140,10 @@ def check(root):
         for number, line in enumerate(text.splitlines(), 1):
             match = INCLUDE.match(line)
             reason = match and (violation(layer, match.group(1)) or violation_within(path, match.group(1)))
-            if reason:
-                print(f"{path}:{number}: includes {match.group(1)}: {reason}")
-                found += 1
+            reasons = [f"includes {match.group(1)}: {reason}"] if reason else steps_called(path, line)
+            for one in reasons:
+                print(f"{path}:{number}: {one}")
+            found += len(reasons)
     return found
 
 

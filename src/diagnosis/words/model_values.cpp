@@ -15,8 +15,6 @@
 namespace rubber_suspension::diagnosis::words {
 namespace {
 
-double farOff(const SizedValue& size) { return std::abs(std::log(size.value / size.configured)); }
-
 bool isChanged(const SizedValue& size) {
   constexpr double kWorthSaying = 0.02;  // as a logarithm: less is within what a bench can hold
   return size.configured > 0.0 && size.value > 0.0 && farOff(size) > kWorthSaying &&
@@ -26,8 +24,6 @@ bool isChanged(const SizedValue& size) {
 std::string boundText(const SizedValue& size) {
   return isAtBound(size) ? ", a bound of the fit: these logs do not tell it" : "";
 }
-
-bool isBand(const SizedValue& size) { return size.name == "high_frequency" || size.name == "low_frequency"; }
 
 // Where the effects follow the temperature, all values hold at their reference.
 std::string referenceText(const Diagnosis& d) {
@@ -49,6 +45,12 @@ bool isAtBound(const SizedValue& size) {
          (size.at_bound[1] && size.value == size.interval_95[1]);
 }
 
+double farOff(const SizedValue& size) { return std::abs(std::log(size.value / size.configured)); }
+
+bool mayBeHeadline(const SizedValue& size) {
+  return size.name != "high_frequency" && size.name != "low_frequency" && !isAtBound(size);
+}
+
 std::vector<const SizedValue*> changedValues(const Diagnosis& d) {
   std::vector<const SizedValue*> changed;
   for (const SizedValue& size : d.law.model_sizes) {
@@ -63,8 +65,8 @@ std::vector<const SizedValue*> changedValues(const Diagnosis& d) {
 
 const SizedValue* headlineValue(const Diagnosis& d) {
   const std::vector<const SizedValue*> changed = changedValues(d);
-  const auto found = std::find_if(changed.begin(), changed.end(),
-                                  [](const SizedValue* size) { return !isBand(*size) && !isAtBound(*size); });
+  const auto found =
+      std::find_if(changed.begin(), changed.end(), [](const SizedValue* size) { return mayBeHeadline(*size); });
   return found == changed.end() ? nullptr : *found;
 }
 

@@ -11,12 +11,18 @@ namespace rubber_suspension::diagnosis::words {
 /// A value that the fit would have moved on: it is not told what it is.
 bool isAtBound(const SizedValue& size);
 
+/// Distance of a value from the configured one, as the size of the logarithm of their ratio.
+double farOff(const SizedValue& size);
+
+/// Whether a value says something of the rubber: it is no band of frequencies, which whoever wrote the file chose, and
+/// no value at the bound of the fit.
+bool mayBeHeadline(const SizedValue& size);
+
 /// Values of the model that differ from the component file by 2 % or more with an interval that leaves the configured
 /// one out; the farthest off first.
 std::vector<const SizedValue*> changedValues(const Diagnosis& diagnosis);
 
-/// The first of them that says something of the rubber: no band of frequencies, which whoever wrote the file chose, and
-/// no value at the bound of the fit. Null where there is none.
+/// The first of them that may be the headline; null where there is none.
 const SizedValue* headlineValue(const Diagnosis& diagnosis);
 
 /// "At 4 Hz and 0.35 mm (median amplitude of the logs) the whole component has K = 2.43 kN/mm (2.5 kN/mm as configured)
