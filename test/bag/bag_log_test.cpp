@@ -3,27 +3,19 @@
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <rosbag/bag.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-
 #include "bag/bag_writer.h"
 #include "bag/header_stamp.h"
-#include "io/temporary_file.h"
 #include "rubber_suspension/gap/pose_replay.h"
 #include "support/files.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using testing::HasSubstr;
 
 class BagLog : public testing::Test {
  protected:

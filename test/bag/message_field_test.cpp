@@ -2,23 +2,16 @@
 #include "bag/message_field.h"
 
 #include <geometry_msgs/WrenchStamped.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <rosbag/bag.h>
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/Float64.h>
 
-#include <functional>
-#include <string>
-
 #include "bag/bag_log.h"
-#include "io/temporary_file.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using testing::HasSubstr;
 
 constexpr int kMessages = 50;
 

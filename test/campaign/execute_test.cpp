@@ -1,20 +1,17 @@
 // A job gives what the command that it stands for gives, to the last byte.
 #include "campaign/execute.h"
 
-#include <gmock/gmock.h>
-
-#include "campaign/scratch_folder.h"
+#include "campaign/campaign_folder.h"
 #include "command/identify.h"
 #include "diagnosis/report/augmented_yaml.h"
 #include "diagnosis/rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 class ExecuteJob : public ::testing::Test {
  protected:
@@ -50,7 +47,7 @@ class ExecuteJob : public ::testing::Test {
     return {log::readLog(folder_.path("log_1.csv")), log::readLog(folder_.path("log_2.csv"))};
   }
 
-  ScratchFolder folder_;
+  CampaignFolder folder_;
   std::string report_;
 };
 

@@ -1,15 +1,10 @@
 // The jobs file: what is read, and that everything wrong is told at once, with line, key, value and what is accepted.
 #include "campaign/jobs_file.h"
 
-#include <gmock/gmock.h>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 std::vector<std::string> problemsOf(const std::string& text) {
   std::vector<std::string> problems;

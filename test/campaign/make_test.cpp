@@ -1,24 +1,13 @@
 // From a jobs file to a manifest: what patterns and tolerances expand to, ids, and refusals before anything is made.
 #include "campaign/make.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-
+#include "campaign/campaign_folder.h"
 #include "campaign/jobs_file.h"
 #include "campaign/manifest.h"
-#include "campaign/scratch_folder.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class MakeCampaign : public ::testing::Test {
  protected:
@@ -46,7 +35,7 @@ class MakeCampaign : public ::testing::Test {
   static constexpr const char* kFleet =
       "jobs:\n  fleet:\n    command: diagnose\n    folders: fleet/*\n    config: component.yaml\n    log: log_*.csv\n";
 
-  ScratchFolder folder_;
+  CampaignFolder folder_;
   std::vector<std::string> problems_;
 };
 

@@ -1,33 +1,23 @@
 // Working jobs off: records, what is passed over, what is done again, crashes, shards, and tables of the same bytes.
 #include "campaign/run.h"
 
-#include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <numeric>
 
+#include "campaign/campaign_folder.h"
 #include "campaign/fleet.h"
 #include "campaign/record.h"
-#include "campaign/scratch_folder.h"
 #include "campaign/status.h"
 #include "campaign/worker_pool.h"
 #include "support/files.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 constexpr const char* kVersion = "1.0";
 
@@ -94,7 +84,7 @@ class RunCampaign : public ::testing::Test {
     };
   }
 
-  ScratchFolder folder_;
+  CampaignFolder folder_;
   std::vector<std::string> said_;
 };
 
@@ -397,7 +387,6 @@ class Workers : public ::testing::Test {
 };
 
 using campaign::JobEnd;
-using ::testing::UnorderedElementsAre;
 
 TEST_F(Workers, NoJobsNoWorkers) { EXPECT_TRUE(workOff(0, 4, nullptr)); }
 
@@ -408,7 +397,7 @@ TEST_F(Workers, TellWhatFailed) {
 }
 
 TEST_F(Workers, KilledFromOutsideOnceTryAgain) {
-  const ScratchFolder folder;
+  const CampaignFolder folder;
   workOff(4, 2, [&](std::size_t job) {
     if (job == 1 && !folder.holds("tried")) {
       folder.write("tried", "");

@@ -1,14 +1,10 @@
 // The array that is submitted: its number of elements, its script, and names that a shell could mistake.
 #include "campaign/slurm.h"
 
-#include <gmock/gmock.h>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 campaign::Status statusOf(std::size_t jobs, std::size_t done, double seconds) {
   campaign::Status status;

@@ -1,20 +1,11 @@
 // Bushing property files: read again, block by block, as other programs read them.
 #include "command/bushing_file.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <map>
-#include <sstream>
-
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension::command {
 namespace {
-
-using testing::Contains;
-using testing::HasSubstr;
 
 // Lines by block, without comments.
 std::map<std::string, std::vector<std::string>> blocksOf(const std::string& text) {

@@ -1,18 +1,10 @@
 // The table of stiffness and loss angle over frequency, amplitude and preload.
 #include "command/characteristic_table.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <sstream>
+#include "support/test.h"
 
 namespace rubber_suspension::command {
 namespace {
-
-using testing::Contains;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 constexpr double kCubic = 1e11;
 constexpr double kLinear = 3e6;

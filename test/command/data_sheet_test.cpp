@@ -1,16 +1,11 @@
 // Data sheets as files: a component file that can be used, and errors that say where.
 #include "command/data_sheet.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "support/files.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 const std::string kSheet = R"(data_sheet:
   component: bush

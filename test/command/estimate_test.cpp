@@ -1,18 +1,12 @@
 // The report of `estimate`: the numbers of the sweeps, in text and JSON.
 #include "command/estimate.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 const char* const kFile = R"(
 components:

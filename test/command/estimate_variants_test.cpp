@@ -1,25 +1,17 @@
 // What `estimate` writes for others: models beside each other, sensitivities, CSV, the linear part as matrices.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <Eigen/Dense>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "command/estimate.h"
 #include "command/linear_part.h"
 #include "command/measured_table.h"
 #include "rubber_suspension/element/constants.h"
 #include "support/kit.h"
+#include "support/scratch_folder.h"
 
 namespace rubber_suspension::command {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 io::ComponentDescription load(const std::string& content) {
   return componentOf("components:\n  bush:\n" + content, "file.yaml");
@@ -169,23 +161,18 @@ TEST(LinearPartOf, NamesWhatItLeavesOut) {
 }
 
 TEST(WriteLinearParts, AsJsonAndAsMatlabFile) {
-  const auto folder = std::filesystem::temp_directory_path() / ("linear_part_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
+  const ScratchFolder folder;
   const LinearPart part = linearPartOf(maxwell());
-  writeLinearParts({part}, (folder / "part.json").string());
-  std::ifstream json(folder / "part.json");
-  const std::string text((std::istreambuf_iterator<char>(json)), std::istreambuf_iterator<char>());
-  EXPECT_THAT(text, HasSubstr("rubber_suspension/state_space/1"));
-  writeLinearParts({part}, (folder / "part.mat").string());
-  std::ifstream mat(folder / "part.mat", std::ios::binary);
-  const std::string content((std::istreambuf_iterator<char>(mat)), std::istreambuf_iterator<char>());
+  writeLinearParts({part}, folder.path("part.json"));
+  EXPECT_THAT(folder.read("part.json"), HasSubstr("rubber_suspension/state_space/1"));
+  writeLinearParts({part}, folder.path("part.mat"));
+  const std::string content = folder.read("part.mat");
   // Four matrices of doubles behind the head of 128 bytes; the stiffness 3e6 stands among them as it is.
   EXPECT_GT(content.size(), 128u + 4u * 48u);
   const double stiffness = part.d(0);
   EXPECT_NE(content.find(std::string(reinterpret_cast<const char*>(&stiffness), sizeof stiffness)), std::string::npos);
-  EXPECT_THROW(writeLinearParts({part}, (folder / "part.txt").string()), std::invalid_argument);
-  EXPECT_THROW(writeLinearParts({part, part}, (folder / "two.mat").string()), std::invalid_argument);
-  std::filesystem::remove_all(folder);
+  EXPECT_THROW(writeLinearParts({part}, folder.path("part.txt")), std::invalid_argument);
+  EXPECT_THROW(writeLinearParts({part, part}, folder.path("two.mat")), std::invalid_argument);
 }
 
 // As a German laboratory writes it: names, decimal comma, tan delta, K' and K''.

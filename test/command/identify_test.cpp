@@ -1,25 +1,16 @@
 // The report of `estimate --from-log`: from a log back to a component file.
 #include "command/identify.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <random>
 
-#include "io/temporary_file.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 #include "support/kit.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 const char* const kFile = R"(
 components:

@@ -1,26 +1,16 @@
 // Reading of measured tables.
 #include "command/measured_table.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <zlib.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
 
 #include "command/characteristic_table.h"
 #include "command/table_fit_text.h"
-#include "io/temporary_file.h"
 #include "rubber_suspension/element/constants.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension::command {
 namespace {
-
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 TEST(MeasuredTable, ReadsUnitsSeparatorsAndComments) {
   const fit::MeasuredTable table = parseTable(

@@ -2,18 +2,11 @@
 // the table.
 #include "command_line/parse.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "command_line/command.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension::command_line {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
 
 struct Values {
   std::string task = "run";

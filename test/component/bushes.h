@@ -1,12 +1,6 @@
 // Bushes for the tests of six directions, bodies that they act on, and the work that they take.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 #include "rubber_suspension/component/six_directions.h"
 #include "rubber_suspension/element/constants.h"
 #include "support/kit.h"

@@ -2,21 +2,11 @@
 // trial steps, tangent.
 #include "rubber_suspension/component/component.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <random>
-#include <stdexcept>
-#include <thread>
-
 #include "element/driver.h"
 #include "element/typical_elements.h"
 #include "rubber_suspension/element/maxwell.h"
 #include "support/allocation_counter.h"
 #include "support/kit.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension::test {
 namespace {

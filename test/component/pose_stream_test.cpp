@@ -1,13 +1,9 @@
 // Which poses a stream accepts, and that a dropped one leaves no trace.
 #include "rubber_suspension/component/pose_stream.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
 #include "component/bushes.h"
 #include "support/allocation_counter.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

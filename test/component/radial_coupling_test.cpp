@@ -1,12 +1,6 @@
 // Directions that act by their radius: numbers of the reference, isotropy, work, and the component of one direction.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
-
 #include "component/bushes.h"
 #include "support/kit.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,13 +1,6 @@
 // The rules for time: which samples are accepted, and that nothing else touches the state.
 #include "rubber_suspension/component/sample_stream.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <random>
-
 #include "support/allocation_counter.h"
 #include "support/kit.h"
 

@@ -1,16 +1,10 @@
 // Blocks of samples against sample by sample: the same bits, whatever the laws and wherever a block ends.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
-#include <vector>
-
 #include "element/typical_elements.h"
 #include "kernel/laws_one_by_one.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "support/allocation_counter.h"
 #include "support/on_any_processor.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,16 +1,9 @@
 // A component of six directions: numbers of the reference implementation, power, momentum, tangents.
 #include "rubber_suspension/component/six_directions.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <stdexcept>
-
 #include "component/bushes.h"
 #include "support/allocation_counter.h"
 #include "support/kit.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {

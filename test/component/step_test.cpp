@@ -1,12 +1,7 @@
 // Steps of a component against its laws one by one: the same bits, whatever was done to the state in between.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <random>
-#include <vector>
-
 #include "kernel/laws_one_by_one.h"
 #include "support/on_any_processor.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,12 +1,5 @@
 // Temperature: shifted dynamic stiffness against the master curve, the reduced time of a changing temperature, what
 // keeps its own time, and that a component without one is as it was.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <complex>
-#include <stdexcept>
-#include <vector>
-
 #include "element/typical_elements.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/component/sample_stream.h"

@@ -2,12 +2,6 @@
 // alone.
 #include "rubber_suspension/component/trial_stepper.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <stdexcept>
-
 #include "support/allocation_counter.h"
 #include "support/kit.h"
 

@@ -1,16 +1,13 @@
 // The figure of a report about logs with a wrong sign, unit, column or component: as they are, and with the correction.
 #include "diagnosis/prepare/bench_evidence.h"
 
-#include <gmock/gmock.h>
-
 #include "diagnosis/report/report_figures.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "shared_runs.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 log::Log goodLog() { return runRig("good", 1, nothing); }
 

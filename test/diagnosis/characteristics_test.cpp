@@ -1,11 +1,8 @@
 // Errors of stiffness, loss angle and energy: of a known model, at any scale of time.
 #include "diagnosis/results/characteristics.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

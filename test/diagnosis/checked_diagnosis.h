@@ -1,16 +1,11 @@
 // A diagnosis whose statements have to agree with each other: what tests of this folder make goes through here.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "diagnosis/experiment/explanation.h"
 #include "diagnosis/hypotheses/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 

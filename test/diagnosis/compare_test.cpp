@@ -1,21 +1,10 @@
 // Two reports side by side: what differs beyond noise and intervals, and files that are no report.
 #include "diagnosis/report/compare.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
-#include <fstream>
-#include <stdexcept>
-
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using testing::HasSubstr;
-using testing::Not;
 
 diagnosis::Diagnosis firstDay() {
   diagnosis::Diagnosis d;

@@ -1,12 +1,4 @@
 // What logs could show: known answers of plans, implants against real fits, programmes that cannot be used.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/effect.h"

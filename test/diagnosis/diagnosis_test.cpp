@@ -1,18 +1,13 @@
 // The diagnosis from logs to a verdict, on rigs that share no code with the candidates.
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <numeric>
-#include <random>
 
 #include "diagnosis/hypotheses/workings.h"
 #include "rubber_suspension/gap/replay.h"
 #include "shared_runs.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
@@ -81,9 +76,9 @@ TEST(Diagnosis, ReplayOfTheAugmentedFileGivesTheClaimedGap) {
 }
 
 TEST(Diagnosis, WritesAReportOfTheAgreedSchema) {
-  const auto folder = std::filesystem::temp_directory_path() / "rubber_suspension_report_test";
-  diagnosis::writeReport(ofAStop(), folder.string());
-  std::ifstream stream(folder / "report.json");
+  const ScratchFolder folder;
+  diagnosis::writeReport(ofAStop(), folder.path());
+  std::ifstream stream(folder.path("report.json"));
   const auto report = nlohmann::json::parse(stream);
   EXPECT_EQ(report.at("schema"), "rubber_suspension/gap_report/1");
   for (const char* key :
@@ -104,9 +99,8 @@ TEST(Diagnosis, WritesAReportOfTheAgreedSchema) {
     EXPECT_TRUE(candidate.at("testable").is_boolean());
   }
   EXPECT_GT(sum, 0.99);
-  EXPECT_TRUE(std::filesystem::exists(folder / "report.html"));
-  EXPECT_NO_THROW(io::loadComponentFile((folder / "augmented.yaml").string()));
-  std::filesystem::remove_all(folder);
+  EXPECT_TRUE(std::filesystem::exists(folder.path("report.html")));
+  EXPECT_NO_THROW(io::loadComponentFile(folder.path("augmented.yaml")));
 }
 
 TEST(Diagnosis, RefusesALogWithoutForce) {

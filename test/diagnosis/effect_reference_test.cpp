@@ -1,9 +1,8 @@
 // The page of effects in docs/ is the one that the code prints, and names elements that a component file accepts.
 #include "diagnosis/report/effect_reference.h"
 
-#include <gtest/gtest.h>
-
 #include "support/files.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

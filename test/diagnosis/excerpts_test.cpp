@@ -1,13 +1,6 @@
 // Of logs that are longer than a search takes, excerpts stand for the whole.
 #include "diagnosis/prepare/excerpts.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <string>
-
 #include "gap/simulate.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"

@@ -1,11 +1,4 @@
 // The next experiment: motions within limits, what tells explanations apart once the wrong one was refitted.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <limits>
-#include <set>
-
 #include "diagnosis/effect.h"
 #include "diagnosis/experiment/discrimination.h"
 #include "diagnosis/experiment/menu.h"
@@ -14,7 +7,7 @@
 #include "diagnosis/words/sentence.h"
 #include "rig.h"
 #include "rubber_suspension/diagnosis/experiment_limits.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,21 +1,10 @@
 // A zero of the force that differs from log to log, and what is told apart from it: friction beside it, and no drift.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::Not;
 
 RigEffect beside(RigEffect effect, double offset) {
   return [effect = std::move(effect), offset](double time, double z, double rate) {

@@ -1,12 +1,7 @@
 // Friction that differs from log to log, as that of a seal under another pressure, and friction that does not.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

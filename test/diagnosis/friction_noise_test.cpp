@@ -1,15 +1,11 @@
 // What a motion before a log leaves in Berg's friction.
 #include "measurement/friction_noise.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Core>
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 #include "rig.h"
 #include "rubber_suspension/log/record.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,10 +1,4 @@
 // Laws that may be written keep their force while the displacement is held and its sensor is noisy.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 #include "diagnosis/effect.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/log/record.h"

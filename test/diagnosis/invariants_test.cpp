@@ -1,26 +1,13 @@
 // A report that contradicts itself is found out, and tells nothing.
 #include "diagnosis/invariants.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "shared_runs.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
 
 using diagnosis::Diagnosis;
-using testing::Contains;
-using testing::HasSubstr;
 
 TEST(Invariants, HoldForReportsOfAllKinds) {
   for (const Diagnosis* run : {&ofNothing(), &ofAStop(), &ofHum(), &ofOneLog()}) {

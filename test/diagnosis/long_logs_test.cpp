@@ -1,10 +1,4 @@
 // What is kept of logs that are longer than memory.
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
 #include "diagnosis/prepare/lead_in.h"
 #include "diagnosis/prepare/log_survey.h"
 #include "diagnosis/results/replayed.h"

@@ -1,11 +1,9 @@
 // Logs beyond the machine's memory are refused before the search.
 #include "diagnosis/prepare/memory.h"
 
-#include <gmock/gmock.h>
-
 #include "rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

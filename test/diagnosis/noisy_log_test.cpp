@@ -1,9 +1,6 @@
 // What logs count for whose force is little more than noise.
-#include <gtest/gtest.h>
-
-#include <vector>
-
 #include "measurement/rig_noise.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

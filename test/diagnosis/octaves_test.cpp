@@ -1,12 +1,7 @@
 // Shares of octaves in the energy of forces.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <numeric>
-
 #include "diagnosis/hypotheses/log_table.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

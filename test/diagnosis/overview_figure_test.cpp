@@ -1,15 +1,10 @@
 // The figure of `diagnose --plot`: one picture each of where and how much, with what was found in its title.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/report_figures.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

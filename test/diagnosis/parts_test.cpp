@@ -1,14 +1,4 @@
 // Model parameters, records, what noise does, and the menu of experiments.
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <map>
-#include <random>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "diagnosis/effect.h"
 #include "fit/excitation.h"
 #include "fit/fitter.h"

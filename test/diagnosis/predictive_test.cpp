@@ -1,15 +1,10 @@
 // Intervals of what a law closes of further logs: how often they hold it, and what makes them narrow.
 #include "diagnosis/results/predictive.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <vector>
-
 #include "diagnosis/judge/score.h"
 #include "judge/made_evidence.h"
 #include "rubber_suspension/gap/gap.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,17 +1,8 @@
 // The words of a report, its record of the run, and the numbers behind its figures.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
-#include <sstream>
 
 #include "diagnosis/effect.h"
 #include "diagnosis/report/report_figures.h"
@@ -23,13 +14,13 @@
 #include "diagnosis/words/text.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/iwan.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
 
 using diagnosis::headlineValuesOf;
 using diagnosis::words::quantity;
-using testing::HasSubstr;
 
 TEST(ReportText, HasUnitsThatEngineersRead) {
   EXPECT_EQ(quantity(6000.0, "N"), "6 kN");

@@ -1,14 +1,6 @@
 // A small virtual rig for tests: a Zener solid integrated exactly, effects and noise written out by hand.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"

@@ -1,11 +1,6 @@
 // The law with the fewest numbers, and the file that it is written to.
 #include "diagnosis/results/simplest_law.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "diagnosis/effect.h"
 #include "diagnosis/hypotheses/fitted_component.h"
 #include "diagnosis/judge/numbers.h"
@@ -20,7 +15,6 @@ namespace rubber_suspension {
 namespace {
 
 using diagnosis::headlineOf;
-using testing::HasSubstr;
 
 std::size_t numbersIn(const diagnosis::results::Entries& entries) {
   return diagnosis::results::numbersOf(entries).size();

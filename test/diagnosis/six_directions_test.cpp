@@ -2,18 +2,11 @@
 // diagnoses are those of test/usage/six_directions_test.py.
 #include "rubber_suspension/diagnosis/six_directions.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <string>
-
 #include "diagnosis/results/cross_map.h"
 #include "diagnosis/words/text.h"
 #include "gap/simulate.h"
 #include "io/rotational_unit.h"
 #include "support/kit.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {

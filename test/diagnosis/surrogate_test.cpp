@@ -1,23 +1,17 @@
 // What is said of a rest that no effect explains, and the surrogate that a diagnosis writes.
 #include "diagnosis/results/surrogate.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/words/sentence.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 #include "shared_runs.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
-
-using testing::HasSubstr;
 
 constexpr double kFloor = 0.01;
 
@@ -106,19 +100,18 @@ TEST_F(UnlistedEffect, IsClosedByTheSurrogateOnAnUnseenLog) {
 // The agreed accuracy of the claim.
 TEST_F(UnlistedEffect, ReplayOfTheSurrogateFileGivesTheClaimedGap) {
   ASSERT_TRUE(result()->surrogate);
-  const auto folder = std::filesystem::temp_directory_path() / "rubber_suspension_surrogate_test";
-  writeReport(*result(), folder.string());
-  const auto components = io::loadComponentFile((folder / "surrogate.yaml").string());
-  const auto report = nlohmann::json::parse(std::ifstream(folder / "report.json"));
+  const ScratchFolder folder;
+  writeReport(*result(), folder.path());
+  const auto components = io::loadComponentFile(folder.path("surrogate.yaml"));
+  const auto report = nlohmann::json::parse(std::ifstream(folder.path("report.json")));
   const auto& claim = report.at("surrogate");
   EXPECT_EQ(claim.at("file"), "surrogate.yaml");
   EXPECT_EQ(claim.at("function_of_the_motion"), true);
   EXPECT_NEAR(replayedGap(components.front(), runRig("unseen", 3, catchingCable)), claim.at("gap").get<double>(), 1e-3);
-  std::ifstream map(folder / "missing_force.csv");
+  std::ifstream map(folder.path("missing_force.csv"));
   std::string header;
   std::getline(map, header);
   EXPECT_EQ(header, "displacement_m,velocity_m_per_s,missing_force_N,surrogate_force_N,samples");
-  std::filesystem::remove_all(folder);
 }
 
 // On the map, too: what the surrogate adds is what is missing.

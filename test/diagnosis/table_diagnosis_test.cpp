@@ -1,30 +1,17 @@
 // The diagnosis of measured tables of stiffness and loss angle.
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <random>
-#include <string>
 
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/laboratory.h"
 #include "diagnosis/table/measured_rows.h"
 #include "rubber_suspension/element/constants.h"
 #include "support/files.h"
+#include "support/test.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
-
-using testing::Contains;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
-using testing::ThrowsMessage;
 
 // The table of friction beside a Zener solid, and one diagnosis for all that is asserted of it.
 const fit::MeasuredTable& frictionTable() {

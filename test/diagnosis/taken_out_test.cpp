@@ -1,23 +1,15 @@
 // What was taken out of a log is told by its kind and size, and in squares it adds up.
 #include "diagnosis/results/taken_out.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "diagnosis/words/text.h"
 #include "gap/simulate.h"
 #include "numerics/least_squares.h"
 #include "rig.h"
 #include "rubber_suspension/measurement/prepared_log.h"
+#include "support/test.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::SizeIs;
 
 // The account of a log of the rig's own component, to which a force was added that its record may take out again.
 class TakenOutTest : public ::testing::Test {

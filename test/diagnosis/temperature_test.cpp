@@ -1,20 +1,13 @@
 // The temperature in a diagnosis: a column that says nothing, one out of range, none.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "diagnosis/effect.h"
 #include "diagnosis/words/sentence.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/record.h"
-#include "support/message_of.h"
+#include "support/test.h"
 #include "warm_rig.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 double room(double /*time*/) { return 20.0; }
 

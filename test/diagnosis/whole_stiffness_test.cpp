@@ -1,8 +1,4 @@
 // Stiffness and loss angle of the whole component, before and after.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "diagnosis/results/characteristics.h"
 #include "support/kit.h"
 

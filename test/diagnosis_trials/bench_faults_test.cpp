@@ -1,16 +1,10 @@
 // What benches do to logs besides the component, one at a time and together, at three sizes: no gap is found where
 // there is none, and an effect keeps its name.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <iostream>
-#include <random>
-#include <string>
-#include <vector>
 
 #include "diagnosis/shared_runs.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,13 +1,8 @@
 // A cause beside a force that no motion causes.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,13 +1,4 @@
 // Ramps and holds: relaxation along a curve, and linear relaxation beside a cubic spring.
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "support/kit.h"
 

@@ -1,15 +1,7 @@
 // Whole diagnoses on rigs that share no code with the candidates: which effect they name, and how much of the gap it
 // closes.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
-
 #include "diagnosis/shared_runs.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

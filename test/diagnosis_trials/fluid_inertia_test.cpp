@@ -1,17 +1,10 @@
 // Hydraulic mounts whose law is not that of the candidate, and benches without one that may look like it.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <deque>
 #include <iostream>
-#include <random>
-#include <string>
-#include <vector>
 
 #include "diagnosis/rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,13 +1,9 @@
 // A drift beside Berg's friction, whose past nobody knows.
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/log/record.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

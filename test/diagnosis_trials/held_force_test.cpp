@@ -1,13 +1,9 @@
 // What a report promises is what `replay` of its component file leaves, on logs with holds and a noisy displacement.
-#include <gtest/gtest.h>
-
-#include <random>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,12 +1,4 @@
 // Logs that begin with the component held under load: what Berg's friction was left in before is the rig's.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"

@@ -1,15 +1,7 @@
 // A strap that goes slack is told, with the force that it carries, and none is where nothing goes slack.
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "diagnosis/rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

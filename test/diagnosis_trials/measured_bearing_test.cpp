@@ -1,9 +1,4 @@
 // What a measured rubber bearing lacks: friction that grows with displacement and softening of its first loading.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "support/kit.h"

@@ -1,16 +1,9 @@
 // A bench in other units, turned round, faster, larger, or with its logs in another order: the same verdict, the same
 // probabilities.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <vector>
-
 #include "diagnosis/judge/numbers.h"
 #include "diagnosis/shared_runs.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,19 +1,10 @@
 // Logs whose force is little more than noise, as of a hold at rest: they hide nothing that the others show.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 // All but at rest: 4 N of force within 20 N of noise, as all logs of the rig have.
 log::Log hold(unsigned seed) {

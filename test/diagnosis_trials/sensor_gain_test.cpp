@@ -1,20 +1,11 @@
 // A force channel of wrong gain: told, or wrong values are, which do the same; not where values are off by other
 // factors, and not within the rig's tolerance.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::ElementsAre;
 
 log::Log runWithGain(const std::string& name, unsigned seed, double gain, const RigEffect& effect = nothing) {
   log::Log log = runRig(name, seed, effect);

@@ -1,24 +1,12 @@
 // Whole diagnoses of measured tables: which effect they name, beside wrong values, and beside what logs say.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/laboratory.h"
 #include "diagnosis/rig.h"
 #include "rubber_suspension/gap/replay.h"
+#include "support/test.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
-
-using testing::Contains;
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 // Logs of the same component: its force under a motion through all amplitudes and frequencies, with noise of about 1 %.
 std::vector<log::Log> logsOf(const io::ComponentDescription& truth) {

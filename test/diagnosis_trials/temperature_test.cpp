@@ -1,20 +1,12 @@
 // The temperature in whole diagnoses: a column that explains the gap, none, a component that follows it already.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/warm_rig.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 const diagnosis::CandidateResult& temperatureOf(const diagnosis::Diagnosis& result) {
   return *std::find_if(result.candidates.begin(), result.candidates.end(),

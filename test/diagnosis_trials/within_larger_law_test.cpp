@@ -1,14 +1,7 @@
 // Effects that a law of the list contains together.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

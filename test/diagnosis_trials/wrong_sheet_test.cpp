@@ -1,14 +1,4 @@
 // Benches on which nothing is missing: the component is exactly the model, and only its data sheet is wrong.
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"

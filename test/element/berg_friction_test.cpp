@@ -1,11 +1,8 @@
 // Berg's friction element against its closed forms, and its two known weaknesses against measured numbers.
 #include "rubber_suspension/element/berg_friction.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
 #include "element/driver.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,9 +1,6 @@
 // Bouc-Wen hysteresis: closed forms for the exponents 1 and 2, the equation itself for others.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "element/driver.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,18 +1,10 @@
 // Entries of component files: what is refused, with which words, and what is filled in.
 #include "rubber_suspension/element/catalogue.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <stdexcept>
-
 #include "support/kit.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension::test {
 namespace {
-
-using testing::HasSubstr;
 
 struct Refused {
   const char* name;

@@ -1,20 +1,14 @@
 // The contract that every law must keep: one battery over typical parameters of all laws of the catalogue.
-#include <gmock/gmock.h>
-
 #include <Eigen/Core>
-#include <cmath>
-#include <complex>
-#include <random>
-#include <set>
 
 #include "element/driver.h"
 #include "element/typical_elements.h"
 #include "support/allocation_counter.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {
 
-using testing::Each;
 using testing::Eq;
 
 constexpr double kShortestStep = 1e-3;  // [s]

@@ -1,11 +1,6 @@
 // Steps a law by itself, for tests of its own formulas.
 #pragma once
 
-#include <memory>
-#include <string>
-#include <variant>
-#include <vector>
-
 #include "rubber_suspension/element/catalogue.h"
 #include "support/kit.h"
 

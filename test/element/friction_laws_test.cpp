@@ -1,10 +1,7 @@
 // Laws of friction: limits that vary, slide, flow or lie behind a play, and the force of a first loading.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "element/driver.h"
 #include "element/implicit_flow.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,10 +1,6 @@
 // The hydraulic mount: closed forms of its step, its two sets of parameters, its decoupler.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "element/driver.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,9 +1,6 @@
 // Maxwell elements that slide, break down, yield or follow a curve: steady motion, relaxation, the equation itself.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "element/driver.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,11 +1,7 @@
 // Nonlinear springs: points of their characteristics, harmonics under a sine, limits.
-#include <gtest/gtest.h>
-
-#include <complex>
-#include <utility>
-
 #include "element/driver.h"
 #include "rubber_suspension/element/radial_stiffness.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,12 +1,9 @@
 // Properties that hold on every path: RapidCheck draws the paths and shrinks those that fail. Needs RapidCheck.
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
 
 #include "element/driver.h"
 #include "element/typical_elements.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,9 +1,7 @@
 // Relaxation over a step against the exponential in extended precision.
 #include "rubber_suspension/element/relaxation.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,20 +1,15 @@
 // Numbers of the surrogate: each operator against its closed form, the bounds, what is refused.
 #include "rubber_suspension/element/residual.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-
 #include "element/typical_elements.h"
 #include "rubber_suspension/element/constants.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {
 
 using element::Residual;
 using element::ResidualBasis;
-using testing::HasSubstr;
 
 constexpr double kDt = 1e-3;      // [s]
 constexpr double kStroke = 4e-3;  // [m]

@@ -1,10 +1,6 @@
 // What lies between rig and specimen, and what scales the specimen's force: closed forms and limits.
-#include <gtest/gtest.h>
-
-#include <complex>
-#include <random>
-
 #include "element/driver.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

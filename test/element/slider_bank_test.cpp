@@ -1,12 +1,9 @@
 // Iwan's bank and Coulomb friction: minor loops, Masing's rules, closed forms, limits.
 #include "rubber_suspension/element/slider_bank.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "element/driver.h"
 #include "rubber_suspension/element/iwan.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

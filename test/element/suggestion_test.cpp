@@ -1,7 +1,7 @@
 // The word that a misspelt one was meant to be: what is suggested, and where nothing is.
 #include "element/suggestion.h"
 
-#include <gtest/gtest.h>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

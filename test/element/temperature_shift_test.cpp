@@ -1,8 +1,4 @@
 // Laws of temperature against published constants: shift factors, change of reference, where they hold.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "rubber_suspension/element/catalogue.h"
 #include "support/kit.h"
 

@@ -1,12 +1,7 @@
 // Typical parameters of every law, for tests that all laws must pass, and what each law is known to be.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <ostream>
-#include <string>
-#include <vector>
 
 #include "rubber_suspension/component/component.h"
 #include "support/kit.h"

@@ -1,20 +1,12 @@
 // Data sheets: modulus from hardness, shape factor, stiffness ratio, second loss angle, and what is refused.
 #include "rubber_suspension/estimation/data_sheet.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <complex>
-
 #include "estimation/values.h"
 #include "rubber_suspension/component/component.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 const Values kBlock = {{"shore_a", 60.0},
                        {"loaded_area", 0.01},

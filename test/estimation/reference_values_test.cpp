@@ -1,11 +1,8 @@
 // The worked example of the paper: every number of the estimation, to the digits that are known.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "estimation/values.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

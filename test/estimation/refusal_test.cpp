@@ -1,20 +1,12 @@
 // Specifications without a solution: each is refused with key, value and the intervals that would do.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <complex>
 #include <regex>
 
 #include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
 #include "support/kit.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 const Values kFiveInputs = {{"static_stiffness", 3e6},
                             {"dynamic_stiffness", 4.2e6},

@@ -1,14 +1,9 @@
 // Specifications that are legal and odd: what is warned of, in the units that the user wrote, and what is not.
-#include <gmock/gmock.h>
-
 #include "rubber_suspension/estimation/notes.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 estimation::Specification stiffnesses(double k_st, double k_n, double k_max) {
   estimation::Specification specification;

@@ -1,25 +1,15 @@
 // Specifications of a whole component: reference values, and for any elements that are added the targets are met.
 #include "rubber_suspension/estimation/whole.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
 
 #include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"
 #include "support/kit.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 // The same cases in every run, unless the environment asks for others.
 const bool kSeeded = setenv("RC_PARAMS", "seed=20150817 max_success=50", 0) == 0;

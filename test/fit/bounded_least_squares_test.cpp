@@ -1,12 +1,7 @@
 // Bounded least squares: conditions of optimality over random problems, bounds, collinear columns.
 #include "numerics/bounded_least_squares.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
-#include <vector>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

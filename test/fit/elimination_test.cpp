@@ -2,18 +2,13 @@
 // and no block that is held out has a part in what takes its own error.
 #include "numerics/elimination.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numeric>
-#include <random>
-
 #include "fit/normal_equations.h"
 #include "numerics/bounded_least_squares.h"
 #include "numerics/gram.h"
 #include "numerics/least_squares.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension::fit {
 namespace {

@@ -1,10 +1,4 @@
 // What a fit moves: `estimate --from-log` and `diagnose` free the same parameters of every law.
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <set>
-
 #include "element/typical_elements.h"
 #include "fit/force_model.h"
 #include "fit/model_parameters.h"
@@ -14,7 +8,6 @@
 namespace rubber_suspension::test {
 namespace {
 
-using testing::ElementsAre;
 using testing::IsSupersetOf;
 
 log::Log recorded() {

@@ -2,20 +2,11 @@
 // is said.
 #include "rubber_suspension/fit/identification.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <map>
-#include <random>
-
 #include "rubber_suspension/gap/replay.h"
 #include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 const Entries kTruth = {spring(3e6), friction(4900.0, 2.2e-3), maxwell(0.5e6, 1.45)};
 

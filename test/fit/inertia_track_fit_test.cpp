@@ -1,9 +1,4 @@
 // The fluid of a hydraulic mount is found in logs and in tables.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-
 #include "fit/table_fit.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/fit/identification.h"

@@ -1,12 +1,6 @@
 // Rows of several temperatures as one curve.
 #include "fit/master_curve.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-
 #include "fit/table_fit.h"
 #include "rubber_suspension/element/constants.h"
 #include "support/kit.h"
@@ -15,8 +9,6 @@ namespace rubber_suspension::fit {
 namespace {
 
 using element::ElementDescription;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 constexpr double kReference = 20.0;  // [degC]
 

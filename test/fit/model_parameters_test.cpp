@@ -1,11 +1,6 @@
 // Model parameters as unknowns: what the user would have to write.
 #include "fit/model_parameters.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <map>
-
 #include "support/kit.h"
 
 namespace rubber_suspension::fit {

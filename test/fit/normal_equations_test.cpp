@@ -1,15 +1,10 @@
 // Blocks of the logs: their weights, and what they leave out.
 #include "fit/normal_equations.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numeric>
-#include <random>
-
 #include "numerics/gram.h"
 #include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension::fit {
 namespace {

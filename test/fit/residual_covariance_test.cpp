@@ -1,10 +1,9 @@
 // The covariance of estimates whose residuals are autocorrelated, against the dense matrices of its definition.
 #include "fit/residual_covariance.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/LU>
-#include <algorithm>
+
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

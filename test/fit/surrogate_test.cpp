@@ -1,18 +1,11 @@
 // The surrogate's fit: what is a function of the motion is predicted where it was not fitted, what is none is not.
 #include "fit/surrogate.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <functional>
-#include <random>
-
 #include "gap/simulate.h"
 #include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,12 +1,6 @@
 // Parameters from a table of stiffness and loss angle.
 #include "fit/table_fit.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "rubber_suspension/fit/identification.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/response/sweep.h"
@@ -14,8 +8,6 @@
 
 namespace rubber_suspension::fit {
 namespace {
-
-using testing::HasSubstr;
 
 io::ComponentDescription bush(double stiffness, double maxwell, double break_frequency, double friction,
                               double displacement) {

@@ -1,10 +1,7 @@
 // The search for the least squares within limits.
 #include "numerics/trust_region.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
+#include "support/test.h"
 
 namespace rubber_suspension::numerics {
 namespace {

@@ -1,11 +1,4 @@
 // Fits of random models: never worse than the truth, and with it inside the intervals; the same bits on any processor.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 #include "rubber_suspension/fit/identification.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/processor/instructions.h"

@@ -1,29 +1,14 @@
 // What the exporter writes: the description by the rules of the standard, the archive, and its refusals.
 #include "fmi/export.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <memory>
-#include <sstream>
-
 #include "element/typical_elements.h"
 #include "fmi/description_check.h"
 #include "fmi/runtime/embedded.h"
 #include "fmi/zip_reader.h"
+#include "support/test.h"
 
 namespace rubber_suspension::fmi::test {
 namespace {
-
-using testing::Contains;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::ThrowsMessage;
 
 FmuParts parts() { return {FMU_BINARY, FMU_SOURCES}; }
 

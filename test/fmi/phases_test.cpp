@@ -1,19 +1,11 @@
 // The order of calls, parameters, saved states and the log of an FMU.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <limits>
-
 #include "fmi/importer.h"
 #include "fmi/runtime/fmi.h"
 #include "fmi/runtime/saved_state.h"
+#include "support/test.h"
 
 namespace rubber_suspension::fmi::test {
 namespace {
-
-using testing::HasSubstr;
 
 io::ComponentDescription example() {
   const auto components = io::loadComponentFile(TEST_DIR "/../config/example.yaml");

@@ -1,16 +1,10 @@
 // The description against the schemas of the standard, where these and xmllint are at hand.
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <string>
 
 #include "element/typical_elements.h"
 #include "fmi/export.h"
 #include "support/measured_data.h"
+#include "support/test.h"
 
 namespace rubber_suspension::fmi::test {
 namespace {

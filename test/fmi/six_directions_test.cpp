@@ -1,10 +1,6 @@
 // An FMU of a component of six directions: a pose in, the wrench of the component out, to the last bit.
 #include "rubber_suspension/component/six_directions.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "fmi/description_check.h"
 #include "fmi/importer.h"
 #include "support/kit.h"

@@ -1,10 +1,4 @@
 // An FMU steps as the component does: to the last bit, whatever the importer does in between.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <thread>
-
 #include "element/largest_number.h"
 #include "element/typical_elements.h"
 #include "fmi/importer.h"

@@ -1,19 +1,13 @@
 // Figures of agreement between a measured and a simulated force, their limits, table and JSON.
 #include "gap/agreement.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "rubber_suspension/element/constants.h"
 #include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
-
-using testing::HasSubstr;
 
 constexpr double kAmplitude = 1e-3;  // [m]
 constexpr double kForce = 2000.0;    // [N]

@@ -1,13 +1,8 @@
 // The gap, its floor and what of it a better model closes.
 #include "rubber_suspension/gap/gap.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <stdexcept>
-
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -2,12 +2,7 @@
 // and fills every cell of the warping.
 #include "rubber_suspension/gap/iso18571.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <vector>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

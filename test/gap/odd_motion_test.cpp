@@ -1,16 +1,10 @@
 // Logs whose motion is odd for a component: what is said of millimetres in a column of metres, and of what is not odd.
 #include "gap/odd_motion.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-
 #include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 constexpr double kStiffness = 3e6;
 

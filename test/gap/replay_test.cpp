@@ -1,20 +1,12 @@
 // Offline simulation of a log: the stream's own numbers, the gap, the summary and the figure.
 #include "rubber_suspension/gap/replay.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-
 #include "io/progress.h"
 #include "rubber_suspension/element/constants.h"
 #include "support/kit.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 log::Log sineLog(int samples) {
   return logOf("sine", samples, 1234567, [](int i) { return 0.003 * std::sin(0.01 * i); });

@@ -1,18 +1,10 @@
 // The temperature of a log in its replay: sample by sample, where there is none, and where the shift does not hold.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "gap/simulate.h"
 #include "rubber_suspension/gap/replay.h"
 #include "support/kit.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 const Entries kElements = {spring(3e6), maxwell(1.2e6, 2.0),
                            entry("wlf_shift c1=6.13 c2=146.8 reference=20 vertical=0.003")};

@@ -1,12 +1,9 @@
 // The map of the gap: cells of known errors, and no second with a meaning of its own.
 #include "rubber_suspension/gap/where.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

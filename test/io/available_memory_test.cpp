@@ -1,13 +1,10 @@
 // What is left of the machine's memory and of control groups, by files as the kernel writes them.
 #include "io/available_memory.h"
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <string>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,23 +1,11 @@
 // Component files that have to be refused, each with the error that it has to give in its first line, `# error: ...`,
 // beginning at the line's number behind the file's name.
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
-
 #include "rubber_suspension/io/component_file.h"
 #include "support/files.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::StartsWith;
 
 std::string nameOf(const ::testing::TestParamInfo<std::string>& info) {
   return std::filesystem::path(info.param).stem().string();

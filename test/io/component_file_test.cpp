@@ -1,24 +1,17 @@
 // The component file: what is accepted, what is written reads back to the same numbers.
 #include "rubber_suspension/io/component_file.h"
 
-#include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cmath>
-#include <limits>
-#include <random>
-#include <tuple>
 #include <type_traits>
 
-#include "io/temporary_file.h"
 #include "rubber_suspension/element/constants.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 const char* const kExample = R"(components:
   left_secondary:

@@ -1,11 +1,4 @@
 // The files in config/: all load, and the example shows everything that a component file may hold.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
-#include <set>
-#include <vector>
-
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"

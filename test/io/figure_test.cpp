@@ -1,23 +1,12 @@
 // Figures: that they are drawn, fit for light and dark pages, and that errors are told.
 #include "rubber_suspension/io/figure.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <fstream>
-#include <limits>
-#include <sstream>
-
-#include "io/temporary_file.h"
 #include "support/files.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::StartsWith;
 
 io::Figure exampleFigure() {
   io::Axes curves;

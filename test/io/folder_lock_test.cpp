@@ -1,15 +1,11 @@
 // One run at a time writes into a folder.
 #include "io/folder_lock.h"
 
-#include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <memory>
-
 #include "io/output_files.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

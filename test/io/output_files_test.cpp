@@ -1,19 +1,12 @@
 // The rule of what a command may write over: no input by any name, no file twice, no file of another kind unasked.
 #include "io/output_files.h"
 
-#include <gmock/gmock.h>
-
-#include <filesystem>
-#include <fstream>
-
-#include "io/temporary_file.h"
 #include "rubber_suspension/io/component_file.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 namespace fs = std::filesystem;
 

@@ -2,21 +2,16 @@
 #include "io/progress.h"
 
 #include <fcntl.h>
-#include <gmock/gmock.h>
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
-#include <cstdlib>
-#include <functional>
-#include <string>
-#include <thread>
+
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
 
 using testing::EndsWith;
-using testing::HasSubstr;
 
 void putInPlaceOfStderr(int descriptor) {
   std::fflush(stderr);

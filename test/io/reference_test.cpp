@@ -1,10 +1,9 @@
 // The reference page in docs/ is the one that the code prints, and the pages of theory know every element on it.
 #include "io/reference.h"
 
-#include <gtest/gtest.h>
-
 #include "rubber_suspension/element/catalogue.h"
 #include "support/files.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,15 +1,11 @@
 // Tolerances of a rig: text with units or shares, options and component files, and what is refused.
 #include "rubber_suspension/io/rig_tolerances.h"
 
-#include <gmock/gmock.h>
-
 #include "rubber_suspension/io/component_file.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 TEST(RigTolerances, TakeUnitsAndShares) {
   io::RigTolerances tolerances;

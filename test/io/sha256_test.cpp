@@ -1,15 +1,11 @@
 // SHA-256 against the examples of its standard.
 #include "io/sha256.h"
 
-#include <gmock/gmock.h>
-
-#include "io/temporary_file.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 // FIPS 180-4, examples of NIST.
 TEST(Sha256, OfTheExamplesOfItsStandard) {

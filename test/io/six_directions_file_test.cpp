@@ -1,10 +1,6 @@
 // Component files of six directions: what they may say, what they are refused for, and that they read back.
-#include <gtest/gtest.h>
-
-#include <string>
-
 #include "rubber_suspension/io/component_file.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,20 +1,12 @@
 // Specifications of whole components, static curves, preloads and points in a component file; merge keys.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/response/sweep.h"
 #include "support/kit.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 io::ComponentDescription load(const std::string& content) {
   return componentOf("components:\n  bush:\n" + content, "file.yaml");

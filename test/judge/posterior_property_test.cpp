@@ -1,15 +1,9 @@
 // Properties of the judgement by posterior that hold on any evidence: RapidCheck draws it. Needs RapidCheck.
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <vector>
 
 #include "diagnosis/judge/answer.h"
 #include "judge/made_evidence.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,17 +1,11 @@
 // What the score takes of evidence, and what it refuses.
 #include "diagnosis/judge/score.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 #include "diagnosis/judge/answer.h"
 #include "diagnosis/judge/evidence_json.h"
 #include "judge/made_evidence.h"
 #include "judge/read_evidence.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

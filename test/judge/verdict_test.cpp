@@ -1,9 +1,7 @@
 // Words for verdicts, as reports and records have them.
 #include "rubber_suspension/diagnosis/verdict.h"
 
-#include <gtest/gtest.h>
-
-#include <stdexcept>
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,17 +1,11 @@
 // The kernel of springs, dashpots, Maxwell elements and Berg friction against their laws one by one: the same bits.
 #include "rubber_suspension/kernel/basic_laws_kernel.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <random>
-#include <vector>
-
 #include "kernel/laws_one_by_one.h"
 #include "rubber_suspension/element/berg_friction.h"
 #include "support/allocation_counter.h"
 #include "support/on_any_processor.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

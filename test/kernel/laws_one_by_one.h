@@ -1,13 +1,8 @@
 // Basic laws of random numbers, each stepped by itself through the interface that all laws have, and random paths.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <vector>
-
 #include "element/driver.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 

@@ -1,14 +1,9 @@
 // Maxwell elements side by side against the law, one by one: the same bits, on any processor.
 #include "kernel/maxwell_forces.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <vector>
-
 #include "rubber_suspension/element/maxwell.h"
 #include "rubber_suspension/processor/instructions.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

@@ -1,12 +1,8 @@
 // Checks of many samples at once: one that breaks the rule is seen wherever it stands.
 #include "kernel/sample_checks.h"
 
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <vector>
-
 #include "support/on_any_processor.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {

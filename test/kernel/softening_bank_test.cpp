@@ -1,12 +1,6 @@
 // Stress softening by several laws at once against the laws one by one.
 #include "kernel/softening_bank.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <vector>
-
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/processor/instructions.h"
 #include "support/kit.h"

@@ -1,15 +1,12 @@
 // What the benchmark makes of its runs: quantiles of round trips, medians of ratios, the table.
 #include "benchmark/latency/latency_benchmark.h"
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <sstream>
 
 #include "benchmark/latency/benchmark_node.h"
 #include "benchmark/timing.h"
 #include "rubber_suspension/io/component_file.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -2,15 +2,7 @@
 // gap bring no name. RUBBER_SUSPENSION_LIVE_HOURS=100 replays that many instead of the few minutes of the suite.
 #include "diagnosis/live/live_diagnosis.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <iostream>
-#include <random>
-#include <vector>
 
 #include "io/cancellation.h"
 #include "rubber_suspension/component/sample_stream.h"

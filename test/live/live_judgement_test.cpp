@@ -1,21 +1,13 @@
 // What may be said while a bench runs: the evidence by its inequality, the onset, the rules of the judgement.
 #include "diagnosis/live/live_judgement.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
-#include <vector>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
 
 using diagnosis::live::LiveJudgement;
 using diagnosis::live::SequentialEvidence;
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 // The worst that the inequality allows: every bet is at fair odds. Of 400 runs of n bets at most n/c may reach c.
 TEST(SequentialEvidence, KeepsItsInequalityWhereEveryBetIsFair) {

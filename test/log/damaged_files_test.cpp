@@ -1,26 +1,12 @@
 // MATLAB and HDF5 files that are cut, changed, or lead elsewhere: refused, never read as zeros.
-#include <gmock/gmock.h>
 #include <hdf5.h>
 #include <zlib.h>
 
-#include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <numeric>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "log/read_text.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 std::string refusalOfMat(const std::string& bytes) { return refusalOf(bytes, {}, "log.mat"); }
 

@@ -1,23 +1,11 @@
 // Logs as instruments and spreadsheets write them, drawn at random: separator, decimal mark, marks between thousands,
 // units in the header or in a row of their own, a time as a number, a clock or a date, several logs in one file, cells
 // that were not measured. Each writer knows what its file says.
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <array>
-#include <cmath>
-#include <map>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "log/read_text.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
 
 // Numbers as whole thousandths, so that their text is exact.
 struct Sample {

@@ -1,27 +1,16 @@
 // Logs as rigs and spreadsheets write them. good_logs/X has what it has to give in X.expected: the options, the notes,
 // and a line "stamp [ns], displacement [m], force [N]" per sample. bad_logs/X.csv has in X.error how its error begins,
 // behind the file's name and a colon.
-#include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
-
-#include "io/temporary_file.h"
 #include "log/text.h"
 #include "rubber_suspension/log/log.h"
 #include "support/files.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 std::string nameOf(const ::testing::TestParamInfo<std::string>& info) {
   std::string name = std::filesystem::path(info.param).stem().string();

@@ -1,18 +1,13 @@
 // Logs that are read block by block.
 #include "rubber_suspension/log/log_source.h"
 
-#include <gmock/gmock.h>
 #include <hdf5.h>
 
-#include <cmath>
-#include <fstream>
-#include <random>
-
-#include "io/temporary_file.h"
 #include "log/even_blocks.h"
 #include "log/samples.h"
 #include "rubber_suspension/log/record.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,19 +1,9 @@
 // Reading and writing of CSV logs: what is accepted, to the last bit, and what is refused with line and reason.
 #include "rubber_suspension/log/log.h"
 
-#include <gmock/gmock.h>
 #include <time.h>
 
-#include <algorithm>
 #include <clocale>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <limits>
-#include <random>
 
 #include "log/read_text.h"
 #include "support/files.h"
@@ -22,9 +12,6 @@
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 void expectNear(const std::vector<double>& values, const std::vector<double>& expected) {
   ASSERT_EQ(values.size(), expected.size());

@@ -1,15 +1,10 @@
 // Logs from MATLAB files of all levels. The files in mat_logs/ were written by SciPy, that of level 7.3 by libmatio;
 // the good ones all hold time 0, 0.5, 1, 1.5, 2 s, displacement 0, 1, 2, 1, 0 mm and force 0, 3, 6.5, 2.5, -0.5 kN.
-#include <gmock/gmock.h>
-
 #include "rubber_suspension/log/log.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 log::Log read(const std::string& name, const log::LogFormat& format = {}) {
   return log::readLog(TEST_DIR "/log/mat_logs/" + name + ".mat", format);

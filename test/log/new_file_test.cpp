@@ -1,7 +1,6 @@
 // Files that are written beside and renamed: an older one stays whole until the new one is complete, whatever happens.
 #include "log/new_file.h"
 
-#include <gmock/gmock.h>
 #include <signal.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -9,22 +8,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <sstream>
-
-#include "io/temporary_file.h"
 #include "rubber_suspension/log/log.h"
 #include "support/files.h"
 #include "support/kit.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 namespace fs = std::filesystem;
 

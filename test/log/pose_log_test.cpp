@@ -1,17 +1,10 @@
 // Logs of six directions: columns, units, what is refused.
 #include "rubber_suspension/log/pose_log.h"
 
-#include <gmock/gmock.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <fstream>
-#include <string>
-
 #include "rubber_suspension/element/constants.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

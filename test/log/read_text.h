@@ -1,13 +1,9 @@
 // Logs of texts: what is read, what is refused, and the option that an error advises.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <string>
-
-#include "io/temporary_file.h"
 #include "rubber_suspension/log/log.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 

@@ -1,13 +1,9 @@
 // Drive files of RPC III are read back as they were written. good_logs/ and bad_logs/ have files of others.
 #include "log/rpc_log.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <stdexcept>
-
-#include "io/temporary_file.h"
 #include "rubber_suspension/log/log_source.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

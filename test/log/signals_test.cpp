@@ -1,24 +1,11 @@
 // Logs whose channels have rates of their own, cells that were not measured, numbers that stand for none, and units as
 // people write them: read with their numbers, or refused with an option that reads them.
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <functional>
-#include <random>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "log/file_format.h"
 #include "log/read_text.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using ::testing::Contains;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 constexpr int kRows = 2000;
 

@@ -1,12 +1,7 @@
 // What is said of a quantity that cannot be read: the unit or number that was probably meant.
-#include <gtest/gtest.h>
-
-#include <stdexcept>
-#include <string>
-
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/units.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

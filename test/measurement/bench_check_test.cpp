@@ -1,23 +1,12 @@
 // Mistakes of a bench are named with their correction, and logs without one are left to the diagnosis.
 #include "rubber_suspension/measurement/bench_check.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "measurement/examine.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension::measurement {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 std::vector<RigFinding> check(const VirtualRig& rig, const Perturbation& p, const Elements& elements) {
   const log::Log log = runRig(rig, p).log;

@@ -2,10 +2,9 @@
 // them.
 #include "rubber_suspension/measurement/faults.h"
 
-#include <gtest/gtest.h>
-
 #include "measurement/examine.h"
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension::measurement {
 namespace {

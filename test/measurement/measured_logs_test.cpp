@@ -1,10 +1,5 @@
 // Measured logs of other laboratories go through, and none of them is taken for a bench's mistake.
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <iostream>
-#include <string>
-#include <vector>
 
 #include "log/even_blocks.h"
 #include "measurement/perturb.h"
@@ -12,6 +7,7 @@
 #include "rubber_suspension/measurement/noise_floor.h"
 #include "rubber_suspension/measurement/rig_model.h"
 #include "support/measured_data.h"
+#include "support/test.h"
 
 namespace rubber_suspension::measurement {
 namespace {

@@ -1,11 +1,10 @@
 // Noise models: colour is told, whitening whitens, and the floor is that of the noise.
-#include <gtest/gtest.h>
-
 #include "measurement/examine.h"
 #include "measurement/functions_of_motion.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 #include "rubber_suspension/measurement/noise_model.h"
+#include "support/test.h"
 
 namespace rubber_suspension::measurement {
 namespace {

@@ -1,13 +1,7 @@
 // Virtual rigs whose logs are known to the last newton, and what benches do to logs: zeros, starts, spikes, noise.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <random>
-#include <string>
 #include <unsupported/Eigen/FFT>
-#include <vector>
 
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/log/record.h"

@@ -1,11 +1,6 @@
 // What rigs do to logs is found, with intervals that hold, and nothing is found where nothing was done.
 #include "rubber_suspension/measurement/rig_model.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-
 #include "measurement/examine.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 #include "support/kit.h"

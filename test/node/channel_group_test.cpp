@@ -1,12 +1,7 @@
 // All components at one instant: bundles against what saves and changes all of them.
 #include "node/channel_group.h"
 
-#include <gtest/gtest.h>
-
-#include <atomic>
-#include <set>
-#include <stdexcept>
-#include <thread>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,13 +1,7 @@
 // One component of the node: counting, saving, loading, exchanging the model; from several threads at once.
 #include "node/component_channel.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <atomic>
-#include <cmath>
-#include <limits>
-#include <thread>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

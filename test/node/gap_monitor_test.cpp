@@ -1,13 +1,8 @@
 // Matching of measured to simulated forces: late, early, twice, never, over restarts, from two threads.
 #include "node/gap_monitor.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <thread>
-
 #include "support/allocation_counter.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

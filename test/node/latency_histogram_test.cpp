@@ -1,13 +1,7 @@
 // The latency histogram: percentiles against sorted samples.
 #include "node/latency_histogram.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <thread>
-#include <vector>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,15 +1,8 @@
 // The live gap: its size against a known one, where it lies, thresholds, trend.
 #include "node/live_gap.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <random>
-#include <string>
-
 #include "rubber_suspension/element/constants.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,13 +1,9 @@
 // Messages that some subscriber lost, against queues that tell what they drop themselves.
 #include "node/loss_count.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <deque>
-#include <optional>
-#include <random>
-#include <vector>
+
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

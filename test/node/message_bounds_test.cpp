@@ -1,10 +1,7 @@
 // Bounds of messages on the wire: what is one passes, what is short, long or claims too much does not.
 #include "node/message_bounds.h"
 
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

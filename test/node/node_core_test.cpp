@@ -1,15 +1,9 @@
 // What serves a sample, without a master: messages filled, bundles answered, nothing allocated, memory that stays.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
-
 #include "ros_interface/bundle_server.h"
 #include "ros_interface/message_pool.h"
 #include "ros_interface/sample_server.h"
 #include "support/allocation_counter.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,23 +1,14 @@
 // Another model in the place of the configured one: shadow, cross-fade without a jump, back, and what is refused.
 #include "node/promotion.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-
 #include "node/component_channel.h"
 #include "node/state_file.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
 
 using node::RunStage;
-using testing::HasSubstr;
 
 constexpr std::int64_t kMillisecond = 1000000;
 constexpr double kStep = 1e-3;  // [s]

@@ -1,7 +1,7 @@
 // The pace of lines of log about what goes on being wrong.
 #include "node/report_pace.h"
 
-#include <gtest/gtest.h>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,10 +1,7 @@
 // Lost samples by sequence numbers.
 #include "node/sequence_watch.h"
 
-#include <gtest/gtest.h>
-
-#include <memory>
-#include <vector>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,26 +1,15 @@
 // State files: every bit kept, everything else refused, nothing but regular files read or replaced.
 #include "node/state_file.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <limits>
-
 #include "support/files.h"
-#include "support/message_of.h"
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
-
-using testing::HasSubstr;
 
 std::vector<node::SavedState> states() {
   node::SavedState state;
@@ -103,19 +92,6 @@ TEST(StateText, WhatIsNoStateIsRefused) {
 
 class StateFile : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "state_file_XXXXXX";
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    path_ = folder_ + "/state.json";
-  }
-  void TearDown() override {
-    for (const char* name : {"/state.json", "/state.json.next", "/target"}) {
-      std::remove((folder_ + name).c_str());
-    }
-    rmdir(folder_.c_str());
-  }
-
   void expectNeitherReadNorReplaced(const std::string& path, const std::string& word) const {
     for (const bool write : {false, true}) {
       const std::string message = messageOf<node::FileError>(
@@ -125,31 +101,31 @@ class StateFile : public testing::Test {
     }
   }
 
-  std::string folder_;
-  std::string path_;
+  ScratchFolder folder_;
+  const std::string path_ = folder_.path("state.json");
 };
 
 TEST_F(StateFile, IsReadAsItWasWritten) {
   node::writeStateFile(path_, states());
   node::writeStateFile(path_, states());
   EXPECT_EQ(node::stateText(node::readStateFile(path_)), node::stateText(states()));
-  const std::filesystem::directory_iterator folder(folder_);
+  const std::filesystem::directory_iterator folder(folder_.path());
   EXPECT_EQ(std::distance(begin(folder), end(folder)), 1) << "nothing is left beside it";
 }
 
 TEST_F(StateFile, IsARegularFile) {
   expectNeitherReadNorReplaced("/dev/zero", "a device");
-  expectNeitherReadNorReplaced(folder_, "a folder");
+  expectNeitherReadNorReplaced(folder_.path(), "a folder");
   ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
   expectNeitherReadNorReplaced(path_, "a pipe");
   std::remove(path_.c_str());
-  node::writeStateFile(folder_ + "/target", states());
-  ASSERT_EQ(symlink((folder_ + "/target").c_str(), path_.c_str()), 0);
+  node::writeStateFile(folder_.path("target"), states());
+  ASSERT_EQ(symlink(folder_.path("target").c_str(), path_.c_str()), 0);
   expectNeitherReadNorReplaced(path_, "a symbolic link");
 }
 
 TEST_F(StateFile, ThatCannotBeWrittenIsSaid) {
-  EXPECT_THROW(node::writeStateFile(folder_ + "/nowhere/state.json", states()), node::FileError);
+  EXPECT_THROW(node::writeStateFile(folder_.path("nowhere/state.json"), states()), node::FileError);
 }
 
 TEST_F(StateFile, IsBounded) {

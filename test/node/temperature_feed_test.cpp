@@ -1,9 +1,8 @@
 // Temperatures by their stamps: which holds for a sample, late and early ones, a new replay.
 #include "node/temperature_feed.h"
 
-#include <gtest/gtest.h>
-
 #include "node/component_channel.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,9 +1,4 @@
 // Loops: Eqs. 1 and 2, simulation against closed form, settled loops of friction.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <complex>
-
 #include "rubber_suspension/element/berg_friction.h"
 #include "rubber_suspension/response/sweep.h"
 #include "support/kit.h"

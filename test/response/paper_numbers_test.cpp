@@ -1,11 +1,8 @@
 // Stiffness and loss angle of the paper's models away from the working point, to the digits that are known.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,10 +1,4 @@
 // The working point of every model: what was asked for is what the loop has, over random specifications.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <random>
-
 #include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"

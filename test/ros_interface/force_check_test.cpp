@@ -1,12 +1,6 @@
 // The comparison of a bench's forces with a reference, on forces made by hand.
 #include "ros_interface/force_check.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 #include "rubber_suspension/element/constants.h"
 #include "support/kit.h"
 

@@ -1,10 +1,7 @@
 // The message pool: messages are used again once nobody holds them, never before.
 #include "ros_interface/message_pool.h"
 
-#include <gtest/gtest.h>
-
-#include <set>
-#include <string>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

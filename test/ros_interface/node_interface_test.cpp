@@ -2,9 +2,8 @@
 // the rostest interface.
 #include "ros_interface/node_interface.h"
 
-#include <gtest/gtest.h>
-
 #include "support/files.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

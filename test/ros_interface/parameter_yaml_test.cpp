@@ -1,11 +1,7 @@
 // Parameters as YAML text: every bit of a number, every character of a text.
 #include "ros_interface/parameter_yaml.h"
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <limits>
-#include <stdexcept>
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,16 +1,14 @@
 // The watch over a serving thread: what holds it up is seen, and said with its name.
 #include "ros_interface/serving_thread.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <ros/callback_queue_interface.h>
 
 #include <boost/make_shared.hpp>
 #include <chrono>
 #include <future>
-#include <thread>
 
 #include "ros_interface/node_diagnostics.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

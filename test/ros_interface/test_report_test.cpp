@@ -1,13 +1,10 @@
 // The report of a test node is what rostest reads: read back here with the same kind of parser.
-#include <gtest/gtest.h>
+#include "support/test.h"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include <sstream>
-#include <stdexcept>
 
 #include "ros_interface/force_check.h"
-#include "support/message_of.h"
 
 namespace rubber_suspension {
 namespace {

@@ -10,7 +10,7 @@
 #include <future>
 
 #include "bench.h"
-#include "support/message_of.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 namespace {

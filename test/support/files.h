@@ -1,23 +1,10 @@
 // Texts and files of tests: as a whole, by their first line, with a part replaced.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
+#include "support/scratch_folder.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
-
-/// The bytes of a file; none where it cannot be read.
-inline std::string contentOf(const std::filesystem::path& path) {
-  std::ostringstream content;
-  content << std::ifstream(path, std::ios::binary).rdbuf();
-  return content.str();
-}
 
 inline std::string firstLine(const std::filesystem::path& path) {
   const std::string text = contentOf(path);

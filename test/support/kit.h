@@ -1,19 +1,12 @@
 // Elements, components, logs and settled sines that tests are made of.
 #pragma once
 
-#include <cmath>
-#include <complex>
-#include <cstdint>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"
+#include "support/test.h"
 
 namespace rubber_suspension {
 

@@ -1,9 +1,8 @@
 // Tests that run once for each kind of instructions.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include "rubber_suspension/processor/instructions.h"
+#include "support/test.h"
 
 namespace rubber_suspension::test {
 

@@ -1,13 +1,9 @@
 // Components of six directions in a multibody simulation: against Simbody's own bushing, and against closed forms.
-
 #include <Simbody.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
 
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/io/component_file.h"
+#include "support/test.h"
 #include "vehicle/simulation.h"
 #include "vehicle/soft_track.h"
 

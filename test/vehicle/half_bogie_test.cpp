@@ -1,8 +1,5 @@
 // The half bogie's geometry and motion against closed forms: heights, free flight, a pitch oscillation.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
+#include "support/test.h"
 #include "vehicle/simulation.h"
 #include "vehicle/vehicle.h"
 

@@ -1,11 +1,7 @@
 // The two ways to step against each other: variable steps with trials, and loops with held forces.
 #include "vehicle/simulation.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
+#include "support/test.h"
 #include "vehicle/soft_track.h"
 
 namespace rubber_suspension::vehicle {

@@ -83,7 +83,7 @@ std::vector<ros::Subscriber> echo(ros::NodeHandle& handle, const std::vector<std
 }
 
 BenchmarkNode::BenchmarkNode(NodeKind kind, int components, bool bundled, bool measured)
-    : file_(benchmarkComponents(components), spaceOf(kind) + ".yaml"),
+    : file_(spaceOf(kind) + ".yaml", benchmarkComponents(components)),
       process_(commandOf(kind, components, file_.path())),
       meter_("/" + spaceOf(kind), benchmarkNames(components), bundled, measured) {}
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "benchmark/latency/temporary_file.h"
 #include "numerics/quantile.h"
 #include "ros_interface/child_process.h"
 #include "ros_interface/serving_thread.h"
+#include "support/scratch_folder.h"
 
 namespace rubber_suspension::benchmark {
 
