@@ -115,9 +115,8 @@ CollectSummary collect(const Manifest& manifest, const std::string& folder) {
   }
   writeCsv(tableCsvPath(folder), rows, columns);
   writeJson(tableJsonPath(folder), rows);
-  const FleetFindings findings = fleet.analyse();
   io::removePage(fleetReportPath(folder));
-  log::writeNewFile(fleetJsonPath(folder), toJson(findings, summary));
+  log::writeNewFile(fleetJsonPath(folder), toJson(fleet, summary));
   summary.page_problem = io::renderPage(fleetJsonPath(folder));
   return summary;
 }

@@ -1,12 +1,13 @@
-// Findings of a fleet that a single component cannot show.
+// Findings of a fleet that a single component cannot show, as JSON.
 #include "campaign/fleet.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
-#include <iterator>
 #include <set>
+#include <utility>
 
 #include "element/each.h"
 #include "numerics/quantile.h"
@@ -14,35 +15,30 @@
 namespace rubber_suspension::campaign {
 namespace {
 
-constexpr double kTail = 0.025;  // of a 95 % interval
+using nlohmann::ordered_json;
+
+constexpr double kTail = 0.025;           // of a 95 % interval
+constexpr std::size_t kMostListed = 500;  // components of a type: table.csv has all
 
 // How often each of these names occurs, most frequent first.
-std::vector<Share> sharesOf(const std::vector<std::string>& names, std::size_t components) {
+ordered_json sharesOf(const std::vector<std::string>& names, std::size_t components) {
   constexpr double kJeffreys = 0.5;  // prior count of either answer
-  std::vector<Share> shares;
-  for (const std::string& name : std::set<std::string>(names.begin(), names.end())) {
-    const auto count = static_cast<std::size_t>(std::count(names.begin(), names.end(), name));
+  std::map<std::string, std::size_t> counts;
+  for (const std::string& name : names) {
+    ++counts[name];
+  }
+  std::vector<std::pair<std::string, std::size_t>> by_count(counts.begin(), counts.end());
+  std::stable_sort(by_count.begin(), by_count.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  ordered_json shares = ordered_json::array();
+  for (const auto& [name, count] : by_count) {
     const boost::math::beta_distribution<> beta(static_cast<double>(count) + kJeffreys,
                                                 static_cast<double>(components - count) + kJeffreys);
-    const double share = static_cast<double>(count) / static_cast<double>(components);
-    shares.push_back({name, count, share, {quantile(beta, kTail), quantile(beta, 1.0 - kTail)}});
+    shares.push_back({{"name", name},
+                      {"components", count},
+                      {"share", static_cast<double>(count) / static_cast<double>(components)},
+                      {"interval_95", {quantile(beta, kTail), quantile(beta, 1.0 - kTail)}}});
   }
-  std::stable_sort(shares.begin(), shares.end(),
-                   [](const Share& a, const Share& b) { return a.components > b.components; });
   return shares;
-}
-
-void countVerdicts(FleetType& type) {
-  std::vector<std::string> verdicts;
-  std::vector<std::string> effects;
-  for (const auto& [verdict, named, changes] : element::each(type.components, &FleetComponent::findings)) {
-    if (verdict) {
-      verdicts.push_back(toString(*verdict));
-    }
-    effects.insert(effects.end(), named.begin(), named.end());
-  }
-  type.verdicts = sharesOf(verdicts, verdicts.size());
-  type.effects = sharesOf(effects, verdicts.size());
 }
 
 // Of the value, from 1, at either end of the interval of the median; 0 where there are too few.
@@ -55,59 +51,28 @@ std::size_t rankOfInterval(std::size_t count) {
   return rank;
 }
 
-bool isFarOut(double value, const Distribution& distribution) {
+ordered_json withDistribution(ordered_json head, const ordered_json& distribution) {
+  head.update(distribution);
+  return head;
+}
+
+bool isFarOut(double value, const ordered_json& distribution) {
   constexpr double kFar = 4.0;  // distances of the quartiles: of normal values six standard deviations from the median
-  const auto& [lower, upper] = distribution.quartiles;
-  return distribution.components >= kFewestComponents &&
+  const auto [lower, upper] = distribution["quartiles"].get<std::array<double, 2>>();
+  return distribution["components"] >= kFewestComponents &&
          std::max(lower - value, value - upper) > kFar * (upper - lower) &&
-         std::abs(value - distribution.median) > kWorthSaying;
-}
-
-void describeParameters(FleetType& type) {
-  std::map<std::string, std::vector<ComponentValue>> values;
-  for (std::size_t i = 0; i < type.components.size(); ++i) {
-    for (const auto& [name, change] : type.components[i].findings.changes) {
-      values[name].push_back({i, name, change});
-    }
-  }
-  for (const auto& [name, all] : values) {
-    const Distribution distribution = distributionOf(element::each(all, &ComponentValue::value));
-    type.parameters.push_back({"", type.name, name, distribution});
-    std::copy_if(all.begin(), all.end(), std::back_inserter(type.far_out),
-                 [&](const ComponentValue& one) { return isFarOut(one.value, distribution); });
-  }
-}
-
-// Of rigs that had one type alone there is nothing to compare.
-std::vector<FleetParameter> rigsOf(const std::map<std::string, std::vector<FleetComponent>>& types) {
-  std::map<std::array<std::string, 3>, std::vector<double>> values;
-  std::map<std::string, std::set<std::string>> types_of;
-  for (const auto& [type, components] : types) {
-    for (const FleetComponent& component : components) {
-      for (const auto& [name, change] : component.findings.changes) {
-        values[{component.test_rig, type, name}].push_back(change);
-        types_of[component.test_rig].insert(type);
-      }
-    }
-  }
-  std::vector<FleetParameter> rigs;
-  for (const auto& [key, of_components] : values) {
-    const auto& [rig, type, parameter] = key;
-    if (types_of[rig].size() > 1) {
-      rigs.push_back({rig, type, parameter, distributionOf(of_components)});
-    }
-  }
-  return rigs;
+         std::abs(value - distribution["median"].get<double>()) > kWorthSaying;
 }
 
 }  // namespace
 
-Distribution distributionOf(std::vector<double> values) {
+ordered_json distributionOf(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const auto quantile = [&](double share) { return numerics::quantileOf(values, share); };
-  Distribution result{values.size(), quantile(0.5), {quantile(0.25), quantile(0.75)}, {}};
+  ordered_json result = {
+      {"components", values.size()}, {"median", quantile(0.5)}, {"quartiles", {quantile(0.25), quantile(0.75)}}};
   if (const std::size_t rank = rankOfInterval(values.size()); rank > 0) {
-    result.median_interval = {values[rank - 1], values[values.size() - rank]};
+    result["median_interval_95"] = {values[rank - 1], values[values.size() - rank]};
   }
   return result;
 }
@@ -119,16 +84,86 @@ void Fleet::add(const Job& job, const Record& record) {
   }
 }
 
-FleetFindings Fleet::analyse() const {
-  FleetFindings findings;
-  for (const auto& [name, components] : types_) {
-    FleetType type{name, components, {}, {}, {}, {}};
-    countVerdicts(type);
-    describeParameters(type);
-    findings.types.push_back(std::move(type));
+ordered_json Fleet::describe(const std::string& type, const std::vector<Component>& components) {
+  std::vector<std::string> verdicts;
+  std::vector<std::string> effects;
+  std::map<std::string, std::vector<std::pair<const Component*, double>>> values;
+  ordered_json listed = ordered_json::array();
+  for (const Component& component : components) {
+    const auto& [verdict, named, changes] = component.findings;
+    const std::string answer = verdict ? toString(*verdict) : "";
+    if (verdict) {
+      verdicts.push_back(answer);
+    }
+    effects.insert(effects.end(), named.begin(), named.end());
+    for (const auto& [parameter, change] : changes) {
+      values[parameter].emplace_back(&component, change);
+    }
+    if (listed.size() < kMostListed) {
+      listed.push_back(
+          {{"component", component.name}, {"report", component.report}, {"verdict", answer}, {"effects", named}});
+    }
   }
-  findings.rigs = rigsOf(types_);
-  return findings;
+  ordered_json parameters = ordered_json::array();
+  ordered_json far_out = ordered_json::array();
+  for (const auto& [parameter, all] : values) {
+    const ordered_json distribution = distributionOf(element::each(all, [](const auto& one) { return one.second; }));
+    parameters.push_back(withDistribution({{"name", parameter}}, distribution));
+    for (const auto& [component, value] : all) {
+      if (isFarOut(value, distribution)) {
+        far_out.push_back({{"component", component->name},
+                           {"id", component->id},
+                           {"report", component->report},
+                           {"parameter", parameter},
+                           {"value", value}});
+      }
+    }
+  }
+  return {{"name", type},
+          {"components", components.size()},
+          {"verdicts", sharesOf(verdicts, verdicts.size())},
+          {"effects", sharesOf(effects, verdicts.size())},
+          {"parameters", parameters},
+          {"far_out", far_out},
+          {"listed", listed}};
+}
+
+// Of rigs that had one type alone there is nothing to compare.
+ordered_json Fleet::describeRigs() const {
+  std::map<std::array<std::string, 3>, std::vector<double>> values;
+  std::map<std::string, std::set<std::string>> types_of;
+  for (const auto& [type, components] : types_) {
+    for (const Component& component : components) {
+      for (const auto& [name, change] : component.findings.changes) {
+        values[{component.test_rig, type, name}].push_back(change);
+        types_of[component.test_rig].insert(type);
+      }
+    }
+  }
+  ordered_json rigs = ordered_json::array();
+  for (const auto& [key, of_components] : values) {
+    const auto& [rig, type, parameter] = key;
+    if (types_of[rig].size() > 1) {
+      rigs.push_back(
+          withDistribution({{"name", rig}, {"type", type}, {"parameter", parameter}}, distributionOf(of_components)));
+    }
+  }
+  return rigs;
+}
+
+ordered_json Fleet::analyse() const {
+  ordered_json types = ordered_json::array();
+  for (const auto& [name, components] : types_) {
+    types.push_back(describe(name, components));
+  }
+  return {{"types", types}, {"rigs", describeRigs()}};
+}
+
+std::string toJson(const Fleet& fleet, const CollectSummary& summary) {
+  ordered_json json = {{"schema", "rubber_suspension/fleet/3"},
+                       {"jobs", {{"done", summary.done}, {"failed", summary.failed}, {"missing", summary.missing}}}};
+  json.update(fleet.analyse());
+  return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace rubber_suspension::campaign

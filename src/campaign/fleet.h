@@ -2,9 +2,8 @@
 // that a single component cannot: how often a verdict or an effect occurs, and how values scatter.
 #pragma once
 
-#include <array>
 #include <map>
-#include <optional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,67 +12,10 @@
 
 namespace rubber_suspension::campaign {
 
-/// How often something occurs among the diagnosed components of a type.
-struct Share {
-  std::string name;
-  std::size_t components = 0;
-  double share = 0.0;
-  std::array<double, 2> interval{};  ///< 95 %, by Jeffreys' prior
-};
-
-/// How a number is distributed over components.
-struct Distribution {
-  std::size_t components = 0;
-  double median = 0.0;
-  std::array<double, 2> quartiles{};
-  /// 95 % for the median, between two of the values whatever their distribution (Thompson, Ann. Math. Statist. 7 (1936)
-  /// 122-128); nothing for fewer than six.
-  std::optional<std::array<double, 2>> median_interval;
-};
-
-/// Of one value at least.
-Distribution distributionOf(std::vector<double> values);
-
-/// One component as its own logs show it.
-struct FleetComponent {
-  std::string id;  ///< of its job
-  std::string name;
-  std::string report;  ///< path relative to the campaign's folder; may be empty
-  std::string test_rig;
-  Findings findings;
-};
-
-/// A value of one component: logarithm of re-estimated over configured value.
-struct ComponentValue {
-  std::size_t component;  ///< place in FleetType::components
-  std::string parameter;
-  double value;
-};
-
-/// A parameter over the components of a type, or those of them that were tested on one rig.
-struct FleetParameter {
-  std::string rig;  ///< "" where the jobs file names none, and for all rigs together
-  std::string type;
-  std::string parameter;
-  Distribution distribution;
-};
-
-struct FleetType {
-  std::string name;
-  std::vector<FleetComponent> components;
-  std::vector<Share> verdicts;
-  std::vector<Share> effects;  ///< that are named, most frequent first
-  std::vector<FleetParameter> parameters;
-  /// Farther from the quartiles than four times their distance, and from the median by more than a bench holds.
-  std::vector<ComponentValue> far_out;
-};
-
-struct FleetFindings {
-  std::vector<FleetType> types;
-  /// By rig, type and parameter, where a rig had several types: one that gives way takes more of a stiff type than of a
-  /// soft one, a wrong gain takes the same of all.
-  std::vector<FleetParameter> rigs;
-};
+/// How a number is distributed over components, one at least, as fleet.json has it: components, median, quartiles, and,
+/// for six or more, median_interval_95: 95 % for the median, between two of the values whatever their distribution
+/// (Thompson, Ann. Math. Statist. 7 (1936) 122-128).
+nlohmann::ordered_json distributionOf(std::vector<double> values);
 
 /// Less than this logarithm is within what a bench can hold: no value is far out for it.
 constexpr double kWorthSaying = 0.02;
@@ -87,11 +29,27 @@ class Fleet {
   /// Jobs that failed, and replays, add nothing.
   void add(const Job& job, const Record& record);
 
-  /// By the names of types and rigs.
-  FleetFindings analyse() const;
+  /// By the names of types and rigs, as fleet.json has them. Of a type: `verdicts` and named `effects`, most frequent
+  /// first, each with the share of the diagnosed components and its interval_95, by Jeffreys' prior; `parameters`, the
+  /// distributions of logarithms of re-estimated over configured values; `far_out`, values farther from the quartiles
+  /// than four times their distance, and from the median by more than a bench holds; `listed`, its first components.
+  /// `rigs` has the same distributions by rig, type and parameter, where a rig had several types: one that gives way
+  /// takes more of a stiff type than of a soft one, a wrong gain takes the same of all.
+  nlohmann::ordered_json analyse() const;
 
  private:
-  std::map<std::string, std::vector<FleetComponent>> types_;
+  struct Component {
+    std::string id;  // of its job
+    std::string name;
+    std::string report;  // path relative to the campaign's folder; may be empty
+    std::string test_rig;
+    Findings findings;
+  };
+
+  static nlohmann::ordered_json describe(const std::string& type, const std::vector<Component>& components);
+  nlohmann::ordered_json describeRigs() const;
+
+  std::map<std::string, std::vector<Component>> types_;
 };
 
 struct CollectSummary {
@@ -112,9 +70,8 @@ inline std::string tableJsonPath(const std::string& folder) { return folder + "/
 inline std::string fleetJsonPath(const std::string& folder) { return folder + "/fleet.json"; }
 inline std::string fleetReportPath(const std::string& folder) { return folder + "/fleet.html"; }
 
-/// The fleet report for programs: schema rubber_suspension/fleet/3: types with verdicts, effects, parameters and values
-/// that are far out; parameters by rig and type. Values are logarithms of re-estimated over configured value. The same
-/// bytes for the same results.
-std::string toJson(const FleetFindings& fleet, const CollectSummary& summary);
+/// The fleet report for programs: schema rubber_suspension/fleet/3, the counts of jobs and what the fleet shows. The
+/// same bytes for the same results.
+std::string toJson(const Fleet& fleet, const CollectSummary& summary);
 
 }  // namespace rubber_suspension::campaign
