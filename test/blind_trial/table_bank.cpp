@@ -52,7 +52,7 @@ const std::vector<Case>& cases() {
 
 fit::MeasuredTable tableOf(const Case& one, double noise, unsigned seed, bool few) {
   const io::ComponentDescription truth = one.added.empty() ? without(one.truth) : with(one.truth, one.added);
-  Laboratory laboratory(seed, noise);
+  Laboratory laboratory(seed, noise, 3000);
   return few ? laboratory.table(truth, {0.5, 2.0, 5.0, 15.0}, {1e-4, 5e-4, 2e-3}) : laboratory.table(truth);
 }
 

@@ -1,11 +1,6 @@
 // A virtual laboratory that measures tables of stiffness and loss angle, and what tests of their diagnosis share.
 #pragma once
 
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
-
 #include "fit/table_fit.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/response/sweep.h"
@@ -13,7 +8,8 @@
 
 namespace rubber_suspension::diagnosis {
 
-constexpr double kNoise = 0.01;  // of K*: what a good laboratory states
+constexpr double kNoise = 0.01;    // of K*: what a good laboratory states
+constexpr int kMostCycles = 2000;  // until a loop has settled
 
 inline io::ComponentDescription bush(const std::string& model, const std::string& more = "") {
   return componentOf("components:\n  bush:\n    " + model + "\n" + more);
@@ -39,10 +35,10 @@ inline io::ComponentDescription with(const std::string& model, const std::string
 
 // The settled loops of a component at a point, by another way than the diagnosis takes.
 inline fit::TablePoint pointOf(const component::Component& component, double frequency, double amplitude,
-                               double mean = 0.0) {
+                               double mean = 0.0, int most_cycles = kMostCycles) {
   response::LoopOptions options;
   options.mean = mean;
-  options.maximum_cycles = 2000;
+  options.maximum_cycles = most_cycles;
   const auto loop = response::characteristicsAt(component, frequency, amplitude, options).characteristics;
   return {frequency, amplitude, loop.stiffness, loop.loss_angle, mean};
 }
@@ -50,7 +46,8 @@ inline fit::TablePoint pointOf(const component::Component& component, double fre
 // A laboratory: errors of stiffness and angle alike.
 class Laboratory {
  public:
-  explicit Laboratory(unsigned seed, double noise = kNoise) : generator_(seed), normal_(0.0, noise / std::sqrt(2.0)) {}
+  explicit Laboratory(unsigned seed, double noise = kNoise, int most_cycles = kMostCycles)
+      : generator_(seed), normal_(0.0, noise / std::sqrt(2.0)), most_cycles_(most_cycles) {}
 
   fit::TablePoint measured(fit::TablePoint point) {
     point.stiffness *= 1.0 + normal_(generator_);
@@ -66,7 +63,7 @@ class Laboratory {
     table.name = "lab";
     for (const double amplitude : amplitudes) {
       for (const double frequency : frequencies) {
-        table.points.push_back(measured(pointOf(component, frequency, amplitude)));
+        table.points.push_back(measured(pointOf(component, frequency, amplitude, 0.0, most_cycles_)));
       }
     }
     return table;
@@ -75,6 +72,7 @@ class Laboratory {
  private:
   std::mt19937 generator_;
   std::normal_distribution<double> normal_;
+  int most_cycles_;
 };
 
 }  // namespace rubber_suspension::diagnosis
