@@ -22,6 +22,7 @@
 #include "diagnosis/prepare/memory.h"
 #include "diagnosis/prepare/rig.h"
 #include "diagnosis/results/describe.h"
+#include "diagnosis/surveyed_logs.h"
 #include "diagnosis/words/sentence.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
@@ -164,18 +165,27 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
 
 }  // namespace
 
-Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSources& logs,
-                   const log::LogSources& hold_out, const DiagnosisOptions& options) {
+SurveyedLogs surveyed(const io::ComponentDescription& component, const log::LogSources& logs,
+                      const log::LogSources& hold_out, int threads) {
   if (logs.empty()) {
     throw log::LogError("no log: a diagnosis needs at least one");
   }
   const component::Component built = component.makeComponent();
-  const std::vector<prepare::LogSurvey> surveys = prepare::surveyLogs(logs, built, options.threads);
-  const std::vector<prepare::LogSurvey> unseen = prepare::surveyLogs(hold_out, built, options.threads);
-  const prepare::Excerpts excerpts = prepare::makeExcerpts(surveys, unseen, options.most_samples);
+  return {prepare::surveyLogs(logs, built, threads), prepare::surveyLogs(hold_out, built, threads)};
+}
+
+Diagnosis diagnose(const io::ComponentDescription& component, const SurveyedLogs& logs,
+                   const DiagnosisOptions& options) {
+  const prepare::Excerpts excerpts = prepare::makeExcerpts(logs.logs, logs.hold_out, options.most_samples);
   prepare::requireMemory({excerpts.samples, excerpts.logs.size()}, excerpts.of, options.threads,
                          options.available_memory > 0 ? options.available_memory : io::availableMemory());
-  return heldToInvariants(diagnoseExcerpts(component, excerpts, unseen.empty() ? surveys : unseen, options));
+  return heldToInvariants(
+      diagnoseExcerpts(component, excerpts, logs.hold_out.empty() ? logs.logs : logs.hold_out, options));
+}
+
+Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSources& logs,
+                   const log::LogSources& hold_out, const DiagnosisOptions& options) {
+  return diagnose(component, surveyed(component, logs, hold_out, options.threads), options);
 }
 
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
 #include <set>
 #include <utility>
 
 #include "apps/diagnose/run.h"
 #include "command_line/command.h"
 #include "command_line/warnings.h"
+#include "diagnosis/surveyed_logs.h"
 #include "element/refuse.h"
 #include "fit/parallel.h"
 #include "io/folder_lock.h"
@@ -21,94 +21,46 @@ namespace {
 
 using namespace command_line;
 
-// A log that remembers what its first reader was told.
-class RememberedLog : public log::LogSource {
- public:
-  explicit RememberedLog(std::shared_ptr<const log::LogSource> log) : log_(std::move(log)) {}
+using Surveys = std::vector<diagnosis::prepare::LogSurvey>;
 
-  std::string name() const override { return log_->name(); }
-
-  std::vector<std::string> read(const Take& take) const override {
-    bool all = true;
-    bool has_temperature = false;
-    std::vector<std::string> notes = log_->read([&](const log::Log& block, std::size_t first) {
-      has_temperature = !block.temperature.empty();
-      all = take(block, first);
-      return all;
-    });
-    if (all) {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      notes_ = notes;
-      has_temperature_ = has_temperature;
-    }
-    return notes;
-  }
-
-  /// To stderr.
-  void tell(const std::string& path, const io::ComponentDescription& component) const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    LogOptions::printNotes("diagnose", path, notes_);
-    warnOfTemperature("diagnose", path, has_temperature_, component);
-  }
-
-  bool hasTemperature() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return has_temperature_;
-  }
-
- private:
-  std::shared_ptr<const log::LogSource> log_;
-  mutable std::mutex mutex_;
-  mutable std::vector<std::string> notes_;
-  mutable bool has_temperature_ = true;
+// Logs to be diagnosed, which may be longer than memory, and the path of each.
+struct OpenedLogs {
+  std::vector<std::string> paths;
+  log::LogSources sources;
 };
 
-// Logs to be diagnosed, which may be longer than memory.
-class OpenedLogs {
- public:
-  OpenedLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component,
-             const DiagnoseOptions& options) {
-    std::vector<log::LogSources> of_path(paths.size());
-    fit::parallelFor(paths.size(), options.threads,
-                     [&](std::size_t i) { of_path[i] = options.log_options.openAll(paths[i], component.name); });
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-      for (const auto& log : of_path[i]) {
-        logs_.push_back(std::make_shared<RememberedLog>(log));
-        paths_.push_back(paths[i]);
-      }
-    }
+OpenedLogs openLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component,
+                    const DiagnoseOptions& options) {
+  std::vector<log::LogSources> of_path(paths.size());
+  fit::parallelFor(paths.size(), options.threads,
+                   [&](std::size_t i) { of_path[i] = options.log_options.openAll(paths[i], component.name); });
+  OpenedLogs opened;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    opened.paths.insert(opened.paths.end(), of_path[i].size(), paths[i]);
+    opened.sources.insert(opened.sources.end(), of_path[i].begin(), of_path[i].end());
   }
+  return opened;
+}
 
-  log::LogSources sources() const { return {logs_.begin(), logs_.end()}; }
+// The path of each log, and whether the log has a temperature.
+using Temperatures = std::vector<std::pair<std::string, bool>>;
 
-  /// Findings in the logs once they were read.
-  void tell(const io::ComponentDescription& component) const {
-    for (std::size_t i = 0; i < paths_.size(); ++i) {
-      logs_[i]->tell(paths_[i], component);
-    }
+// Prints the notes of logs that were read, and appends their temperatures.
+void printNotes(const OpenedLogs& logs, const Surveys& surveys, const io::ComponentDescription& component,
+                Temperatures& temperatures) {
+  for (std::size_t i = 0; i < surveys.size(); ++i) {
+    LogOptions::printNotes("diagnose", logs.paths[i], surveys[i].notes);
+    warnOfTemperature("diagnose", logs.paths[i], surveys[i].has_temperature, component);
+    temperatures.emplace_back(logs.paths[i], surveys[i].has_temperature);
   }
+}
 
-  /// File and whether it has a temperature, once the logs were read.
-  void addTemperatures(std::vector<std::pair<std::string, bool>>& having) const {
-    for (std::size_t i = 0; i < paths_.size(); ++i) {
-      having.emplace_back(paths_[i], logs_[i]->hasTemperature());
-    }
-  }
-
- private:
-  std::vector<std::string> paths_;  // of each log
-  std::vector<std::shared_ptr<RememberedLog>> logs_;
-};
-
-// One log without is enough that nothing can be said of heat.
-void warnOfSomeTemperatures(const OpenedLogs& logs, const OpenedLogs& hold_out) {
-  std::vector<std::pair<std::string, bool>> having;
-  logs.addTemperatures(having);
-  hold_out.addTemperatures(having);
+// One log without a temperature is enough that nothing can be said of heat.
+void warnOfSomeTemperatures(const Temperatures& temperatures) {
   const auto has = [](const auto& log) { return log.second; };
-  const auto one = std::find_if(having.begin(), having.end(), has);
-  const auto other = std::find_if_not(having.begin(), having.end(), has);
-  if (one != having.end() && other != having.end()) {
+  const auto one = std::find_if(temperatures.begin(), temperatures.end(), has);
+  const auto other = std::find_if_not(temperatures.begin(), temperatures.end(), has);
+  if (one != temperatures.end() && other != temperatures.end()) {
     printWarning("diagnose",
                  fmt::format("{} has no column temperature_degC, and {} has one: effects of temperature are "
                              "told only where all logs have it",
@@ -218,28 +170,19 @@ int runDirections(const DiagnoseOptions& options) {
 }
 
 int runLogs(const DiagnoseOptions& options) {
-  diagnosis::DiagnosisOptions settings = settingsOf(options);
+  const diagnosis::DiagnosisOptions settings = settingsOf(options);
   const io::FolderLock lock(options.output);
   const io::ComponentDescription component = oneDirection(options);
   const std::optional<diagnosis::report::EarlierReport> earlier = earlierReport(options);
   showStage("reading the logs", 0.0);
-  const OpenedLogs logs(options.logs, component, options);
-  const OpenedLogs hold_out(options.hold_out, component, options);
-  auto tell = [&, told = false]() mutable {
-    if (!told) {
-      logs.tell(component);
-      hold_out.tell(component);
-      warnOfSomeTemperatures(logs, hold_out);
-    }
-    told = true;
-  };
-  settings.progress = [&tell](const std::string& stage, double fraction) {
-    tell();  // before the search, which takes longest
-    showStage(stage, fraction);
-  };
-  diagnosis::Diagnosis diagnosis = diagnosis::diagnose(component, logs.sources(), hold_out.sources(), settings);
-  tell();  // where nothing was searched
-  return publish(std::move(diagnosis), earlier, options);
+  const OpenedLogs logs = openLogs(options.logs, component, options);
+  const OpenedLogs hold_out = openLogs(options.hold_out, component, options);
+  const diagnosis::SurveyedLogs read = diagnosis::surveyed(component, logs.sources, hold_out.sources, options.threads);
+  Temperatures temperatures;
+  printNotes(logs, read.logs, component, temperatures);
+  printNotes(hold_out, read.hold_out, component, temperatures);
+  warnOfSomeTemperatures(temperatures);
+  return publish(diagnosis::diagnose(component, read, settings), earlier, options);
 }
 
 }  // namespace rubber_suspension::apps

@@ -27,6 +27,7 @@ LogSurvey surveyLog(std::shared_ptr<const log::LogSource> source, const componen
     gap::checkTemperature(component, block, first);
     survey.motion.add(block.displacement);
     survey.steps.add(block);
+    survey.has_temperature = !block.temperature.empty();
     return true;
   });
   survey.source = std::move(source);

@@ -57,6 +57,7 @@ class MotionSurvey {
 struct LogSurvey {
   std::shared_ptr<const log::LogSource> source;
   std::vector<std::string> notes;
+  bool has_temperature = false;
   MotionSurvey motion;
   log::TimeSteps steps;
 
