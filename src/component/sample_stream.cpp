@@ -205,6 +205,9 @@ bool SampleStream::setTemperature(double temperature) {
 
 std::size_t SampleStream::pushAll(const std::int64_t* stamp, const double* displacement, const double* temperature,
                                   std::size_t count, double* force) {
+  if (temperature == nullptr || !component_.shiftsWithTemperature()) {
+    return pushAll(stamp, displacement, count, force);
+  }
   for (std::size_t first = 0; first < count;) {
     const std::size_t size = equalRun(temperature + first, count - first);
     if (!setTemperature(temperature[first])) {

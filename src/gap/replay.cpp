@@ -94,15 +94,6 @@ io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, c
   return axes;
 }
 
-// As many of the samples [first, first + size) as are accepted, with their temperatures where these do something.
-std::size_t push(component::SampleStream& stream, const log::Log& log, bool shifted, std::size_t first,
-                 std::size_t size, double* force) {
-  const std::int64_t* const stamp = log.stamp.data() + first;
-  const double* const displacement = log.displacement.data() + first;
-  return shifted ? stream.pushAll(stamp, displacement, log.temperature.data() + first, size, force)
-                 : stream.pushAll(stamp, displacement, size, force);
-}
-
 [[noreturn]] void refuseSample(const component::Component& component, const log::Log& log, std::size_t sample) {
   checkTemperature(component, log);
   throw log::LogError(fmt::format("{}: sample {}: displacement {:g} m gives a force that is not finite", log.name,
@@ -129,7 +120,6 @@ void checkTemperature(const component::Component& component, const log::Log& log
 std::vector<double> simulateLog(const component::Component& component, const log::Log& log,
                                 component::StreamCounters* counters) {
   log::checkLengths(log);
-  const bool shifted = component.shiftsWithTemperature() && !log.temperature.empty();
   component::SampleStream stream(component);
   io::Progress progress("simulating " + log.name, log.size());
   std::vector<double> force;
@@ -139,7 +129,9 @@ std::vector<double> simulateLog(const component::Component& component, const log
     const std::size_t size = std::min(kPortion, log.size() - first);
     log::checkSamples(log, first, size);
     force.resize(first + size);
-    const std::size_t accepted = push(stream, log, shifted, first, size, force.data() + first);
+    const double* const temperature = log.temperature.empty() ? nullptr : log.temperature.data() + first;
+    const std::size_t accepted = stream.pushAll(log.stamp.data() + first, log.displacement.data() + first, temperature,
+                                                size, force.data() + first);
     // All samples are checked, so every sample is accepted but one whose force is too large for a double, or one at a
     // temperature beyond the component's shift.
     if (accepted < size) {

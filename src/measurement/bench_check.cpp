@@ -12,9 +12,9 @@
 #include <tuple>
 #include <utility>
 
+#include "gap/log_driver.h"
 #include "measurement/loop_work.h"
 #include "measurement/statistics.h"
-#include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/gap/gap.h"
@@ -180,7 +180,7 @@ struct Suspicion {
 
 // A log beside the component, and what is wrong with it.
 struct Examined {
-  const component::Component& component;
+  gap::LogDriver& component;
   const log::Record& record;
   const SheetFactor& sheet;
   VectorXd simulated = {};
@@ -251,21 +251,17 @@ RigFinding swapFinding(const log::Record& record, const Evidence& e) {
 }
 
 // At the record's mean temperature: what is checked are orders of magnitude.
-VectorXd simulate(const component::Component& component, const VectorXd& displacement, const log::Record& record) {
-  component::ComponentState state = component.makeState();
+VectorXd simulate(gap::LogDriver& component, const VectorXd& displacement, const log::Record& record) {
+  log::Record tempered;
+  tempered.dt = record.dt;
   if (record.temperature.size() > 0) {
-    component.setTemperature(state, record.temperature.mean());
+    tempered.temperature = VectorXd::Constant(displacement.size(), record.temperature.mean());
   }
-  VectorXd force(displacement.size());
-  force[0] = component.initialise(state, displacement[0]).total;
-  component.simulate(state, record.dt, displacement.data() + 1, static_cast<std::size_t>(force.size() - 1),
-                     force.data() + 1);
-  return force;
+  return component.over(tempered, displacement, gap::Before::nothing);
 }
 
 // Length unit over force unit, in SI, by which the log is one of this component with the columns exchanged.
-std::optional<double> unitsOfSwap(const component::Component& component, const log::Record& record,
-                                  const SheetFactor& sheet) {
+std::optional<double> unitsOfSwap(gap::LogDriver& component, const log::Record& record, const SheetFactor& sheet) {
   for (const double units : {1.0, 1e-3, 1e-6, 1e-9}) {
     const VectorXd displacement = units * record.force;
     const VectorXd force = record.displacement / units;
@@ -280,7 +276,7 @@ std::optional<double> unitsOfSwap(const component::Component& component, const l
 
 // With the columns exchanged the log is one of this component, whatever the units that they were written in, and its
 // loops do not say otherwise.
-bool looksSwapped(const component::Component& component, const log::Record& record, const Evidence& e) {
+bool looksSwapped(gap::LogDriver& component, const log::Record& record, const Evidence& e) {
   return e.work.forward <= 3.0 * e.work.deviation && unitsOfSwap(component, record, e.sheet);
 }
 
@@ -535,7 +531,7 @@ bool findsFault(const Check (&checks)[count], Examined& log) {
   });
 }
 
-Examined examine(const component::Component& component, const log::Record& record, const SheetFactor& sheet) {
+Examined examine(gap::LogDriver& component, const log::Record& record, const SheetFactor& sheet) {
   Examined log{component, record, sheet};
   if (findsFault(kOfChannels, log)) {
     return log;
@@ -680,7 +676,7 @@ void exchangeColumns(double units, log::Record& record) {
 }
 
 // The component with its contacts on the other side; nothing without any.
-std::optional<component::Component> withContactsTurned(std::vector<element::ElementDescription> elements) {
+std::optional<gap::LogDriver> withContactsTurned(std::vector<element::ElementDescription> elements) {
   bool has_any = false;
   for (element::ElementDescription& element : elements) {
     if (element.type == "lift_off") {
@@ -688,12 +684,12 @@ std::optional<component::Component> withContactsTurned(std::vector<element::Elem
       has_any = true;
     }
   }
-  return has_any ? std::optional(component::Component(elements)) : std::nullopt;
+  return has_any ? std::optional(gap::LogDriver(elements)) : std::nullopt;
 }
 
 // The force is that of the component whose contact carries the other sign, whatever the log seems to be then: as
 // configured the contact is open where the log has a force.
-void nameTurnedContact(const component::Component& turned, Examined& log) {
+void nameTurnedContact(gap::LogDriver& turned, Examined& log) {
   const log::Record& record = log.record;
   const double as_configured =
       std::max(0.0, correlationOf(record.force, simulate(log.component, record.displacement, record)));
@@ -724,7 +720,8 @@ std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
     correction.text = fmt::format("force divided by {:.4g}", factor);
     correction.record.force /= factor;
   } else if (finding.finding == finding::kSwappedColumns) {
-    const auto units = unitsOfSwap(component::Component(elements), record, kUsualSheet);
+    gap::LogDriver component(elements);
+    const auto units = unitsOfSwap(component, record, kUsualSheet);
     if (!units) {
       return std::nullopt;
     }
@@ -761,7 +758,7 @@ std::optional<RigFinding> checkStiffness(const std::string& table, const std::ve
 
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& records, double tolerance) {
-  const component::Component component(elements);
+  gap::LogDriver component(elements);
   const SheetFactor sheet(tolerance);
   std::vector<Examined> logs;
   std::transform(records.begin(), records.end(), std::back_inserter(logs),
@@ -772,7 +769,7 @@ std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription
     nameCommonScale(scales, sheet);
     nameOddScales(scales, sheet);
   }
-  if (const auto turned = withContactsTurned(elements)) {
+  if (auto turned = withContactsTurned(elements)) {
     std::for_each(logs.begin(), logs.end(), [&](Examined& log) { nameTurnedContact(*turned, log); });
   }
   std::vector<RigFinding> findings;

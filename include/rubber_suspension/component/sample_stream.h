@@ -110,7 +110,7 @@ class SampleStream : public StampedStream {
   /// Allocates nothing.
   bool setTemperature(double temperature);
 
-  /// pushAll() with the temperature [degC] of each sample, each of which the component has to take.
+  /// pushAll() with the temperature [degC] of each sample, which the component has to take; null: there is none.
   std::size_t pushAll(const std::int64_t* stamp, const double* displacement, const double* temperature,
                       std::size_t count, double* force);
 

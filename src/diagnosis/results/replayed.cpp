@@ -8,9 +8,8 @@
 
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "fit/parallel.h"
+#include "gap/log_driver.h"
 #include "gap/simulate.h"
-#include "rubber_suspension/component/component.h"
-#include "rubber_suspension/element/radial_stiffness.h"
 #include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::diagnosis::results {
@@ -72,81 +71,21 @@ class Deviation {
   double count_ = 0.0;
 };
 
-// A component that is driven by one log after the other.
-class ReplayedModel {
- public:
-  explicit ReplayedModel(const std::vector<element::ElementDescription>& elements)
-      : component_(elements), radial_(element::radialLaws(elements)), state_(component_.makeState()) {}
-
-  void beginLog(bool as_new) {
-    as_new_ = as_new;
-    rests_ = true;
-    squares_ = 0.0;
-  }
+// A component that is driven by one log after the other, and the squares of its residuals since the log began.
+struct ReplayedModel {
+  explicit ReplayedModel(const Entries& elements) : driver(elements) {}
 
   void add(const Piece& piece, double dt) {
-    if (piece.samples == 0) {
-      return;
-    }
-    force_.resize(piece.samples);
-    std::size_t done = 0;
-    if (rests_) {
-      force_[done++] = rest(piece);
-      rests_ = false;
-    }
-    if (piece.gap > 0.0) {
-      force_[done++] = bridge(piece);
-    }
-    if (followsTemperature(piece)) {
-      component_.simulate(state_, dt, piece.displacement + done, piece.temperature + done, piece.samples - done,
-                          force_.data() + done);
-    } else {
-      component_.simulate(state_, dt, piece.displacement + done, piece.samples - done, force_.data() + done);
-    }
-    if (piece.across != nullptr) {
-      element::addAcross(radial_, piece.displacement, piece.across, piece.samples, force_.data());
-    }
+    force.resize(piece.samples);
+    driver.drive(piece, dt, force.data());
     for (std::size_t i = 0; i < piece.samples; ++i) {
-      if (!isCounted(piece, i)) {
-        continue;
-      }
-      squares_ += (piece.force[i] - force_[i]) * (piece.force[i] - force_[i]);
+      squares += isCounted(piece, i) ? (piece.force[i] - force[i]) * (piece.force[i] - force[i]) : 0.0;
     }
   }
 
-  // Of the residuals since the log began.
-  double sumOfSquares() const { return squares_; }
-
- private:
-  bool followsTemperature(const Piece& piece) const {
-    return component_.shiftsWithTemperature() && piece.temperature != nullptr;
-  }
-
-  // One step, as `replay` and the node take it.
-  double bridge(const Piece& piece) {
-    if (followsTemperature(piece)) {
-      component_.setTemperature(state_, piece.temperature[0]);
-    }
-    return component_.step(state_, piece.gap, piece.displacement[0]).total;
-  }
-
-  double rest(const Piece& piece) {
-    if (followsTemperature(piece)) {
-      component_.setTemperature(state_, piece.temperature[0]);
-    } else {
-      component_.forgetTemperature(state_);
-    }
-    const double z = piece.displacement[0];
-    return (as_new_ ? component_.initialise(state_, z) : component_.relax(state_, z)).total;
-  }
-
-  component::Component component_;
-  std::vector<element::RadialStiffness> radial_;
-  component::ComponentState state_;
-  bool as_new_ = true;
-  bool rests_ = true;
-  double squares_ = 0.0;
-  std::vector<double> force_;
+  gap::LogDriver driver;
+  double squares = 0.0;
+  std::vector<double> force = {};
 };
 
 }  // namespace
@@ -180,8 +119,10 @@ std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementD
     const log::EvenSteps steps = logs[l].steps.evenSteps();
     log::EvenBlocks even(steps);
     Deviation deviation;
-    for (ReplayedModel& component : replayed) {
-      component.beginLog(l == 0 || recorded == Recorded::each_on_a_new_one);
+    const bool as_new = l == 0 || recorded == Recorded::each_on_a_new_one;
+    for (ReplayedModel& model : replayed) {
+      model.driver.begin(as_new ? gap::Before::nothing : gap::Before::another_log);
+      model.squares = 0.0;
     }
     const auto add = [&](const Piece& piece) {
       deviation.add(piece);
@@ -194,7 +135,7 @@ std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementD
     });
     even.finish(add);
     for (std::size_t m = 0; m < models.size(); ++m) {
-      squared_gaps[m] += replayed[m].sumOfSquares() / deviation.sumOfSquares() / static_cast<double>(logs.size());
+      squared_gaps[m] += replayed[m].squares / deviation.sumOfSquares() / static_cast<double>(logs.size());
     }
   }
   for (double& gap : squared_gaps) {

@@ -1,0 +1,53 @@
+// The one way to drive a component over records and logs at even steps, whole or piece by piece. Logs by their stamps
+// go through component::SampleStream, as in the node.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "log/even_blocks.h"
+#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/element/radial_stiffness.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::gap {
+
+/// The past of a component where a log begins: it is new, or it has relaxed since the log before.
+enum class Before { nothing, another_log };
+
+/// Drives a component over one log after the other. It follows the temperature of a log and the displacement across,
+/// where the log has them and the component depends on them.
+class LogDriver {
+ public:
+  /// Throws std::invalid_argument for elements that make no component.
+  explicit LogDriver(const std::vector<element::ElementDescription>& elements)
+      : component_(elements), radial_(element::radialLaws(elements)), state_(component_.makeState()) {}
+
+  /// The next piece begins a log. The lead-in of an excerpt has to exist until then.
+  void begin(Before before, const log::LeadIn* lead_in = nullptr);
+
+  /// Force at each sample of a piece of the log [N], with this sampling interval [s]. A time gap before it is one step,
+  /// as `replay` and the node take it.
+  void drive(const log::EvenBlocks::Piece& piece, double dt, double* force);
+
+  /// Force over all of a record [N], driven by this displacement [m]. What is longer than the record has a motion
+  /// before it; temperature and displacement across hold their first value then.
+  Eigen::VectorXd over(const log::Record& record, const Eigen::VectorXd& displacement, Before before);
+
+ private:
+  bool follows(const log::EvenBlocks::Piece& piece) const {
+    return component_.shiftsWithTemperature() && piece.temperature != nullptr;
+  }
+  double rest(double displacement);
+  void leadIn();
+
+  component::Component component_;
+  std::vector<element::RadialStiffness> radial_;
+  component::ComponentState state_;
+  Before before_ = Before::nothing;
+  const log::LeadIn* lead_in_ = nullptr;
+  bool begins_ = true;
+  std::vector<double> led_in_;  // forces of the lead-in, of no further use
+};
+
+}  // namespace rubber_suspension::gap
