@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "element/refuse.h"
+#include "numerics/difference_quotient.h"
 #include "numerics/fourier.h"
 #include "numerics/median.h"
 
@@ -239,12 +240,7 @@ Sums warp(const Signal& measured, const Signal& simulated, std::size_t blocks) {
 // Central differences, one-sided at the ends; means of 9 of them, of 7, 5, 3 and 1 at the ends.
 Eigen::VectorXd slopes(const Signal& signal) {
   const Index size = signal.size();
-  Eigen::VectorXd difference(size);
-  for (Index i = 0; i < size; ++i) {
-    const Index before = std::max<Index>(i - 1, 0);
-    const Index after = std::min(i + 1, size - 1);
-    difference[i] = (signal[after] - signal[before]) / static_cast<double>(after - before);
-  }
+  const Eigen::VectorXd difference = numerics::slopesOf(signal);
   Eigen::VectorXd mean(size);
   for (Index i = 0; i < size; ++i) {
     const Index half = std::min({Index{4}, i, size - 1 - i});

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "measurement/statistics.h"
+#include "numerics/difference_quotient.h"
 #include "numerics/gram.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"
@@ -32,22 +33,13 @@ constexpr double kNormal95 = 1.96;
 // RMS over the log, in units of the noise: what is less makes a gap larger by less than half a per cent of the noise.
 constexpr double kMatters = 0.1;
 
-VectorXd derivative(const VectorXd& values, double dt) {
-  const Index count = values.size();
-  VectorXd result(count);
-  result.segment(1, count - 2) = (values.tail(count - 2) - values.head(count - 2)) / (2.0 * dt);
-  result[0] = (values[1] - values[0]) / dt;
-  result[count - 1] = (values[count - 1] - values[count - 2]) / dt;
-  return result;
-}
-
 struct Column {
   Nuisance nuisance;
   VectorXd values;
 };
 
 void addDelays(const VectorXd& simulated, double dt, std::vector<Column>& columns) {
-  const VectorXd rate = -derivative(simulated, dt);
+  const VectorXd rate = -numerics::slopesOf(simulated) / dt;
   const auto middle = 0.5 * static_cast<double>(simulated.size() - 1);
   const VectorXd time = (VectorXd::LinSpaced(simulated.size(), -middle, middle)) * dt;
   columns.push_back({Nuisance::delay, rate});

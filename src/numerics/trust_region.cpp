@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "numerics/bounded_least_squares.h"
+#include "numerics/difference_quotient.h"
 
 namespace rubber_suspension::numerics {
 namespace {
@@ -74,12 +75,7 @@ SumOfSquares::Slope DifferencedSquares::slope() {
 }
 
 Eigen::MatrixXd DifferencedSquares::jacobian(const Eigen::VectorXd& x) const {
-  Eigen::MatrixXd result(residuals_(x).size(), x.size());
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const Eigen::VectorXd step = step_ * Eigen::VectorXd::Unit(x.size(), i);
-    result.col(i) = (residuals_(x + step) - residuals_(x - step)) / (2.0 * step_);
-  }
-  return result;
+  return centralDifferences(residuals_, x, step_);
 }
 
 Optimum searchLeast(SumOfSquares& sum, const Eigen::VectorXd& start, const Limits& limits,

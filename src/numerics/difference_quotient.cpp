@@ -1,0 +1,27 @@
+// Central differences.
+#include "numerics/difference_quotient.h"
+
+namespace rubber_suspension::numerics {
+
+Eigen::MatrixXd centralDifferences(const std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>& values,
+                                   const Eigen::VectorXd& x, double step) {
+  Eigen::MatrixXd slopes;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const Eigen::VectorXd moved = step * Eigen::VectorXd::Unit(x.size(), i);
+    const Eigen::VectorXd slope = (values(x + moved) - values(x - moved)) / (2.0 * step);
+    slopes.conservativeResize(slope.size(), x.size());
+    slopes.col(i) = slope;
+  }
+  return slopes;
+}
+
+Eigen::VectorXd slopesOf(const Eigen::Ref<const Eigen::VectorXd>& signal) {
+  const Eigen::Index last = signal.size() - 1;
+  Eigen::VectorXd slopes(signal.size());
+  slopes.segment(1, last - 1) = (signal.tail(last - 1) - signal.head(last - 1)) / 2.0;
+  slopes[0] = signal[1] - signal[0];
+  slopes[last] = signal[last] - signal[last - 1];
+  return slopes;
+}
+
+}  // namespace rubber_suspension::numerics
