@@ -13,9 +13,9 @@
 namespace rubber_suspension {
 namespace {
 
-const Entries kComponent = {spring(3e6), maxwell(1.2e6, 2.0), friction(900.0, 4e-4),
-                            entry("wlf_shift c1=6.13 c2=146.8 reference=20"),
-                            entry("radial_stiffness quadratic=0 cubic=1e12 quintic=0 alone=0")};
+const Entries kDrivenLaws = {spring(3e6), maxwell(1.2e6, 2.0), friction(900.0, 4e-4),
+                             entry("wlf_shift c1=6.13 c2=146.8 reference=20"),
+                             entry("radial_stiffness quadratic=0 cubic=1e12 quintic=0 alone=0")};
 
 log::Log recordedLog() {
   log::Log log = logOf(
@@ -45,9 +45,9 @@ TEST(LogDriver, HasTheSameForcesPieceByPiece) {
   record.across = 5e-4 * record.displacement.array().square() / 1e-6;
   gap::PreparedRecord excerpt = record;
   excerpt.lead_in = {0.01, {0.0, 2e-4, 1e-4}, true};
-  const gap::Forces forces = gap::simulate(kComponent, {record, record, excerpt});
+  const gap::Forces forces = gap::simulate(kDrivenLaws, {record, record, excerpt});
   for (const Eigen::Index most : {1, 7, 256, 1000}) {
-    gap::LogDriver driver(kComponent);
+    gap::LogDriver driver(kDrivenLaws);
     EXPECT_EQ(driven(driver, record, most, gap::Before::nothing), forces[0]) << most;
     EXPECT_EQ(driven(driver, record, most, gap::Before::another_log), forces[1]) << most;
     EXPECT_EQ(driven(driver, excerpt, most, gap::Before::another_log), forces[2]) << most;
