@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/10";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/11";
 
 ordered_json logJson(const LogEvidence& log) {
   return {{"floor", log.floor},   {"floor_uncertainty", log.floor_uncertainty},
