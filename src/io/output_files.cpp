@@ -148,7 +148,7 @@ bool makeFolder(const std::string& folder) {
 }
 
 std::string makeRunFolder(const std::string& folder, const std::vector<std::string>& records) {
-  const std::string base = (fs::path(folder) / "").parent_path().string();  // without a slash at the end
+  std::string base = (fs::path(folder) / "").parent_path().string();  // without a slash at the end
   makeFolder(base);
   if (!holdsRecord(base, records)) {
     return base;
