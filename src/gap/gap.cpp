@@ -63,14 +63,6 @@ void addParts(const PreparedRecord& record, const Eigen::VectorXd& residual, con
 
 }  // namespace
 
-Eigen::VectorXd PreparedRecord::withoutRig(const Eigen::VectorXd& column) const {
-  Eigen::VectorXd result = counts.size() == 0 ? column : column.cwiseProduct(counts).eval();
-  if (rig.columns.cols() > 0) {
-    result -= rig.columns * (rig.columns.transpose() * result).eval();
-  }
-  return result;
-}
-
 double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated,
                    const std::vector<double>& counts) {
   if (measured.empty() || measured.size() != simulated.size()) {

@@ -443,10 +443,6 @@ Faults findFaults(const std::string& name, const VectorXd& displacement, const V
   return faults;
 }
 
-bool anyFatal(const std::vector<RigFinding>& findings) {
-  return std::any_of(findings.begin(), findings.end(), [](const RigFinding& finding) { return finding.fatal; });
-}
-
 Faults findFaults(const log::Log& log) {
   if (log.force.empty()) {
     const Mask all = Mask::Constant(static_cast<Index>(log.size()), true);

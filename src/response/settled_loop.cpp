@@ -195,12 +195,6 @@ double peak(const std::vector<double>& force, std::size_t at) {
 
 }  // namespace
 
-Characteristics characteristicsOfEllipse(std::complex<double> complex_stiffness, double amplitude) {
-  const double stiffness = std::abs(complex_stiffness);
-  return {stiffness, std::asin(complex_stiffness.imag() / stiffness),
-          element::kPi * complex_stiffness.imag() * amplitude * amplitude};
-}
-
 Characteristics SettledLoop::characteristics() const {
   const auto [low, high] = std::minmax_element(force.begin(), force.end());
   const double range = peak(force, high - force.begin()) - peak(force, low - force.begin());

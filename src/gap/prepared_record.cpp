@@ -1,0 +1,14 @@
+// The force of a record without what its rig may have added.
+#include "rubber_suspension/gap/prepared_record.h"
+
+namespace rubber_suspension::gap {
+
+Eigen::VectorXd PreparedRecord::withoutRig(const Eigen::VectorXd& column) const {
+  Eigen::VectorXd result = counts.size() == 0 ? column : column.cwiseProduct(counts).eval();
+  if (rig.columns.cols() > 0) {
+    result -= rig.columns * (rig.columns.transpose() * result).eval();
+  }
+  return result;
+}
+
+}  // namespace rubber_suspension::gap
