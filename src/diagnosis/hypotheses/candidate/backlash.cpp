@@ -39,16 +39,17 @@ void addBacklash(const fit::Excitation& excitation, fit::Candidate& candidate) {
   candidate.terms = candidate.terms_at(0.1 * excitation.largest_displacement);
 }
 
-const EffectEntry kBacklash({85,
-                             "backlash",
-                             "friction or damper with a clearance of its own: no loss force for some travel after each "
-                             "reversal, none at small amplitude",
-                             true,
-                             addBacklash,
-                             InSettledLoops::shown,
-                             false,
-                             "",
-                             {"friction"}});
+Effect backlash() {
+  Effect effect{
+      85, "backlash",
+      "friction or damper with a clearance of its own: no loss force for some travel after each reversal, none "
+      "at small amplitude",
+      true, addBacklash};
+  effect.contains = {"friction"};
+  return effect;
+}
+
+const EffectEntry kBacklash(backlash());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

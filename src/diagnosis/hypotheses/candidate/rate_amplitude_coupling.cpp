@@ -58,16 +58,17 @@ void addRateAmplitudeCoupling(const fit::Excitation& excitation, fit::Candidate&
 }
 
 // Flow at a limit of the force is friction, and flow at any force relaxation: named only where these fail.
-const EffectEntry kRateAmplitudeCoupling({160,
-                                          "rate_amplitude_coupling",
-                                          "flow that large forces or fast motion accelerate: stiffness falls with "
-                                          "amplitude, and more so at higher frequency",
-                                          false,
-                                          addRateAmplitudeCoupling,
-                                          InSettledLoops::shown,
-                                          false,
-                                          "",
-                                          {"friction", "relaxation"}});
+Effect rateAmplitudeCoupling() {
+  Effect effect{
+      160, "rate_amplitude_coupling",
+      "flow that large forces or fast motion accelerate: stiffness falls with amplitude, and more so at higher "
+      "frequency",
+      false, addRateAmplitudeCoupling};
+  effect.contains = {"friction", "relaxation"};
+  return effect;
+}
+
+const EffectEntry kRateAmplitudeCoupling(rateAmplitudeCoupling());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -13,10 +13,15 @@ void addSelfHeating(const fit::Excitation& excitation, fit::Candidate& candidate
   }
 }
 
-const EffectEntry kSelfHeating({100, "self_heating",
-                                "heating by loss: stiffness falls over minutes of hard work, recovers at rest", false,
-                                addSelfHeating, InSettledLoops::over_before, true,
-                                "which a table has in the state that each sine ends in"});
+Effect selfHeating() {
+  Effect effect{100,   "self_heating", "heating by loss: stiffness falls over minutes of hard work, recovers at rest",
+                false, addSelfHeating, InSettledLoops::over_before};
+  effect.falls_like_warming = true;
+  effect.not_beside_tables = "which a table has in the state that each sine ends in";
+  return effect;
+}
+
+const EffectEntry kSelfHeating(selfHeating());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

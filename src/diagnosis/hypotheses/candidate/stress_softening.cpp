@@ -82,9 +82,14 @@ void addStressSoftening(const fit::Excitation& excitation, fit::Candidate& candi
   addFirstLoading(excitation, candidate.terms);
 }
 
-const EffectEntry kStressSoftening({90, "stress_softening",
-                                    "softening below the largest past displacement, gone by cycle 3 to 5", false,
-                                    addStressSoftening, InSettledLoops::over_before, true});
+Effect stressSoftening() {
+  Effect effect{90,    "stress_softening", "softening below the largest past displacement, gone by cycle 3 to 5",
+                false, addStressSoftening, InSettledLoops::over_before};
+  effect.falls_like_warming = true;
+  return effect;
+}
+
+const EffectEntry kStressSoftening(stressSoftening());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate
