@@ -67,7 +67,15 @@ def start(line, folder):
 
 
 def files_in(folder):
-    return {path.relative_to(folder): path.stat().st_size for path in folder.rglob("*") if path.is_file()}
+    """Sizes of the files; one that a running program renames between listing and asking is left out."""
+    sizes = {}
+    for path in folder.rglob("*"):
+        try:
+            if path.is_file():
+                sizes[path.relative_to(folder)] = path.stat().st_size
+        except FileNotFoundError:
+            continue
+    return sizes
 
 
 def is_complete(path, size):
