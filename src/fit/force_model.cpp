@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 
 #include "element/each.h"
-#include "fit/difference_quotient.h"
 #include "kernel/maxwell_forces.h"
 #include "kernel/sample_checks.h"
 #include "log/even_blocks.h"
+#include "numerics/bounded_least_squares.h"
+#include "numerics/difference_quotient.h"
+#include "numerics/gram.h"
+#include "numerics/least_squares.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/element/catalogue.h"
 
@@ -138,7 +143,7 @@ double amplitudeOf(const std::vector<log::Log>& logs) {
 ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
                        const Compared& compared, const std::vector<std::string>& held,
                        const std::vector<Eigen::MatrixXd>& rig)
-    : elements_(std::move(elements)), logs_(logs), compared_(compared) {
+    : elements_(std::move(elements)), logs_(logs), compared_(compared), unit_(compared.force.squaredNorm()) {
   const LogScales scales = scalesOf(logs);
   const bool apart = allParallel(elements_);
   Part whole{elements_, {}};
@@ -241,11 +246,8 @@ void ForceModel::simulate(const Simulation& simulation) {
   for (const log::Log& log : logs_) {
     const std::size_t size = log.stamp.size();
     component::SampleStream stream(component);
-    const bool follows_temperature = component.shiftsWithTemperature() && !log.temperature.empty();
-    const std::size_t accepted =
-        follows_temperature
-            ? stream.pushAll(log.stamp.data(), log.displacement.data(), log.temperature.data(), size, first)
-            : stream.pushAll(log.stamp.data(), log.displacement.data(), size, first);
+    const double* const temperature = log.temperature.empty() ? nullptr : log.temperature.data();
+    const std::size_t accepted = stream.pushAll(log.stamp.data(), log.displacement.data(), temperature, size, first);
     // A sample without a finite force, and all after it, counts as none at all.
     std::fill(first + accepted, first + size, 0.0);
     first += size;
@@ -298,7 +300,8 @@ void ForceModel::evaluate(const Eigen::VectorXd& search) {
   }
 }
 
-void ForceModel::differentiate(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients) {
+void ForceModel::differentiate(const ModelFit& fit) {
+  const Eigen::VectorXd& search = fit.search;
   struct Quotient {
     Part& part;
     Eigen::Index unknown;
@@ -316,7 +319,7 @@ void ForceModel::differentiate(const Eigen::VectorXd& search, const Eigen::Vecto
           begun[static_cast<std::size_t>(unknown)] ? moved_.col(others++).data() : derivatives.col(unknown).data();
       begun[static_cast<std::size_t>(unknown)] = true;
       Simulation simulation{{}, moved};
-      const double step = takenStep(kSearchStep, [&](double by) {
+      const double step = numerics::takenStep(numerics::kSearchStep, [&](double by) {
         const Eigen::VectorXd place = search + by * Eigen::VectorXd::Unit(search.size(), unknown);
         simulation.elements = elementsAt(part, place(part.unknowns));
         return canBeMade(simulation.elements);
@@ -329,7 +332,7 @@ void ForceModel::differentiate(const Eigen::VectorXd& search, const Eigen::Vecto
   }
   simulate(simulations);
   for (const auto& [part, unknown, step, moved] : quotients) {
-    const double factor = step == 0.0 ? 0.0 : (part.column < 0 ? 1.0 : coefficients[part.column]) / step;
+    const double factor = step == 0.0 ? 0.0 : (part.column < 0 ? 1.0 : fit.coefficients[part.column]) / step;
     if (moved.data() != derivatives.col(unknown).data()) {
       derivatives.col(unknown) += factor * (moved - forceOf(part));
     } else if (factor != 0.0) {
@@ -340,9 +343,60 @@ void ForceModel::differentiate(const Eigen::VectorXd& search, const Eigen::Vecto
   }
 }
 
-void ForceModel::setResidual(const Eigen::VectorXd& coefficients) {
+ModelFit ForceModel::fitAt(const Eigen::VectorXd& search) {
+  evaluate(search);
+  const Eigen::MatrixXd products = numerics::gramOf(columns_.leftCols(1 + bases()));
+  products_ = products.bottomRightCorner(bases(), bases());
+  ModelFit fit;
+  fit.search = search;
+  fit.coefficients = numerics::nonNegativeLeastSquares(products_, products.col(0).tail(bases()), signed_columns_);
   columns_.col(1 + bases()) = columns_.col(0);
-  columns_.col(1 + bases()).noalias() -= basis() * coefficients;
+  columns_.col(1 + bases()).noalias() -= columns_.middleCols(1, bases()) * fit.coefficients;
+  return fit;
+}
+
+double ForceModel::at(const Eigen::VectorXd& search) {
+  try {
+    last_ = fitAt(search);
+    return residual().squaredNorm();
+  } catch (const std::invalid_argument&) {  // values that a law does not accept together
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+numerics::SumOfSquares::Slope ForceModel::slope() {
+  std::vector<Eigen::Index> taken;  // columns of the basis that are not held at zero
+  for (Eigen::Index i = 0; i < last_.coefficients.size(); ++i) {
+    if (last_.coefficients[i] != 0.0 || signed_columns_[static_cast<std::size_t>(i)]) {
+      taken.push_back(i);
+    }
+  }
+  differentiate(last_);
+  const Eigen::Index unknowns = last_.search.size();
+  const Eigen::MatrixXd products =
+      numerics::productOf(columns_.rightCols(bases() + 1 + unknowns), columns_.rightCols(1 + unknowns));
+  const Eigen::VectorXd scale = products_.diagonal()(taken).array().max(1e-300).rsqrt();
+  const Eigen::MatrixXd of_basis = scale.asDiagonal() * products_(taken, taken) * scale.asDiagonal();
+  const Eigen::MatrixXd shared = products(taken, Eigen::all).rightCols(unknowns);
+  // Part of the derivatives within the basis, in its coefficients.
+  const Eigen::MatrixXd shares =
+      scale.asDiagonal() * numerics::solveLeastNorm(of_basis, Eigen::MatrixXd(scale.asDiagonal() * shared));
+  return {shares.transpose() * products.col(0)(taken) - products.col(0).tail(unknowns),
+          products.bottomRightCorner(unknowns, unknowns) - shared.transpose() * shares};
+}
+
+Eigen::MatrixXd ForceModel::ofParameters(const ModelFit& fit, const Eigen::MatrixXd& products) {
+  const Eigen::Index unknowns = fit.search.size();
+  const Eigen::Index bases = fit.coefficients.size();
+  Eigen::VectorXd unit = Eigen::VectorXd::Ones(unknowns + bases);
+  std::vector<Eigen::Index> places;
+  for (Eigen::Index i = 0; i < unknowns + bases; ++i) {
+    places.push_back(i < unknowns ? products.cols() - unknowns + i : 1 + i - unknowns);
+    if (i >= unknowns && fit.coefficients[i - unknowns] != 0.0) {
+      unit[i] = std::abs(fit.coefficients[i - unknowns]);
+    }
+  }
+  return unit.asDiagonal() * products(places, places) * unit.asDiagonal();
 }
 
 }  // namespace rubber_suspension::fit

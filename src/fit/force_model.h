@@ -1,4 +1,5 @@
-// The simulated force of a log as a function of a component's unknown parameters, those that scale a force set apart.
+// The simulated force of a log as a function of a component's unknown parameters, those that scale a force set apart,
+// and least squares over the others.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "numerics/trust_region.h"
 #include "rubber_suspension/fit/identification.h"
 
 namespace rubber_suspension::fit {
@@ -43,10 +45,20 @@ struct Compared {
   Eigen::VectorXd force;           ///< [N]
 };
 
+/// The eliminated coefficients at some search coordinates.
+struct ModelFit {
+  Eigen::VectorXd search;
+  Eigen::VectorXd coefficients;  ///< of the basis of the ForceModel
+};
+
 /// force = rest(nonlinear) + basis(nonlinear) * coefficients, at the samples that are compared. A coefficient of 1 is
 /// the linear unknown as given; after the linear unknowns, the basis has the constant 1, the force offset, and what
 /// else the rig may have added.
-class ForceModel {
+///
+/// Least squares run over the nonlinear unknowns alone (variable projection): the sum is of measured less simulated
+/// force [N^2], by the search coordinates, with the best coefficients for each. Its slope leaves out a term that is
+/// across the residual (L. Kaufman, BIT 15 (1975) 49-57), so the gradient is exact, and so is the optimum.
+class ForceModel final : public numerics::SumOfSquares {
  public:
   /// The elements have to be complete, `held` to name parameters as "type.name".
   /// `rig`: of each log, as IdentificationOptions::rig. All but the elements have to outlive it.
@@ -56,28 +68,27 @@ class ForceModel {
 
   const std::vector<Unknown>& nonlinear() const { return nonlinear_; }
   const std::vector<Unknown>& linear() const { return linear_; }
-  /// For each column of the basis, whether its coefficient may be negative.
-  const std::vector<bool>& signedColumns() const { return signed_columns_; }
   const std::vector<element::ElementDescription>& elements() const { return elements_; }
-  const Eigen::VectorXd& measured() const { return compared_.force; }
 
-  /// Simulate for these values in search coordinates; parts whose unknowns did not change are not simulated again.
-  void evaluate(const Eigen::VectorXd& search);
-  /// Find the derivatives of the force by the search coordinates where it was evaluated last, for these coefficients of
-  /// the basis, by differences; only what depends on an unknown is simulated.
-  void differentiate(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients);
-  /// Set what these coefficients leave of the measured force.
-  void setResidual(const Eigen::VectorXd& coefficients);
+  double at(const Eigen::VectorXd& search) override;
+  Slope slope() override;
+  double unit() const override { return unit_; }
+  double rounding() const override { return 1e-21; }
 
-  using Columns = Eigen::MatrixXd::ConstColsBlockXpr;
-  Columns basis() const { return columns_.middleCols(1, bases()); }
-  Columns restAndBasis() const { return columns_.leftCols(1 + bases()); }  ///< the rest of the measured force
-  Columns basisToDerivatives() const { return columns_.rightCols(columns_.cols() - 1); }  ///< residual in between
-  Columns residualAndDerivatives() const { return columns_.rightCols(columns_.cols() - 1 - bases()); }
-  /// All of them: the rest of the measured force, the basis, the residual, the derivatives.
+  /// The best coefficients at these search coordinates. Throws std::invalid_argument for values that a law does not
+  /// accept together.
+  ModelFit fitAt(const Eigen::VectorXd& search);
+  /// The part of the measured force that the last fit leaves.
+  auto residual() const { return columns_.col(1 + bases()); }
+  /// Find the derivatives of the force by the search coordinates of the last fit, by differences; only what depends on
+  /// an unknown is simulated.
+  void differentiate(const ModelFit& fit);
+  /// All columns: the rest of the measured force, the basis, the residual, the derivatives.
   const Eigen::MatrixXd& columns() const { return columns_; }
   Eigen::MatrixXd takeColumns() { return std::move(columns_); }  ///< nothing is left to be asked for
-  auto residual() const { return columns_.col(1 + bases()); }
+  /// By products of all columns those of the derivatives of the force by the search coordinates, then by relative
+  /// changes of the coefficients, or by the coefficients themselves where they are zero.
+  static Eigen::MatrixXd ofParameters(const ModelFit& fit, const Eigen::MatrixXd& products);
 
  private:
   // Elements that are simulated together, for one column or as a share of the rest.
@@ -97,6 +108,7 @@ class ForceModel {
     double* force;
   };
 
+  const Eigen::VectorXd& measured() const { return compared_.force; }
   Eigen::Index bases() const { return static_cast<Eigen::Index>(signed_columns_.size()); }
   Force forceOf(Part& part) { return part.column < 0 ? Force(part.force) : Force(columns_.col(1 + part.column)); }
   void addNonlinear(const Unknown& unknown, Part& part);
@@ -105,18 +117,23 @@ class ForceModel {
   Elements elementsAt(const Part& part, const Eigen::VectorXd& values) const;
   void simulate(const std::vector<Simulation>& simulations);
   void simulate(const Simulation& simulation);
+  /// Parts whose unknowns did not change are not simulated again.
+  void evaluate(const Eigen::VectorXd& search);
 
   std::vector<element::ElementDescription> elements_;
   const std::vector<log::Log>& logs_;
   const Compared& compared_;
+  double unit_;  // [N^2], of the measured force
   std::vector<Unknown> nonlinear_;
   std::vector<Unknown> linear_;
-  std::vector<bool> signed_columns_;
+  std::vector<bool> signed_columns_;  // for each column of the basis, whether its coefficient may be negative
   std::vector<Part> parts_;
-  Eigen::MatrixXd columns_;  // columns()
-  Eigen::VectorXd all_;      // force at all samples; none where all are compared
-  Eigen::MatrixXd moved_;    // moved forces of parts with an unknown that another part has, too
-  std::vector<double> dt_;   // of each log [s]; empty where not all have even steps or are compared throughout
+  Eigen::MatrixXd columns_;   // columns()
+  Eigen::VectorXd all_;       // force at all samples; none where all are compared
+  Eigen::MatrixXd moved_;     // moved forces of parts with an unknown that another part has, too
+  ModelFit last_;             // of the sum that was asked for last
+  Eigen::MatrixXd products_;  // of the basis there
+  std::vector<double> dt_;    // of each log [s]; empty where not all have even steps or are compared throughout
 };
 
 }  // namespace rubber_suspension::fit

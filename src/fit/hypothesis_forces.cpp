@@ -5,12 +5,15 @@
 #include <stdexcept>
 #include <variant>
 
-#include "fit/difference_quotient.h"
 #include "fit/parallel.h"
+#include "numerics/difference_quotient.h"
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension::fit {
 namespace {
+
+using numerics::kLogarithmStep;
+using numerics::kScaleStep;
 
 double scaleOf(const ParameterVector& parameters, std::size_t term) {
   return parameters.scales[static_cast<Eigen::Index>(term)];
@@ -192,11 +195,11 @@ gap::Forces HypothesisForces::moreThanWith(const Eigen::VectorXd& scales, const 
 
 ForceColumn HypothesisForces::moved(const Place& place, Eigen::VectorXd ParameterVector::*part, Eigen::Index parameter,
                                     double step) const {
-  return quotient(place.base, step, [&](double by) {
+  return columnOf(numerics::quotient(place.base, step, [&](double by) {
     ParameterVector there = place.parameters;
     (there.*part)[parameter] += by;
     return at(place.hypothesis, there);
-  });
+  }));
 }
 
 // The entries of the terms at work that act on the displacement alone, if nothing else does and nothing behind them

@@ -14,7 +14,6 @@
 #include "element/suggestion.h"
 #include "fit/force_model.h"
 #include "fit/residual_covariance.h"
-#include "fit/variable_projection.h"
 #include "log/even_blocks.h"
 #include "log/samples.h"
 #include "numerics/gram.h"
@@ -123,14 +122,13 @@ std::vector<Eigen::VectorXd> startsOf(const ForceModel& model, const Identificat
 }
 
 // The best of the searches from all starts.
-Eigen::VectorXd searchAll(const ForceModel& model, const IdentificationOptions& options, VariableProjection& squares,
-                          Identification& result) {
+Eigen::VectorXd searchAll(ForceModel& model, const IdentificationOptions& options, Identification& result) {
   const numerics::Limits limits{eachOf(model, [](const Unknown& unknown) { return unknown.lower; }),
                                 eachOf(model, [](const Unknown& unknown) { return unknown.upper; })};
   std::vector<numerics::Optimum> optima;
   for (const Eigen::VectorXd& start : startsOf(model, options)) {
     ++result.starts;
-    optima.push_back(numerics::searchLeast(squares, start, limits));
+    optima.push_back(numerics::searchLeast(model, start, limits));
     if (!std::isfinite(optima.back().cost)) {
       optima.pop_back();
     }
@@ -138,7 +136,7 @@ Eigen::VectorXd searchAll(const ForceModel& model, const IdentificationOptions& 
   refuseIf(optima.empty(), "the simulated force is not finite from any start");
   const auto by_cost = [](const numerics::Optimum& a, const numerics::Optimum& b) { return a.cost < b.cost; };
   const numerics::Optimum& best = *std::min_element(optima.begin(), optima.end(), by_cost);
-  const double limit = best.cost * (1.0 + kSameResidual) + 10.0 * squares.rounding() * squares.unit();
+  const double limit = best.cost * (1.0 + kSameResidual) + 10.0 * model.rounding() * model.unit();
   result.starts_at_best = static_cast<int>(std::count_if(
       optima.begin(), optima.end(), [&](const numerics::Optimum& optimum) { return optimum.cost <= limit; }));
   return best.search;
@@ -292,10 +290,10 @@ void describeFit(Identification& result, ForceModel& model, const ModelFit& fit,
   const Eigen::VectorXd residual = model.residual();
   const Autoregression noise = fitAutoregression(residual, compared.runs);
   const auto count = static_cast<double>(residual.size());
-  model.differentiate(fit.search, fit.coefficients);
-  const Eigen::MatrixXd products = VariableProjection::ofParameters(fit, numerics::gramOf(model.columns()));
+  model.differentiate(fit);
+  const Eigen::MatrixXd products = ForceModel::ofParameters(fit, numerics::gramOf(model.columns()));
   Covariance covariance = covarianceOf(
-      products, VariableProjection::ofParameters(fit, projectedCovariance(model.takeColumns(), compared.runs, noise)));
+      products, ForceModel::ofParameters(fit, projectedCovariance(model.takeColumns(), compared.runs, noise)));
   result.independent_samples = count / std::max(1.0, correlationFactor(noise, residual.squaredNorm() / count));
   // The fit takes as many independent samples out of the residuals as it has unknowns, and their variance is an
   // estimate itself: Student's distribution with the samples that are left.
@@ -325,8 +323,7 @@ Identification identify(const std::vector<element::ElementDescription>& elements
   checkRig(options.rig, logs);
   ForceModel model(completed, logs, compared, options.held, options.rig);
   refuseIf(model.nonlinear().empty() && model.linear().empty(), "no parameter is left to be found; all are held");
-  VariableProjection squares(model);
-  const ModelFit best = squares.fitAt(searchAll(model, options, squares, result));
+  const ModelFit best = model.fitAt(searchAll(model, options, result));
   result.force_offset = best.coefficients[static_cast<Eigen::Index>(model.linear().size())];
   describeFit(result, model, best, compared);
   dropElementsWithoutForce(result);

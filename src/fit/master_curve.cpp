@@ -314,13 +314,10 @@ class Superposition {
     result.unknowns = numerics::searchLeast(squares, start, limits).search;
     result.moves = shifting(result.unknowns);
     const VectorXd residual = of(result.unknowns);
-    const Eigen::MatrixXd jacobian = squares.jacobian(result.unknowns);
-    const Eigen::MatrixXd products = jacobian.transpose() * jacobian;
     const double correlation = correlationOf(residual);
     const auto count = static_cast<double>(residual.size());
     const auto unknowns = static_cast<double>(start.size());
-    const double variance = residual.squaredNorm() / std::max(1.0, count - unknowns) * correlation;
-    const Covariance covariance = covarianceOf(products, variance * products);
+    const Covariance covariance = covarianceOf(squares.jacobian(result.unknowns), residual.squaredNorm(), correlation);
     result.deviations.resize(start.size());
     for (Eigen::Index i = 0; i < start.size(); ++i) {
       result.deviations[i] = covariance.standardDeviation(i);

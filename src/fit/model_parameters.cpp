@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "estimation/models.h"
+#include "numerics/difference_quotient.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -170,16 +171,8 @@ Eigen::VectorXd ModelParameters::departures(const Eigen::VectorXd& logarithms) c
 
 Eigen::MatrixXd ModelParameters::departureSlopes(const Eigen::VectorXd& logarithms) const {
   constexpr double kDifference = 1e-5;
-  Eigen::MatrixXd slopes(static_cast<Eigen::Index>(known_.size()), size());
-  Eigen::VectorXd moved = logarithms;
-  for (Eigen::Index i = 0; i < size(); ++i) {
-    moved[i] = logarithms[i] + kDifference;
-    const Eigen::VectorXd above = departures(moved);
-    moved[i] = logarithms[i] - kDifference;
-    slopes.col(i) = (above - departures(moved)) / (2.0 * kDifference);
-    moved[i] = logarithms[i];
-  }
-  return slopes;
+  return numerics::centralDifferences([this](const Eigen::VectorXd& x) { return departures(x); }, logarithms,
+                                      kDifference);
 }
 
 std::vector<Eigen::VectorXd> ModelParameters::starts() const {

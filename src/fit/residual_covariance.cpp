@@ -73,6 +73,12 @@ Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& 
   return covariance;
 }
 
+Covariance covarianceOf(const Eigen::MatrixXd& jacobian, double squares, double correlation) {
+  const Eigen::MatrixXd products = jacobian.transpose() * jacobian;
+  const double freedom = std::max(1.0, static_cast<double>(jacobian.rows() - jacobian.cols()));
+  return covarianceOf(products, squares / freedom * correlation * products);
+}
+
 Autoregression fitAutoregression(const Eigen::Ref<const Eigen::VectorXd>& residuals,
                                  const std::vector<Eigen::Index>& runs) {
   const Eigen::Index longest = *std::max_element(runs.begin(), runs.end());

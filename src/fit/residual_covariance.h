@@ -23,6 +23,10 @@ struct Covariance {
 /// (J'J)^-1 J'OJ (J'J)^-1 from the products J'J and J'OJ of the Jacobian J, O being the covariance of the residuals.
 Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& noise_products);
 
+/// The same of the Jacobian itself where the residuals, whose sum of squares this is, are white but for a variance of
+/// sums that is `correlation` times theirs.
+Covariance covarianceOf(const Eigen::MatrixXd& jacobian, double squares, double correlation = 1.0);
+
 /// An autoregressive model of residuals: r_t + sum a_i r_(t-i) = e_t, e of variance innovation.
 struct Autoregression {
   Eigen::VectorXd coefficients;

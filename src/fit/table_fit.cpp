@@ -73,10 +73,7 @@ TableFit fitToOneTemperature(const io::ComponentDescription& description, const 
   const Eigen::VectorXd given = Eigen::VectorXd::Zero(bounds.size());
   const Eigen::VectorXd x = numerics::searchLeast(squares, given, {-bounds, bounds}, {200, 1e-12}).search;
   const Eigen::VectorXd residual = residuals(x);
-  const Eigen::MatrixXd jacobian = squares.jacobian(x)(Eigen::all, moved);
-  const Eigen::MatrixXd products = jacobian.transpose() * jacobian;
-  const double freedom = std::max(1.0, static_cast<double>(jacobian.rows() - jacobian.cols()));
-  const Covariance covariance = covarianceOf(products, residual.squaredNorm() / freedom * products);
+  const Covariance covariance = covarianceOf(squares.jacobian(x)(Eigen::all, moved), residual.squaredNorm());
   TableFit fit;
   fit.component = parameters.apply(x);
   fit.misfit_before = misfitOf(residuals(given));

@@ -1,7 +1,28 @@
-// Central differences.
+// Difference quotients to one side, and central ones.
 #include "numerics/difference_quotient.h"
 
+#include <utility>
+
 namespace rubber_suspension::numerics {
+
+double takenStep(double step, const std::function<bool(double by)>& has_value) {
+  return has_value(step) ? step : has_value(-step) ? -step : 0.0;
+}
+
+std::vector<Eigen::VectorXd> quotient(
+    const std::vector<Eigen::VectorXd>& base, double step,
+    const std::function<std::optional<std::vector<Eigen::VectorXd>>(double by)>& moved) {
+  std::optional<std::vector<Eigen::VectorXd>> values;
+  const double taken = takenStep(step, [&](double by) {
+    values = moved(by);
+    return values.has_value();
+  });
+  std::vector<Eigen::VectorXd> slopes = std::move(values).value_or(base);
+  for (std::size_t r = 0; r < base.size(); ++r) {
+    slopes[r] = (slopes[r] - base[r]) / (taken != 0.0 ? taken : step);
+  }
+  return slopes;
+}
 
 Eigen::MatrixXd centralDifferences(const std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>& values,
                                    const Eigen::VectorXd& x, double step) {
