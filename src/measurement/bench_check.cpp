@@ -15,6 +15,7 @@
 #include "gap/log_driver.h"
 #include "measurement/loop_work.h"
 #include "measurement/statistics.h"
+#include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/gap/gap.h"
@@ -250,14 +251,12 @@ RigFinding swapFinding(const log::Record& record, const Evidence& e) {
                   e.measured.stiffness, e.configured.stiffness, e.work.forward));
 }
 
-// At the record's mean temperature: what is checked are orders of magnitude.
+// From rest, without the motion across: what is checked are orders of magnitude.
 VectorXd simulate(gap::LogDriver& component, const VectorXd& displacement, const log::Record& record) {
-  log::Record tempered;
-  tempered.dt = record.dt;
-  if (record.temperature.size() > 0) {
-    tempered.temperature = VectorXd::Constant(displacement.size(), record.temperature.mean());
-  }
-  return component.over(tempered, displacement, gap::Before::nothing);
+  log::Record from_rest;
+  from_rest.dt = record.dt;
+  from_rest.temperature = record.temperature;
+  return component.over(from_rest, displacement, gap::Before::nothing);
 }
 
 // Length unit over force unit, in SI, by which the log is one of this component with the columns exchanged.
@@ -675,32 +674,45 @@ void exchangeColumns(double units, log::Record& record) {
   record.displacement = record.raw_displacement = displacement;
 }
 
-// The component with its contacts on the other side; nothing without any.
-std::optional<gap::LogDriver> withContactsTurned(std::vector<element::ElementDescription> elements) {
-  bool has_any = false;
+// Whether an element yields to one sign of force alone, as a contact does that opens.
+bool isContact(const element::ElementDescription& description) {
+  const element::ElementPointer element = element::makeElement(description);
+  const auto* const series = std::get_if<std::shared_ptr<const element::SeriesElement>>(&element);
+  const auto compliance = series != nullptr ? (*series)->compliance() : std::nullopt;
+  return compliance && (compliance->tension == 0.0) != (compliance->compression == 0.0);
+}
+
+// The component with its contacts on the other side, and the type of the last one; nothing without any.
+struct TurnedContacts {
+  gap::LogDriver component;
+  std::string type;
+};
+
+std::optional<TurnedContacts> withContactsTurned(std::vector<element::ElementDescription> elements) {
+  std::string type;
   for (element::ElementDescription& element : elements) {
-    if (element.type == "lift_off") {
+    if (isContact(element)) {
       element.values["side"] = {-element.value("side")};
-      has_any = true;
+      type = element.type;
     }
   }
-  return has_any ? std::optional(gap::LogDriver(elements)) : std::nullopt;
+  return type.empty() ? std::nullopt : std::optional(TurnedContacts{gap::LogDriver(elements), type});
 }
 
 // The force is that of the component whose contact carries the other sign, whatever the log seems to be then: as
 // configured the contact is open where the log has a force.
-void nameTurnedContact(gap::LogDriver& turned, Examined& log) {
+void nameTurnedContact(TurnedContacts& turned, Examined& log) {
   const log::Record& record = log.record;
   const double as_configured =
       std::max(0.0, correlationOf(record.force, simulate(log.component, record.displacement, record)));
-  const double as_turned = correlationOf(record.force, simulate(turned, record.displacement, record));
+  const double as_turned = correlationOf(record.force, simulate(turned.component, record.displacement, record));
   if (as_turned > kFollows && as_turned * as_turned > as_configured * as_configured + kClearly) {
     log.suspicion =
         fatal(record.name, finding::kContactSide, as_turned,
-              fmt::format("the contact `lift_off` of the component is open where this log has a force, which follows "
-                          "the component with `side` of the other sign (correlation {:.2f}, as configured {:.2f}): "
-                          "correct `side`, or the signs of displacement and force",
-                          as_turned, as_configured));
+              fmt::format("the contact `{}` of the component is open where this log has a force, which follows the "
+                          "component with `side` of the other sign (correlation {:.2f}, as configured {:.2f}): correct "
+                          "`side`, or the signs of displacement and force",
+                          turned.type, as_turned, as_configured));
   }
 }
 

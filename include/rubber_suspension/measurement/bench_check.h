@@ -17,7 +17,7 @@ namespace rubber_suspension::measurement {
 /// - constant: a channel does not change, stands still for a tenth of the log or more while the other continues, or is
 ///   noise alone of next to nothing;
 /// - rectified: a channel follows the magnitude of the other;
-/// - contact_side: the force is that of the component whose contact (`lift_off`) carries the other sign;
+/// - contact_side: the force is that of the component whose contact, or compliance of one side, has the other sign;
 /// - sign: the force falls where the displacement rises, and the loops give energy, which no mass in fast motion does;
 ///   of a spring without loss, where no slower log has the right sign;
 /// - swapped_columns: the loops give energy while the stiffness is positive, or the stiffness is that of force and
