@@ -89,6 +89,9 @@ gap::PreparedRecord FreeInLog::addedTo(const gap::PreparedRecord& record, std::s
                                        const Eigen::VectorXd& simulated) const {
   constexpr double kWide = 1e3;  // times the force: what has no prior
   gap::PreparedRecord result = record;
+  if (!any()) {
+    return result;
+  }
   const Eigen::MatrixXd known = numerics::columnsOfWhitening(record.rig.columns);
   Eigen::MatrixXd all(record.size(), known.cols() + count());
   all.leftCols(known.cols()) = known;

@@ -29,9 +29,7 @@ double meanSquare(const gap::PreparedRecord& record, const Eigen::VectorXd& forc
 double takenInLog(const fit::FreeInLog& free, const fit::FreeInLog& others, const gap::PreparedRecord& record,
                   const Eigen::VectorXd& simulated) {
   const Eigen::VectorXd residual = record.force - simulated;
-  const auto left = [&](const fit::FreeInLog& all) {
-    return meanSquare(all.any() ? all.addedTo(record, 0, simulated) : record, residual);
-  };
+  const auto left = [&](const fit::FreeInLog& all) { return meanSquare(all.addedTo(record, 0, simulated), residual); };
   return std::max(0.0, left(others) - left(free | others));
 }
 

@@ -103,8 +103,7 @@ Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& se
   std::vector<double> rig;  // what its errors cost the best model
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd residual = records[r].force - forces[r];
-    const double left = free.any() ? measurement::relativeFloor(free.addedTo(records[r], r, forces[r]), residual)
-                                   : measurement::relativeFloor(records[r], residual);
+    const double left = measurement::relativeFloor(free.addedTo(records[r], r, forces[r]), residual);
     noise.rest[r] = std::min(noise.rest[r], left);
     rig.push_back(measurement::rigCost(records[r], residual));
   }

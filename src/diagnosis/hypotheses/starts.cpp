@@ -46,9 +46,9 @@ void keepOneOffset(const fit::HypothesisFitter& fitter, const fit::FitLimits& li
 
 // From a start, with zeros of the displacement where what is at work there depends on them; once more with them where
 // only what was found does.
-void fitFrom(const fit::HypothesisFitter& fitter, const fit::ParameterVector& start, const fit::FitLimits& limits,
-             FittedHypothesis& best) {
-  FittedHypothesis fitted{best.hypothesis, {}};
+void fitFrom(const fit::HypothesisFitter& fitter, const fit::Hypothesis& hypothesis, const fit::ParameterVector& start,
+             const fit::FitLimits& limits, FittedHypothesis& best) {
+  FittedHypothesis fitted{hypothesis, {}};
   fitter.freeZeros(start, fitted.hypothesis);
   fitted.fit = fitter.fit(fitted.hypothesis, start, limits);
   if (!fitted.hypothesis.free_in_log.by_zero && fitted.fit.gap <= limits.reach) {
@@ -107,20 +107,13 @@ void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_e
   fit::ParameterVector none = configured;
   none.model = re_estimated.fit.parameters.model;
   const bool promising = fitter.gapAt(hypothesis, start) < re_estimated.fit.gap;
-  fitFrom(fitter, promising ? start : none, limits, single);
-  const auto restart = [&](const fit::ParameterVector& from) {
-    FittedHypothesis again{hypothesis, {}};
-    fitFrom(fitter, from, limits, again);
-    keepBetter(std::move(again), single);
-  };
+  fitFrom(fitter, hypothesis, promising ? start : none, limits, single);
   fit::ParameterVector told = none;
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
     told.scales[static_cast<Eigen::Index>(t)] = hypothesis.terms[t].start;
   }
   if (!told.scales.isZero(0.0)) {
-    FittedHypothesis again{hypothesis, {}};
-    fitFrom(fitter, told, {kToldIterations, reach}, again);
-    keepBetter(std::move(again), single);
+    fitFrom(fitter, hypothesis, told, {kToldIterations, reach}, single);
   }
   const bool far = none.largestChange() > kFar;
   const bool additive = hypothesis.isAdditive();
@@ -128,9 +121,10 @@ void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_e
     return;
   }
   if (far && !additive) {
-    restart(configured);
+    fitFrom(fitter, hypothesis, configured, limits, single);
   }
-  restart(fitter.scalesAlone(hypothesis, configured, additive ? 1 : kAloneIterations));
+  const fit::ParameterVector alone = fitter.scalesAlone(hypothesis, configured, additive ? 1 : kAloneIterations);
+  fitFrom(fitter, hypothesis, alone, limits, single);
 }
 
 void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, double reach,
@@ -138,7 +132,7 @@ void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_es
   const fit::FitLimits limits{singleIterations(fitter), reach};
   FittedHypothesis common = single;
   common.hypothesis.free_in_log.gain = false;
-  fitFrom(fitter, fitter.configured(common.hypothesis), limits, common);
+  fitFrom(fitter, common.hypothesis, fitter.configured(common.hypothesis), limits, common);
   if (single.hypothesis.free_in_log.gain) {
     fit::ParameterVector other_values = fitter.configured(single.hypothesis);
     other_values.model = re_estimated.fit.parameters.model;
@@ -161,12 +155,10 @@ void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& fro
   const fit::ParameterVector& first = promising ? start : as_fitted;
   // Values and gains of logs go far to come to one of what both do.
   const int iterations = hypothesis.free_in_log.gain ? singleIterations(fitter) : kFurtherIterations;
-  fitFrom(fitter, first, {iterations, reach, mayMove(from, hypothesis, first)}, further);
+  fitFrom(fitter, hypothesis, first, {iterations, reach, mayMove(from, hypothesis, first)}, further);
   if (further.fit.gap <= reach && from.fit.parameters.largestChange() > kFar && hypothesis.isAdditive()) {
-    FittedHypothesis again{hypothesis, {}};
-    fitFrom(fitter, fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1), {singleIterations(fitter), reach},
-            again);
-    keepBetter(std::move(again), further);
+    fitFrom(fitter, hypothesis, fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1),
+            {singleIterations(fitter), reach}, further);
   }
 }
 
@@ -195,7 +187,8 @@ void fitCurved(const fit::HypothesisFitter& fitter, const FittedHypothesis& from
                FittedHypothesis& curved) {
   curved.hypothesis.free_in_log.by_factor = from.hypothesis.free_in_log.by_factor;
   const fit::ParameterVector start = taken(fitter, from, curved.hypothesis);
-  fitFrom(fitter, start, {singleIterations(fitter), reach, mayMove(from, curved.hypothesis, start)}, curved);
+  fitFrom(fitter, curved.hypothesis, start, {singleIterations(fitter), reach, mayMove(from, curved.hypothesis, start)},
+          curved);
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -92,12 +92,10 @@ std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& 
   std::vector<double> floors = measurement::frictionNoise(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd residual = records[r].force - simulated[r];
-    const auto floor = [&](const gap::PreparedRecord& record) {
-      const double left = std::min(measurement::relativeFloor(record, residual), limit.of(record));
-      const double all = record.withoutRig(residual).norm() / std::sqrt(record.counted()) / record.force_deviation;
-      return std::max(left, std::min(floors[r], all));
-    };
-    floors[r] = free.any() ? floor(free.addedTo(records[r], r, simulated[r])) : floor(records[r]);
+    const gap::PreparedRecord record = free.addedTo(records[r], r, simulated[r]);
+    const double left = std::min(measurement::relativeFloor(record, residual), limit.of(record));
+    const double all = record.withoutRig(residual).norm() / std::sqrt(record.counted()) / record.force_deviation;
+    floors[r] = std::max(left, std::min(floors[r], all));
   }
   return floors;
 }

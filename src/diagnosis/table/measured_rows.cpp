@@ -147,13 +147,15 @@ Rest smoothness(const Points& points) {
 }  // namespace
 
 std::vector<std::string> neverShownByTables() {
-  std::vector<Effect> never = effects();
-  never.erase(std::remove_if(never.begin(), never.end(),
-                             [](const Effect& effect) { return effect.in_settled_loops == InSettledLoops::shown; }),
-              never.end());
-  std::stable_sort(never.begin(), never.end(),
-                   [](const Effect& a, const Effect& b) { return a.in_settled_loops < b.in_settled_loops; });
-  return element::each(never, &Effect::name);
+  std::vector<std::string> names;
+  for (const auto why : {InSettledLoops::over_before, InSettledLoops::has_crept, InSettledLoops::no_part_of_loop}) {
+    for (const Effect& effect : effects()) {
+      if (effect.in_settled_loops == why) {
+        names.push_back(effect.name);
+      }
+    }
+  }
+  return names;
 }
 
 MeasuredRows::MeasuredRows(const io::ComponentDescription& component, const std::vector<fit::TablePoint>& points,

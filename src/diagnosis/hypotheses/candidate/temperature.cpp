@@ -85,14 +85,13 @@ void addTemperature(const fit::Excitation& excitation, fit::Candidate& candidate
 
 // Derivatives by the temperature at the reference.
 std::vector<HeadlineValue> changesPerKelvin(const Effect::Entries& entries) {
-  constexpr double kGas = 8.314462618;  // [J/(mol K)]
   double stiffness = 0.0;
   double rates = 0.0;
   for (const element::ElementDescription& entry : entries) {
     const double reference = entry.value("reference") + element::kZeroCelsius;
     stiffness += valueOr(entry, "coefficient", 0.0) + valueOr(entry, "vertical", 0.0) -
                  valueOr(entry, "share", 0.0) / valueOr(entry, "width", 1.0);
-    rates += valueOr(entry, "activation_energy", 0.0) / (kGas * reference * reference) +
+    rates += valueOr(entry, "activation_energy", 0.0) / (element::kGasConstant * reference * reference) +
              std::log(10.0) * valueOr(entry, "c1", 0.0) / valueOr(entry, "c2", 1.0);
   }
   std::vector<HeadlineValue> result;
