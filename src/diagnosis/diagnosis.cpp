@@ -77,8 +77,7 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
 Workings judged(const hypotheses::PreparedCase& prepared, hypotheses::Search search, const DiagnosisOptions& options) {
   search.noise.unseen = hypotheses::floorsOfUnseen(prepared, search);
   judge::Evidence evidence = hypotheses::evidenceOfLogs(prepared, search, options.threads);
-  judge::Answer answer = judge::answer(evidence);
-  return {std::move(search), std::move(evidence), std::move(answer), options.evidence, {}};
+  return {std::move(search), std::move(evidence), options.evidence};
 }
 
 // The logs of the fit with the rig's priors, and the models to be fitted to them.

@@ -122,7 +122,6 @@ Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::v
     hypothesis.counts.push_back(hypothesis.terms.size() - before);
     hypothesis.free_in_log = hypothesis.free_in_log | candidate.free_in_log;
     hypothesis.like_parameters = hypothesis.like_parameters || candidate.like_parameters;
-    hypothesis.excluded = hypothesis.excluded || candidate.excluded;
   }
   return hypothesis;
 }

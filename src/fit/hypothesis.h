@@ -79,16 +79,11 @@ struct Candidate {
   /// these, or a few of the terms, stands for the effect.
   std::vector<BasisTerm> laws = {};
 
-  /// One, or as many as the laws are that it contains: what does the work of two is as seldom as two.
-  std::size_t mechanisms() const { return contains.empty() ? 1 : contains.size(); }
-
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }
 
-  bool excluded = false;  ///< ruled out: it is fitted for what it would be otherwise
-
-  /// Whether it competes with others: it applies, is not ruled out, and may do what parameters do not.
-  bool competes() const { return applies() && !excluded && (!like_parameters || free_in_log.gain); }
+  /// Whether it competes with others: it applies, and may do what parameters do not.
+  bool competes() const { return applies() && (!like_parameters || free_in_log.gain); }
 };
 
 /// A basis term that scales one parameter of an element whose force is linear in it, the others being given.
@@ -120,10 +115,8 @@ struct Hypothesis {
   std::function<std::vector<element::ElementDescription>(const Eigen::VectorXd& scales)> law;
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
 
-  bool excluded = false;  ///< a member of it is
-
-  /// Whether it competes with others: it has terms, none is ruled out, and it may do what parameters do not.
-  bool competes() const { return !terms.empty() && !excluded && (!like_parameters || free_in_log.gain); }
+  /// Whether it competes with others: it has terms, and may do what parameters do not.
+  bool competes() const { return !terms.empty() && (!like_parameters || free_in_log.gain); }
 
   /// Whether model parameters stay as configured: it says that they are right, and its terms do what others would.
   bool keepsParameters() const { return !terms.empty() && like_parameters && !free_in_log.gain; }

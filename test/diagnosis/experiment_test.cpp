@@ -162,7 +162,8 @@ class Rivals : public testing::Test {
       hypothesis.log_errors = {std::pow(search_.at(static_cast<int>(h)).fit.held_out, 2)};
       hypothesis.sizes.assign(hypothesis.members.size(), {kUsualSize});
     }
-    workings_.answer = diagnosis::judge::answer(evidence);
+    workings_.table = diagnosis::judge::scoreTable(evidence);
+    workings_.answer = diagnosis::judge::answer(workings_.table);
     workings_.answer.effects = {effect};
     workings_.answer.model = diagnosis::judge::Evidence::kFirstSingle + effect;
     workings_.answer.verdict = diagnosis::Verdict::named;

@@ -1,5 +1,6 @@
 // Model parameters, records, what noise does, and the menu of experiments.
 #include "diagnosis/effect.h"
+#include "diagnosis/judge/score.h"
 #include "fit/excitation.h"
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
@@ -264,7 +265,9 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
             (std::vector<std::size_t>{termsOf(backlash) + termsOf(friction), termsOf(coupling) + termsOf(relaxation)}));
   EXPECT_EQ(fit::makeHypothesis(all, {coupling}, {relaxation}).held, std::vector<int>{relaxation});
   EXPECT_EQ(fit::makeHypothesis(all, {coupling}).held, std::vector<int>{friction});
-  const auto mechanisms = [&](int candidate) { return all[static_cast<std::size_t>(candidate)].mechanisms(); };
+  const auto mechanisms = [&](int candidate) {
+    return diagnosis::judge::mechanismsOf(all[static_cast<std::size_t>(candidate)].contains.size());
+  };
   EXPECT_EQ(mechanisms(friction) + mechanisms(backlash) + mechanisms(coupling), 4U);
   EXPECT_TRUE(fit::holds(all, {backlash, coupling}, {friction, relaxation}));
   EXPECT_FALSE(fit::holds(all, {backlash}, {relaxation}));

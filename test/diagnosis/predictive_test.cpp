@@ -67,7 +67,7 @@ TEST(ClosedOnFurtherLogs, HoldsWhatIsClosedThere) {
     int held = 0;
     for (unsigned seed = 1; seed <= 200; ++seed) {
       Rig rig(seed);
-      const auto interval = closedOnFurtherLogs(evidenceOf(rig.left(logs)), kFirst, 400, seed);
+      const auto interval = closedOnFurtherLogs(scoreTable(evidenceOf(rig.left(logs))), kFirst, 400, seed);
       const double closed = closedOf(rig.left(logs));
       held += interval[0] <= closed && closed <= interval[1] ? 1 : 0;
     }
@@ -77,8 +77,8 @@ TEST(ClosedOnFurtherLogs, HoldsWhatIsClosedThere) {
 
 TEST(ClosedOnFurtherLogs, IsNarrowWhereManyLogsAgree) {
   const double left = kFloor * kFloor + 1e-5;
-  const auto few = closedOnFurtherLogs(evidenceOf(std::vector<double>(2, left)), kFirst, 1000, 1);
-  const auto many = closedOnFurtherLogs(evidenceOf(std::vector<double>(12, left)), kFirst, 1000, 1);
+  const auto few = closedOnFurtherLogs(scoreTable(evidenceOf(std::vector<double>(2, left))), kFirst, 1000, 1);
+  const auto many = closedOnFurtherLogs(scoreTable(evidenceOf(std::vector<double>(12, left))), kFirst, 1000, 1);
   EXPECT_LT(width(many), 0.7 * width(few));
   EXPECT_GT(few[0], 0.0);
   EXPECT_GT(many[0], 0.9);
@@ -89,8 +89,8 @@ TEST(ClosedOnFurtherLogs, IsWiderBesideARest) {
   const Evidence evidence = evidenceOf(std::vector<double>(3, std::pow(0.08, 2)));
   Closing beside = kFirst;
   beside.alone = 0.0;
-  EXPECT_GT(width(closedOnFurtherLogs(evidence, beside, 1000, 1)),
-            width(closedOnFurtherLogs(evidence, kFirst, 1000, 1)));
+  EXPECT_GT(width(closedOnFurtherLogs(scoreTable(evidence), beside, 1000, 1)),
+            width(closedOnFurtherLogs(scoreTable(evidence), kFirst, 1000, 1)));
 }
 
 // A law that is at work opens no gap; one that is not may.
@@ -98,13 +98,14 @@ TEST(ClosedOnFurtherLogs, IsBelowZeroForLawsThatAreNotAtWorkAlone) {
   const Evidence evidence = evidenceOf(std::vector<double>(2, std::pow(0.19, 2)));
   Closing other = kFirst;
   other.at_work = false;
-  EXPECT_GE(closedOnFurtherLogs(evidence, kFirst, 1000, 1)[0], 0.0);
-  EXPECT_LT(closedOnFurtherLogs(evidence, other, 1000, 1)[0], 0.0);
+  EXPECT_GE(closedOnFurtherLogs(scoreTable(evidence), kFirst, 1000, 1)[0], 0.0);
+  EXPECT_LT(closedOnFurtherLogs(scoreTable(evidence), other, 1000, 1)[0], 0.0);
 }
 
 TEST(ClosedOnFurtherLogs, IsTheSameWithTheSameSeed) {
   const Evidence evidence = evidenceOf(std::vector<double>(3, std::pow(0.02, 2)));
-  EXPECT_EQ(closedOnFurtherLogs(evidence, kFirst, 100, 7), closedOnFurtherLogs(evidence, kFirst, 100, 7));
+  EXPECT_EQ(closedOnFurtherLogs(scoreTable(evidence), kFirst, 100, 7),
+            closedOnFurtherLogs(scoreTable(evidence), kFirst, 100, 7));
 }
 
 }  // namespace

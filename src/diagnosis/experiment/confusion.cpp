@@ -179,9 +179,8 @@ class EffectRow {
 }  // namespace
 
 judge::Evidence evidenceOf(const Search& search, const Implant& implant, double size) {
-  judge::Evidence evidence;
+  judge::Evidence evidence = hypotheses::evidenceOfNone(search);
   evidence.logs = {{search.noise.floor, 0.0, 1.0, false, implant.blocks}};
-  evidence.guess = search.guess;
   evidence.hypotheses.push_back(evidenceOf(hypotheses::Residuals{}, search.noise.floor, size));
   evidence.hypotheses.push_back(evidenceOf(implant.model, search.noise.floor, size));
   for (std::size_t c = 0; c < search.candidates.size(); ++c) {
@@ -193,10 +192,6 @@ judge::Evidence evidenceOf(const Search& search, const Implant& implant, double 
     single.beyond = implant.singles[c].beyond;
     single.free_in_log = candidate.free_in_log;
     evidence.hypotheses.push_back(std::move(single));
-    evidence.effects.push_back(candidate.effect);
-    evidence.one_form.push_back(candidate.one_form);
-    evidence.constant.push_back(candidate.constant);
-    evidence.contains.push_back(fit::containedBy(search.candidates, candidate));
   }
   return evidence;
 }

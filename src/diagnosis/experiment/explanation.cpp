@@ -18,8 +18,8 @@ constexpr std::size_t kMost = 6;  // explanations compared: each has to be fitte
 using Ranked = std::pair<double, int>;  // probability and hypothesis
 
 // The hypothesis judged first, then the others by their probability.
-std::vector<Ranked> rankedHypotheses(const Workings& workings, const judge::ScoreTable& table) {
-  const judge::SetPosterior posterior = judge::setPosterior(table, judge::fittedNumbers());
+std::vector<Ranked> rankedHypotheses(const Workings& workings) {
+  const judge::SetPosterior posterior = judge::setPosterior(workings.table, judge::fittedNumbers());
   std::vector<Ranked> ranked = {{posterior.none, judge::Evidence::kAsConfigured},
                                 {posterior.parameter_error, judge::Evidence::kReEstimated}};
   for (const judge::SetProbability& set : posterior.sets) {
@@ -37,7 +37,7 @@ std::vector<Ranked> rankedHypotheses(const Workings& workings, const judge::Scor
 }  // namespace
 
 std::vector<Explanation> explanationsOf(const Workings& workings) {
-  const judge::ScoreTable table = judge::scoreTable(workings.evidence);
+  const judge::ScoreTable& table = workings.table;
   const Eigen::ArrayXXd squares = judge::expectedSquares(table, judge::fittedNumbers());
   const auto onAverage = [&](const Eigen::ArrayXXd& ofLogs, int hypothesis) {
     return ofLogs.row(hypothesis).matrix().dot(table.weight.matrix());
@@ -46,7 +46,7 @@ std::vector<Explanation> explanationsOf(const Workings& workings) {
       squares, [](double left, double s2) { return judge::lossOf(left, s2, judge::fittedNumbers()); });
   std::vector<Explanation> explanations;
   double sum = 0.0;
-  for (const auto& [probability, hypothesis] : rankedHypotheses(workings, table)) {
+  for (const auto& [probability, hypothesis] : rankedHypotheses(workings)) {
     const hypotheses::FittedHypothesis& fitted = workings.search.at(hypothesis);
     if (explanations.size() < kMost && std::isfinite(fitted.fit.held_out) && probability > 0.0) {
       explanations.push_back({&fitted, probability, onAverage(squares, hypothesis), onAverage(losses, hypothesis),

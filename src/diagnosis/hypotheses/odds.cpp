@@ -34,7 +34,7 @@ double Odds::of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales
   for (const int member : hypothesis.members) {
     const fit::Candidate& candidate = candidates_[static_cast<std::size_t>(member)];
     prior += numbers.rateOf(candidate.effect);
-    mechanisms += candidate.mechanisms();
+    mechanisms += judge::mechanismsOf(candidate.contains.size());
   }
   prior += judge::priorOfCount(mechanisms, numbers);
   const std::size_t beyond = fit::numbersBeyond(candidates_, hypothesis, scales);

@@ -129,15 +129,14 @@ fit::ParameterVector Screening::bestOf(const std::vector<int>& members) const {
 }
 
 bool Screening::joins(int candidate, const std::vector<int>& members) const {
-  return candidates_[static_cast<std::size_t>(candidate)].competes() &&
-         std::none_of(members.begin(), members.end(), [&](int member) {
-           return fit::holds(candidates_, {member}, {candidate}) || fit::holds(candidates_, {candidate}, {member});
-         });
+  return std::none_of(members.begin(), members.end(), [&](int member) {
+    return fit::holds(candidates_, {member}, {candidate}) || fit::holds(candidates_, {candidate}, {member});
+  });
 }
 
-std::vector<Screened> Screening::additions(const std::vector<int>& members) const {
+std::vector<Screened> Screening::additions(const std::vector<int>& candidates, const std::vector<int>& members) const {
   std::vector<std::vector<int>> sets;
-  for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
+  for (const int c : candidates) {
     if (joins(c, members)) {
       sets.push_back(members);
       sets.back().push_back(c);
@@ -146,12 +145,13 @@ std::vector<Screened> Screening::additions(const std::vector<int>& members) cons
   return screenAll(sets);
 }
 
-std::vector<Screened> Screening::withContained(const std::vector<int>& members, std::size_t effects) const {
+std::vector<Screened> Screening::withContained(const std::vector<int>& candidates, const std::vector<int>& members,
+                                               std::size_t effects) const {
   std::vector<std::vector<int>> sets;
   for (const int member : members) {
     std::vector<int> set = members;
     set.erase(std::find(set.begin(), set.end(), member));
-    for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
+    for (const int c : candidates) {
       if (fit::contains(candidates_[static_cast<std::size_t>(member)], candidates_[static_cast<std::size_t>(c)]) &&
           joins(c, set)) {
         set.push_back(c);
@@ -164,13 +164,12 @@ std::vector<Screened> Screening::withContained(const std::vector<int>& members, 
   return screenAll(sets);
 }
 
-std::vector<Screened> Screening::pairs() const {
+std::vector<Screened> Screening::pairs(const std::vector<int>& candidates) const {
   std::vector<std::vector<int>> sets;
-  const int count = static_cast<int>(candidates_.size());
-  for (int a = 0; a < count; ++a) {
-    for (int b = a + 1; b < count; ++b) {
-      if (candidates_[static_cast<std::size_t>(a)].competes() && joins(b, {a})) {
-        sets.push_back({a, b});
+  for (auto a = candidates.begin(); a != candidates.end(); ++a) {
+    for (auto b = a + 1; b != candidates.end(); ++b) {
+      if (joins(*b, {*a})) {
+        sets.push_back({*a, *b});
       }
     }
   }

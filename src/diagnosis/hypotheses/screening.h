@@ -31,14 +31,16 @@ class Screening {
   /// In-sample error of a hypothesis, which is found faster.
   double leftBy(const std::vector<int>& members) const;
 
-  /// Each other candidate that competes added to these, best first.
-  std::vector<Screened> additions(const std::vector<int>& members) const;
+  /// Each other one of these candidates added to a set, best first.
+  std::vector<Screened> additions(const std::vector<int>& candidates, const std::vector<int>& members) const;
 
-  /// Sets of so many, with what a member contains in its place: that does much the same, with fewer numbers.
-  std::vector<Screened> withContained(const std::vector<int>& members, std::size_t effects) const;
+  /// Sets of so many, with those of these candidates that a member contains in its place: they do much the same, with
+  /// fewer numbers.
+  std::vector<Screened> withContained(const std::vector<int>& candidates, const std::vector<int>& members,
+                                      std::size_t effects) const;
 
-  /// The best of all pairs, best first.
-  std::vector<Screened> pairs() const;
+  /// The best of all pairs of these candidates, best first.
+  std::vector<Screened> pairs(const std::vector<int>& candidates) const;
 
   /// Where the parameters of a hypothesis leave least.
   fit::ParameterVector bestOf(const std::vector<int>& members) const;

@@ -52,6 +52,10 @@ struct Plan {
   double floor;
 };
 
+bool isAmong(const std::vector<std::string>& effects, const std::string& effect) {
+  return std::find(effects.begin(), effects.end(), effect) != effects.end();
+}
+
 Odds oddsAt(const Search& search, double floor) {
   return {search.candidates, floor, search.re_estimated.fit.score(), search.re_estimated.fit.blocks.size(),
           search.noise.of_logs.size()};
@@ -66,22 +70,27 @@ struct OtherLaw {
 
 class Searcher {
  public:
+  // What is fitted is added to `result`; effects that are excluded do not compete.
   Searcher(const Measured& measured, const std::vector<std::string>& excluded, int threads,
-           const ProgressCallback& progress)
-      : measured_(measured), fitter_(measured.fitter()), excluded_(excluded), threads_(threads), progress_(progress) {}
+           const ProgressCallback& progress, Search& result)
+      : measured_(measured),
+        fitter_(measured.fitter()),
+        excluded_(excluded),
+        threads_(threads),
+        progress_(progress),
+        result_(result) {}
 
-  Search run() {
+  void run() {
     result_.guess = fitter_.model().isGuess();
+    result_.excluded = excluded_;
     tell("re-estimating the model parameters", 0.0);
     reEstimate();
     result_.candidates = measured_.candidates(result_.excitation, result_.re_estimated, threads_);
-    exclude(excluded_);
     tell("screening single effects", 0.2);
     const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
     tell("fitting single effects", 0.3);
     fitSingles(screening);
-    tryCurve(result_.singles);
-    tryFactors(result_.singles);
+    tryOtherLaws(result_.singles);
     measureVisibility(screening);
     tell("fitting pairs", 0.5);
     if (fitSets(screening, 2, result_.pairs)) {
@@ -89,9 +98,10 @@ class Searcher {
       fitSets(screening, kMostEffects, result_.triples);
     }
     fitPartsOfTriples();
-    fitOtherwise(screening);
+    if (!excluded_.empty()) {
+      Searcher(measured_, {}, threads_, progress_, result_).fitOtherwise(screening);
+    }
     settle(result_.triples);
-    return std::move(result_);
   }
 
  private:
@@ -139,7 +149,7 @@ class Searcher {
   void fitSingles(const Screening& screening, const std::vector<Screened>& some) {
     double least = bestOfAll()->fit.gap;
     for (const Screened& screened : some) {
-      if (singleOf(screened).hypothesis.competes()) {
+      if (competes(singleOf(screened))) {
         least = std::min(least, screened.error);
       }
     }
@@ -166,7 +176,7 @@ class Searcher {
     result_.implants = implantAll(fitter_, screening, threads_);
     std::vector<int> all;
     for (const FittedHypothesis& single : result_.singles) {
-      if (single.hypothesis.competes()) {
+      if (competes(single)) {
         all.push_back(single.hypothesis.members.front());
       }
     }
@@ -199,6 +209,11 @@ class Searcher {
     if (better) {  // what holds these may do better, too
       settle(list);
     }
+  }
+
+  void tryOtherLaws(std::vector<FittedHypothesis>& list) {
+    tryCurve(list);
+    tryFactors(list);
   }
 
   // Laws of members along a curve, in place of those of a list that are less likely.
@@ -265,7 +280,7 @@ class Searcher {
     });
     fit::Hypothesis with = fitted.hypothesis;
     with.free_in_log.by_factor = fit::columnOf({});
-    return friction && fitted.hypothesis.competes() && !fitted.hypothesis.free_in_log.by_factor &&
+    return friction && competes(fitted) && !fitted.hypothesis.free_in_log.by_factor &&
            !fitted.hypothesis.free_in_log.gain &&
            odds().of(with, fitted.fit.parameters.scales, result_.noise.floor) > oddsOf(fitted);
   }
@@ -275,7 +290,7 @@ class Searcher {
     const std::vector<int>& curved = fitted.hypothesis.curved;
     const fit::Candidate& candidate = result_.candidates[static_cast<std::size_t>(member)];
     return candidate.along && candidate.applies() && std::find(curved.begin(), curved.end(), member) == curved.end() &&
-           fitted.hypothesis.competes() && fitted.fit.gap <= kHopeless * bestOfAll()->fit.gap &&
+           competes(fitted) && fitted.fit.gap <= kHopeless * bestOfAll()->fit.gap &&
            oddsWithCurve(fitted, result_.noise.floor) > oddsOf(fitted);
   }
 
@@ -294,17 +309,19 @@ class Searcher {
 
   // One curve for all laws that may follow one, where it is worth its number in this hypothesis; false: it is not.
   bool findCurve(const FittedHypothesis& about, int member) {
-    if (has_curve_) {
+    if (hasCurve()) {
       return true;
     }
     const CurveLook best = bestCurve(fitter_, about, result_.candidates[static_cast<std::size_t>(member)], member,
                                      measured_.records(), threads_);
-    has_curve_ =
-        oddsWithCurve(about, best.left) > odds().of(about.hypothesis, about.fit.parameters.scales, best.left_straight);
+    if (!(oddsWithCurve(about, best.left) >
+          odds().of(about.hypothesis, about.fit.parameters.scales, best.left_straight))) {
+      return false;
+    }
     std::vector<fit::Candidate> curved;
     for (const fit::Candidate& candidate : result_.candidates) {
       curved.emplace_back();
-      if (has_curve_ && candidate.along) {
+      if (candidate.along) {
         curved.back().terms = candidate.along(best.curve);
       }
     }
@@ -312,7 +329,13 @@ class Searcher {
     for (std::size_t c = 0; c < curved.size(); ++c) {
       result_.candidates[c].curved = std::move(curved[c].terms);
     }
-    return has_curve_;
+    return true;
+  }
+
+  // Whether candidates have terms along one.
+  bool hasCurve() const {
+    return std::any_of(result_.candidates.begin(), result_.candidates.end(),
+                       [](const fit::Candidate& candidate) { return !candidate.curved.empty(); });
   }
 
   // Of the sets that this one holds the fit that leaves least of the logs; null: it holds none.
@@ -320,8 +343,7 @@ class Searcher {
     const FittedHypothesis* least = nullptr;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
       const std::vector<int>& part = fitted->hypothesis.members;
-      const bool held =
-          part != members && fitted->hypothesis.competes() && fit::holds(result_.candidates, members, part);
+      const bool held = part != members && competes(*fitted) && fit::holds(result_.candidates, members, part);
       least = held && (least == nullptr || fitted->fit.gap < least->fit.gap) ? fitted : least;
     }
     return least;
@@ -340,7 +362,7 @@ class Searcher {
   const FittedHypothesis* bestOfAll() const {
     const FittedHypothesis* best = &result_.re_estimated;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
-      best = fitted->hypothesis.competes() && fitted->fit.score() < best->fit.score() ? fitted : best;
+      best = competes(*fitted) && fitted->fit.score() < best->fit.score() ? fitted : best;
     }
     return best;
   }
@@ -348,7 +370,7 @@ class Searcher {
   double bestOdds(double floor) const {
     double best = -std::numeric_limits<double>::infinity();
     for (const FittedHypothesis* fitted : result_.withEffects()) {
-      best = fitted->hypothesis.competes() ? std::max(best, oddsOf(*fitted, floor)) : best;
+      best = competes(*fitted) ? std::max(best, oddsOf(*fitted, floor)) : best;
     }
     return best;
   }
@@ -363,7 +385,7 @@ class Searcher {
   std::vector<const FittedHypothesis*> likeliest(std::size_t effects, double floor) const {
     std::vector<const FittedHypothesis*> chosen;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
-      if (fitted->hypothesis.members.size() == effects && fitted->hypothesis.competes()) {
+      if (fitted->hypothesis.members.size() == effects && competes(*fitted)) {
         chosen.push_back(fitted);
       }
     }
@@ -398,12 +420,12 @@ class Searcher {
       }
     };
     if (effects == 2) {
-      add(about_model, about_model.pairs());
+      add(about_model, about_model.pairs(competing()));
     }
     for (const FittedHypothesis* fitted : likeliest(effects - 1, plan.floor)) {
-      add(about_model, about_model.withContained(fitted->hypothesis.members, effects));
+      add(about_model, about_model.withContained(competing(), fitted->hypothesis.members, effects));
       const Screening screening(fitter_, result_.candidates, *fitted, threads_);
-      add(screening, screening.additions(fitted->hypothesis.members));
+      add(screening, screening.additions(competing(), fitted->hypothesis.members));
     }
     if (!isWorthMore(effects, plan.floor)) {
       return plan;
@@ -436,8 +458,7 @@ class Searcher {
     if (fitted > 0) {
       fitContained(about_model, effects, floor, list);
       estimateNoise();
-      tryCurve(list);
-      tryFactors(list);
+      tryOtherLaws(list);
     }
     return fitted > 0;
   }
@@ -447,7 +468,7 @@ class Searcher {
                     std::vector<FittedHypothesis>& list) {
     std::map<std::vector<int>, Planned> contained;
     for (const FittedHypothesis* fitted : likeliest(effects, floor)) {
-      for (const Screened& set : about_model.withContained(fitted->hypothesis.members, effects)) {
+      for (const Screened& set : about_model.withContained(competing(), fitted->hypothesis.members, effects)) {
         if (!isFitted(set.members)) {
           contained[set.members] = planOf(about_model, set);
         }
@@ -516,40 +537,33 @@ class Searcher {
   // What would be fitted with nothing excluded: only so is what an excluded effect would be otherwise a fair
   // comparison, and only so is the noise that of the measurement.
   void fitOtherwise(const Screening& screening) {
-    if (excluded_.empty()) {
-      return;
-    }
-    exclude({});
     estimateNoise();
-    tryCurve(result_.singles);
-    tryFactors(result_.singles);
+    tryOtherLaws(result_.singles);
     fitSets(screening, 2, result_.pairs);
     fitSets(screening, kMostEffects, result_.triples);
     fitPartsOfTriples();
-    exclude(excluded_);
   }
 
-  void exclude(const std::vector<std::string>& effects) {
-    for (fit::Candidate& candidate : result_.candidates) {
-      candidate.excluded = std::find(effects.begin(), effects.end(), candidate.effect) != effects.end();
-    }
-    for (auto* list : {&result_.singles, &result_.pairs, &result_.triples}) {
-      for (FittedHypothesis& fitted : *list) {
-        const std::vector<int>& members = fitted.hypothesis.members;
-        fitted.hypothesis.excluded = std::any_of(members.begin(), members.end(), [&](int member) {
-          return result_.candidates[static_cast<std::size_t>(member)].excluded;
-        });
+  bool competes(const FittedHypothesis& fitted) const { return result_.competes(fitted.hypothesis, excluded_); }
+
+  // The candidates that sets are made of.
+  std::vector<int> competing() const {
+    std::vector<int> competing;
+    for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
+      const fit::Candidate& candidate = result_.candidates[static_cast<std::size_t>(c)];
+      if (candidate.competes() && !isAmong(excluded_, candidate.effect)) {
+        competing.push_back(c);
       }
     }
+    return competing;
   }
 
   const Measured& measured_;
   const fit::HypothesisFitter& fitter_;
-  const std::vector<std::string>& excluded_;
+  std::vector<std::string> excluded_;
   int threads_;
   const ProgressCallback& progress_;
-  bool has_curve_ = false;  // candidates have terms along it
-  Search result_;
+  Search& result_;
 };
 
 judge::HypothesisEvidence evidenceOf(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted) {
@@ -590,6 +604,12 @@ std::vector<const FittedHypothesis*> Search::withEffects() const {
   return all;
 }
 
+bool Search::competes(const fit::Hypothesis& hypothesis, const std::vector<std::string>& without) const {
+  return hypothesis.competes() && std::none_of(hypothesis.members.begin(), hypothesis.members.end(), [&](int member) {
+           return isAmong(without, candidates[static_cast<std::size_t>(member)].effect);
+         });
+}
+
 const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) const {
   const Odds odds = oddsAt(*this, noise.floor_with_rig);
   const auto oddsOf = [&](const FittedHypothesis& fitted) {
@@ -598,24 +618,31 @@ const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) con
   const FittedHypothesis* best = &re_estimated;
   for (const FittedHypothesis* fitted : withEffects()) {
     const bool likelier = best == &one || oddsOf(*fitted) > oddsOf(*best);
-    best = fitted != &one && fitted->hypothesis.competes() && likelier ? fitted : best;
+    best = fitted != &one && competes(fitted->hypothesis, excluded) && likelier ? fitted : best;
   }
   return *best;
 }
 
-judge::Evidence evidenceOf(const Search& search) {
+judge::Evidence evidenceOfNone(const Search& search) {
   judge::Evidence evidence;
   evidence.guess = search.guess;
+  for (const fit::Candidate& candidate : search.candidates) {
+    evidence.effects.push_back(candidate.effect);
+    evidence.one_form.push_back(candidate.one_form);
+    evidence.constant.push_back(candidate.constant);
+    evidence.contains.push_back(fit::containedBy(search.candidates, candidate));
+  }
+  return evidence;
+}
+
+judge::Evidence evidenceOf(const Search& search) {
+  judge::Evidence evidence = evidenceOfNone(search);
   evidence.hypotheses = {{}, evidenceOf(search.candidates, search.re_estimated)};
   for (const FittedHypothesis* fitted : search.withEffects()) {
     evidence.hypotheses.push_back(evidenceOf(search.candidates, *fitted));
   }
-  for (const fit::Candidate& candidate : search.candidates) {
-    evidence.effects.push_back(candidate.effect);
-    evidence.one_form.push_back(candidate.one_form);
-    evidence.excluded.push_back(candidate.excluded);
-    evidence.constant.push_back(candidate.constant);
-    evidence.contains.push_back(fit::containedBy(search.candidates, candidate));
+  for (const std::string& effect : evidence.effects) {
+    evidence.excluded.push_back(isAmong(search.excluded, effect));
   }
   return evidence;
 }
@@ -624,9 +651,8 @@ std::vector<std::string> excludedEffects(const io::ComponentDescription& compone
   std::vector<std::string> excluded = component.excluded_effects;
   const std::vector<std::string>& names = io::effectNames();
   for (const std::string& effect : options.excluded) {
-    element::refuseIf(std::find(names.begin(), names.end(), effect) == names.end(),
-                      "excluded: no effect '{}'{}; accepted: {}", effect, element::didYouMean(effect, names),
-                      log::join(names));
+    element::refuseIf(!isAmong(names, effect), "excluded: no effect '{}'{}; accepted: {}", effect,
+                      element::didYouMean(effect, names), log::join(names));
     excluded.push_back(effect);
   }
   return excluded;
@@ -634,7 +660,9 @@ std::vector<std::string> excludedEffects(const io::ComponentDescription& compone
 
 Search search(const Measured& measured, const std::vector<std::string>& excluded, int threads,
               const ProgressCallback& progress) {
-  return Searcher(measured, excluded, threads, progress).run();
+  Search result;
+  Searcher(measured, excluded, threads, progress, result).run();
+  return result;
 }
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

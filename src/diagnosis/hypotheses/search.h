@@ -42,8 +42,9 @@ struct Visibility {
 struct Search {
   fit::Excitation excitation;
   std::vector<fit::Candidate> candidates;
-  bool guess = false;           ///< the data sheet is a guess
-  double configured_gap = 0.0;  ///< as configured, without any fit
+  std::vector<std::string> excluded;  ///< effects that are ruled out, and fitted for what they would be otherwise
+  bool guess = false;                 ///< the data sheet is a guess
+  double configured_gap = 0.0;        ///< as configured, without any fit
   /// Parameters as configured. Where they are not worth a change, those re-estimated are within the noise of them:
   /// their held-out blocks stand for these.
   FittedHypothesis as_configured;
@@ -63,6 +64,9 @@ struct Search {
   /// Singles, pairs and triples, in the order of the evidence.
   std::vector<const FittedHypothesis*> withEffects() const;
 
+  /// Whether a hypothesis competes with others: it does by itself, and has no member that is one of these effects.
+  bool competes(const fit::Hypothesis& hypothesis, const std::vector<std::string>& without) const;
+
   /// The likeliest besides one, by what it leaves of all logs: with effects, or the model alone.
   const FittedHypothesis& likeliestBeside(const FittedHypothesis& one) const;
 };
@@ -70,6 +74,9 @@ struct Search {
 /// The hypotheses of a search, each without what it leaves of logs and what its members add to them: that is what
 /// logs tell (evidenceOfLogs()), or the rows of a table.
 judge::Evidence evidenceOf(const Search& search);
+
+/// The same without any hypothesis, and with nothing excluded.
+judge::Evidence evidenceOfNone(const Search& search);
 
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;

@@ -56,9 +56,18 @@ struct Simulated {
 struct Workings {
   hypotheses::Search search;
   judge::Evidence evidence;
+  judge::ScoreTable table;  ///< of the evidence
   judge::Answer answer;
   bool write_evidence = false;  ///< the report is to have the evidence, too
   Simulated simulated;          ///< nothing of a table
+
+  Workings() = default;
+  Workings(hypotheses::Search found, judge::Evidence of_search, bool write)
+      : search(std::move(found)),
+        evidence(std::move(of_search)),
+        table(judge::scoreTable(evidence)),
+        answer(judge::answer(table)),
+        write_evidence(write) {}
 };
 
 }  // namespace rubber_suspension::diagnosis

@@ -123,8 +123,10 @@ class Answering {
 
 Answer answer(const SetPosterior& posterior, std::size_t effects) { return Answering(posterior, effects).run(); }
 
-Answer answer(const Evidence& evidence, const JudgeNumbers& numbers) {
-  return answer(setPosterior(scoreTable(evidence), numbers), evidence.effects.size());
+Answer answer(const ScoreTable& table, const JudgeNumbers& numbers) {
+  return answer(setPosterior(table, numbers), table.effects.size());
 }
+
+Answer answer(const Evidence& evidence, const JudgeNumbers& numbers) { return answer(scoreTable(evidence), numbers); }
 
 }  // namespace rubber_suspension::diagnosis::judge

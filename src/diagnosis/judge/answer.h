@@ -38,6 +38,9 @@ struct Answer {
 /// listed that holds an effect of less than 2 %, but for the one that is named.
 Answer answer(const SetPosterior& posterior, std::size_t effects);
 
+/// The answer to the table of scores of all evidence.
+Answer answer(const ScoreTable& table, const JudgeNumbers& numbers = fittedNumbers());
+
 /// Evidence to answer. Throws std::invalid_argument as scoreTable() does.
 Answer answer(const Evidence& evidence, const JudgeNumbers& numbers = fittedNumbers());
 

@@ -36,10 +36,12 @@ ArrayXd arrayOf(const std::vector<double>& values) {
 void fillLogs(const Evidence& evidence, ScoreTable& table) {
   const auto logs = static_cast<Index>(evidence.logs.size());
   table.floor.resize(logs);
+  table.floor_uncertainty.resize(logs);
   table.weight.resize(logs);
   for (Index l = 0; l < logs; ++l) {
     const LogEvidence& log = evidence.logs[static_cast<std::size_t>(l)];
     table.floor[l] = log.floor * log.floor;
+    table.floor_uncertainty[l] = log.floor_uncertainty;
     table.weight[l] = log.weight;
     table.blocks += static_cast<double>(log.blocks);
   }
@@ -77,6 +79,7 @@ bool holdsExcluded(const Evidence& evidence, const HypothesisEvidence& hypothesi
 }
 
 void fillErrors(const Evidence& evidence, const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
+  table.errors.row(row) = arrayOf(hypothesis.log_errors);
   table.left.row(row) = (arrayOf(hypothesis.log_errors) - table.floor).max(0.0);
   table.departure[row] = hypothesis.chi_squared;
   const bool lacking = !hypothesis.members.empty() && hypothesis.terms == 0;  // in the logs: what it needs
@@ -227,7 +230,7 @@ ScoreTable scoreTable(const Evidence& evidence) {
   fillLogs(evidence, table);
   fillBands(evidence, table);
   const auto rows = static_cast<Index>(evidence.hypotheses.size());
-  table.left = table.added = table.added_of_one = ArrayXXd::Zero(rows, table.weight.size());
+  table.errors = table.left = table.added = table.added_of_one = ArrayXXd::Zero(rows, table.weight.size());
   table.in_bands = ArrayXXd::Zero(rows, static_cast<Index>(table.bands.size()));
   table.departure = table.beyond = ArrayXd::Zero(rows);
   for (Index row = 0; row < rows; ++row) {
@@ -235,7 +238,7 @@ ScoreTable scoreTable(const Evidence& evidence) {
     table.members.push_back(hypothesis.members);
     table.mechanisms.push_back(std::accumulate(
         hypothesis.members.begin(), hypothesis.members.end(), std::size_t{0}, [&](std::size_t sum, int member) {
-          return sum + std::max<std::size_t>(evidence.contains[static_cast<std::size_t>(member)].size(), 1);
+          return sum + mechanismsOf(evidence.contains[static_cast<std::size_t>(member)].size());
         }));
     table.another_reading.push_back(hypothesis.keeps_values);
     fillErrors(evidence, hypothesis, row, table);
@@ -262,10 +265,10 @@ ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& numbers) {
   return squares;
 }
 
-double priorOfCount(std::size_t effects, const JudgeNumbers& numbers) {
+double priorOfCount(std::size_t mechanisms, const JudgeNumbers& numbers) {
   const std::array<double, 2> further = {numbers.second, numbers.third};
-  double prior = static_cast<double>(effects) * numbers.effect;
-  for (std::size_t n = 1; n < effects && n <= further.size(); ++n) {
+  double prior = static_cast<double>(mechanisms) * numbers.effect;
+  for (std::size_t n = 1; n < mechanisms && n <= further.size(); ++n) {
     prior += further[n - 1];
   }
   return prior;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@ struct ScoreTable {
   std::vector<bool> constant;  ///< of each effect
   std::vector<std::vector<int>> members;
   std::vector<std::size_t> mechanisms;  ///< of the members together
+  Eigen::ArrayXXd errors;               ///< squares
   Eigen::ArrayXXd left;                 ///< squares beyond the noise floor
   Eigen::ArrayXXd added;                ///< squares of the forces of the members whose law has several forms
   Eigen::ArrayXXd added_of_one;         ///< of those whose law has one form
@@ -36,12 +39,13 @@ struct ScoreTable {
   std::vector<std::vector<double>> sizes;
   /// The same of what each member whose law contains others removes beyond the best of these.
   std::vector<std::vector<double>> sizes_beyond;
-  double by_values = 0.0;   ///< square that is left beyond the floor without effects, by the better values
-  bool guess = false;       ///< the model as configured is no answer
-  Eigen::ArrayXd floor;     ///< of each log, squared; no more than a hypothesis leaves of it
-  Eigen::ArrayXd weight;    ///< of each log; they add up to 1
-  std::vector<Band> bands;  ///< the columns of `in_bands`
-  double blocks = 0.0;      ///< of the logs that errors are known of
+  double by_values = 0.0;            ///< square that is left beyond the floor without effects, by the better values
+  bool guess = false;                ///< the model as configured is no answer
+  Eigen::ArrayXd floor;              ///< of each log, squared; no more than a hypothesis leaves of it
+  Eigen::ArrayXd floor_uncertainty;  ///< of each log, the standard error of the logarithm of its floor
+  Eigen::ArrayXd weight;             ///< of each log; they add up to 1
+  std::vector<Band> bands;           ///< the columns of `in_bands`
+  double blocks = 0.0;               ///< of the logs that errors are known of
 };
 
 /// Throws std::invalid_argument where the evidence has no logs or a hypothesis no errors by log.
@@ -53,8 +57,11 @@ Eigen::ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& num
 /// The sharpness kappa for this many blocks.
 double sharpnessOf(const ScoreTable& table, const JudgeNumbers& numbers);
 
-/// Prior of so many effects at work, whichever they are.
-double priorOfCount(std::size_t effects, const JudgeNumbers& numbers);
+/// One, or as many as the laws are that a law contains: what does the work of two is as seldom as two.
+inline std::size_t mechanismsOf(std::size_t contained) { return std::max<std::size_t>(contained, 1); }
+
+/// Prior of so many mechanisms at work, whichever they are.
+double priorOfCount(std::size_t mechanisms, const JudgeNumbers& numbers);
 
 /// The cost of numbers that laws have beyond those that they contain: of each a multiple of half the logarithm of the
 /// blocks.

@@ -24,9 +24,9 @@ double closedBy(double left, const Gap& gap) {
 }
 
 // Predicted of further logs; those that the gap is of are further logs, too.
-std::array<double, 2> holding(double closed, const Closing& closing, const judge::Evidence& evidence,
+std::array<double, 2> holding(double closed, const Closing& closing, const judge::ScoreTable& table,
                               const DiagnosisOptions& options) {
-  const std::array<double, 2> interval = closedOnFurtherLogs(evidence, closing, options.resamplings, options.seed);
+  const std::array<double, 2> interval = closedOnFurtherLogs(table, closing, options.resamplings, options.seed);
   return {std::min(interval[0], closed), std::max(interval[1], closed)};
 }
 
@@ -43,9 +43,8 @@ CandidateResult candidateResult(std::size_t candidate, double left, const Gaps& 
   result.probability = workings.answer.candidates[candidate];
   result.gap = left;
   result.closed = closedBy(left, gaps.unseen);
-  result.interval = hypothesis == workings.answer.model
-                        ? gaps.closed_interval
-                        : holding(result.closed, {hypothesis}, workings.evidence, options);
+  result.interval = hypothesis == workings.answer.model ? gaps.closed_interval
+                                                        : holding(result.closed, {hypothesis}, workings.table, options);
   result.visible_share = visibility.share;
   result.testable = visibility.testable || std::count(named.begin(), named.end(), static_cast<int>(candidate)) > 0;
   result.add = hypotheses::entriesOf(search.singles[candidate]);
@@ -62,6 +61,9 @@ double ordersWith(std::size_t before, std::size_t parts) {
 
 // The same judgement with nothing excluded.
 std::vector<ExcludedEffect> excludedOf(const judge::Evidence& evidence) {
+  if (std::count(evidence.excluded.begin(), evidence.excluded.end(), true) == 0) {
+    return {};
+  }
   judge::Evidence nothing_excluded = evidence;
   nothing_excluded.excluded.clear();
   const std::vector<double> otherwise = judge::answer(nothing_excluded).candidates;
@@ -103,7 +105,7 @@ Gaps gapsOf(const Left& left, const Workings& workings, const DiagnosisOptions& 
   gaps.closed = closedBy(left.gap.augmented, gaps.unseen);
   gaps.closed_interval = workings.answer.effects.empty()
                              ? std::array{gaps.closed, gaps.closed}
-                             : holding(gaps.closed, closingOf(workings.answer), left.evidence, options);
+                             : holding(gaps.closed, closingOf(workings.answer), left.table, options);
   return gaps;
 }
 

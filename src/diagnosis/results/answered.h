@@ -18,7 +18,7 @@ struct Left {
   Gap gap;
   double full_law = 0.0;      ///< gap
   std::vector<double> alone;  ///< gaps, by candidate
-  judge::Evidence evidence;   ///< with the errors of what is written
+  judge::ScoreTable table;    ///< of the evidence with the errors of what is written
 };
 
 /// The gap, of which noise is no more than what any of the models leaves, and the fraction of it that the answer

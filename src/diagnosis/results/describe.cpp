@@ -175,8 +175,8 @@ class Describer {
     return gaps;
   }
 
-  // The errors of the component that is written, and of the re-estimated one, as `replay` has them.
-  judge::Evidence evidenceOfTheFile() const {
+  // With the errors of the component that is written, and of the re-estimated one, as `replay` has them.
+  judge::ScoreTable scoresOfTheFile() const {
     judge::Evidence evidence = workings_.evidence;
     const auto set = [&](int hypothesis, const Replayed& errors) {
       const auto byLog = [](const std::vector<gap::PartError>& parts, const std::vector<gap::PreparedRecord>& logs) {
@@ -189,7 +189,7 @@ class Describer {
     };
     set(judge::Evidence::kReEstimated, before_);
     set(answer_.model, written_.errors);
-    return evidence;
+    return judge::scoreTable(evidence);
   }
 
   Left leftOfLogs() const {
@@ -199,7 +199,7 @@ class Describer {
     return {{configured, gap::gapOfParts(before_.unseen()), gap::gapOfParts(written_.errors.unseen()), floor},
             law_.gap_of_full,
             gapsAlone(),
-            evidenceOfTheFile()};
+            scoresOfTheFile()};
   }
 
   // With some of the values and effects. In sample where there are no unseen logs.

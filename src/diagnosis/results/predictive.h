@@ -4,7 +4,7 @@
 #include <array>
 
 #include "diagnosis/judge/answer.h"
-#include "diagnosis/judge/evidence.h"
+#include "diagnosis/judge/score.h"
 
 namespace rubber_suspension::diagnosis::results {
 
@@ -26,9 +26,8 @@ Closing closingOf(const judge::Answer& answer);
 /// inverse chi-square of nu degrees of freedom, after n logs with r^2 left of one of nu + n, so that what is left of a
 /// further log is Student's t. Beside a rest, which may have any size, the logs alone tell v. Noise floors are off by
 /// their standard error. Logs are drawn by their weights. Draws without a gap do not count, nor, of a law that is at
-/// work, those in which it closes none of it; without any the interval is that from 0 to 1. Throws
-/// std::invalid_argument as scoreTable() does.
-std::array<double, 2> closedOnFurtherLogs(const judge::Evidence& evidence, const Closing& closing, int draws,
+/// work, those in which it closes none of it; without any the interval is that from 0 to 1.
+std::array<double, 2> closedOnFurtherLogs(const judge::ScoreTable& table, const Closing& closing, int draws,
                                           unsigned seed);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -263,7 +263,7 @@ class TableDescriber {
       gap.augmented = gap.as_configured;
     }
     const auto gapAlone = [](const hypotheses::FittedHypothesis& one) { return gap::gapOfParts(one.fit.blocks); };
-    return {gap, gap.augmented, element::each(search_.singles, gapAlone), workings_->evidence};
+    return {gap, gap.augmented, element::each(search_.singles, gapAlone), workings_->table};
   }
 
   // Where a model is wrong: two cells for each row.
@@ -421,9 +421,7 @@ Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::Me
   hypotheses::Search search =
       hypotheses::search(measured, hypotheses::excludedEffects(component, options), options.threads, options.progress);
   judge::Evidence evidence = evidenceOfRows(measured, search, options.threads);
-  judge::Answer answer = judge::answer(evidence);
-  auto workings = std::make_shared<const Workings>(
-      Workings{std::move(search), std::move(evidence), std::move(answer), options.evidence, {}});
+  auto workings = std::make_shared<const Workings>(std::move(search), std::move(evidence), options.evidence);
   return heldToInvariants(table::TableDescriber(component, table, measured, std::move(workings), options).run());
 }
 
