@@ -1,8 +1,11 @@
 // The quantity and unit that the name of a column tells.
 #include "log/column_name.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -28,7 +31,7 @@ const std::vector<QuantityNames>& quantityTable() {
        "time",
        "s",
        {"time", "zeit", "timestamp", "timestamps", "zeitstempel", "uhrzeit", "date time", "datetime", "date/time",
-        "date & time", "datum/uhrzeit", "datum uhrzeit", "x_value"},
+        "date & time", "datum/uhrzeit", "datum uhrzeit", "x_value", "%time"},
        {"date", "datum"},
        {"s"},
        {"x_value", "timestamps"}},  // of LabVIEW's .lvm; of MDF where it was exported to HDF5
@@ -64,9 +67,33 @@ bool isPlainSuffix(const std::string& unit) {
   return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
 }
 
+bool converts(const std::string& unit, const std::string& to) {
+  try {
+    UnitConversion(unit, to);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 bool isKnownUnit(const std::string& unit) {
   return !unit.empty() && !parseNumber(unit) &&
          (isUnit(unit) || quantityOfUnit(unit).has_value() || spelledUnit(unit, "N m") != unit);
+}
+
+// Whether the unit in a name is one of a column in that other unit, or of a quantity of a log. "Position (A)" above
+// "mm" is no current.
+bool mayMeasure(const std::string& unit, const std::string& other) {
+  return quantityOfUnit(unit).has_value() || converts(unit, other);
+}
+
+bool areEqual(const std::string& unit, const std::string& other) {
+  const auto quantity = quantityOfUnit(unit);
+  const std::string si = quantity ? rowOf(*quantity).unit : other;
+  const auto size = [&](const std::string& text) { return UnitConversion(spelledUnit(text, si), si)(1.0); };
+  constexpr double kRounding = 1e-9;
+  return converts(spelledUnit(other, si), si) &&
+         std::abs(size(unit) - size(other)) <= kRounding * std::abs(size(other));
 }
 
 std::string withoutBrackets(const std::string& text) {
@@ -104,15 +131,6 @@ bool splitMark(ColumnName& name, const std::string& mark) {
   return at != std::string::npos && splitAt(name, at, at + mark.size());
 }
 
-bool converts(const std::string& unit, const std::string& to) {
-  try {
-    UnitConversion(unit, to);
-    return true;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
-
 // A unit of the quantity that a name tells; behind a force a mass as well, which is refused as such.
 bool isSuffixOf(const std::string& bare, const std::string& suffix) {
   const auto named = quantityOfName(bare);
@@ -146,6 +164,23 @@ std::string groupOf(const std::string& name) {
   return slash == std::string::npos ? "" : name.substr(0, slash);
 }
 
+bool isOfMaterial(const std::string& bare) {
+  static const std::vector<std::string> words = {"e*",     "e'",      "e''",    "g*",       "g'",
+                                                 "g''",    "|e*|",    "|g*|",   "modulus",  "modul",
+                                                 "strain", "dehnung", "stress", "spannung", "strain amplitude"};
+  const std::string last = bare.substr(bare.rfind(' ') + 1);
+  const bool property = last == "modulus" || last == "modul" || last == "strain" || last == "stress";
+  return property || std::find(words.begin(), words.end(), bare) != words.end();
+}
+
+std::string materialHint(const std::vector<std::string>& columns) {
+  return columns.empty() ? ""
+                         : fmt::format(
+                               "; {}: of a material, which is a stiffness and a displacement once the shape "
+                               "(area, height) is known",
+                               join(columns));
+}
+
 bool looksLikeForce(const std::string& text) {
   const std::string lower = lowerCase(text);
   const std::string word = lower.substr(0, lower.find_first_of(" _-.[(/0123456789"));
@@ -169,8 +204,16 @@ ColumnName parseColumnName(const std::string& text) {
 ColumnName parseColumnName(const std::string& text, const std::string& below) {
   ColumnName name = parseColumnName(text);
   const auto unit = unitInField(below);
+  if (unit && !unit->empty() && *unit != name.unit) {
+    const bool told = name.unit_known && !name.unit.empty() && mayMeasure(name.unit, *unit);
+    name.other = told && !areEqual(name.unit, *unit) ? *unit : "";
+    if (!told) {
+      name.unit = *unit;
+      name.names_unit = false;
+      name.unit_known = true;
+    }
+  }
   if (unit) {
-    name.unit = name.unit.empty() ? *unit : name.unit;
     return name;
   }
   ColumnName other = parseColumnName(below);

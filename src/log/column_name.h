@@ -32,6 +32,10 @@ struct ColumnName {
   bool names_unit = false;  ///< the unit stands in the text
   bool unit_known = true;   ///< false for a word behind the name of a quantity that is no unit: "Force [kilos]"
   std::string second = {};  ///< text of the cell below, where that is a name, too
+  std::string other = {};   ///< the unit of a row of units that contradicts the one in the name
+
+  bool operator==(const ColumnName& column) const { return text == column.text && unit == column.unit; }
+  bool operator!=(const ColumnName& column) const { return !(*this == column); }
 
   /// "Kraft [kN]" also where the unit stands in a row of its own.
   std::string withUnit() const;
@@ -40,8 +44,8 @@ struct ColumnName {
 /// Take a name apart.
 ColumnName parseColumnName(const std::string& text);
 
-/// The same of a cell below the name as well: its unit, or a name that tells more. A unit there goes before none, and
-/// behind one in the name.
+/// The same of a cell below the name as well: its unit, or a name that tells more. A bracket of the name that does not
+/// measure what the unit below does is no unit but a part of the name, such as "Force (Ch 2)" above "kN".
 ColumnName parseColumnName(const std::string& text, const std::string& below);
 
 /// The quantity whose plain name, in English or German, this is.
@@ -52,6 +56,13 @@ std::optional<Quantity> quantityOfUnit(const std::string& unit);
 
 /// The quantity that another word may name, where nothing else is that quantity: position, load, date.
 std::optional<Quantity> quantityOfOtherName(const std::string& bare);
+
+/// True for a name in lower case of a property of a material, such as "e*", "strain" and "storage modulus": no
+/// stiffness or displacement until the shape is known.
+bool isOfMaterial(const std::string& bare);
+
+/// What errors say of such columns; empty without any.
+std::string materialHint(const std::vector<std::string>& columns);
 
 /// True for a name that begins with a word for a force: "force_raw", "Load 2".
 bool looksLikeForce(const std::string& text);

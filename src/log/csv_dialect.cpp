@@ -209,14 +209,20 @@ bool isComment(std::string_view line) {
 
 bool isNumberField(std::string_view text) {
   constexpr std::size_t kLongest = 64;
+  std::string signed_number;
   std::string joined;
-  std::string number(withoutGroupMarks(text.substr(0, kLongest), joined));
+  std::string number(withoutGroupMarks(withSignJoined(text.substr(0, kLongest), signed_number), joined));
   std::replace(number.begin(), number.end(), ',', '.');
   for (std::size_t mark = number.find('.'); mark != number.rfind('.'); mark = number.find('.')) {
     number.erase(mark, 1);  // between thousands
   }
   return text.size() <= kLongest && (parseNumber(number).has_value() || isTimeText(text));
 }
+
+HeaderFinder::HeaderFinder(const LogFormat& format)
+    : looks_like_header_([format](const std::vector<ColumnName>& names) { return looksLikeHeader(names, format); }),
+      accepted_("the names of the columns, or their order by --columns time displacement force"),
+      numbers_(numbersToldIn(format)) {}
 
 std::optional<CsvHeader> HeaderFinder::add(const TextLine& line) {
   if (trimmedView(line.text).empty() || isRowOfTypes(line.text)) {
@@ -237,7 +243,7 @@ CsvHeader HeaderFinder::finish() {
 }
 
 std::optional<CsvHeader> HeaderFinder::candidate(std::size_t i) const {
-  if (!numbersToldIn(format_).empty()) {
+  if (!numbers_.empty()) {
     return numberedColumns(i);
   }
   for (const bool units_follow : {false, true}) {
@@ -270,11 +276,10 @@ std::optional<CsvHeader> HeaderFinder::namedColumns(std::size_t i, bool units_fo
       return std::nullopt;
     }
   } else {
-    units = unitsAbove(header, i);
-    units.resize(units.empty() ? 0 : fields.size());
+    units = unitsAbove(header, i, fields.size());
   }
   header.names = columnNames(fields, units);
-  const bool fits = (!anyNumber(fields) || isBeneathCorner(fields, units)) && looksLikeHeader(header.names, format_) &&
+  const bool fits = (!anyNumber(fields) || isBeneathCorner(fields, units)) && looks_like_header_(header.names) &&
                     confirmed(header, isComment(lines_[i].text), following);
   return fits ? std::optional<CsvHeader>(header) : std::nullopt;
 }
@@ -294,7 +299,6 @@ std::optional<CsvHeader> HeaderFinder::numberedColumns(std::size_t i) const {
   if (isComment(lines_[i].text)) {
     return std::nullopt;
   }
-  const std::vector<std::size_t> told = numbersToldIn(format_);
   constexpr std::array kSeparators = {Separator::tab, Separator::semicolon, Separator::comma, Separator::blanks};
   const bool separated = std::any_of(kSeparators.begin(), kSeparators.end(), [&](Separator separator) {
     return fieldsOf(lines_[i].text, separator).size() > 1;
@@ -302,7 +306,7 @@ std::optional<CsvHeader> HeaderFinder::numberedColumns(std::size_t i) const {
   for (const Separator separator : kSeparators) {
     const std::vector<Field> fields = fieldsOf(lines_[i].text, separator);
     const bool is_row =
-        (fields.size() > 1 || !separated) && std::all_of(told.begin(), told.end(), [&](std::size_t place) {
+        (fields.size() > 1 || !separated) && std::all_of(numbers_.begin(), numbers_.end(), [&](std::size_t place) {
           return place < fields.size() && isNumberField(fields[place].text);
         });
     if (is_row) {
@@ -320,15 +324,18 @@ std::optional<CsvHeader> HeaderFinder::numberedColumns(std::size_t i) const {
 }
 
 // Units that stand in the preamble, in a line that says so: "Unit;s;mm;kN".
-std::vector<std::string> HeaderFinder::unitsAbove(const CsvHeader& header, std::size_t line) const {
+std::vector<std::string> HeaderFinder::unitsAbove(const CsvHeader& header, std::size_t line, std::size_t count) const {
   constexpr std::size_t kMostLines = 20;
   for (std::size_t i = line; i-- > 0 && line - i <= kMostLines;) {
     const std::vector<Field> fields = namesIn(withoutCommentMark(lines_[i].text), header.separator, 0);
     if (fields.size() > 1 && lowerCase(std::string(fields[0].text)).find("unit") != std::string::npos) {
       std::vector<std::string> units = cellsBelow(withoutCommentMark(lines_[i].text), header.separator, fields.size());
-      if (!units.empty()) {
+      if (units.size() == count + 1) {  // the label has a cell of its own
+        units.erase(units.begin());
+      } else if (!units.empty()) {
         units[0].clear();
       }
+      units.resize(units.empty() ? 0 : count);
       return units;
     }
   }
@@ -362,8 +369,7 @@ void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
   const bool two_rows = !units.empty() && are_names(second);
   first.resize(count);  // without names where the rows end in separators
   second.resize(count);
-  std::vector<std::string> above = unitsAbove(header, row - 1);
-  above.resize(above.empty() ? 0 : count);
+  const std::vector<std::string> above = unitsAbove(header, row - 1, count);
   const bool units_alone = !two_rows && !units.empty() && std::all_of(units.begin(), units.end(), unitInField);
   for (std::size_t i = 0; i < count && units_alone; ++i) {
     header.names[i] = parseColumnName(header.names[i].text, units[i]);
@@ -373,32 +379,50 @@ void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
   header.line = lines_[row - (two_rows ? 2 : 1)].number;
 }
 
+// Line i as a header, with a row of units where that stands below.
+CsvHeader HeaderFinder::guessAt(std::size_t i) const {
+  CsvHeader header;
+  header.separator = separatorOf(lines_[i].text);
+  std::vector<Field> fields = namesIn(lines_[i].text, header.separator, 0);
+  std::vector<std::string> units = cellsBelow(lines_[i].text, header.separator, fields.size());
+  const std::vector<Field> above = i > 0 ? namesIn(lines_[i - 1].text, header.separator, 0) : std::vector<Field>();
+  header.has_units_row = !units.empty() && above.size() == fields.size() && !anyNumber(above);
+  fields = header.has_units_row ? above : fields;
+  header.names = columnNames(fields, header.has_units_row ? units : unitsAbove(header, i, fields.size()));
+  header.line = lines_[i - (header.has_units_row ? 1 : 0)].number;
+  header.next_line = lines_[i].number + 1;
+  return header;
+}
+
 // No line is a header; the one directly above the first row of numbers says best what is wrong.
 CsvHeader HeaderFinder::bestGuess() const {
+  const auto all_numbers = [](const std::vector<Field>& fields) {
+    return std::all_of(fields.begin(), fields.end(), [](const Field& field) { return isNumberField(field.text); });
+  };
   std::optional<CsvHeader> guess;
-  for (std::size_t i = 0; i < lines_.size() && !guess; ++i) {
-    CsvHeader header;
-    header.separator = separatorOf(lines_[i].text);
+  bool found = false;
+  for (std::size_t i = 0; i < lines_.size() && !found; ++i) {
+    const CsvHeader header = guessAt(i);
     const std::vector<Field> fields = namesIn(lines_[i].text, header.separator, 0);
-    header.names = columnNames(fields, {});
-    header.line = lines_[i].number;
-    header.next_line = header.line + 1;
-    element::refuseIf<std::runtime_error>(
-        anyNumber(fields) && !isComment(lines_[i].text) && i == 0,
-        "no header: the first line has {}; accepted: a line with the names of the columns, or their "
-        "order by --columns "
-        "time displacement force",
-        quoted(lines_[i].text));
-    const bool row_follows = i + 1 < lines_.size() && !isComment(lines_[i + 1].text) &&
-                             anyNumber(fieldsOf(lines_[i + 1].text, header.separator));
-    if (looksLikeHeader(header.names, format_) || (row_follows && !anyNumber(fields))) {
+    const bool is_row = !isComment(lines_[i].text) && all_numbers(fields);
+    const std::vector<Field> next = i + 1 < lines_.size() && !isComment(lines_[i + 1].text)
+                                        ? fieldsOf(lines_[i + 1].text, header.separator)
+                                        : std::vector<Field>();
+    const bool above_numbers =
+        !anyNumber(fields) && next.size() == fields.size() && next.size() > 1 && all_numbers(next);
+    const bool looks = looks_like_header_(header.names);
+    found = looks || above_numbers || is_row;
+    if (!is_row && (found || (!guess && anyNumber(next) && !anyNumber(fields)))) {
       guess = header;
     }
   }
-  element::refuseIf<std::runtime_error>(!guess,
-                                        "no header within {} lines; accepted: a line with the names of the columns, as "
-                                        "time_s,displacement_<unit>,force_<unit>",
-                                        lines_.size());
+  const bool any_number = !lines_.empty() && !isComment(lines_[0].text) &&
+                          anyNumber(namesIn(lines_[0].text, separatorOf(lines_[0].text), 0));
+  element::refuseIf<std::runtime_error>(!guess && any_number,
+                                        "no header: the first line has {}; accepted: a line with {}",
+                                        quoted(lines_.empty() ? "" : lines_[0].text), accepted_);
+  element::refuseIf<std::runtime_error>(!guess, "no header within {} lines; accepted: a line with {}", lines_.size(),
+                                        accepted_);
   return *guess;
 }
 

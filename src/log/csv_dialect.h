@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "log/column_name.h"
@@ -51,7 +53,14 @@ constexpr std::size_t kMaximumHeadLines = 1000;
 /// Finds the header among the first lines of a file, by the names of the columns: lines before it are a preamble.
 class HeaderFinder {
  public:
-  explicit HeaderFinder(const LogFormat& format) : format_(format) {}
+  using LooksLikeHeader = std::function<bool(const std::vector<ColumnName>&)>;
+
+  /// Of a log.
+  explicit HeaderFinder(const LogFormat& format);
+
+  /// Of a text whose names of columns are to look like that; `accepted`: what they are, for errors.
+  HeaderFinder(LooksLikeHeader looks, std::string accepted)
+      : looks_like_header_(std::move(looks)), accepted_(std::move(accepted)) {}
 
   /// Add the next line; returns the header as soon as the lines behind it confirm it.
   std::optional<CsvHeader> add(const TextLine& line);
@@ -66,11 +75,14 @@ class HeaderFinder {
   std::optional<CsvHeader> numberedColumns(std::size_t i) const;
   bool confirmed(const CsvHeader& header, bool in_comment, std::size_t following) const;
   void addNamesAbove(CsvHeader& header, std::size_t row) const;
-  std::vector<std::string> unitsAbove(const CsvHeader& header, std::size_t line) const;
+  std::vector<std::string> unitsAbove(const CsvHeader& header, std::size_t line, std::size_t count) const;
+  CsvHeader guessAt(std::size_t i) const;
   CsvHeader bestGuess() const;
 
-  LogFormat format_;
-  std::vector<TextLine> lines_;  // those that are not blank, in UTF-8
+  LooksLikeHeader looks_like_header_;
+  std::string accepted_;
+  std::vector<std::size_t> numbers_;  // of the columns, from 0, where the user told these; else empty
+  std::vector<TextLine> lines_;       // those that are not blank, in UTF-8
 };
 
 /// True for a line that is a comment: it begins with #, %, ! or //.

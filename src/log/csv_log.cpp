@@ -46,7 +46,7 @@ std::string reasonOf(const std::string& text, const Column& column) {
 
 // Where each field of a row begins; one more than there are fields, so that the end of field i is begin of i+1 less
 // one.
-// False for a row with quotes, in which commas need not separate.
+// False for a row with quotes, in which commas need not separate, or with signs apart from their digits.
 bool splitRow(const char* line, std::vector<const char*>& starts) {
   starts.clear();
   starts.push_back(line);
@@ -54,7 +54,7 @@ bool splitRow(const char* line, std::vector<const char*>& starts) {
   for (; *c != '\0'; ++c) {
     if (*c == ',') {
       starts.push_back(c + 1);
-    } else if (*c == '"') {
+    } else if (*c == '"' || (*c == ' ' && c != line && (c[-1] == '+' || c[-1] == '-'))) {
       return false;
     }
   }
@@ -186,9 +186,37 @@ class CsvLogReader {
     const std::vector<char> own = ownMarks(format_);
     by_fields_ = header_.separator != Separator::comma || format_.decimal == ',' ||
                  std::find(own.begin(), own.end(), ',') != own.end();
+    readAhead(head, header_.next_line);
+  }
+
+  // The lines of a head from that number on are read again as rows.
+  void readAhead(const std::vector<TextLine>& head, std::size_t first) {
     const auto rows =
-        std::find_if(head.begin(), head.end(), [&](const TextLine& line) { return line.number >= header_.next_line; });
+        std::find_if(head.begin(), head.end(), [&](const TextLine& line) { return line.number >= first; });
     read_ahead_.insert(read_ahead_.begin(), rows, head.end());
+  }
+
+  // Whether a header repeats the present one while time continues, as instruments write it for each buffer.
+  bool isContinued(const CsvHeader& header, const std::vector<TextLine>& head) {
+    const auto row = firstRow(head, header.next_line);
+    if (!columns_.time.found() || header.separator != header_.separator || header.names != header_.names ||
+        row == head.end()) {
+      return false;
+    }
+    row_ = SampleRow();
+    try {
+      parseRowByFields(row->text.c_str());
+    } catch (const std::runtime_error&) {
+      return false;
+    }
+    return rules_->continues(row_.stamp);
+  }
+
+  // The first of these lines from that number on that is neither blank nor a comment.
+  static std::vector<TextLine>::const_iterator firstRow(const std::vector<TextLine>& head, std::size_t first) {
+    return std::find_if(head.begin(), head.end(), [&](const TextLine& line) {
+      return line.number >= first && !trimmed(line.text).empty() && !isComment(line.text);
+    });
   }
 
   void beginRows() {
@@ -198,7 +226,7 @@ class CsvLogReader {
     rules_.emplace(format_, columns_, "line");
     clock_ = TimeTextReader();
     first_row_ = 0;
-    blank_line_ = comments_ = 0;
+    blank_line_ = comments_ = repeats_ = repeated_ = statistics_ = 0;
   }
 
   void endSegment(bool another_follows) {
@@ -230,6 +258,13 @@ class CsvLogReader {
     const auto header = searchHeader(finder, head);
     if (!header || (header->line == 0 && !behind_blank)) {
       throw RowError(error_line, error.what());
+    }
+    if (isContinued(*header, head)) {
+      repeated_ = repeated_ == 0 ? header->line : repeated_;
+      ++repeats_;
+      blank_line_ = 0;
+      readAhead(head, header->next_line);
+      return;
     }
     endSegment(true);
     border_ = "";
@@ -263,9 +298,7 @@ class CsvLogReader {
   // A time without a unit may tell by its text that it is a clock's, or by its size that it is a spreadsheet's.
   void resolveTime(const std::vector<TextLine>& head) {
     days_ = false;
-    const auto row = std::find_if(head.begin(), head.end(), [&](const TextLine& line) {
-      return line.number >= header_.next_line && !trimmed(line.text).empty() && !isComment(line.text);
-    });
+    const auto row = firstRow(head, header_.next_line);
     if (!columns_.time.found() || columns_.time.tells_unit || row == head.end()) {
       requireTimeUnit(columns_, format_);
       return;
@@ -275,6 +308,13 @@ class CsvLogReader {
     if (isTimeText(text)) {
       columns_.time.assumed_unit.clear();
       return;
+    }
+    constexpr std::size_t kSince1970 = 17;  // digits of nanoseconds, from 1973 on
+    const bool whole = text.find_first_not_of("0123456789") == std::string::npos;
+    if (whole && text.size() >= kSince1970 && !format_.rate) {
+      throw std::runtime_error(fmt::format(
+          "column {} tells no unit, and {} are nanoseconds since 1970, where they are a time; accepted: --unit time=ns",
+          quoted(columns_.time.name), text));
     }
     std::string point = text;
     std::replace(point.begin(), point.end(), ',', '.');
@@ -298,6 +338,12 @@ class CsvLogReader {
       ++comments_;
       return;
     }
+    if (first_row_ != 0 && !lettered_ && beginsWithLetter(text) && isStatistics(text)) {
+      first_statistics_ = statistics_ == 0 ? line_ : first_statistics_;
+      ++statistics_;
+      return;
+    }
+    lettered_ = first_row_ == 0 ? beginsWithLetter(text) : lettered_;
     try {
       row_ = SampleRow();
       if (by_fields_ || !parsePlainRow(line)) {
@@ -339,7 +385,27 @@ class CsvLogReader {
            std::isnan(row_.value[kTemperature]);
   }
 
+  static bool beginsWithLetter(const char* text) {
+    const char first = text[text[0] == '"' ? 1 : 0];
+    return (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
+  }
+
+  // A summary that instruments append, by the first cell of its row: "Min", "Mittelwert:".
+  bool isStatistics(const char* line) {
+    static const std::array<const char*, 22> kWords = {
+        "min",    "minimum", "max",     "maximum", "mean",       "average",           "avg",   "rms",
+        "median", "std",     "std dev", "stdev",   "stddev",     "std. dev.",         "range", "sum",
+        "total",  "p-p",     "pk-pk",   "summe",   "mittelwert", "standardabweichung"};
+    splitFields(line, header_.separator, fields_);
+    std::string word = lowerCase(std::string(fields_.front().text));
+    word.resize(word.find_last_not_of(" :=") + 1);
+    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+  }
+
   void takeRow() {
+    if (statistics_ > 0) {
+      throw RowError(first_statistics_, "a row of statistics, with data behind it; accepted: rows of numbers");
+    }
     blank_line_ = 0;
     first_row_ = first_row_ == 0 ? line_ : first_row_;
     last_row_ = line_;
@@ -496,6 +562,14 @@ class CsvLogReader {
       log_.notes.push_back(fmt::format("{} comment line{} among the rows, the first line {}: left out", comments_,
                                        comments_ == 1 ? "" : "s", first_comment_));
     }
+    if (repeats_ > 0) {
+      log_.notes.push_back(fmt::format("the header repeats {} time{} while time continues, first in line {}: one log",
+                                       repeats_, pluralOf(repeats_), repeated_));
+    }
+    if (statistics_ > 0) {
+      log_.notes.push_back(fmt::format("{} row{} of statistics below the data, the first line {}: left out",
+                                       statistics_, pluralOf(statistics_), first_statistics_));
+    }
     if (!reader_->lastLineEnded()) {
       log_.notes.push_back(
           fmt::format("line {}, the last, has no line end: it may have been cut off", reader_->line()));
@@ -538,6 +612,11 @@ class CsvLogReader {
   std::size_t blank_line_ = 0;
   std::size_t comments_ = 0;
   std::size_t first_comment_ = 0;
+  std::size_t repeats_ = 0;     // of the header, within the segment
+  std::size_t repeated_ = 0;    // line of the first
+  bool lettered_ = false;       // rows begin with a word
+  std::size_t statistics_ = 0;  // rows
+  std::size_t first_statistics_ = 0;
   bool by_fields_ = false;  // rows are not commas and numbers alone
   bool days_ = false;       // the time is in those of a spreadsheet
   TimeTextReader clock_;

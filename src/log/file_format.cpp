@@ -28,10 +28,11 @@ struct Mark {
 constexpr const char* kAsAText = "export it as text (CSV)";
 constexpr const char* kArrays =
     "python3 -c \"import numpy as n; d = n.load('LOG.npz'); n.savetxt('LOG.csv', n.c_[d['TIME'], d['DISPLACEMENT'], "
-    "d['FORCE']], delimiter=',', header='time_s,displacement_mm,force_N', comments='')\"";
+    "d['FORCE']], delimiter=',', header='time_s,displacement_UNIT,force_UNIT', comments='')\", with the units of the "
+    "arrays for UNIT";
 constexpr const char* kArray =
     "python3 -c \"import numpy as n; n.savetxt('LOG.csv', n.load('LOG.npy'), delimiter=',', "
-    "header='time_s,displacement_mm,force_N', comments='')\"";
+    "header='time_s,displacement_UNIT,force_UNIT', comments='')\", with the units of the array for UNIT";
 
 // asammdf, npTDMS, rosbags and mcap are the readers of these formats that their users keep up; Debian has none of them.
 constexpr Mark kMarks[] = {
@@ -133,7 +134,12 @@ const Look kLooks[] = {
      "a universal file (UFF 58)",
      "pip install pyuff numpy; python3 -c \"import pyuff, numpy as n; s = pyuff.UFF('LOG.uff').read_sets(); "
      "n.savetxt('LOG.csv', n.c_[s[0]['x'], s[0]['data'], s[1]['data']], delimiter=',', "
-     "header='time_s,displacement_mm,force_N', comments='')\""},
+     "header='time_s,displacement_UNIT,force_UNIT', comments='')\", with the units of the sets for UNIT"},
+    {[](std::string_view head) {
+       return head.find("#BEGINGLOBALHEADER") != std::string_view::npos ||
+              head.find("#BEGINCHANNELHEADER") != std::string_view::npos;
+     },
+     "the header of a DIAdem file, whose numbers stand in other files", "in DIAdem, save the channels as text (CSV)"},
     {[](std::string_view head) {
        return (lineOf(head, 0) == "header:" &&
                (startsWith(lineOf(head, 1), "seq:") || startsWith(lineOf(head, 1), "stamp:"))) ||
@@ -176,13 +182,13 @@ FileFormat formatOf(const std::string& head) {
   return mark != nullptr ? mark->format : lookOf(head) != nullptr ? FileFormat::foreign : FileFormat::text;
 }
 
-void refuseUnpacked(std::size_t unpacked, std::size_t packed, bool large) {
+void refuseUnpacked(std::size_t unpacked, std::size_t packed, bool large, std::size_t size) {
   constexpr std::size_t kFreely = 64UL * 1024 * 1024;  // bytes
   constexpr std::size_t kMostTimes = 100;
   element::refuseIf<std::runtime_error>(
       !large && unpacked > kFreely && unpacked / kMostTimes > packed,
       "unpacks to more than {} times its {} bytes; accepted: at most that beyond 64 MiB, or --large", kMostTimes,
-      packed);
+      std::max(size, packed));
 }
 
 bool isRegularFile(const std::string& path) {

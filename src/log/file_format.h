@@ -25,7 +25,8 @@ FileFormat formatOfFile(const std::string& path);
 void refuseForeignFormat(const std::string& head);
 
 /// Refuses what claims far more memory or time than it has bytes itself, unless the user says that it is large. Throws
-/// std::runtime_error.
-void refuseUnpacked(std::size_t unpacked, std::size_t packed, bool large);
+/// std::runtime_error. `packed`: bytes read so far; `size`: those of the whole file, for the error, where they are
+/// known.
+void refuseUnpacked(std::size_t unpacked, std::size_t packed, bool large, std::size_t size = 0);
 
 }  // namespace rubber_suspension::log

@@ -158,6 +158,10 @@ Column columnAt(const std::vector<ColumnName>& header, std::size_t place, const 
                 const std::string& own, const std::string& assumed) {
   const LogFormat::Channel& channel = channelOf(format, quantity);
   const std::string& unit = channel.unit.empty() ? own : channel.unit;
+  element::refuseIf<std::runtime_error>(channel.unit.empty() && !header[place].other.empty(),
+                                        "column {}: the row of units has {}, its name {}; accepted: --unit {}=UNIT",
+                                        quoted(header[place].text), quoted(header[place].other),
+                                        quoted(header[place].unit), toString(quantity));
   Column column;
   column.index = place;
   column.name = header[place].text;
@@ -243,12 +247,20 @@ Column findColumn(const ColumnFinder& finder, const std::vector<ColumnName>& hea
   return places.empty() ? Column() : foundColumn(header, places[0], format, quantity);
 }
 
+// Stress and strain in place of a force and a displacement.
+std::string hintOfMaterial(const std::vector<ColumnName>& header, Quantity quantity) {
+  const auto of_material = element::those(
+      header, [](const ColumnName& name) { return isOfMaterial(lowerCase(name.bare)) && !quantityOfUnit(name.unit); });
+  return materialHint(quantity == Quantity::displacement ? element::each(of_material, quotedName)
+                                                         : std::vector<std::string>());
+}
+
 void requireColumn(const Column& column, const std::vector<ColumnName>& header, Quantity quantity) {
   const auto unnamed =
       std::find_if(header.begin(), header.end(), [](const ColumnName& name) { return name.text.empty(); });
   element::refuseIf<std::runtime_error>(
-      !column.found(), "no column of {}, the header has {}; accepted: {}{}", toString(quantity), listed(header),
-      accepted(quantity),
+      !column.found(), "no column of {}, the header has {}{}; accepted: {}{}", toString(quantity), listed(header),
+      hintOfMaterial(header, quantity), accepted(quantity),
       quantity == Quantity::time && unnamed != header.end()
           ? fmt::format("; the column without a name, by --columns time={} --unit time=s", unnamed - header.begin() + 1)
           : "");

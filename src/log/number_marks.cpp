@@ -58,6 +58,18 @@ std::string_view withoutGroupMarks(std::string_view text, std::string& joined) {
   return joined;
 }
 
+std::string_view withSignJoined(std::string_view text, std::string& joined) {
+  if (text.size() < 3 || (text[0] != '+' && text[0] != '-') || kBlanks.find(text[1]) == std::string_view::npos) {
+    return text;
+  }
+  const std::size_t digits = text.find_first_not_of(kBlanks, 1);
+  if (digits == std::string_view::npos || !(isMarkDigit(text[digits]) || text[digits] == '.' || text[digits] == ',')) {
+    return text;
+  }
+  joined = text[0] + std::string(text.substr(digits));
+  return joined;
+}
+
 // The digits and marks of a number, without sign and exponent.
 struct NumberMarks::Marks {
   explicit Marks(std::string_view text) {
@@ -141,9 +153,11 @@ void NumberMarks::lookAt(std::string_view text, std::size_t channel, std::size_t
 
 const char* NumberMarks::normalised(std::string_view field, std::size_t channel, const std::string& name,
                                     std::size_t line) {
+  std::string signed_number;
   std::string joined;
-  const std::string_view text = withoutGroupMarks(field, joined);
-  thousands_ = thousands_ || text.size() < field.size();
+  const std::string_view number = withSignJoined(field, signed_number);
+  const std::string_view text = withoutGroupMarks(number, joined);
+  thousands_ = thousands_ || text.size() < number.size();
   if (text.size() > kLongestNumber) {
     throw std::runtime_error(
         fmt::format("{}: {} is not a number; accepted: a finite number", name, quoted(std::string(text))));

@@ -16,6 +16,10 @@ constexpr std::size_t kLongestNumber = 127;
 /// Any other text as it is. The result is kept in `joined` where it is another one.
 std::string_view withoutGroupMarks(std::string_view text, std::string& joined);
 
+/// "+ 1.5" as "+1.5": a sign that stands apart. Any other text as it is; the result is kept in `joined` where it is
+/// another one.
+std::string_view withSignJoined(std::string_view text, std::string& joined);
+
 /// Thrown where numbers have been read with another decimal mark than a later one tells: to be read again.
 struct OtherDecimalMark {
   char decimal;

@@ -17,6 +17,7 @@ constexpr double kRateAgrees = 0.01;
 constexpr std::size_t kMostCollected = 100000;  // stamps
 constexpr std::size_t kFewestOfLog = 10;        // rows before a time may restart: of fewer it may be swapped
 constexpr double kAtBeginning = 3.0;            // steps
+constexpr double kLongestPause = 3.0;           // steps between blocks of one log
 
 // The rate of stamps that do not fall back, but may be equal or rounded: from the usual step between different stamps,
 // and how many rows share one. The first and the last of them need not be there from their first row to their last. 0
@@ -76,6 +77,17 @@ bool SampleRules::restarts(const SampleRow& row) const {
   }
   const double step = static_cast<double>(last_stamp_ - first_stamp_) / static_cast<double>(stamped_ - 1);
   return std::abs(static_cast<double>(*row.stamp - first_stamp_)) <= kAtBeginning * step;
+}
+
+bool SampleRules::continues(const std::optional<std::int64_t>& stamp) const {
+  const std::size_t rows = format_.rate ? own_stamps_ : stamped_;
+  if (!stamp || refused_place_ != 0 || rows < 2) {
+    return false;
+  }
+  const std::int64_t first = format_.rate ? first_own_ : first_stamp_;
+  const std::int64_t last = format_.rate ? last_own_ : last_stamp_;
+  const double step = static_cast<double>(last - first) / static_cast<double>(rows - 1);
+  return *stamp > last && static_cast<double>(*stamp - last) <= kLongestPause * step;
 }
 
 void SampleRules::take(SampleRow& row, Log& to) {

@@ -33,6 +33,10 @@ class SampleRules {
   /// True where the time falls back to where it began: another log begins.
   bool restarts(const SampleRow& row) const;
 
+  /// True for a time that lies at most three steps behind the last one: rows behind a repeated header belong to the
+  /// same log.
+  bool continues(const std::optional<std::int64_t>& stamp) const;
+
   /// Takes the row, unless it repeats the one before or lacks its time; gives it its stamp where a rate is given.
   /// Appends to a log what is complete. Throws RowError.
   void take(SampleRow& row, Log& to);

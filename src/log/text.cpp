@@ -2,6 +2,7 @@
 #include "log/text.h"
 
 #include <fmt/format.h>
+#include <iconv.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -42,6 +43,27 @@ bool isHarmful(code_point character) {
                      [&](const auto& range) { return character >= range.first && character <= range.second; });
 }
 
+// The text where it can only be Shift-JIS, as Japanese instruments write it (Windows' code page 932): it has a pair
+// whose first byte is no character of Latin-1, and each pair is one of that code.
+std::optional<std::string> fromCp932(const std::string& text) {
+  const bool may_be = std::any_of(text.begin(), text.end(), [](char c) { return c >= '\x81' && c <= '\x9F'; });
+  const std::unique_ptr<void, int (*)(iconv_t)> converter(may_be ? iconv_open("UTF-8", "CP932") : nullptr, iconv_close);
+  // iconv_open's own word for failure.
+  if (!may_be || converter.get() == reinterpret_cast<iconv_t>(-1)) {  // NOLINT(performance-no-int-to-ptr)
+    return std::nullopt;
+  }
+  std::string result(3 * text.size(), '\0');
+  char* in = const_cast<char*>(text.data());
+  char* out = result.data();
+  std::size_t left = text.size();
+  std::size_t room = result.size();
+  if (iconv(converter.get(), &in, &left, &out, &room) == static_cast<std::size_t>(-1)) {
+    return std::nullopt;
+  }
+  result.resize(result.size() - room);
+  return result;
+}
+
 std::string escaped(const std::string& bytes) {
   std::string text;
   for (const unsigned char byte : bytes) {
@@ -71,6 +93,9 @@ bool isUtf8(const std::string& text) {
 std::string toUtf8(const std::string& text) {
   if (isUtf8(text)) {
     return text;
+  }
+  if (const auto japanese = fromCp932(text)) {
+    return *japanese;
   }
   std::string result;
   for (const char c : text) {

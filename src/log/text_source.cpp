@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <iconv.h>
+#include <sys/stat.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -42,6 +43,12 @@ class FileBytes final : public ByteSource {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
+// 0 where it is no regular file.
+std::size_t sizeOfFile(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+}
+
 // Another source whose first bytes have been looked at.
 class PeekedSource final : public ByteSource {
  public:
@@ -78,8 +85,8 @@ constexpr std::size_t kPortion = 64 * 1024;  // bytes that are decoded at a time
 // One gzip member or several behind each other.
 class GzipSource final : public ByteSource {
  public:
-  GzipSource(std::unique_ptr<ByteSource> source, bool large)
-      : source_(std::move(source)), large_(large), input_(kPortion) {
+  GzipSource(std::unique_ptr<ByteSource> source, bool large, std::size_t size)
+      : source_(std::move(source)), large_(large), size_(size), input_(kPortion) {
     constexpr int kGzip = 16;  // zlib's way to ask for the gzip format
     element::refuseIf<std::runtime_error>(inflateInit2(&stream_, MAX_WBITS + kGzip) != Z_OK, "gzip: no memory");
   }
@@ -98,7 +105,7 @@ class GzipSource final : public ByteSource {
     }
     const std::size_t count = size - stream_.avail_out;
     unpacked_ += count;
-    refuseUnpacked(unpacked_, packed_, large_);
+    refuseUnpacked(unpacked_, packed_, large_, size_);
     return count;
   }
 
@@ -127,6 +134,7 @@ class GzipSource final : public ByteSource {
 
   std::unique_ptr<ByteSource> source_;
   bool large_;
+  std::size_t size_;        // of the file; 0: unknown
   std::size_t packed_ = 0;  // bytes read so far
   std::size_t unpacked_ = 0;
   std::vector<char> input_;
@@ -205,7 +213,7 @@ TextSource openText(const std::string& path, bool large) {
   TextSource result;
   auto source = std::make_unique<PeekedSource>(std::make_unique<FileBytes>(path));
   if (formatOf(source->head()) == FileFormat::gzip) {
-    source = std::make_unique<PeekedSource>(std::make_unique<GzipSource>(std::move(source), large));
+    source = std::make_unique<PeekedSource>(std::make_unique<GzipSource>(std::move(source), large, sizeOfFile(path)));
     note(result.coding, "gzip");
   }
   refuseForeignFormat(source->head());

@@ -80,6 +80,7 @@ int daysIn(int year, int month) {
 struct CalendarDay {
   std::int64_t days = 0;  // since 1970
   bool doubtful = false;  // which number is the month
+  bool exists = true;
 };
 
 std::optional<CalendarDay> takeDate(TimeText& text) {
@@ -101,7 +102,7 @@ std::optional<CalendarDay> takeDate(TimeText& text) {
   const bool doubtful = separator == '/' && parts[0] != 0 && parts[1] <= 12 && parts[2] <= 12;
   if (parts[1] < 1 || parts[1] > 12 || year < 1900 || year > 2200 || parts[2] < 1 ||
       parts[2] > daysIn(year, parts[1])) {
-    return std::nullopt;
+    return CalendarDay{0, false, false};
   }
   return CalendarDay{daysSince1970(year, parts[1], parts[2]), doubtful};
 }
@@ -201,7 +202,13 @@ std::optional<std::int64_t> takeQuantity(std::string_view text) {
 
 }  // namespace
 
-bool isTimeText(std::string_view text) { return TimeTextReader().read(text).has_value(); }
+bool isTimeText(std::string_view text) {
+  try {
+    return TimeTextReader().read(text).has_value();
+  } catch (const std::runtime_error&) {  // of a day that there is not
+    return true;
+  }
+}
 
 std::optional<std::int64_t> TimeTextReader::read(std::string_view text) {
   TimeText whole(text);
@@ -225,6 +232,9 @@ std::optional<std::int64_t> TimeTextReader::read(std::string_view text) {
     return std::nullopt;
   }
   if (day) {
+    element::refuseIf<std::runtime_error>(
+        !day->exists, "{} is no date of the calendar; accepted: a day from 1900 to 2200 that exists",
+        quoted(std::string(text)));
     element::refuseIf<std::runtime_error>(
         day->doubtful && doubtful_day_ && *doubtful_day_ != day->days,
         "the date changes, and may be read with its day or its month first; accepted: ISO 8601");

@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <tuple>
 
 #include "element/refuse.h"
 #include "element/suggestion.h"
@@ -34,12 +35,14 @@ ut_system* unitSystem() {
     ut_set_error_message_handler(ut_ignore);
     ut_system* made = ut_read_xml(nullptr);
     element::refuseIf(made == nullptr, "UDUNITS-2 found no unit database; install libudunits2-data");
-    for (const auto& [name, unit] :
-         {std::pair("deg", "arc_degree"), std::pair("Grad", "arc_degree"), std::pair("tonf", "1000 kgf"),
-          std::pair("kip", "1000 lbf"), std::pair("mil", "0.001 in")}) {
+    for (const auto& [name, unit, is_symbol] :
+         {std::tuple("deg", "arc_degree", false),
+          // Degrees in German by capital and small letters: with prefixes, giga-radians.
+          std::tuple("Grad", "arc_degree", true), std::tuple("tonf", "1000 kgf", false),
+          std::tuple("kip", "1000 lbf", false), std::tuple("mil", "0.001 in", false),
+          // Laboratories write dampings without a blank, also with a prefix: kNs/m.
+          std::tuple("Ns", "N s", true)}) {
       const UnitPointer parsed(ut_parse(made, unit, UT_ASCII), ut_free);
-      // Degrees in German by capital and small letters: with prefixes, giga-radians.
-      const bool is_symbol = std::string(name) == "Grad";
       (is_symbol ? ut_map_symbol_to_unit : ut_map_name_to_unit)(name, UT_ASCII, parsed.get());
     }
     return made;

@@ -364,6 +364,98 @@ TEST(Header, TellsUnitsHoweverItsColumnsAreChosen) {
   }
 }
 
+TEST(Header, OfARowOfUnitsHasBracketsThatAreNoUnits) {
+  const auto load = [](const std::string& name, const std::string& unit) {
+    return "Time,Stroke," + name + "\ns,mm," + unit + "\n0,1,2\n0.1,2,3\n";
+  };
+  for (const char* name : {"Force (Ch 2)", "Force (A)", "Load (LVDT 1)", "Force"}) {
+    for (const auto& columns : {std::vector<std::string>{}, {"time=1", "displacement=2", "force=3"}}) {
+      EXPECT_DOUBLE_EQ(readText(load(name, "kN"), byColumns(columns)).force[0], 2e3) << name;
+    }
+  }
+  EXPECT_DOUBLE_EQ(readText(load("Force (kN)", "KN")).force[0], 2e3);
+  EXPECT_THAT(refusalOf(load("Force (N)", "kN")),
+              HasSubstr("column 'Force (N)': the row of units has 'kN', its name 'N'; accepted: --unit force=UNIT"));
+  EXPECT_THAT(refusalOf("Time [s],Stroke [mm],Force (Ch 2)\n0,1,2\n0.1,2,3\n"), HasSubstr("unit 'Ch 2' is unknown"));
+}
+
+TEST(Header, ThatAnErrorListsStandsAboveTheNumbers) {
+  const std::string preamble = "Specimen;A1\nWidth (mm);6\nThickness (mm);3\n";
+  EXPECT_THAT(refusalOf(preamble + "Zeit;Kanal 1;Kanal 2\n0;1;2\n1;2;3\n"),
+              HasSubstr(":4: no column of displacement, the header has 'Zeit', 'Kanal 1', 'Kanal 2'; accepted: "
+                        "displacement_<m|mm|um>, or --columns displacement=NAME"));
+  EXPECT_THAT(refusalOf(preamble + "Zeit;Kanal 1;Kanal 2\ns;mm;V\n0;1;2\n1;2;3\n", byColumns({"force=4"})),
+              HasSubstr(":4: "));
+  const std::string channels = "Units,mm,kN\nDisp_1,Load_1\n0,1\n1,2\n";
+  EXPECT_THAT(refusalOf(channels), HasSubstr("no column of time, the header has 'Disp_1 [mm]', 'Load_1 [kN]'"));
+  EXPECT_DOUBLE_EQ(readText(channels, byOption("--sampling-rate", "10")).force[1], 2e3);
+  EXPECT_THAT(refusalOf("Time [s],Strain [%],Stress [MPa]\n0,1,2\n1,2,3\n"),
+              HasSubstr("'Strain [%]', 'Stress [MPa]': of a material, which is a stiffness and a displacement once the "
+                        "shape"));
+  EXPECT_THAT(refusalOf("%time,field.displacement\n1700000000000000000,1\n1700000000005000000,2\n",
+                        byColumns({"displacement=field.displacement"}, "displacement=m")),
+              HasSubstr("accepted: --unit time=ns"));
+}
+
+// A header for each buffer, while time continues at the same step, is one log; one whose time restarts or pauses is
+// not.
+TEST(Segments, AreNoneWhereAHeaderRepeatsAndTimeContinues) {
+  const std::string head = "Running Time\tAxial Displacement\tAxial Force\nSec\tmm\tkN\n";
+  const auto rows = [](int first, int count) {
+    std::string text;
+    for (int i = first; i < first + count; ++i) {
+      text += fmt::format("{:.3f}\t{}\t{}\n", 0.005 * i, i, 2 * i);
+    }
+    return text;
+  };
+  const std::string buffer = "\nData Acquisition\tTime:\t1.0\tSec\n" + head;
+  const std::string text = head + rows(0, 50) + buffer + rows(50, 50) + buffer + rows(100, 1);
+  for (const char* segment : {"", "all", "1"}) {
+    const log::Log log = readText(text, byOption("--segment", segment));
+    ASSERT_EQ(log.size(), 101U) << segment;
+    EXPECT_DOUBLE_EQ(log.force[100], 2e5);
+    EXPECT_EQ(log.stamp[100], 500000000);
+    EXPECT_THAT(log.notes.back(),
+                HasSubstr("the header repeats 2 times while time continues, first in line 55: one log"));
+  }
+  for (const int first : {0, 53}) {
+    EXPECT_THAT(refusalOf(head + rows(0, 50) + buffer + rows(first, 50)), HasSubstr("2 logs in one file")) << first;
+  }
+  EXPECT_EQ(readText(head + rows(0, 50) + buffer + rows(52, 50)).size(), 100U);
+  const std::string newtons = "Running Time\tAxial Displacement\tAxial Force\nSec\tmm\tN\n";
+  EXPECT_THAT(refusalOf(head + rows(0, 50) + "\n" + newtons + rows(50, 50)), HasSubstr("2 logs in one file"));
+}
+
+TEST(Rows, OfStatisticsBelowTheDataAreLeftOut) {
+  const std::string data = "Time [s]\tTravel [mm]\tForce [N]\n0\t1\t2\n1\t2\t3\n2\t3\t4\n";
+  for (const char* blank : {"", "\n"}) {
+    const log::Log log = readText(data + blank + "Min\t-2.0\t-2700\nMax:\t2.0\t2700\nMittelwert\t0\t0.1\n");
+    EXPECT_EQ(log.size(), 3U);
+    EXPECT_THAT(log.notes.back(), HasSubstr("3 rows of statistics below the data"));
+  }
+  EXPECT_THAT(refusalOf(data + "Min\t-2.0\t-2700\n3\t1\t2\n"),
+              HasSubstr(":5: a row of statistics, with data behind it"));
+  EXPECT_THAT(refusalOf(data + "end of test\t1\t2\n"), HasSubstr("'end of test' is not a number"));
+  // Words that all rows have are none of them.
+  EXPECT_EQ(readText("Peak,time_s,displacement_mm\nmax,0,1\nmin,1,-1\nmax,2,1\n").size(), 3U);
+}
+
+TEST(Numbers, HaveSignsApartFromTheirDigits) {
+  for (const char* text : {"Time [s];Weg [mm];Kraft [N]\n0,0;+ 0,5;- 6,25\n0,1;- 1,5;+ 7,5\n",
+                           "time_s,displacement_mm,force_N\n0.0,+ 0.5,- 6.25\n0.1,- 1.5,+ 7.5\n"}) {
+    const log::Log log = readText(text);
+    EXPECT_DOUBLE_EQ(log.displacement[1], -1.5e-3);
+    EXPECT_DOUBLE_EQ(log.force[0], -6.25);
+  }
+}
+
+// Shift-JIS: "time", "displacement" and "load" in Japanese.
+TEST(Names, OfJapaneseInstrumentsAreShownAsTheyAre) {
+  const std::string text = "\x8E\x9E\x8A\xD4[s],\x95\xCF\x88\xCA[mm],\x89\xD7\x8F\x64[N]\n0,1,2\n1,2,3\n";
+  EXPECT_THAT(readText(text).notes.front(),
+              HasSubstr("displacement from '\u5909\u4f4d[mm]', force from '\u8377\u91cd[N]'"));
+}
+
 TEST(Times, AreReadWithZoneMidnightAndDays) {
   const auto stampsOf = [](const std::string& first, const std::string& second) {
     const log::Log log = readText("Time;Travel [mm]\n" + first + ";1\n" + second + ";2\n", {});
@@ -411,7 +503,7 @@ TEST(Dialects, OfDatesHaveDaysThatThereAre) {
     EXPECT_EQ(refusal(day), "");
   }
   for (const char* day : {"31.02.2025", "29.02.2025", "31.04.2025", "2025-06-31", "29.02.1900", "32.01.2025"}) {
-    EXPECT_THAT(refusal(day), HasSubstr("accepted")) << day;
+    EXPECT_THAT(refusal(day), HasSubstr("is no date of the calendar; accepted: a day from 1900 to 2200")) << day;
   }
 }
 
