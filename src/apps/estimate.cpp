@@ -127,7 +127,8 @@ OptionTable Options::table() {
   options.excludes({"--component", "--json", "--from-log", "--from-table"}, {"--data-sheet"});
   options.excludes({"--without-rig", "--csv", "--state-space", "--models", "--sensitivity"},
                    {"--data-sheet", "--from-log", "--from-table"});
-  options.needs({"--hold", "--starts", "--accept-units"}, {"--from-log"}).needs(LogOptions::names(), {"--from-log"});
+  options.needs({"--hold", "--starts"}, {"--from-log"}).needs(LogOptions::names(), {"--from-log"});
+  options.needs({"--accept-units"}, {"--from-log", "--from-table"});
   options.excludes({"--frequencies", "--amplitudes", "--frequency", "--amplitude", "--product", "--points"},
                    {"--data-sheet", "--from-log", "--from-table"});
   options.excludes({"--from-log", "--json", "--plot"}, {"--from-table"}).needs({"--series"}, {"--from-table"});
@@ -212,8 +213,12 @@ int identifyComponent(const Options& options) {
 int fitToTable(const Options& options) {
   const auto components = io::loadComponentFile(options.config);
   const io::ComponentDescription& description = io::selectComponent(components, options.component);
-  const fit::MeasuredTable table = command::readTable(options.table_path);
+  fit::MeasuredTable table = command::readTable(options.table_path);
+  table.accept_units = options.log_options.acceptsUnits();
   command::requireNoShift(description, table, options.table_path);
+  for (const std::string& note : command::checkBenchOfTable(description, table, options.table_path)) {
+    printWarning("estimate", options.table_path + ": " + note);
+  }
   std::optional<fit::Series> series;
   if (!options.series.empty()) {
     series = options.series == "prony" ? fit::Series::prony : fit::Series::springpot;

@@ -197,7 +197,6 @@ RigOfLogs rigOfLogs(const std::vector<element::ElementDescription>& elements, co
 // component without a spring. Smaller factors may be what is sought: they are told.
 void checkBenchOf(const io::ComponentDescription& description, const RecordsOfLogs& all,
                   std::vector<std::string>& notes) {
-  constexpr double kLargeFactor = 90.0;
   std::vector<log::Record> records;
   for (const auto& record : all) {
     if (record) {
@@ -209,9 +208,9 @@ void checkBenchOf(const io::ComponentDescription& description, const RecordsOfLo
     const bool of_stiffness = finding.finding == measurement::finding::kUnitFactor ||
                               finding.finding == measurement::finding::kOtherComponent ||
                               finding.finding == measurement::finding::kPeakToPeak;
-    const bool large = of_stiffness && std::abs(std::log(std::abs(finding.value))) > std::log(kLargeFactor);
     const bool short_log = finding.finding == measurement::finding::kTooShort;
-    element::refuseIf<log::LogError>(!short_log && (!of_stiffness || large), "{}: {}", finding.log, finding.text);
+    element::refuseIf<log::LogError>(!short_log && (!of_stiffness || measurement::isFarOff(finding)), "{}: {}",
+                                     finding.log, finding.text);
     notes.push_back(finding.log + ": " + finding.text);
   }
 }

@@ -68,8 +68,26 @@ const std::vector<TableQuantity>& tableQuantities() {
       {"stiffness",
        "N/m",
        1.0,
-       {"stiffness", "dynamic stiffness", "steifigkeit", "dynamische steifigkeit", "k*", "|k*|", "kdyn", "k_dyn",
-        "stiffness level", "dynamic stiffness level", "transfer stiffness level", "dynamic transfer stiffness level",
+       {"stiffness",
+        "dynamic stiffness",
+        "dyn. stiffness",
+        "dyn stiffness",
+        "steifigkeit",
+        "dynamische steifigkeit",
+        "dyn. steifigkeit",
+        "dyn steifigkeit",
+        "k*",
+        "|k*|",
+        "kdyn",
+        "k_dyn",
+        "c*",
+        "|c*|",
+        "cdyn",
+        "c_dyn",
+        "stiffness level",
+        "dynamic stiffness level",
+        "transfer stiffness level",
+        "dynamic transfer stiffness level",
         "dynamic transfer stiffness"}},
       {"loss angle",
        "rad",
@@ -79,9 +97,12 @@ const std::vector<TableQuantity>& tableQuantities() {
        "1",
        1.0,
        {"tan delta", "tan d", "tandelta", "tan_delta", "tan \u03b4", "loss factor", "verlustfaktor"}},
-      {"storage stiffness", "N/m", 1.0, {"storage stiffness", "k'", "speichersteifigkeit"}},
-      {"loss stiffness", "N/m", 1.0, {"loss stiffness", "k''", "k\"", "verluststeifigkeit"}},
-      {"damping", "N s/m", 1.0, {"damping", "damping constant", "damping coefficient", "damping c", "d\u00e4mpfung"}},
+      {"storage stiffness", "N/m", 1.0, {"storage stiffness", "k'", "c'", "speichersteifigkeit"}},
+      {"loss stiffness", "N/m", 1.0, {"loss stiffness", "k''", "k\"", "c''", "c\"", "verluststeifigkeit"}},
+      {"damping",
+       "N s/m",
+       1.0,
+       {"damping", "damping constant", "damping coefficient", "d\u00e4mpfung", "d\u00e4mpfungskonstante"}},
       {"preload", "N", 1.0, {"preload", "mean load", "vorlast"}},
       {"mean displacement", "m", 1.0, {"mean displacement", "mittelweg"}},
       {"temperature", "degC", 1.0, {"temperature", "temperatur"}}};
@@ -122,35 +143,23 @@ struct TableColumn {
   }
 };
 
-// Of a material, which is a stiffness once the shape is known.
-bool isOfMaterial(const std::string& word) {
-  static const std::vector<std::string> words = {"e*",     "e'",      "e''",    "g*",       "g'",
-                                                 "g''",    "|e*|",    "|g*|",   "modulus",  "modul",
-                                                 "strain", "dehnung", "stress", "spannung", "strain amplitude"};
-  const std::size_t blank = word.rfind(' ');
-  const std::string last = blank == std::string::npos ? word : word.substr(blank + 1);
-  return std::find(words.begin(), words.end(), word) != words.end() || last == "modulus" || last == "modul";
-}
-
 class TableReader {
  public:
   explicit TableReader(std::string source) : source_(std::move(source)) {}
 
   fit::MeasuredTable read(const std::string& text) {
     try {
-      std::istringstream stream(log::toUtf8(text));
-      for (std::string line; std::getline(stream, line);) {
-        ++line_;
-        if (!line.empty() && line.back() == '\r') {
-          line.pop_back();
+      const std::vector<log::TextLine> lines = linesOf(text);
+      line_ = lines.empty() ? 0 : lines.front().number;
+      const log::CsvHeader header = headerOf(lines);
+      line_ = header.line;
+      readHeader(header);
+      for (const log::TextLine& line : lines) {
+        if (line.number >= header.next_line && line.text[0] != '#') {
+          line_ = line.number;
+          readRow(line.text);
         }
-        if (log::trimmed(line).empty() || line[0] == '#') {
-          continue;
-        }
-        columns_.empty() ? readHeader(line) : readRow(line);
       }
-      refuseIf(columns_.empty(),
-               "no header; accepted: a line with the columns frequency, amplitude, stiffness, loss angle");
       marks_->requireClear(names_, false);
     } catch (const log::OtherDecimalMark&) {
       refuse(
@@ -174,11 +183,61 @@ class TableReader {
     }
   }
 
-  void readHeader(const std::string& line) {
-    separator_ = log::separatorOf(line);
-    std::vector<log::Field> fields;
-    log::splitFields(line, separator_, fields);
-    names_ = element::each(fields, [](const log::Field& field) { return std::string(field.text); });
+  // Those that are not blank.
+  static std::vector<log::TextLine> linesOf(const std::string& text) {
+    std::vector<log::TextLine> lines;
+    std::istringstream stream(log::toUtf8(text));
+    std::size_t number = 0;
+    for (std::string line; std::getline(stream, line);) {
+      ++number;
+      if (!line.empty() && line.back() == '\r') {
+        line.pop_back();
+      }
+      if (!log::trimmed(line).empty()) {
+        lines.push_back({number, line});
+      }
+    }
+    return lines;
+  }
+
+  // Below a preamble, and above a row of units, as those of logs.
+  log::CsvHeader headerOf(const std::vector<log::TextLine>& lines) const {
+    log::HeaderFinder finder([this](const auto& names) { return knownOf(names) >= 2; },
+                             "the columns frequency, amplitude, stiffness, loss angle");
+    try {
+      for (const log::TextLine& line : lines) {
+        if (const auto header = finder.add(line)) {
+          return *header;
+        }
+      }
+      return finder.finish();
+    } catch (const std::runtime_error& error) {
+      refuse(error.what());
+    }
+  }
+
+  std::ptrdiff_t knownOf(const std::vector<log::ColumnName>& names) const {
+    return std::count_if(names.begin(), names.end(), [&](const log::ColumnName& name) {
+      try {
+        return columnOf(textOf(name)).has_value();
+      } catch (const std::runtime_error&) {  // of another unit, which is refused where the header is read
+        return true;
+      }
+    });
+  }
+
+  // With the unit of the row below, whatever that is: "dB re 1 N/m" and "mm p-p" are no units of a library.
+  static std::string textOf(const log::ColumnName& name) {
+    return name.unit.empty() && !name.second.empty() ? name.text + " [" + name.second + "]" : name.withUnit();
+  }
+
+  void readHeader(const log::CsvHeader& header) {
+    separator_ = header.separator;
+    for (const log::ColumnName& name : header.names) {
+      refuseIf(!name.other.empty(), "column {}: the row of units has {}; accepted: one unit", log::quoted(name.text),
+               log::quoted(name.other));
+      names_.push_back(textOf(name));
+    }
     refuseMatrix();
     columns_ = element::each(names_, [&](const std::string& name) { return columnOf(name); });
     for (std::size_t i = 0; i < tableQuantities().size(); ++i) {
@@ -224,16 +283,13 @@ class TableReader {
 
   void require(bool there, std::size_t quantity, const std::string& others) const {
     const TableQuantity& row = tableQuantities()[quantity];
-    const auto of_material = element::those(names_, [](const auto& name) { return isOfMaterial(bareOf(name)); });
+    const auto of_material = element::those(names_, [](const auto& name) { return log::isOfMaterial(bareOf(name)); });
     const auto others_there =
-        element::those(names_, [&](const auto& name) { return !columnOf(name) && !isOfMaterial(bareOf(name)); });
+        element::those(names_, [&](const auto& name) { return !columnOf(name) && !log::isOfMaterial(bareOf(name)); });
     refuseIf(!there, "{}: missing; accepted: one column, with a unit such as '{} [{}]'{}{}{}", row.name, row.name,
              row.unit, others,
              others_there.empty() ? "" : "; not understood: " + element::joined(others_there, ", ", log::quoted),
-             of_material.empty() ? ""
-                                 : element::joined(of_material, ", ", log::quoted).insert(0, "; ") +
-                                       ": of a material, which is a stiffness and a displacement once the shape (area, "
-                                       "height) is known");
+             log::materialHint(element::each(of_material, log::quoted)));
   }
 
   static std::string bareOf(const std::string& name) { return log::lowerCase(log::parseColumnName(name).bare); }
@@ -244,6 +300,27 @@ class TableReader {
     if (auto amplitude = amplitudeOf(text, name)) {
       return amplitude;
     }
+    if (auto column = quantityOf(text, name)) {
+      return column;
+    }
+    const log::ColumnName plain = withoutSymbol(name);
+    return plain.bare == name.bare ? std::nullopt : quantityOf(plain.withUnit(), plain);
+  }
+
+  // "Stiffness K" and "Verlustwinkel \u03b4" without the symbol behind the word.
+  static log::ColumnName withoutSymbol(log::ColumnName name) {
+    static const std::vector<std::string> symbols = {"k", "k*", "kdyn", "c",  "c*",     "cdyn",
+                                                     "f", "a",  "d",    "s0", "\u03b4", "\u03c9"};
+    const std::size_t blank = name.bare.rfind(' ');
+    const std::string last = blank == std::string::npos ? "" : log::lowerCase(name.bare.substr(blank + 1));
+    if (std::find(symbols.begin(), symbols.end(), last) != symbols.end()) {
+      name.bare = name.text = log::trimmed(name.bare.substr(0, blank));
+      name.names_unit = false;
+    }
+    return name;
+  }
+
+  std::optional<TableColumn> quantityOf(const std::string& text, const log::ColumnName& name) const {
     for (std::size_t i = 0; i < tableQuantities().size(); ++i) {
       const TableQuantity& quantity = tableQuantities()[i];
       for (const std::string& word : quantity.words) {
@@ -350,6 +427,9 @@ class TableReader {
   void readRow(const std::string& line) {
     std::vector<log::Field> fields;
     log::splitFields(line, separator_, fields);
+    while (fields.size() > columns_.size() && fields.back().text.empty()) {
+      fields.pop_back();  // a separator at the end of the line
+    }
     refuseIf(fields.size() != columns_.size(), "{} fields; accepted: {}, as in the header", fields.size(),
              columns_.size());
     std::map<std::size_t, double> values;

@@ -7,9 +7,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "element/each.h"
 #include "element/refuse.h"
+#include "estimation/models.h"
 #include "fit/residual_covariance.h"
+#include "fit/table_fitter.h"
 #include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/measurement/bench_check.h"
 
 namespace rubber_suspension::command {
 
@@ -24,6 +28,19 @@ void requireNoShift(const io::ComponentDescription& component, const fit::Measur
                                         "without the column, a component whose shift is under the key 'temperature', "
                                         "or diagnose --from-table",
                                         source, component.name);
+}
+
+std::vector<std::string> checkBenchOfTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
+                                           const std::string& source) {
+  const auto finding = measurement::checkTable(source, element::each(table.points, &fit::TablePoint::complexStiffness),
+                                               fit::TableLoops(table.points).stiffnessOf(component.allElements()),
+                                               estimation::largestTolerance(component.specification()));
+  const bool sign = finding && finding->finding == measurement::finding::kSign;
+  if (!finding || (table.accept_units && !sign)) {
+    return {};
+  }
+  element::refuseIf<std::runtime_error>(sign || measurement::isFarOff(*finding), "{}: {}", source, finding->text);
+  return {finding->text};
 }
 
 namespace {

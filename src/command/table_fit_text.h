@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fit/table_fit.h"
 
@@ -11,6 +12,11 @@ namespace rubber_suspension::command {
 /// finds the shift of the key `temperature` alone. `source`: the name of the file.
 void requireNoShift(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                     const std::string& source);
+
+/// Throws std::runtime_error for a table that cannot be what it says: all loss angles negative, or a stiffness off by
+/// hundreds, unless its units are accepted. Smaller factors may be what is sought: notes that name them.
+std::vector<std::string> checkBenchOfTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
+                                           const std::string& source);
 
 std::string toText(const fit::TableFit& fit, const fit::MeasuredTable& table);
 

@@ -66,15 +66,12 @@ struct UnitFactor {
 };
 
 constexpr UnitFactor kUnitFactors[] = {
-    {1e3, "N and kN, or mm and m"},
-    {1e6, "N and MN, um and m, or N/m and kN/mm"},
-    {1e9, "N/m and kN/um"},
-    {9.81, "N and kgf or daN"},
-    {9810.0, "N and tonnes"},
-    {25.4, "mm and inches"},
-    {4.448, "N and lbf"},
-    {175.1, "N/m and lbf/in"},
-    {100.0, "cm and m"},
+    {1e3, "N and kN, or mm and m"}, {1e6, "N and MN, um and m, or N/m and kN/mm"},
+    {1e9, "N/m and kN/um"},         {9.81, "N and kgf or daN"},
+    {9810.0, "N and tonnes"},       {25.4, "mm and inches"},
+    {4.448, "N and lbf"},           {175.1, "N/m and lbf/in"},
+    {39.37, "m and inches"},        {100.0, "cm and m"},
+    {101.97, "kN and kgf"},         {224.8, "kN and lbf"},
 };
 
 // No effect makes factors as large.
@@ -501,9 +498,14 @@ std::optional<Suspicion> lengthSuspicion(const Examined& log) {
   const VectorXd step = (record.displacement.tail(count - 1) - record.displacement.head(count - 1)).cwiseAbs();
   const Index moving = (step.array() > 0.01 * rmsOf(step)).count();
   if (moving < kFewestMoving) {
+    // A step that is held, as of relaxation or creep, is not seen better in a longer log.
+    const bool held = 2 * moving < count;
     return fatal(record.name, finding::kTooShort, static_cast<double>(moving),
-                 fmt::format("{} samples in motion are too few; needed are {}: record longer, or at a higher rate",
-                             moving, kFewestMoving));
+                 fmt::format("{} samples in motion are too few; needed are {}: {}", moving, kFewestMoving,
+                             held ? fmt::format("the displacement rests in the other {}: record the motion between at "
+                                                "a higher rate, or add a log that moves",
+                                                count - moving)
+                                  : "record longer, or at a higher rate"));
   }
   const double per_cycle = 2.0 * element::kPi / typicalPhase(record.displacement);
   if (per_cycle < kFewestPerCycle) {
@@ -752,12 +754,30 @@ std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
   return correction;
 }
 
-std::optional<RigFinding> checkStiffness(const std::string& table, const std::vector<double>& measured,
-                                         const std::vector<double>& configured, double tolerance) {
+bool isFarOff(const RigFinding& finding) {
+  const bool of_stiffness = finding.finding == finding::kUnitFactor || finding.finding == finding::kOtherComponent ||
+                            finding.finding == finding::kPeakToPeak;
+  return of_stiffness && isLarge(std::abs(finding.value));
+}
+
+std::optional<RigFinding> checkTable(const std::string& table, const std::vector<std::complex<double>>& measured,
+                                     const std::vector<std::complex<double>>& configured, double tolerance) {
+  const auto gains_energy = [](const std::complex<double>& stiffness) { return stiffness.imag() < 0.0; };
+  if (!measured.empty() && std::all_of(measured.begin(), measured.end(), gains_energy)) {
+    return fatal(table, finding::kSign, -1.0,
+                 "all loss angles are negative, which gives energy: the sign of the phase is that of the other "
+                 "convention, or force and displacement are exchanged: change it in the table");
+  }
   const SheetFactor sheet(tolerance);
+  std::vector<double> sizes;
+  std::vector<double> configured_sizes;
   std::vector<double> ratios;
-  std::transform(measured.begin(), measured.end(), configured.begin(), std::back_inserter(ratios), std::divides<>());
-  const double ratio = medianOf(measured) / medianOf(configured);
+  for (std::size_t r = 0; r < measured.size(); ++r) {
+    sizes.push_back(std::abs(measured[r]));
+    configured_sizes.push_back(std::abs(configured[r]));
+    ratios.push_back(sizes[r] / configured_sizes[r]);
+  }
+  const double ratio = medianOf(sizes) / medianOf(configured_sizes);
   if (!sheet.mayBe(kPeakToPeak) && std::all_of(ratios.begin(), ratios.end(), isAboutTwo) && isAboutTwo(ratio)) {
     return peakToPeakFinding(table, ratio, "halve what is from peak to peak");
   }

@@ -47,7 +47,18 @@ TEST(MeasuredTable, ReadsTheQuantitiesThatLaboratoriesWrite) {
           row(2.0, 0.5 / std::sqrt(2.0), 3000.0, 0.1),
       "Frequency [Hz];Amplitude (\u00b1mm);Stiffness [N/mm];Loss angle [rad]\n" + row(2.0, 0.5, 3000.0, 0.1),
       "Frequency [Hz];Amplitude [mm];Stiffness level [dB re 1 N/m];Loss factor [-]\n" +
-          row(2.0, 0.5, 20.0 * std::log10(3e6), std::tan(0.1))};
+          row(2.0, 0.5, 20.0 * std::log10(3e6), std::tan(0.1)),
+      "Frequency;Amplitude;Stiffness;Loss angle\nHz;mm;N/mm;rad\n" + row(2.0, 0.5, 3000.0, 0.1),
+      "Material: NR 60 ShA\nTemp: 23 C\n\nFreq;Amp pp;C*;C';C\";Verlustwinkel \u03b4;tan \u03b4\n"
+      "[Hz];[mm];[N/mm];[N/mm];[N/mm];[\u00b0];[-]\n" +
+          row(2.0, 1.0, 3000.0, storage, loss, 18.0 / element::kPi, std::tan(0.1)),
+      "Frequenz [Hz];Amplitude [mm];dyn. Steifigkeit [N/mm];Verlustwinkel [rad]\n" + row(2.0, 0.5, 3000.0, 0.1),
+      "Frequency [Hz];Amplitude [mm];Stiffness K [N/mm];Damping C [Ns/mm]\n" +
+          row(2.0, 0.5, storage, loss / (4.0 * element::kPi)),
+      "Frequency [Hz];Amplitude [mm];Stiffness K [N/mm];Damping C [kNs/m]\n" +
+          row(2.0, 0.5, storage, loss / (4.0 * element::kPi)),
+      "Frequency [Hz];Amplitude [mm];Stiffness K [N/mm];Damping C [Ns/m];\n" +
+          fmt::format("2;0.5;{};{};\n", storage, 1000.0 * loss / (4.0 * element::kPi))};
   for (const std::string& text : tables) {
     SCOPED_TRACE(text);
     const fit::MeasuredTable table = parseTable(text, "lab.csv");
@@ -60,6 +71,28 @@ TEST(MeasuredTable, ReadsTheQuantitiesThatLaboratoriesWrite) {
   const fit::MeasuredTable comma =
       parseTable("frequency [Hz];amplitude [mm];stiffness [N/mm];loss angle [deg]\n0,5;0,1;1.352,75;3,79\n", "lab.csv");
   EXPECT_DOUBLE_EQ(comma.points.at(0).stiffness, 1352.75e3);
+}
+
+// A table that no component makes, or this one in another unit, is refused before the fit.
+TEST(MeasuredTable, IsHeldAgainstTheComponent) {
+  const io::ComponentDescription bush{"bush",
+                                      {{"spring", {{"stiffness", {1.2e6}}}}, {"dashpot", {{"damping", {2e4}}}}}};
+  const auto tableOf = [](double stiffness, double angle) {
+    return parseTable(fmt::format("frequency [Hz],amplitude [mm],stiffness [N/m],loss angle [deg]\n1,0.1,{0},{1}\n"
+                                  "5,0.1,{0},{1}\n",
+                                  stiffness, angle),
+                      "lab.csv");
+  };
+  const auto refusal = [&](const fit::MeasuredTable& table) {
+    return messageOf<std::runtime_error>([&] { checkBenchOfTable(bush, table, "lab.csv"); });
+  };
+  EXPECT_THAT(checkBenchOfTable(bush, tableOf(1.3e6, 9.0), "lab.csv"), IsEmpty());
+  EXPECT_THAT(refusal(tableOf(1.3e6, -9.0)), HasSubstr("lab.csv: all loss angles are negative"));
+  fit::MeasuredTable small = tableOf(1.3e3, 9.0);
+  EXPECT_THAT(refusal(small), HasSubstr("by the factor 0.001 of a wrong unit (N and kN, or mm and m)"));
+  small.accept_units = true;
+  EXPECT_THAT(checkBenchOfTable(bush, small, "lab.csv"), IsEmpty());
+  EXPECT_THAT(checkBenchOfTable(bush, tableOf(1.2e7, 9.0), "lab.csv"), testing::SizeIs(1));
 }
 
 TEST(MeasuredTable, NamesWhatAMaterialLacks) {
@@ -147,6 +180,8 @@ TEST(MeasuredTable, RefusesWithLineAndReason) {
   refuses("frequency_m,amplitude_m,stiffness_N_per_m,loss_angle_rad\n", "frequency_m");
   refuses(header + "1,1e-3,3e6,0.1\n", "lab.csv:2: 4 fields; accepted: 5");
   refuses(header + "1,1e-3,stiff,0.1,0\n", "'stiff' is no number");
+  refuses("Frequency,Amplitude,Stiffness [N/m],Loss angle\nHz,mm,kN/m,deg\n1,1,1,1\n",
+          "column 'Stiffness [N/m]': the row of units has 'kN/m'");
   refuses(header + "0,1e-3,3e6,0.1,0\n", "accepted: the first three");
   refuses(header + "1,1e-3,3e6,2,0\n", "90 degrees");
   refuses(header + "1,1e-3,nan,0.1,0\n", "accepted: the first three");

@@ -1,6 +1,7 @@
 // Whether logs can be what they say at all, before any physics: sign, unit factors, swapped columns, another component.
 #pragma once
 
+#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,11 +40,15 @@ std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription
                                    const std::vector<log::Record>& records,
                                    double tolerance = estimation::SheetTolerance::kUsual);
 
-/// Of a table, whose name the finding has, the same by the stiffness [N/m] of its rows, measured and configured:
-/// unit_factor, other_component or peak_to_peak; nothing where effects may explain their ratio.
-std::optional<RigFinding> checkStiffness(const std::string& table, const std::vector<double>& measured,
-                                         const std::vector<double>& configured,
-                                         double tolerance = estimation::SheetTolerance::kUsual);
+/// Of a table, whose name the finding has, the same by K* [N/m] of its rows, measured and configured: sign where all
+/// loss angles are negative, unit_factor, other_component or peak_to_peak; nothing where effects may explain their
+/// ratio.
+std::optional<RigFinding> checkTable(const std::string& table, const std::vector<std::complex<double>>& measured,
+                                     const std::vector<std::complex<double>>& configured,
+                                     double tolerance = estimation::SheetTolerance::kUsual);
+
+/// True for a finding about the scale of the stiffness that no effect explains: off by hundreds.
+bool isFarOff(const RigFinding& finding);
 
 /// A record as it would be with the correction of a finding.
 struct BenchCorrection {

@@ -398,13 +398,12 @@ void checkRows(const io::ComponentDescription& component, const fit::MeasuredTab
 
 std::optional<measurement::RigFinding> benchFinding(const io::ComponentDescription& component,
                                                     const fit::MeasuredTable& table, const MeasuredRows& measured) {
-  if (table.accept_units) {
-    return std::nullopt;
-  }
   const Stiffness configured = measured.loops().stiffnessOf(component.allElements());
-  return measurement::checkStiffness(table.name, element::each(table.points, &fit::TablePoint::stiffness),
-                                     element::each(configured, [](const auto& k) { return std::abs(k); }),
-                                     estimation::largestTolerance(component.specification()));
+  const auto finding =
+      measurement::checkTable(table.name, element::each(table.points, &fit::TablePoint::complexStiffness), configured,
+                              estimation::largestTolerance(component.specification()));
+  const bool doubted = finding && (!table.accept_units || finding->finding == measurement::finding::kSign);
+  return doubted ? finding : std::nullopt;
 }
 
 }  // namespace
