@@ -295,6 +295,21 @@ TEST(BenchCheck, NamesAContactOfTheOtherSide) {
   }
 }
 
+// A compliance of one side that is next to no support is a contact that opens: it is named as one.
+TEST(BenchCheck, NamesAComplianceOfTheOtherSideAsAContact) {
+  for (const double side : {1.0, -1.0}) {
+    log::Record record = sine(2.0, 1e6);
+    record.force = 1e6 * side * (side * record.displacement).cwiseMax(0.0);
+    std::vector<element::ElementDescription> elements = kSpring;
+    elements.push_back({"series_compliance", {{"stiffness", {1e3}}, {"side", {side}}}});
+    const std::vector<RigFinding> findings = checkBench(elements, {record});
+    ASSERT_THAT(namesOf(findings), ElementsAre(finding::kContactSide)) << side;
+    EXPECT_THAT(findings[0].text, HasSubstr("the contact `series_compliance`"));
+    elements.back().values["side"] = {-side};
+    EXPECT_TRUE(checkBench(elements, {record}).empty()) << side;
+  }
+}
+
 // Held slack, and moved while slack: the force is dead where the displacement is beyond all that carry any.
 TEST(BenchCheck, TakesNoLongSlackForADeadChannel) {
   for (const double side : {1.0, -1.0}) {
