@@ -1,46 +1,49 @@
 // Notices samples that were sent but never arrived, by the sequence number that every sender counts up. Knows no ROS.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <unordered_map>
 #include <utility>
 
 namespace rubber_suspension::node {
 
-/// Follows the sequence numbers of up to kSenders senders to one topic; forgets the one silent for longest.
-/// `Sender` is a shared pointer to anything that stands for a connection: held here, so that no later connection can
-/// come to lie at the address of one that has ended and be taken for it.
+/// Follows the sequence numbers of all senders to one topic. `Sender` is a shared pointer to what stands for a
+/// connection. It is held here, so that no later connection can come to lie at the address of one that has ended and be
+/// taken for it; those that nobody else holds any more are dropped when a new one comes. Allocates only then.
 template <class Sender>
 class SequenceWatch {
  public:
-  /// Take a number of a sender. Returns how many the sender skipped.
+  /// Takes a number of a sender and returns how many numbers the sender skipped since its last one. What a sender lost
+  /// before its first number came cannot be known.
   std::uint32_t take(const Sender& sender, std::uint32_t sequence) {
-    ++clock_;
-    const auto known = std::find_if(entries_.begin(), entries_.end(),
-                                    [&](const Entry& entry) { return entry.used != 0 && entry.sender == sender; });
+    const auto known = entries_.find(sender.get());
     if (known == entries_.end()) {
-      *std::min_element(entries_.begin(), entries_.end(),
-                        [](const Entry& a, const Entry& b) { return a.used < b.used; }) = {sender, sequence, clock_};
+      dropEnded();
+      entries_.emplace(sender.get(), Entry{sender, sequence});
       return 0;
     }
-    known->used = clock_;
-    const std::uint32_t skipped = sequence - std::exchange(known->last, sequence) - 1;
+    const std::uint32_t skipped = sequence - std::exchange(known->second.last, sequence) - 1;
     // One that goes back is a sender that counts again from the start or in its own way: nothing is known to be lost.
     return skipped < (1U << 31) ? skipped : 0;
   }
 
+  std::size_t senders() const { return entries_.size(); }
+
  private:
-  static constexpr std::size_t kSenders = 8;
   struct Entry {
     Sender sender{};
     std::uint32_t last = 0;
-    std::uint64_t used = 0;  // 0: never
   };
 
-  std::array<Entry, kSenders> entries_{};
-  std::uint64_t clock_ = 0;
+  void dropEnded() {
+    for (auto entry = entries_.begin(); entry != entries_.end();) {
+      entry = entry->second.sender.use_count() == 1 ? entries_.erase(entry) : std::next(entry);
+    }
+  }
+
+  std::unordered_map<const void*, Entry> entries_;
 };
 
 }  // namespace rubber_suspension::node
