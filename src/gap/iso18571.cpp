@@ -298,15 +298,22 @@ Iso18571 rateIso18571(const Eigen::VectorXd& measured, const Eigen::VectorXd& si
   element::refuseIf(!measured.allFinite() || measured.minCoeff() == measured.maxCoeff(),
                     "ISO/TS 18571: the measured signal does not change or is not finite");
   Iso18571 result;
-  result.repeats = repeatsItself(measured);
-  if (!simulated.allFinite()) {
+  const bool finite = simulated.allFinite();
+  // All ratings are ratios. A power of two brings both signals below 1, so that no square overflows and no digit moves.
+  const double largest =
+      std::max(measured.lpNorm<Eigen::Infinity>(), finite ? simulated.lpNorm<Eigen::Infinity>() : 0.0);
+  const double scale = std::exp2(std::clamp(-1 - std::ilogb(largest), -1022, 1022));
+  const Eigen::VectorXd scaled_test = scale * measured;
+  result.repeats = repeatsItself(scaled_test);
+  if (!finite) {
     return result;
   }
-  result.corridor = corridorRating(measured, simulated);
-  const Index shift = bestShift(measured, simulated);
+  const Eigen::VectorXd scaled_model = scale * simulated;
+  result.corridor = corridorRating(scaled_test, scaled_model);
+  const Index shift = bestShift(scaled_test, scaled_model);
   const Index size = measured.size() - std::abs(shift);
-  const Signal test = measured.segment(std::max<Index>(-shift, 0), size);
-  const Signal model = simulated.segment(std::max<Index>(shift, 0), size);
+  const Signal test = scaled_test.segment(std::max<Index>(-shift, 0), size);
+  const Signal model = scaled_model.segment(std::max<Index>(shift, 0), size);
   result.phase = rating(static_cast<double>(std::abs(shift)), kLargestShift * static_cast<double>(measured.size()));
   result.blocks = size <= warped_whole ? 1 : static_cast<std::size_t>((size + kBlock - 1) / kBlock);
   result.magnitude = rating(warp(test, model, result.blocks).error(), 0.5);
