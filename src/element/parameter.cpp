@@ -10,16 +10,25 @@
 #include "element/largest_number.h"
 
 namespace rubber_suspension::element {
+namespace {
+
+bool isTooSmall(double value, const Range& range) {
+  return range.lower >= 0.0 && value > 0.0 && value < kSmallestNumber;
+}
+
+}  // namespace
 
 bool Range::contains(double value) const {
   const bool above = open_lower ? value > lower : value >= lower;
   const bool below = open_upper ? value < upper : value <= upper;
-  return std::abs(value) <= kLargestNumber && above && below;
+  return std::abs(value) <= kLargestNumber && !isTooSmall(value, *this) && above && below;
 }
 
 std::string acceptedFor(double value, const Range& range) {
-  return std::abs(value) > kLargestNumber ? fmt::format("{}, at most {:g}", describe(range), kLargestNumber)
-                                          : describe(range);
+  const std::string accepted = describe(range);
+  return std::abs(value) > kLargestNumber ? fmt::format("{}, at most {:g}", accepted, kLargestNumber)
+         : isTooSmall(value, range)       ? fmt::format("{}, not below {:g}", accepted, kSmallestNumber)
+                                          : accepted;
 }
 
 std::string describe(const Range& range) {

@@ -65,7 +65,8 @@ std::vector<double> scanPoints(const Specification& specification, const element
 
 // The edge between a value without and a value with a solution.
 double edge(double without, double with, const std::function<bool(double)>& solvable, double tolerance) {
-  while (std::abs(with - without) > tolerance * std::abs(with)) {
+  constexpr int kMostHalvings = 200;  // more than a double has digits: where the interval has none between its ends
+  for (int i = 0; i < kMostHalvings && std::abs(with - without) > tolerance * std::abs(with); ++i) {
     const double middle = 0.5 * (without + with);
     (solvable(middle) ? with : without) = middle;
   }

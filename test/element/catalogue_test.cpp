@@ -1,6 +1,7 @@
 // Entries of component files: what is refused, with which words, and what is filled in.
 #include "rubber_suspension/element/catalogue.h"
 
+#include "element/largest_number.h"
 #include "support/kit.h"
 
 namespace rubber_suspension::test {
@@ -119,6 +120,12 @@ TEST(Range, TellsWhatItAccepts) {
   EXPECT_FALSE(element::Range::positive().contains(0.0));
   EXPECT_TRUE(element::Range::nonNegative().contains(0.0));
   EXPECT_FALSE(element::Range::nonNegative().contains(INFINITY));
+  // Too small for products of it; a signal, which may be of either sign, has no such bound.
+  EXPECT_FALSE(element::Range::nonNegative().contains(5e-324));
+  EXPECT_FALSE(element::Range::closed(0.0, 1.0).contains(1e-101));
+  EXPECT_TRUE(element::Range::positive().contains(1e-100));
+  EXPECT_TRUE(element::Range::any().contains(5e-324));
+  EXPECT_EQ(element::acceptedFor(5e-324, element::Range::positive()), "greater than 0, not below 1e-100");
 }
 
 }  // namespace

@@ -226,8 +226,8 @@ TEST(Residual, StaysFiniteAtTheEndsOfItsRanges) {
   element::ElementDescription law = typicalResidual();
   law.values["relaxation_times"] = {1e-9, 1e-9, 1.0, 1e30};
   law.values["amplitude_time"] = {1e-9};
-  law.values["resonances"] = {1e9, 1e-300, 1.0, 1.0, 1.0, 1.0, 1.0, 1e9};
-  law.values["stops"] = {1e-300, 1e30, 1.0, 1.0, 1.0, 1.0};
+  law.values["resonances"] = {1e9, 1e-100, 1.0, 1.0, 1.0, 1.0, 1.0, 1e9};
+  law.values["stops"] = {1e-100, 1e30, 1.0, 1.0, 1.0, 1.0};
   law.values["weights"] = std::vector<double>(44, 1e30);
   WithState component({law});
   for (const double dt : {1e-9, 1e-3, 1e9}) {
