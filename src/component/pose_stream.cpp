@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "element/largest_number.h"
+
 namespace rubber_suspension::component {
 
 Eigen::Isometry3d poseOf(const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation) {
@@ -32,6 +34,8 @@ StreamWrench PoseStream::push(std::int64_t stamp, const Eigen::Vector3d& positio
     result.coordinates = component_.coordinates(pose);
     if (!component_.holds(result.coordinates)) {
       result.acceptance = Acceptance::beyond_measure;
+    } else if (position.lpNorm<Eigen::Infinity>() > element::kLargestNumber) {
+      result.acceptance = Acceptance::force_not_finite;  // a delay would give a force that is not finite later
     } else {
       result.force = advance(result.acceptance, stamp, pose);
       if (!result.force.wrench.force.allFinite() || !result.force.wrench.moment.allFinite()) {

@@ -1,6 +1,7 @@
 // The rules for time of a stream of samples.
 #include "rubber_suspension/component/sample_stream.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -114,11 +115,17 @@ element::ComponentForce SampleStream::advance(Acceptance acceptance, std::int64_
   return component_.step(state_, dt, displacement);
 }
 
+// A displacement can be finite and yet too large for a law that stiffens; the state must not keep that. Nor may a delay
+// or a filter keep one whose later force would overflow.
 StreamForce SampleStream::pushAny(std::int64_t stamp, double displacement) {
   StreamForce result{judge(stamp, std::isfinite(displacement)), {}};
   if (isAccepted(result.acceptance)) {
+    if (std::abs(displacement) > kLargest) {
+      count(Acceptance::force_not_finite);
+      return {Acceptance::force_not_finite, {}};
+    }
     result.force = advance(result.acceptance, stamp, displacement);
-    if (!std::isfinite(result.force.total) || (std::abs(displacement) > kLargestUnasked && !state_.isFinite())) {
+    if (!std::isfinite(result.force.total)) {
       return refuseForce();
     }
     last_stamp_ = stamp;
@@ -128,8 +135,6 @@ StreamForce SampleStream::pushAny(std::int64_t stamp, double displacement) {
   return result;
 }
 
-// A displacement can be finite and yet too large for a law that stiffens, or for what is kept of it until a delay is
-// over; the state must not keep that.
 StreamForce SampleStream::refuseForce() {
   rollBack();
   count(Acceptance::force_not_finite);
@@ -155,9 +160,10 @@ std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displ
   return size;
 }
 
-// False, and nothing has happened, where a displacement or a force is not finite.
+// False, and nothing has happened, where a displacement is too large or a force is not finite.
 bool SampleStream::pushRun(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force) {
-  if (!kernel::allFinite(displacement, count)) {
+  const Eigen::Map<const Eigen::ArrayXd> run(displacement, static_cast<Eigen::Index>(count));
+  if (!(run.abs().maxCoeff<Eigen::PropagateNaN>() <= kLargest)) {
     return false;
   }
   save();

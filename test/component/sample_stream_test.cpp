@@ -169,8 +169,7 @@ TEST_F(Stream, RestoredStreamContinuesBitByBit) {
 }
 
 // Samples whose force overflows, at any distance from each other, against a stream that never gets them.
-void expectNoTraceOfOverflows(const component::Component& component) {
-  constexpr double kTooFar = 1e304;  // [m]; times any stiffness is infinite
+void expectNoTraceOfOverflows(const component::Component& component, double too_far) {
   component::SampleStream stream(component);
   component::SampleStream untouched(component);
   std::mt19937 random(1);
@@ -178,7 +177,7 @@ void expectNoTraceOfOverflows(const component::Component& component) {
   for (int i = 0; i < 3000; ++i) {
     stamp += random() % 500 == 0 ? -2000 * kMs : static_cast<std::int64_t>(1 + random() % 3) * kMs;  // with restarts
     if (random() % 50 == 0) {
-      EXPECT_EQ(stream.push(stamp, kTooFar).acceptance, component::Acceptance::force_not_finite);
+      EXPECT_EQ(stream.push(stamp, too_far).acceptance, component::Acceptance::force_not_finite);
     }
     std::array<double, 1> force{};
     const double displacement = 1e-3 * std::sin(0.1 * i);
@@ -195,9 +194,23 @@ void expectNoTraceOfOverflows(const component::Component& component) {
 }
 
 TEST_F(Stream, ForcesThatOverflowLeaveNoTrace) {
-  expectNoTraceOfOverflows(component_);
-  expectNoTraceOfOverflows(
-      component::Component(component_.elements() + Entries{entry("stress_softening reduction=0.3")}));
+  constexpr double kNoDisplacement = 1e31;  // [m]; refused without a step
+  constexpr double kTooFar = 1e30;          // [m]; of whose force there is no number
+  const Entries stop = {entry("bump_stop gap=1 stiffness=1e30 exponent=3 reference_depth=1e-99")};
+  const Entries softening = {entry("stress_softening reduction=0.3")};
+  expectNoTraceOfOverflows(component_, kNoDisplacement);
+  expectNoTraceOfOverflows(component::Component(component_.elements() + stop), kTooFar);
+  expectNoTraceOfOverflows(component::Component(component_.elements() + stop + softening), kTooFar);
+}
+
+// A delay would hold it, and give a force that is not finite one sample later.
+TEST_F(Stream, RefusesADisplacementBeyondAnyComponentWhenItComes) {
+  const component::Component delayed(component_.elements() + Entries{entry("time_delay delay=5e-3")});
+  component::SampleStream stream(delayed);
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_TRUE(component::isAccepted(stream.push(2 * i * kMs, 1e-3).acceptance)) << i;
+    EXPECT_EQ(stream.push((2 * i + 1) * kMs, 1e306).acceptance, component::Acceptance::force_not_finite);
+  }
 }
 
 TEST_F(Stream, PushAllocatesNothing) {

@@ -283,7 +283,7 @@ TEST_P(Steps, AForceThatIsNotFiniteTakesASavedStateToGoOn) {
   std::vector<element::ElementDescription> elements = stiffening().allElements();
   // Its force overflows at the largest displacement that is accepted.
   elements.push_back(
-      {"bump_stop", {{"gap", {1.0}}, {"stiffness", {1e6}}, {"exponent", {3.0}}, {"reference_depth", {1e-140}}}});
+      {"bump_stop", {{"gap", {1.0}}, {"stiffness", {1e30}}, {"exponent", {3.0}}, {"reference_depth", {1e-99}}}});
   const io::ComponentDescription description("stiffening", elements);
   const LoadedFmu fmu(description, GetParam());
   const auto importer = Importer::make(fmu, fmu.guid());
@@ -293,6 +293,8 @@ TEST_P(Steps, AForceThatIsNotFiniteTakesASavedStateToGoOn) {
   ASSERT_EQ(importer->set(reference::kDisplacement, element::kLargestNumber), kOk);
   EXPECT_EQ(importer->step(0.0, 1e-3), kError);
   EXPECT_EQ(importer->step(1e-3, 1e-3), kError);
+  double no_force = 0.0;
+  EXPECT_EQ(importer->get(&reference::kForce, 1, &no_force), kError);
   EXPECT_EQ(importer->set(reference::kDisplacement, 1e-3), kError);
   void* spoilt = nullptr;
   EXPECT_EQ(importer->save(&spoilt), kError);

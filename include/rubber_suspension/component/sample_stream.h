@@ -88,7 +88,7 @@ class SampleStream : public StampedStream {
   __attribute__((always_inline)) StreamForce push(std::int64_t stamp, double displacement) {
     // As far from the sample before as one that was accepted: nothing is left to check but the numbers.
     if (stamp <= last_stamp_ || between(last_stamp_, stamp) != usual_.nanoseconds ||
-        !(std::abs(displacement) <= kLargestUnasked) || step_count_ == kMostSteps) {
+        !(std::abs(displacement) <= kLargest) || step_count_ == kMostSteps) {
       return pushAny(stamp, displacement);
     }
     steps_[step_count_++] = {usual_.seconds, displacement};
@@ -128,8 +128,8 @@ class SampleStream : public StampedStream {
     double dt;            // [s]
     double displacement;  // [m]
   };
-  static constexpr std::size_t kMostSteps = 64;    // all of which are repeated where a force is not finite
-  static constexpr double kLargestUnasked = 1e30;  // [m]; beyond it the state may overflow before the force does
+  static constexpr std::size_t kMostSteps = 64;  // all of which are repeated where a force is not finite
+  static constexpr double kLargest = 1e30;       // [m]; beyond any component, and what a delay holds stays finite
 
   // A time between samples that was accepted; none before the first.
   struct Interval {

@@ -113,7 +113,7 @@ void Instance::assign(Reference reference, double value) {
 
 void Instance::getAll(const Reference* references, std::size_t count, double* values) {
   refuseIf(count > 0 && (references == nullptr || values == nullptr), "get: a null pointer");
-  require(now_.phase != Phase::instantiated, "get");
+  require(now_.phase != Phase::instantiated && now_.phase != Phase::failed, "get");
   for (std::size_t i = 0; i < count; ++i) {
     refuseIf(references[i] >= table_.variables().size(), "get: no variable has the reference {}", references[i]);
   }
