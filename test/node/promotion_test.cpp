@@ -93,6 +93,18 @@ TEST(Promotion, TakesTheForceOverWithinItsBoundAndGivesItBack) {
   EXPECT_TRUE(channel.running().other_sha256.empty());
 }
 
+// Two forces near the ends of a double, whose difference has no number.
+TEST(Promotion, ACrossFadeDoesNotOverflow) {
+  element::ComponentForce low;
+  element::ComponentForce high;
+  low.total = low.elastic = -1e308;
+  high.total = high.elastic = 1e308;
+  for (const double weight : {0.0, 0.25, 0.5, 1.0}) {
+    const double blended = node::CrossFade(kSettings, RunStage::promoting, weight).blend(low, high).total;
+    EXPECT_NEAR(blended, (2.0 * weight - 1.0) * 1e308, 1e293);
+  }
+}
+
 TEST(Promotion, TellsWhatRuns) {
   node::ComponentChannel channel(configured(), 0.5, kSettings);
   run(channel, 0, 10);
@@ -154,13 +166,14 @@ TEST(Promotion, RefusesWhatCannotBe) {
 
 TEST(Promotion, AForceThatIsNotFiniteEndsItAtOnce) {
   io::ComponentDescription wild = configured();
-  wild.add = {{"progressive_stiffness", {{"cubic", {1e9}}}}};
+  wild.add = {
+      {"bump_stop", {{"gap", {1.0}}, {"stiffness", {1e30}}, {"exponent", {3.0}}, {"reference_depth", {1e-99}}}}};
   node::ComponentChannel channel(configured(), 0.5, kSettings);
   channel.promote(wild);
   run(channel, 0, 3000);
   ASSERT_EQ(channel.running().stage, RunStage::promoted);
   element::ComponentForce result;
-  ASSERT_TRUE(channel.push(3000 * kMillisecond, 1e150, result));  // its cube overflows
+  ASSERT_TRUE(channel.push(3000 * kMillisecond, 1e30, result));  // its power overflows
   EXPECT_TRUE(std::isfinite(result.total));
   EXPECT_EQ(channel.running().stage, RunStage::configured);
   EXPECT_THAT(channel.running().note, HasSubstr("not finite"));
