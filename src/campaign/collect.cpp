@@ -99,7 +99,7 @@ CollectSummary collect(const Manifest& manifest, const std::string& folder) {
   Fleet fleet;
   std::vector<std::string> rows;
   for (const Job& job : manifest.jobs) {
-    const FoundRecord found = findRecord(folder, job.id, manifest.version);
+    const FoundRecord found = findRecord(folder, job.id, manifest.version, FileCheck::digests);
     const Record* const record = found.record ? &*found.record : nullptr;
     if (!found.problem.empty()) {
       summary.broken.push_back(found.problem);

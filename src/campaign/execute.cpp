@@ -122,12 +122,12 @@ ordered_json replayValues(const log::Log& log, const gap::Replay& replay) {
   return values;
 }
 
-std::map<std::string, std::uint64_t> filesIn(const std::string& folder) {
-  std::map<std::string, std::uint64_t> files;
+std::map<std::string, io::FileHash> filesIn(const std::string& folder) {
+  std::map<std::string, io::FileHash> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (entry.is_regular_file() && name.front() != '.') {  // a hidden one is what a killed process was writing
-      files[name] = entry.file_size();
+      files[name] = io::hashFile(entry.path());
     }
   }
   return files;

@@ -1,6 +1,8 @@
 // Records as JSON files.
 #include "campaign/record.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -32,18 +34,22 @@ std::string withDigest(std::string text) {
 
 ordered_json recordJson(const Record& record) {
   const Findings& findings = record.findings;
+  ordered_json files = ordered_json::object();
+  for (const auto& [name, content] : record.files) {
+    files[name] = {{"size", content.size}, {"sha256", content.sha256}};
+  }
   ordered_json evidence = {{"effects", findings.effects}, {"changes", findings.changes}};
   if (findings.verdict) {
     evidence["verdict"] = toString(*findings.verdict);
   }
-  return {{"schema", "rubber_suspension/job_record/3"},
+  return {{"schema", "rubber_suspension/job_record/4"},
           {"id", record.id},
           {"version", record.version},
           {"status", record.failed() ? "failed" : "done"},
           {"error", record.error},
           {"values", record.values},
           {"evidence", evidence},
-          {"files", record.files},
+          {"files", files},
           {"seconds", record.seconds}};
 }
 
@@ -66,7 +72,9 @@ Record recordFromText(const std::string& text) {
   }
   evidence.at("effects").get_to(record.findings.effects);
   evidence.at("changes").get_to(record.findings.changes);
-  json.at("files").get_to(record.files);
+  for (const auto& [name, content] : json.at("files").items()) {
+    record.files[name] = {content.at("sha256"), content.at("size")};
+  }
   json.at("seconds").get_to(record.seconds);
   return record;
 }
@@ -83,19 +91,21 @@ std::string otherKind(const std::string& path) {
 
 // Throws std::runtime_error for a record of something else, or whose report is not there as it was written.
 void check(const Record& record, const std::string& text, const std::string& folder, const std::string& id,
-           const std::string& version) {
+           const std::string& version, FileCheck files) {
   using Error = std::runtime_error;
   element::refuseIf<Error>(record.id != id, "the record of another job");
   element::refuseIf<Error>(record.version != version, "of version {}, not {}", record.version, version);
   const std::size_t digest = text.rfind(kDigestKey);
   element::refuseIf<Error>(digest == std::string::npos || withDigest(text.substr(0, digest) + "}") != text,
                            "was changed since it was written");
-  for (const auto& [name, size] : record.files) {
+  for (const auto& [name, content] : record.files) {
     const std::string path = folder + "/" + reportFolder(record.id) + "/" + name;
     std::error_code missing;
     const std::uintmax_t found = fs::file_size(path, missing);
     element::refuseIf<Error>(bool(missing), "{} is missing", path);
-    element::refuseIf<Error>(found != size, "{} has {} bytes, not {}", path, found, size);
+    element::refuseIf<Error>(found != content.size, "{} has {} bytes, not {}", path, found, content.size);
+    element::refuseIf<Error>(files == FileCheck::digests && io::hashFile(path).sha256 != content.sha256,
+                             "{} was changed since it was written", path);
   }
 }
 
@@ -120,10 +130,15 @@ void writeRecord(const Record& record, const std::string& folder) {
   log::writeNewFile(path, withDigest(recordJson(record).dump(-1, ' ', false, ordered_json::error_handler_t::replace)));
 }
 
-FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version) {
+FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version, FileCheck files) {
+  constexpr std::uintmax_t kLargest = std::uintmax_t{16} << 20;  // bytes; ten thousand values are a fraction of this
   const std::string path = recordPath(folder, id);
   if (const std::string kind = otherKind(path); !kind.empty()) {  // a pipe would have its reader wait
     return {std::nullopt, path + ": is " + kind + ", not a record"};
+  }
+  std::error_code unknown;  // opening it says why
+  if (const std::uintmax_t size = fs::file_size(path, unknown); !unknown && size > kLargest) {
+    return {std::nullopt, fmt::format("{}: has {} bytes; a record has at most {}", path, size, kLargest)};
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) {
@@ -132,7 +147,7 @@ FoundRecord findRecord(const std::string& folder, const std::string& id, const s
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   try {
     Record record = recordFromText(text);
-    check(record, text, folder, id, version);
+    check(record, text, folder, id, version, files);
     return {std::move(record), ""};
   } catch (const ordered_json::exception&) {
     return {std::nullopt, path + ": cut off, or no record"};

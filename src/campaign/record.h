@@ -1,13 +1,13 @@
 // Files of a finished job: a record of its findings or its error, and the files of its report.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/sha256.h"
 #include "rubber_suspension/diagnosis/verdict.h"
 
 namespace rubber_suspension::campaign {
@@ -26,8 +26,8 @@ struct Record {
   std::string error;                                                 ///< why it failed; empty: done
   nlohmann::ordered_json values = nlohmann::ordered_json::object();  ///< numbers and texts by name, for the table
   Findings findings{};
-  std::map<std::string, std::uint64_t> files{};  ///< of the report: size [bytes] by name
-  double seconds = 0.0;                          ///< that the job took
+  std::map<std::string, io::FileHash> files{};  ///< of the report, by name
+  double seconds = 0.0;                         ///< that the job took
 
   bool failed() const { return !error.empty(); }
 };
@@ -46,7 +46,10 @@ struct FoundRecord {
   std::string problem;  ///< of one that is cut off or changed, of another version or job, or with a damaged report
 };
 
-/// Read and check it.
-FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version);
+/// How the files of a report are compared with the record: by size, which is fast, or by size and digest.
+enum class FileCheck { sizes, digests };
+
+/// Reads and checks a job's record.
+FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version, FileCheck check);
 
 }  // namespace rubber_suspension::campaign

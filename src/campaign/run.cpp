@@ -66,7 +66,8 @@ std::vector<std::size_t> jobsToDo(const Manifest& manifest, const std::string& f
     if (!options.shard.holds(place)) {
       continue;
     }
-    const FoundRecord found = findRecord(folder, manifest.jobs[distinct[place]].id, manifest.version);
+    const FoundRecord found =
+        findRecord(folder, manifest.jobs[distinct[place]].id, manifest.version, FileCheck::digests);
     if (found.record && !(options.retry_failed && found.record->failed())) {
       ++summary.passed_over;
       summary.failed_before += found.record->failed() ? 1 : 0;

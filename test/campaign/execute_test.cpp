@@ -32,7 +32,8 @@ class ExecuteJob : public ::testing::Test {
     const campaign::Manifest manifest =
         campaign::makeManifest(folder_.path("jobs.yaml"), folder_.path("out"), "1.0", 1, readTestLog).manifest;
     campaign::Record record = campaign::executorOf(folder_.path("out"), manifest, readTestLog)(manifest.jobs.at(0));
-    const campaign::FoundRecord found = campaign::findRecord(folder_.path("out"), manifest.jobs[0].id, "1.0");
+    const campaign::FoundRecord found =
+        campaign::findRecord(folder_.path("out"), manifest.jobs[0].id, "1.0", campaign::FileCheck::digests);
     EXPECT_EQ(found.problem, "");
     EXPECT_EQ(found.record.value().values.dump(),
               record.values.dump());  // a number that is not finite is written as null

@@ -269,7 +269,7 @@ TEST(FleetFile, ListsComponentsWithTheirReports) {
   one.test_piece = "<script>";
   campaign::Record record = diagnosis(diagnosis::Verdict::named, {"friction"});
   record.id = one.id;
-  record.files["report.html"] = 1;
+  record.files["report.html"] = {};
   fleet.add(one, record);
   campaign::CollectSummary summary;
   summary.done = 1;

@@ -67,7 +67,7 @@ class RunCampaign : public ::testing::Test {
   }
 
   campaign::FoundRecord found(const campaign::Manifest& manifest, std::size_t job) {
-    return campaign::findRecord(folder_.path("out"), manifest.jobs[job].id, kVersion);
+    return campaign::findRecord(folder_.path("out"), manifest.jobs[job].id, kVersion, campaign::FileCheck::digests);
   }
 
   void expectSameTables(const std::string& other) {
@@ -179,6 +179,28 @@ TEST_F(RunCampaign, ADigitThatChangesIsToldAndDoneAgain) {
   EXPECT_THAT(collect().broken, ElementsAre(HasSubstr(path)));
   EXPECT_EQ(run().done, 1U);
   EXPECT_THAT(said_, ElementsAre(HasSubstr("the job is done again")));
+}
+
+// A digit of a force that changes leaves the file's size as it was.
+TEST_F(RunCampaign, AChangedDigitOfAReportIsToldAndDoneAgain) {
+  const campaign::Manifest manifest = make();
+  run();
+  const std::string path = folder_.path("out/") + reportPath(*found(manifest, 0).record);
+  std::string forces = contentOf(path);
+  char& last = forces[forces.find_last_of("0123456789")];
+  last = last == '5' ? '6' : '5';
+  std::ofstream(path, std::ios::binary) << forces;
+  EXPECT_EQ(statusOf(manifest).all.broken, 0U) << "it compares sizes";
+  EXPECT_THAT(collect().broken, ElementsAre(AllOf(HasSubstr(path), HasSubstr("was changed since it was written"))));
+  EXPECT_EQ(run().done, 1U);
+  EXPECT_THAT(collect().broken, IsEmpty());
+}
+
+TEST_F(RunCampaign, AHugeRecordIsNotRead) {
+  const campaign::Manifest manifest = make();
+  run();
+  std::filesystem::resize_file(recordPath(manifest, 0), std::uintmax_t{5} << 30);
+  EXPECT_THAT(statusOf(manifest).broken, ElementsAre(HasSubstr("has 5368709120 bytes; a record has at most 16777216")));
 }
 
 TEST_F(RunCampaign, APipeOrFolderInPlaceOfARecordIsToldAndDoneAgain) {
