@@ -233,6 +233,16 @@ std::optional<CsvHeader> HeaderFinder::add(const TextLine& line) {
   return lines_.size() < 3 ? std::nullopt : candidate(lines_.size() - 3);
 }
 
+std::optional<CsvHeader> HeaderFinder::atEnd() const {
+  for (std::size_t i = lines_.size() < 3 ? 0 : lines_.size() - 2; i < lines_.size(); ++i) {
+    const auto found = candidate(i);
+    if (found && found->next_line <= lines_.back().number) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
 CsvHeader HeaderFinder::finish() {
   for (std::size_t i = lines_.size() < 3 ? 0 : lines_.size() - 2; i < lines_.size(); ++i) {
     if (const auto found = candidate(i)) {
@@ -367,9 +377,10 @@ void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
     return;
   }
   const bool two_rows = !units.empty() && are_names(second);
+  std::vector<std::string> above = unitsAbove(header, row - 1, first.size());
+  above.resize(above.empty() ? 0 : count);
   first.resize(count);  // without names where the rows end in separators
   second.resize(count);
-  const std::vector<std::string> above = unitsAbove(header, row - 1, count);
   const bool units_alone = !two_rows && !units.empty() && std::all_of(units.begin(), units.end(), unitInField);
   for (std::size_t i = 0; i < count && units_alone; ++i) {
     header.names[i] = parseColumnName(header.names[i].text, units[i]);

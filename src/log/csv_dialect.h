@@ -65,6 +65,9 @@ class HeaderFinder {
   /// Add the next line; returns the header as soon as the lines behind it confirm it.
   std::optional<CsvHeader> add(const TextLine& line);
 
+  /// The header of a file that ends here, with a row behind it.
+  std::optional<CsvHeader> atEnd() const;
+
   /// The header of a file that ends here, or the line that most looks like one. Throws std::runtime_error where there
   /// is none.
   CsvHeader finish();

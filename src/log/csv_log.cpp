@@ -255,7 +255,8 @@ class CsvLogReader {
     const bool behind_blank = blank_line_ != 0;
     std::vector<TextLine> head = {{line_, line}};
     HeaderFinder finder(format_);
-    const auto header = searchHeader(finder, head);
+    auto header = searchHeader(finder, head);
+    header = header ? header : finder.atEnd();
     if (!header || (header->line == 0 && !behind_blank)) {
       throw RowError(error_line, error.what());
     }

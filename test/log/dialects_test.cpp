@@ -1,6 +1,7 @@
 // Logs as instruments and spreadsheets write them, drawn at random: separator, decimal mark, marks between thousands,
-// units in the header or in a row of their own, a time as a number, a clock or a date, several logs in one file, cells
-// that were not measured. Each writer knows what its file says.
+// units in the header, in a row of their own below brackets or in the preamble, a time as a number, a clock or a date,
+// several logs in one file, headers that repeat within a log, cells that were not measured, statistics below the data.
+// Each writer knows what its file says.
 #include "log/read_text.h"
 #include "support/test.h"
 
@@ -44,15 +45,23 @@ class Dialect {
     style_ = draw_.of(std::array<TimeStyle, 3>{TimeStyle::number, TimeStyle::clock, TimeStyle::date});
     trailing_ = draw_.chance();
     end_ = draw_.chance() ? "\r\n" : "\n";
+    brackets_ = draw_.upTo(3) == 0;
+    statistics_ = draw_.upTo(3) == 0;
+    buffer_ = draw_.upTo(3) == 0 ? 20 + draw_.upTo(60) : 0;
     const int segments = draw_.upTo(3) == 0 ? 1 + draw_.upTo(2) : 1;
     for (int i = 0; i < segments; ++i) {
       addSegment();
+    }
+    if (statistics_) {
+      addCells({"Min", numberText(-4321), numberText(-3000000)});
+      addCells({"Mittelwert", numberText(0), numberText(12)});
     }
   }
 
   const std::string& text() const { return text_; }
   const std::vector<std::vector<Sample>>& logs() const { return logs_; }
   std::size_t leftOut() const { return left_out_; }
+  std::size_t repeats() const { return repeats_; }
   std::int64_t startMs() const { return style_ == TimeStyle::number ? 0 : kBeforeMidnight; }
   TimeStyle style() const { return style_; }
 
@@ -63,7 +72,10 @@ class Dialect {
     if (!logs_.empty()) {
       text_ += end_;
     }
+    preamble_ = draw_.upTo(3);
+    const std::size_t begin = text_.size();
     addHeader();
+    const std::string header = text_.substr(begin);
     std::vector<Sample> samples;
     const int count = 150 + draw_.upTo(200);
     const bool gaps = draw_.chance();
@@ -73,6 +85,10 @@ class Dialect {
       Sample sample{10 * i, std::llround(4321.0 * std::sin(angle)),
                     std::llround(static_cast<double>(scale) * std::sin(angle + 0.1))};
       const bool bad = gaps && i == count / 2;
+      if (buffer_ > 0 && i > 0 && i % buffer_ == 0) {
+        text_ += (draw_.chance() ? end_ : "") + header;
+        ++repeats_;
+      }
       addRow(sample, bad);
       left_out_ += bad ? 1 : 0;
       sample.has_force = !bad;
@@ -83,7 +99,7 @@ class Dialect {
 
   void addHeader() {
     const char* time = style_ == TimeStyle::number ? "Time" : "Timestamp";
-    if (draw_.chance()) {
+    if (preamble_ % 2 == 1) {
       text_ += fmt::format("Bench 7{}Operator: lab{}", end_, end_);
     }
     const std::string time_unit = style_ == TimeStyle::number ? "Sec" : "";
@@ -92,6 +108,18 @@ class Dialect {
     if (units_row_) {
       std::vector<std::string> names = {time, "Travel", "Axial Load"};
       std::vector<std::string> units = {time_unit, mm, newton};
+      if (brackets_) {
+        names = {time, "Travel (Ch 1)", draw_.of(std::array<const char*, 2>{"Force (Ch 2)", "Load (A)"})};
+        addCells(names);
+        addCells(units);
+        return;
+      }
+      if (preamble_ == 2 && style_ == TimeStyle::number) {  // units in the preamble, behind a cell that says so
+        addCells({"Channel", "1", "2", "3"});
+        addCells({"Units", time_unit, mm, newton});
+        addCells(names);
+        return;
+      }
       const int below = 1 + draw_.upTo(1);  // one unit stands there at least, others may stand in the name
       for (int i = 0; i < 3; ++i) {
         if (i != below && !units[i].empty() && draw_.chance()) {
@@ -157,6 +185,11 @@ class Dialect {
   bool quotes_ = false;
   bool units_row_ = false;
   bool trailing_ = false;
+  bool brackets_ = false;    // of names, that hold no unit
+  bool statistics_ = false;  // below the data
+  int buffer_ = 0;           // rows behind which the header repeats; 0: it does not
+  int preamble_ = 0;
+  std::size_t repeats_ = 0;
   TimeStyle style_ = TimeStyle::number;
   std::string end_;
   std::string text_;
@@ -190,15 +223,19 @@ TEST(Dialects, SayWhatTheirWriterWrote) {
     const std::vector<log::Log> logs = log::readLogs(file.path(), format);
     ASSERT_EQ(logs.size(), dialect.logs().size());
     std::size_t noted = 0;
+    std::size_t repeats = 0;
     for (std::size_t i = 0; i < logs.size(); ++i) {
       expectLog(logs[i], dialect.logs()[i], dialect);
       for (const std::string& note : logs[i].notes) {
         noted += note.find("have a force") != std::string::npos ? 1 : 0;
+        const std::size_t repeat = note.find("the header repeats ");
+        repeats += repeat != std::string::npos ? std::stoul(note.substr(repeat + 19)) : 0;
       }
       format.segment = i + 1;
       expectLog(log::readLog(file.path(), format), dialect.logs()[i], dialect);
       format.segment = log::kAllSegments;
     }
+    EXPECT_EQ(repeats, dialect.repeats());
     EXPECT_EQ(noted, dialect.leftOut());  // each log lacks one at most
     if (logs.size() > 1) {
       EXPECT_THROW(log::readLog(file.path()), log::LogError);
@@ -422,6 +459,8 @@ TEST(Segments, AreNoneWhereAHeaderRepeatsAndTimeContinues) {
     EXPECT_THAT(refusalOf(head + rows(0, 50) + buffer + rows(first, 50)), HasSubstr("2 logs in one file")) << first;
   }
   EXPECT_EQ(readText(head + rows(0, 50) + buffer + rows(52, 50)).size(), 100U);
+  const std::string plain = "Time [s]\tTravel [mm]\n0\t1\n1\t2\n2\t3\n";
+  EXPECT_EQ(readText(plain + "Buffer\t2\t0\nTime [s]\tTravel [mm]\n3\t4\n").size(), 4U);
   const std::string newtons = "Running Time\tAxial Displacement\tAxial Force\nSec\tmm\tN\n";
   EXPECT_THAT(refusalOf(head + rows(0, 50) + "\n" + newtons + rows(50, 50)), HasSubstr("2 logs in one file"));
 }
