@@ -27,6 +27,7 @@ struct Options {
   std::string output;
   std::string plot;
   bool compare = false;
+  bool remove_offset = false;
   AgreementOptions agreement;
   LogOptions log_options;
 
@@ -41,6 +42,9 @@ struct Options {
         Option("--compare", compare,
                "table of the agreement with the measured force: RMS, peak error, energy per cycle, ISO/TS 18571"),
         agreement.table(),
+        Option("--remove-offset", remove_offset,
+               "take the mean of the difference to the measured force out of the gap that is printed")
+            .rare(),
         plotOption(plot, "forces over time and displacement"),
         log_options.table()};
     return options.needs({"--limits", "--json"}, {"--compare"});
@@ -100,10 +104,11 @@ int publishAgreement(const Options& options, const std::string& component,
 // Writes the forces, or wrenches, by `write`, and says what they come to.
 template <class Log, class Loads, class Replay>
 int publish(const Options& options, const std::string& component, const Log& log, const Loads& loads,
-            const Replay& replay, void (*write)(const std::string&, const Log&, const Loads&)) {
+            const Replay& replay, void (*write)(const std::string&, const Log&, const Loads&),
+            const std::string& summary) {
   during("writing " + options.output, [&] { write(options.output, log, loads); });
   drawPlot(options.plot, [&] { return gap::replayFigure(component, log, loads); });
-  std::cout << gap::summary(component, log, replay) << "\n" << options.output << '\n';
+  std::cout << summary << "\n" << options.output << '\n';
   return options.compare ? publishAgreement(options, component, compare(log, replay, options.agreement.limits()))
                          : kSuccess;
 }
@@ -118,7 +123,8 @@ int runPoses(const Options& options, const io::ComponentDescription& description
                                        result.beyond_valid, log.size(), component.laws().valid_rotation));
   }
   noteBridged(options, result.counters.bridged);
-  return publish(options, description.name, log, result.wrench, result, &log::writeWrenchCsv);
+  return publish(options, description.name, log, result.wrench, result, &log::writeWrenchCsv,
+                 gap::summary(description.name, log, result));
 }
 
 int run(const Options& options) {
@@ -126,10 +132,13 @@ int run(const Options& options) {
   options.log_options.requireUse({options.log});
   const io::ComponentDescription description = options.component.readAny("replay");
   if (description.six) {
+    element::refuseIf<std::invalid_argument>(
+        options.remove_offset, "--remove-offset: component '{}' has six directions; accepted: one direction",
+        description.name);
     return runPoses(options, description);
   }
   const log::Log log = options.log_options.read("replay", options.log, description.name);
-  if (options.compare) {
+  if (options.compare || options.remove_offset) {
     log::requireForce(log);
   }
   const gap::Replay result = gap::replay(description.makeComponent(), log);
@@ -137,7 +146,9 @@ int run(const Options& options) {
   warnOf("replay", options.log, gap::oddMotion(log, result.force, gap::motionScaleOf(description)));
   warnOf("replay", options.log, gap::beyondValid(log, description));
   noteBridged(options, result.bridged);
-  return publish(options, description.name, log, result.force, result, &log::writeForceCsv);
+  return publish(
+      options, description.name, log, result.force, result, &log::writeForceCsv,
+      gap::summary(description.name, log, result, options.remove_offset ? gap::Offset::removed : gap::Offset::kept));
 }
 
 }  // namespace

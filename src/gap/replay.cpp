@@ -100,6 +100,18 @@ io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, c
                                   sample + 1, log.displacement[sample]));
 }
 
+// Of measured less simulated force, over the samples that count [N].
+double meanDifference(const log::Log& log, const std::vector<double>& force) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const bool counts = log.counts.empty() || log.counts[i] > 0.0;
+    sum += counts ? log.force[i] - force[i] : 0.0;
+    count += counts ? 1.0 : 0.0;
+  }
+  return sum / count;
+}
+
 }  // namespace
 
 void checkTemperature(const component::Component& component, const log::Log& log, std::size_t first) {
@@ -151,17 +163,26 @@ Replay replay(const component::Component& component, const log::Log& log) {
   return {std::move(force), counters.bridged};
 }
 
-std::string summary(const std::string& component, const log::Log& log, const Replay& replay) {
+std::string summary(const std::string& component, const log::Log& log, const Replay& replay, Offset offset) {
   const auto range = std::minmax_element(replay.force.begin(), replay.force.end());
   const double duration = log.duration(0, log.size() - 1);
   std::string text = fmt::format("{}: {} samples, {:.6g} s, force {:.6g} to {:.6g} N", component, log.size(), duration,
                                  *range.first, *range.second);
   const bool varies = !log.force.empty() && *std::min_element(log.force.begin(), log.force.end()) <
                                                 *std::max_element(log.force.begin(), log.force.end());
-  if (varies) {
-    text += fmt::format(", gap to the measured force {:.4f}", relativeGap(log.force, replay.force, log.counts));
+  if (!varies) {
+    return text;
   }
-  return text;
+  if (offset == Offset::kept) {
+    return text + fmt::format(", gap to the measured force {:.4f}", relativeGap(log.force, replay.force, log.counts));
+  }
+  const double mean = meanDifference(log, replay.force);
+  std::vector<double> force = replay.force;
+  for (double& one : force) {
+    one += mean;
+  }
+  return text + fmt::format(", gap to the measured force {:.4f} without an offset of {:.4g} N",
+                            relativeGap(log.force, force, log.counts), mean);
 }
 
 io::Figure replayFigure(const std::string& component, const log::Log& log, const std::vector<double>& force,

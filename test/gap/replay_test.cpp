@@ -49,6 +49,12 @@ TEST(Summary, HasTheGapOnlyWithAMeasuredForce) {
   EXPECT_THAT(gap::summary("bush", log, result), Not(HasSubstr("gap")));
   log.force = result.force;
   EXPECT_THAT(gap::summary("bush", log, result), HasSubstr("gap to the measured force 0.0000"));
+  for (double& force : log.force) {
+    force += 12.5;
+  }
+  EXPECT_THAT(gap::summary("bush", log, result), Not(HasSubstr("gap to the measured force 0.0000")));
+  EXPECT_THAT(gap::summary("bush", log, result, gap::Offset::removed),
+              HasSubstr("gap to the measured force 0.0000 without an offset of 12.5 N"));
 }
 
 // A long log of many cycles would be an area: the last cycles are drawn, the residual below, and the whole log by its

@@ -33,8 +33,12 @@ struct Replay {
 /// Simulate a log. Throws as simulateLog does.
 Replay replay(const component::Component& component, const log::Log& log);
 
+/// Whether a gap is as recorded, or without the mean of the difference.
+enum class Offset { kept, removed };
+
 /// One line for the terminal: samples, duration, range of the force and, with a measured force, the gap.
-std::string summary(const std::string& component, const log::Log& log, const Replay& replay);
+std::string summary(const std::string& component, const log::Log& log, const Replay& replay,
+                    Offset offset = Offset::kept);
 
 /// The names of the force of the log and of the other one in a figure, and what is drawn of them.
 struct ForceLabels {
