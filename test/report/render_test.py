@@ -155,7 +155,7 @@ class Reports(Folder):
         for answer in ("<h1>The model lacks friction: gap 12.0 % to 2.0 %.</h1>", ">maximum force</td>", ">6 kN</td>",
                        ">5.7 to 6.4 kN</td>", "friction 72 %", "other values 14 %", "left 14 %", "94 % is removed",
                        "92 to 100 %", ">97 %</span>", "all else", "class=\"s5 largest\">11</td>", ">2.0</td>",
-                       "at 2 to 4 Hz and 0.2 to 0.5 mm, most of it stiffness in", "Mean and drift have 1.0 % besides.",
+                       "at 2 to 4 Hz and 0.2 to 0.5 mm, most of it stiffness in", "<th>else</th>", ">1.0</td>",
                        "sine at 4 Hz", "<a href=\"next_experiment.csv\">next_experiment.csv</a>", "(2 s at 100 Hz",
                        "At 4 Hz the whole component has K = 2 kN/mm.", "whisker"):
             self.assertIn(answer, first)
@@ -173,6 +173,35 @@ class Reports(Folder):
         text = self.page(report()).text
         widths = re.findall(r"style=\"width:([\d.]+)%\"", text)
         self.assertEqual(widths[:6], ["14.0", "72.0", "14.0", "85.7", "14.3", "10.7"])
+
+    def test_what_was_removed_from_the_logs_is_a_part_of_the_bar(self):
+        content = report()
+        content["gap_as_recorded"]["augmented"] = 0.28
+        text = self.page(content).text
+        widths = re.findall(r"style=\"width:([\d.]+)%\"", text)
+        self.assertEqual(widths[:6], ["7.0", "36.0", "7.0", "42.9", "7.1", "92.9"])
+        self.assertIn("removed from the logs before", text)
+
+    def test_parts_end_with_the_rail(self):
+        content = report()
+        content["share_of_configured_gap"] = {"values": 0.9, "friction": 0.4}
+        widths = re.findall(r"style=\"width:([\d.]+)%\"", self.page(content).text)
+        self.assertEqual(widths[:3], ["90.0", "10.0", "0.0"])
+
+    def test_the_cells_of_the_map_add_up(self):
+        content = report()
+        content["where"] = [size([2.0, 4.0], [2e-4, 5e-4], "stiffness", 0.6, 0.6 * 0.14 ** 2),
+                            size([32.0, 64.0], [5e-4, 1e-3], "harmonics", 0.3, 0.3 * 0.14 ** 2),
+                            size([0.0, 50.0], [2e-4, 5e-4], "drift", 0.1, 0.1 * 0.14 ** 2)]
+        text = self.page(content).text
+        before = text[text.index("before: as configured"):text.index("after: augmented")]
+        cells = [float(cell) for cell in re.findall(r"class=\"s\d[^>]*>([\d.]+)</td>", before)]
+        self.assertAlmostEqual(sum(cell ** 2 for cell in cells) ** 0.5, 14.0, delta=0.5)
+
+    def test_candidates_that_are_not_named_are_of_the_full_law(self):
+        content = report()
+        content["candidates"][0]["law"], content["candidates"][1]["law"] = "written", "full"
+        self.assertEqual(self.page(content).shown.count("(full law)"), 1)
 
     def test_names_are_harmless_text(self):
         page = self.page(report())

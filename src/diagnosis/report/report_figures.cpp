@@ -35,6 +35,12 @@ std::vector<double> take(const Eigen::VectorXd& values, Eigen::Index first, Eige
   return result;
 }
 
+// What a component leaves of a record, in all figures: without what the rig may have added, as gaps are [N].
+Eigen::VectorXd leftOf(const Workings& workings, std::size_t r, const gap::Forces& simulated) {
+  const gap::PreparedRecord& record = workings.simulated.records[r];
+  return record.withoutRig(record.force - simulated[r]);
+}
+
 // The records where the re-estimated model is worst, hold-outs first where there are any.
 std::vector<std::size_t> worstRecords(const Diagnosis& diagnosis) {
   std::vector<std::size_t> order(diagnosis.workings->simulated.records.size());
@@ -45,7 +51,8 @@ std::vector<std::size_t> worstRecords(const Diagnosis& diagnosis) {
   }
   const auto gap = [&](std::size_t r) {
     const log::Record& record = diagnosis.workings->simulated.records[r];
-    return gap::gapOfResidual(record.force - diagnosis.workings->simulated.re_estimated[r], record.force_deviation);
+    return gap::gapOfResidual(leftOf(*diagnosis.workings, r, diagnosis.workings->simulated.re_estimated),
+                              record.force_deviation);
   };
   const auto first = order.begin() + static_cast<std::ptrdiff_t>(order.size() - diagnosis.workings->simulated.training);
   std::sort(first == order.begin() ? order.begin() : first, order.end(),
@@ -99,8 +106,13 @@ io::Figure loops(const Diagnosis& diagnosis) {
     io::Axes axes{fmt::format("{}{}, {:.4g} to {:.4g} s", record.name, r >= w.simulated.training ? " (held out)" : "",
                               static_cast<double>(first) * record.dt, static_cast<double>(first + count) * record.dt),
                   "displacement [mm]", "force [kN]"};
-    addForces(axes, take(record.raw_displacement, first, count, 1e3), take(record.force, first, count, 1e-3),
-              take(w.simulated.configured[r], first, count, 1e-3), take(w.simulated.augmented[r], first, count, 1e-3));
+    // What the rig added is taken out of the measured force about the augmented component; from there, each simulated
+    // force is as far off as its gap says.
+    const Eigen::VectorXd& after = w.simulated.augmented[r];
+    const Eigen::VectorXd measured = after + leftOf(w, r, w.simulated.augmented);
+    const Eigen::VectorXd before = measured - leftOf(w, r, w.simulated.configured);
+    addForces(axes, take(record.raw_displacement, first, count, 1e3), take(measured, first, count, 1e-3),
+              take(before, first, count, 1e-3), take(after, first, count, 1e-3));
     figure.axes.push_back(std::move(axes));
   }
   return figure;
@@ -181,7 +193,7 @@ io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
     for (const bool after : {false, true}) {
       const auto& simulated =
           after ? diagnosis.workings->simulated.augmented : diagnosis.workings->simulated.configured;
-      const Eigen::VectorXd residual = record.force - simulated[r];
+      const Eigen::VectorXd residual = leftOf(*diagnosis.workings, r, simulated);
       const std::string name = after ? "after, " : "before, ";
       axes.curves.push_back(meanOver(record, residual, 1.0, name + "rising", "-", after ? 2 : 1));
       axes.curves.push_back(meanOver(record, residual, -1.0, name + "falling", "--", after ? 2 : 1));
@@ -200,8 +212,9 @@ io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::Vec
   for (std::size_t r = 0; r < diagnosis.workings->simulated.records.size(); ++r) {
     const log::Record& record = diagnosis.workings->simulated.records[r];
     const Eigen::Index step = std::max(cyclesOf(record, 1.0), record.size() / kMostStretches);
+    const Eigen::VectorXd left = leftOf(*diagnosis.workings, r, simulated);
     for (Eigen::Index first = 0; first + step <= record.size(); first += step) {
-      const double gap = gap::gapOfResidual((record.force - simulated[r]).segment(first, step), record.force_deviation);
+      const double gap = gap::gapOfResidual(left.segment(first, step), record.force_deviation);
       curve.x.push_back(start + (static_cast<double>(first) + 0.5 * static_cast<double>(step)) * record.dt);
       curve.y.push_back(std::max(1e-5, gap));
     }
