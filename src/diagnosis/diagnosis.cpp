@@ -22,6 +22,7 @@
 #include "diagnosis/prepare/memory.h"
 #include "diagnosis/prepare/rig.h"
 #include "diagnosis/results/describe.h"
+#include "diagnosis/results/own_errors.h"
 #include "diagnosis/surveyed_logs.h"
 #include "diagnosis/words/sentence.h"
 #include "diagnosis/words/text.h"
@@ -80,14 +81,40 @@ Workings judged(const hypotheses::PreparedCase& prepared, hypotheses::Search sea
   return {std::move(search), std::move(evidence), options.evidence};
 }
 
+using Records = std::vector<gap::PreparedRecord>;
+
 // The logs of the fit with the rig's priors, and the models to be fitted to them.
-std::unique_ptr<hypotheses::PreparedCase> withRigPriors(const io::ComponentDescription& component,
-                                                        std::vector<log::Record> training,
-                                                        std::vector<log::Record> held_out) {
+std::unique_ptr<hypotheses::PreparedCase> withRigPriors(const io::ComponentDescription& component, Records training,
+                                                        Records held_out) {
   const fit::ModelParameters model(component, fit::Level::specification);
   prepare::LogsOfRig logs = prepare::withRigPriors(model, component.rig.value_or(io::RigTolerances{}),
                                                    hypotheses::errorScale(), std::move(training), std::move(held_out));
   return std::make_unique<hypotheses::PreparedCase>(component, std::move(logs.training), std::move(logs.held_out));
+}
+
+struct JudgedCase {
+  std::unique_ptr<hypotheses::PreparedCase> prepared;
+  Workings workings;
+};
+
+// The search and its judgement. What they find to differ between logs without a cause in the motion, a gain or a zero,
+// belongs to these logs: it is free there, and the others are judged again beside it.
+JudgedCase searchedAndJudged(const io::ComponentDescription& component, Records training, Records held_out,
+                             const DiagnosisOptions& options) {
+  const std::vector<std::string> excluded = hypotheses::excludedEffects(component, options);
+  for (;;) {
+    auto prepared = withRigPriors(component, training, held_out);
+    hypotheses::Search search =
+        hypotheses::search(hypotheses::MeasuredLogs(prepared->fitter), excluded, options.threads, options.progress);
+    Workings workings = judged(*prepared, std::move(search), options);
+    const auto own = results::ownErrors(*prepared, workings.search.at(workings.answer.model));
+    if (own.empty()) {
+      return {std::move(prepared), std::move(workings)};
+    }
+    for (std::size_t r = 0; r < own.size(); ++r) {
+      (r < training.size() ? training[r] : held_out[r - training.size()]).own = own[r];
+    }
+  }
 }
 
 // What measurement/ tells of a rotation, which it takes for a displacement.
@@ -147,19 +174,18 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
     return result;
   }
   const std::vector<prepare::RawChannels> raw = prepare::rawChannels(excerpts.logs, excerpts.hold_out);
-  std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
-  const auto ready = withRigPriors(component, std::move(training), std::move(held_out));
-  hypotheses::Search search =
-      hypotheses::search(hypotheses::MeasuredLogs(ready->fitter), hypotheses::excludedEffects(component, options),
-                         options.threads, options.progress);
-  Diagnosis result = results::describe(*ready, judged(*ready, std::move(search), options), recorded, raw,
-                                       std::move(findings), options);
+  const std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
+  JudgedCase judged =
+      searchedAndJudged(component, {training.begin(), training.end()}, {held_out.begin(), held_out.end()}, options);
+  const fit::Fitter& fitter = judged.prepared->fitter;
+  Diagnosis result =
+      results::describe(*judged.prepared, std::move(judged.workings), recorded, raw, std::move(findings), options);
   result.samples = {excerpts.samples, excerpts.of};
   const experiment::NextExperiment next =
-      experiment::nextExperiment(ready->fitter, *result.workings, options.limits, options.threads);
+      experiment::nextExperiment(fitter, *result.workings, options.limits, options.threads);
   result.next.proposed = next.proposed;
   result.could_show = experiment::couldShow(result.workings->search);
-  return inWords(ready->fitter, next, options.turns ? ofRotation(std::move(result)) : std::move(result));
+  return inWords(fitter, next, options.turns ? ofRotation(std::move(result)) : std::move(result));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "diagnosis/hypotheses/workings.h"
+#include "diagnosis/results/left_of_logs.h"
 #include "diagnosis/words/candidates.h"
 #include "diagnosis/words/model_values.h"
 
@@ -94,7 +95,7 @@ bool floorIsLeast(const Diagnosis& d) {
 
 // What is named explains more than other values do, or as much with values nearer to the data sheet.
 bool whatIsNamedCloses(const Diagnosis& d) {
-  if (d.answer.effects.empty()) {
+  if (d.answer.effects.empty() || !d.law.withheld.empty()) {
     return true;
   }
   const judge::Evidence& evidence = d.workings->evidence;
@@ -179,10 +180,49 @@ bool whereIsOne(const Diagnosis& d) {
          nearly(sumOf(d.where.before, [](const gap::GapCell& cell) { return cell.share; }), 1.0);
 }
 
+bool whereAddsUp(const Diagnosis& d) {
+  const auto isOf = [](const std::vector<gap::GapCell>& cells, double gap) {
+    const double squared = sumOf(cells, [](const gap::GapCell& cell) { return cell.squared; });
+    return cells.empty() || nearly(squared, gap * gap, kRounding * (1.0 + gap * gap));
+  };
+  return d.table || (isOf(d.where.before, d.gaps.unseen.as_configured) && isOf(d.where.after, d.gaps.unseen.augmented));
+}
+
 bool sharesAddUp(const Diagnosis& d) {
   return nearly(
       sumOf(d.shares, [](const auto& part) { return part.share; }),
       1.0 - d.gaps.unseen.augmented / std::max(d.gaps.unseen.as_configured, std::numeric_limits<double>::min()));
+}
+
+bool isWritten(const Diagnosis& d, const std::string& effect) {
+  return std::count(d.law.added_for.begin(), d.law.added_for.end(), effect) > 0;
+}
+
+// The file leaves no more of any log, and of all together, than the configured component; what would is withheld.
+bool fileLeavesNoMore(const Diagnosis& d) {
+  const auto square = [](double gap) { return gap * gap; };
+  const double pooled =
+      sumOf(d.law.left_of_logs, [&](const LeftOfLog& log) { return square(log.written) - square(log.configured); });
+  return pooled <= static_cast<double>(d.law.left_of_logs.size()) * results::asMuchAs() + kRounding &&
+         all(d.law.left_of_logs,
+             [&](const LeftOfLog& log) {
+               return square(log.written) <= square(log.configured) + log.allowed + kRounding;
+             }) &&
+         all(d.law.withheld, [&](const Withheld& one) { return !isWritten(d, one.effect); });
+}
+
+// What is told of a named effect is of the law as written; of all others of their full laws.
+bool numbersAreOfTheFile(const Diagnosis& d) {
+  return d.table || all(d.candidates, [&](const CandidateResult& c) {
+           const bool named = std::count(d.answer.effects.begin(), d.answer.effects.end(), c.effect) > 0;
+           return c.written == (named && isWritten(d, c.effect)) &&
+                  (!c.written || (c.gap == d.gaps.unseen.augmented && c.closed == d.gaps.closed));
+         });
+}
+
+bool eachEffectRemoves(const Diagnosis& d) {
+  return d.table ||
+         all(d.shares, [](const GapShare& part) { return part.by == "values" || part.squares_at_least > 0.0; });
 }
 
 bool surrogateIsThere(const Diagnosis& d) {
@@ -213,7 +253,11 @@ constexpr Invariant kInvariants[] = {
     {"what was taken out adds up", takenOutAddsUp},
     {"what was taken out explains the gaps", takenOutExplainsTheGaps},
     {"where adds up to 1", whereIsOne},
+    {"where adds up to the gap", whereAddsUp},
     {"shares add up to what is removed", sharesAddUp},
+    {"the file leaves no more of any log", fileLeavesNoMore},
+    {"numbers of named effects are those of the file", numbersAreOfTheFile},
+    {"each named effect removes some of the gap", eachEffectRemoves},
     {"a surrogate where unknown or partly", surrogateIsThere},
     {"a next experiment, or why none", [](const Diagnosis& d) { return !d.next.text.empty(); }}};
 

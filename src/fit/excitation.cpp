@@ -111,7 +111,8 @@ Excitation summarise(const std::vector<gap::PreparedRecord>& records) {
   double force_power = 0.0;
   double displacement_power = 0.0;
   const auto grow = [](double& largest, double value) { largest = std::max(largest, value); };
-  for (const log::Record& record : records) {
+  for (const gap::PreparedRecord& record : records) {
+    result.own = {result.own.gain || record.own.gain, result.own.zero || record.own.zero};
     const Eigen::VectorXd& z = record.displacement;
     const Eigen::Index steps = record.size() - 1;
     const Eigen::ArrayXd rate = (z.tail(steps) - z.head(steps)).array() / record.dt;

@@ -26,6 +26,7 @@ struct Excitation {
   /// Of laws that small reversals would change for good: noise of a displacement that is held does not leave it [m].
   double dead_band = 0.0;
   std::size_t whole_logs = 0;        ///< none of them an excerpt; 0 where there are excerpts
+  gap::OwnErrors own;                ///< errors of the rig that any of them has for itself
   bool has_temperature = false;      ///< all logs have one
   double lowest_temperature = 0.0;   ///< [degC]
   double highest_temperature = 0.0;  ///< [degC]

@@ -376,9 +376,19 @@ RigModel::RigModel(std::vector<gap::PreparedRecord> records, std::vector<Mask> m
   }
 }
 
-double RigModel::prior(Nuisance nuisance, const log::Record& record) const {
+double RigModel::tolerance(Nuisance nuisance, const log::Record& record) const {
   const NuisanceInfo& info = infoOf(nuisance);
   return (tolerances_.*info.tolerance).of(info.whole(record));
+}
+
+double RigModel::prior(Nuisance nuisance, const gap::PreparedRecord& record) const {
+  constexpr double kAnyZero = 100.0;  // of the range of the force
+  constexpr double kAnyGain = 1.0;
+  if (nuisance == Nuisance::gain && record.own.gain) {
+    return kAnyGain;
+  }
+  return nuisance == Nuisance::force_zero && record.own.zero ? kAnyZero * rangeOf(record.force)
+                                                             : tolerance(nuisance, record);
 }
 
 std::vector<VectorXd> RigModel::simulateShifted(const Simulate& simulate, const std::vector<RigPoint>& points,
@@ -418,7 +428,7 @@ std::vector<RigColumns> RigModel::columns(const std::vector<VectorXd>& simulated
   std::vector<RigColumns> result;
   for (std::size_t i = 0; i < records_.size(); ++i) {
     const RigPoint point = points.empty() ? RigPoint() : points[i];
-    const log::Record& record = records_[i];
+    const gap::PreparedRecord& record = records_[i];
     const auto late = [&](const VectorXd& force) { return delayed(force, point.delay / record.dt, point.clock); };
     const VectorXd base = late(simulated[i]);
     std::vector<Column> columns = {{Nuisance::force_zero, VectorXd::Ones(record.size())}};
@@ -506,15 +516,16 @@ std::vector<RigFinding> RigModel::findings(std::size_t log, const RigFit& fit) c
     const Index i = fit.column(nuisance);
     if (i >= 0 && significantAt(fit, {i}) && matters(fit, {i})) {
       zero_found = zero_found || nuisance == Nuisance::force_zero || nuisance == Nuisance::displacement_zero;
-      found.push_back(told(name, nuisance, fit.values[i], std::sqrt(fit.covariance(i, i)), fit.rig.priors[i]));
+      found.push_back(
+          told(name, nuisance, fit.values[i], std::sqrt(fit.covariance(i, i)), tolerance(nuisance, records_[log])));
     }
   }
   const Index force = fit.column(Nuisance::force_zero);
   const Index displacement = fit.column(Nuisance::displacement_zero);
   if (!zero_found && force >= 0 && displacement >= 0 && significantAt(fit, {force, displacement}) &&
       matters(fit, {force, displacement})) {
-    RigFinding zeros =
-        told(name, Nuisance::force_zero, fit.zeros_as_force, fit.zeros_as_force_deviation, fit.rig.priors[force]);
+    RigFinding zeros = told(name, Nuisance::force_zero, fit.zeros_as_force, fit.zeros_as_force_deviation,
+                            tolerance(Nuisance::force_zero, records_[log]));
     zeros.text = fmt::format(
         "zeros of force and displacement together are too high by {:.3g} N; how much is each, this log cannot tell: "
         "taken out; zero both before the log",
@@ -523,7 +534,7 @@ std::vector<RigFinding> RigModel::findings(std::size_t log, const RigFit& fit) c
   }
   const std::vector<Index> initial = columnsOf(fit, Nuisance::initial_state);
   if (!initial.empty() && significantAt(fit, initial) && matters(fit, initial)) {
-    found.push_back(initialStateFinding(name, fit, initial, prior(Nuisance::initial_state, records_[log])));
+    found.push_back(initialStateFinding(name, fit, initial, tolerance(Nuisance::initial_state, records_[log])));
   }
   return found;
 }

@@ -34,6 +34,8 @@ def verdict_has_its_effects(report):
 def named_closes(report):
     """The gap falls and the interval of what is closed excludes 0, or values are nearer to the data sheet."""
     gap = report["gap"]
+    if report.get("withheld"):
+        return None
     if gap["augmented"] < gap["re_estimated"] and report["closed"]["interval_95"][0] > 0.0:
         return True
     values, named = (next((trial["chi_squared"] for trial in report["trials"] if set(trial["effects"]) == set(effects)),
@@ -153,6 +155,34 @@ def shares_add_up(report):
     return abs(sum(report["share_of_configured_gap"].values()) - removed) <= SLACK
 
 
+@rule("the file leaves no more of any log")
+def file_leaves_no_more(report):
+    """Nor of all logs together; an effect that is withheld is not written."""
+    logs = report.get("left_of_logs", [])
+    if any(log["written"] ** 2 > log["as_configured"] ** 2 + log["allowed"] + SLACK ** 2 for log in logs):
+        return False
+    if sum(log["written"] ** 2 - log["as_configured"] ** 2 for log in logs) > len(logs) * SLACK ** 2:
+        return False
+    written = {c["effect"] for c in report["candidates"] if c.get("law") == "written"}
+    return not any(one["effect"] in written for one in report.get("withheld", []))
+
+
+@rule("numbers of named effects are those of the file", NAMING)
+def numbers_are_of_the_file(report):
+    if "table" in report or "withheld" not in report:
+        return None
+    withheld = {one["effect"] for one in report["withheld"]}
+    of_file = [c for c in report["candidates"] if c["effect"] in report["effects"] and c["effect"] not in withheld]
+    return all(c["law"] == "written" and c["gap"] == report["gap"]["augmented"] for c in of_file)
+
+
+@rule("each named effect removes some of the gap", NAMING)
+def each_effect_removes(report):
+    if "table" in report or "squares_removed_at_least" not in report:
+        return None
+    return all(report["squares_removed_at_least"][effect] > 0.0 for effect in report["effects"])
+
+
 @rule("an interval that ends at a bound says so")
 def bounds_are_said(report):
     """An interval of an effect's size that ends at 0 says that this is a bound."""
@@ -163,6 +193,14 @@ def bounds_are_said(report):
 @rule("where adds up to 1")
 def where_is_one(report):
     return None if not report["where"] else abs(sum(cell["share"] for cell in report["where"]) - 1.0) <= SLACK
+
+
+@rule("where adds up to the gap")
+def where_adds_up(report):
+    if "table" in report or not report["where"] or "squared_gap" not in report["where"][0] or "left_of_logs" not in report:
+        return None
+    return all(abs(sum(cell["squared_gap"] for cell in report[cells]) - report["gap"][gap] ** 2) <= SLACK * SLACK + 1e-9
+               for cells, gap in (("where", "as_configured"), ("where_after", "augmented")) if report[cells])
 
 
 @rule("a next experiment where confounded or unknown", ("confounded", "unknown"))

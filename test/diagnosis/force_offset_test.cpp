@@ -26,9 +26,9 @@ TEST(ForceOffset, OfEachLogStandsBesideFriction) {
       {runRig("1 bar", 1, beside(rigFriction(), 8e3)), runRig("3 bar", 2, beside(rigFriction(), 22e3)),
        runRig("7 bar", 3, beside(rigFriction(), 50e3))},
       {runRig("5 bar", 4, beside(rigFriction(), 36e3)), runRig("2 bar", 5, beside(rigFriction(), 15e3))});
-  EXPECT_THAT(result.answer.effects, ElementsAre("friction", "force_offset")) << result.sentence;
+  EXPECT_THAT(result.answer.effects, ElementsAre("friction")) << result.sentence;
   EXPECT_LT(result.gaps.unseen.augmented, 1.3 * result.gaps.unseen.noise_floor);
-  // Beside their mean, to the noise of 20 N and to what a zero and friction have in common.
+  // To the noise of 20 N and to what a zero and friction have in common.
   EXPECT_NEAR(zeroFound(result, "7 bar") - zeroFound(result, "1 bar"), 42e3, 60.0);
   EXPECT_NEAR(zeroFound(result, "5 bar") - zeroFound(result, "2 bar"), 21e3, 60.0);
 }

@@ -41,6 +41,11 @@ TEST(Invariants, AreEachFoundBroken) {
        [](Diagnosis& d) { d.law.effect_sizes.front().interval_95[0] = 0.0; }},
       {"what was taken out adds up", [](Diagnosis& d) { d.logs.admission.front().left *= 1.1; }},
       {"what was taken out explains the gaps", [](Diagnosis& d) { d.gap_as_recorded.augmented *= 1.1; }},
+      {"the file leaves no more of any log",
+       [](Diagnosis& d) { d.law.left_of_logs.front().written = 10.0 * d.law.left_of_logs.front().configured; }},
+      {"numbers of named effects are those of the file", [](Diagnosis& d) { d.candidates.front().gap *= 1.01; }},
+      {"each named effect removes some of the gap", [](Diagnosis& d) { d.shares.back().squares_at_least = -1e-6; }},
+      {"where adds up to the gap", [](Diagnosis& d) { d.where.after.front().squared *= 1.1; }},
       {"where adds up to 1", [](Diagnosis& d) { d.where.before.front().share *= 0.5; }},
       {"a surrogate where unknown or partly", [](Diagnosis& d) { d.surrogate.emplace(); }},
       {"a next experiment, or why none", [](Diagnosis& d) { d.next.text.clear(); }}};

@@ -183,7 +183,7 @@ TEST(Candidates, AreOutForAReason) {
   creep.gap = 0.11;
   creep.interval = {0.05, 0.1};
   creep.testable = true;
-  EXPECT_EQ(diagnosis::words::whyOut(d, creep), "leaves 11.0 %, where what is named leaves 2.0 %");
+  EXPECT_EQ(diagnosis::words::whyOut(d, creep), "its full law leaves 11.0 %, where what is named leaves 2.0 %");
   creep.interval = {-0.1, 0.1};
   EXPECT_THAT(diagnosis::words::whyOut(d, creep), HasSubstr("may remove nothing"));
   creep.testable = false;
@@ -255,6 +255,80 @@ TEST(InWords, HasWhatTheFirstScreenShows) {
   EXPECT_NEAR(report.at("where").at(0).at("squared_gap").get<double>(), 0.0121, 1e-12);
   EXPECT_THAT(report.at("experiment").at("how_to_play").get<std::string>(), HasSubstr("(2 s at 100 Hz"));
   EXPECT_THAT(report.at("experiment").at("command").get<std::string>(), HasSubstr("component:=bush <1>"));
+}
+
+TEST(Sentence, SaysWhatAFurtherLogWillShow) {
+  diagnosis::Diagnosis d;
+  d.gaps.unseen = {0.14, 0.12, 0.02, 0.015};
+  EXPECT_THAT(diagnosis::words::headline(d), Not(HasSubstr("further")));
+  d.gaps.further_log = 0.031;
+  for (const auto verdict : {diagnosis::Verdict::none, diagnosis::Verdict::parameter_error, diagnosis::Verdict::named,
+                             diagnosis::Verdict::confounded, diagnosis::Verdict::unknown}) {
+    d.answer.verdict = verdict;
+    if (diagnosis::namesEffects(verdict)) {
+      d.answer.effects = {"friction"};
+      d.law.added_for = {"friction"};
+    }
+    EXPECT_THAT(diagnosis::words::headline(d), HasSubstr(", 3.1 % on further logs"));
+    EXPECT_THAT(diagnosis::words::sentence(d), HasSubstr(", 3.1 % on further logs"));
+    d.answer.effects.clear();
+  }
+}
+
+TEST(Sentence, SaysWhatIsWithheld) {
+  diagnosis::Diagnosis d;
+  d.answer.verdict = diagnosis::Verdict::named;
+  d.answer.effects = {"friction"};
+  d.shares = {{"values", 0.2}, {"friction", 0.0}};
+  d.law.withheld = {{"friction", "sweep", 0.024, 0.031}};
+  const std::string said = diagnosis::words::sentence(d);
+  EXPECT_THAT(said, HasSubstr("Friction is not written: with it, the component file would leave 3.10 % of log sweep, "
+                              "where 2.40 % are left as configured."));
+  EXPECT_THAT(said, Not(HasSubstr("Adding it removes")));
+  EXPECT_THAT(said, Not(HasSubstr("friction removes")));
+}
+
+TEST(Sentence, SaysWhichLogReadsOtherwise) {
+  diagnosis::Diagnosis d;
+  d.logs.admission.resize(3);
+  const auto gain = [](const std::string& log, double value) {
+    measurement::RigFinding finding;
+    finding.log = log;
+    finding.finding = measurement::finding::kSensorGain;
+    finding.value = value;
+    finding.beyond_tolerance = true;
+    return finding;
+  };
+  d.rig_findings = {gain("b", 0.098)};
+  EXPECT_THAT(diagnosis::words::sentence(d), HasSubstr("Log b reads 10 % more than the others."));
+  d.rig_findings = {gain("b", -0.052)};
+  EXPECT_THAT(diagnosis::words::sentence(d), HasSubstr("Log b reads 5 % less than the others."));
+  d.rig_findings = {gain("a", 0.15), gain("b", 0.045), gain("c", 0.155)};
+  EXPECT_THAT(diagnosis::words::sentence(d),
+              HasSubstr("Logs a and c read 10 % more than b; the logs do not tell which of them are right."));
+}
+
+// Below one half no effect leads.
+TEST(Sentence, ListsWhatMayBeWhereNoEffectIsLikely) {
+  diagnosis::Diagnosis d;
+  d.answer.verdict = diagnosis::Verdict::confounded;
+  d.answer.effects = {"creep"};
+  d.answer.posterior = {0.01, 0.02, 0.76, 0.21};
+  d.law.added_for = {"creep"};
+  d.candidates.resize(3);
+  d.candidates[0].effect = "friction";
+  d.candidates[0].probability = 0.43;
+  d.candidates[1].effect = "creep";
+  d.candidates[1].probability = 0.19;
+  d.candidates[2].effect = "inertia";
+  d.candidates[2].probability = 0.03;
+  const std::string list = "friction (43 %), something that is not in the list (21 %)";
+  EXPECT_THAT(diagnosis::words::sentence(d),
+              StartsWith("What the model lacks stays open with these logs: it may be " + list + " and creep (19 %)."));
+  EXPECT_THAT(diagnosis::words::headline(d), HasSubstr(list + ", creep (19 %)"));
+  EXPECT_THAT(diagnosis::words::headline(d), Not(HasSubstr("lacks creep")));
+  d.candidates[1].probability = 0.51;
+  EXPECT_THAT(diagnosis::words::headline(d), HasSubstr("lacks creep"));
 }
 
 TEST(Headline, HasAtMost25Words) {

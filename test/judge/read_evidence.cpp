@@ -39,6 +39,7 @@ judge::HypothesisEvidence hypothesisOf(const ordered_json& value) {
   value.at("free_trends").get_to(hypothesis.free_in_log.trend);
   value.at("free_offsets").get_to(hypothesis.free_in_log.offset);
   value.at("free_gains").get_to(hypothesis.free_in_log.gain);
+  hypothesis.idle = value.value("idle", false);
   value.at("keeps_values").get_to(hypothesis.keeps_values);
   hypothesis.chi_squared = numberOf(value.at("chi_squared"));
   hypothesis.log_errors = numbersOf(value.at("log_errors"));

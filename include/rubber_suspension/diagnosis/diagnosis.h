@@ -64,6 +64,8 @@ struct CandidateResult {
   double visible_share = 0.0;  ///< of a typical effect's force, the part that re-estimation does not hide [-]
   std::map<std::string, double> parameters;
   std::vector<element::ElementDescription> add;  ///< its entries for a component file
+  /// Its numbers are those of the component file, with all that is named; else they are those of its full law, alone.
+  bool written = false;
 };
 
 /// An explanation of the logs beside the one that is told.
@@ -183,6 +185,9 @@ struct SizedValue {
 struct GapShare {
   std::string by;  ///< "values", or the effect
   double share = 0.0;
+  /// Of an effect: 95 % lower bound of the squares that its law removes, by parts of the logs, in units of the force's
+  /// variance; of data that took no part in the fit.
+  double squares_at_least = kNotComputed;
 };
 
 /// A number of the data sheet, as the logs have it.
@@ -265,7 +270,27 @@ struct Gaps {
   double closed = kNotComputed;  ///< fraction of the closable gap
   /// 95 %, of further logs of the same rig where effects are named.
   std::array<double, 2> closed_interval = {kNotComputed, kNotComputed};
+  /// Of a further log, with only an offset removed: of each log by a fit of what is written to the others. Of three
+  /// logs or more of which none is held out.
+  double further_log = kNotComputed;
   std::string noise_source;
+};
+
+/// What the component as configured and the one that is written leave of a log, as gaps: an offset and what a start in
+/// motion left are fitted to both, and what the report says that the rig did to the log is removed.
+struct LeftOfLog {
+  std::string log;
+  double configured = 0.0;
+  double written = 0.0;
+  double allowed = 0.0;  ///< by which the square of the second may be above that of the first
+};
+
+/// An effect that is named and not written: with it, the file would leave more of a log than the configured component.
+struct Withheld {
+  std::string effect;   ///< "values" for the re-estimated ones
+  std::string log;      ///< the one with the largest excess; "all logs" where it is the sum of all
+  double before = 0.0;  ///< gap there as configured
+  double after = 0.0;   ///< gap there with the effect
 };
 
 /// The component that a diagnosis writes, and the law that was judged.
@@ -278,7 +303,9 @@ struct WrittenLaw {
   std::vector<std::string> added_for;
   std::vector<SizedValue> numbers;       ///< of `augmented` in full, by their places (io::numberPlace)
   std::vector<SizedValue> model_sizes;   ///< of the judged model's own parameters
-  std::vector<SizedValue> effect_sizes;  ///< of the effects named
+  std::vector<SizedValue> effect_sizes;  ///< of the effects that are written
+  std::vector<LeftOfLog> left_of_logs;   ///< of the logs of the fit, then of those held out
+  std::vector<Withheld> withheld;        ///< in the order in which they were
 };
 
 /// Where a component is wrong.

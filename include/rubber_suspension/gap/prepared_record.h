@@ -22,6 +22,12 @@ struct RigPrior {
   double displacement_zero = 0.0;
 };
 
+/// What a rig did to one log and not to the others, of any size: it is found beside every model.
+struct OwnErrors {
+  bool gain = false;  ///< the gain of the force's channel
+  bool zero = false;  ///< the zero of the force
+};
+
 /// A record, its rig and its weight. One that is made of a record alone is of a rig that adds nothing.
 struct PreparedRecord : log::Record {
   PreparedRecord() = default;
@@ -29,6 +35,7 @@ struct PreparedRecord : log::Record {
       : log::Record(std::move(recorded)), rig(std::move(prior)), weight(counts_as) {}
 
   RigPrior rig;
+  OwnErrors own;
   double weight = 1.0;  ///< of its mean squares among those of several logs, about 1 on average
 
   /// A residual or a derivative of the force [N], r - N N'r: samples that do not count are 0, and what the rig may have

@@ -95,7 +95,8 @@ class RigModel {
   const Mask& mask(std::size_t log) const { return masks_[log]; }
 
  private:
-  double prior(Nuisance nuisance, const log::Record& record) const;
+  double tolerance(Nuisance nuisance, const log::Record& record) const;
+  double prior(Nuisance nuisance, const gap::PreparedRecord& record) const;
   std::vector<Eigen::VectorXd> simulateShifted(const Simulate& simulate, const std::vector<RigPoint>& points,
                                                double shift) const;
   std::vector<std::vector<Eigen::VectorXd>> simulateRunning(const Simulate& simulate,

@@ -74,7 +74,7 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   const fit::ModelParameters model(component, fit::Level::specification);
   fit::Fitter fitter(
       prepare::withRigPriors(model, component.rig.value_or(io::RigTolerances{}), hypotheses::errorScale(),
-                             std::move(records), {}, prepare::RigScatter::as_tolerated)
+                             {records.begin(), records.end()}, {}, prepare::RigScatter::as_tolerated)
           .training,
       model, hypotheses::errorScale().oneOfSheet());
   Plan result;

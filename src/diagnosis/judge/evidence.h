@@ -17,6 +17,7 @@ struct HypothesisEvidence {
   /// Of these the ones beyond the laws that the members contain (fit::numbersBeyond()) that are not at their limits.
   std::size_t beyond = 0;
   fit::FreeInLog free_in_log;      ///< is free in each log, too
+  bool idle = false;               ///< a member removes nothing beyond chance: it is no answer
   bool keeps_values = false;       ///< model parameters are as configured: its member does what other ones would
   double chi_squared = 0.0;        ///< of the numbers of the data sheet, each over its tolerance
   std::vector<double> log_errors;  ///< error on each log, on blocks that took no part in the fit

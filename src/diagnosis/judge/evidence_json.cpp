@@ -23,6 +23,7 @@ ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
           {"free_trends", hypothesis.free_in_log.trend},
           {"free_offsets", hypothesis.free_in_log.offset},
           {"free_gains", hypothesis.free_in_log.gain || hypothesis.free_in_log.by_factor},
+          {"idle", hypothesis.idle},
           {"keeps_values", hypothesis.keeps_values},
           {"chi_squared", hypothesis.chi_squared},
           {"log_errors", hypothesis.log_errors},

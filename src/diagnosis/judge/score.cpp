@@ -83,7 +83,7 @@ void fillErrors(const Evidence& evidence, const HypothesisEvidence& hypothesis, 
   table.left.row(row) = (arrayOf(hypothesis.log_errors) - table.floor).max(0.0);
   table.departure[row] = hypothesis.chi_squared;
   const bool lacking = !hypothesis.members.empty() && hypothesis.terms == 0;  // in the logs: what it needs
-  if (lacking || holdsExcluded(evidence, hypothesis)) {
+  if (lacking || hypothesis.idle || holdsExcluded(evidence, hypothesis)) {
     table.left.row(row) = std::numeric_limits<double>::infinity();
   }
 }

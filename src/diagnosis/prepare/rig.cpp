@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -119,14 +118,15 @@ Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
 
 // Everything that the rig may have added, each column of one standard deviation [N]. Zeros of the displacement are left
 // out: what they do depends on the law that is supposed.
-Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& limits, const Eigen::MatrixXd& starts,
-                             const Eigen::MatrixXd& slow) {
+Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& limits, const gap::OwnErrors& own,
+                             const Eigen::MatrixXd& starts, const Eigen::MatrixXd& slow) {
   Eigen::MatrixXd columns(slow.rows(), rig.columns.cols() + starts.cols() + slow.cols());
   Eigen::Index used = 0;
   for (Eigen::Index j = 0; j < rig.columns.cols(); ++j) {
     const measurement::Nuisance nuisance = rig.nuisances[static_cast<std::size_t>(j)];
     if (nuisance != measurement::Nuisance::displacement_zero) {
-      columns.col(used++) = rig.columns.col(j) * std::min(rig.priors[j], limits.of(nuisance));
+      const bool any = own.zero && nuisance == measurement::Nuisance::force_zero;
+      columns.col(used++) = rig.columns.col(j) * (any ? rig.priors[j] : std::min(rig.priors[j], limits.of(nuisance)));
     }
   }
   columns.middleCols(used, starts.cols()) = starts;
@@ -151,9 +151,9 @@ std::vector<gap::RigPrior> priorsOf(const std::vector<element::ElementDescriptio
   const auto starts = measurement::frictionStarts(elements, records);
   std::vector<gap::RigPrior> priors;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const log::Record& record = records[r];
+    const gap::PreparedRecord& record = records[r];
     const double slow = tolerances.slow_noise.of(record.force_deviation);
-    Eigen::MatrixXd columns = deviationsOf(rig[r], limits, starts[r], slowNoise(record, slow));
+    Eigen::MatrixXd columns = deviationsOf(rig[r], limits, record.own, starts[r], slowNoise(record, slow));
     columns /= one_deviation[r] * record.force_deviation * std::sqrt(record.counted());
     if (record.counts.size() > 0) {
       columns.array().colwise() *= record.counts.array();
@@ -162,11 +162,6 @@ std::vector<gap::RigPrior> priorsOf(const std::vector<element::ElementDescriptio
                       zeroOfDisplacement(record, tolerances)});
   }
   return priors;
-}
-
-// Records of which nothing is known but what was recorded.
-Records ofNoRig(std::vector<log::Record> records) {
-  return {std::make_move_iterator(records.begin()), std::make_move_iterator(records.end())};
 }
 
 Records withRig(Records records, std::vector<gap::RigPrior> priors,
@@ -220,10 +215,7 @@ std::vector<double> oneDeviations(const measurement::ErrorScale& scale, const st
 }  // namespace
 
 LogsOfRig withRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
-                        const measurement::ErrorScale& scale, std::vector<log::Record> training,
-                        std::vector<log::Record> held_out, RigScatter scatter) {
-  Records of_the_fit = ofNoRig(std::move(training));
-  Records unseen = ofNoRig(std::move(held_out));
+                        const measurement::ErrorScale& scale, Records of_the_fit, Records unseen, RigScatter scatter) {
   const std::size_t logs = of_the_fit.size();
   const auto configured = model.apply(Eigen::VectorXd::Zero(model.size())).allElements();
   auto about_configured = priorsOf(configured, gap::simulate(configured, of_the_fit), tolerances, {},

@@ -9,7 +9,6 @@
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/io/rig_tolerances.h"
-#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis::prepare {
 
@@ -26,9 +25,10 @@ struct LogsOfRig {
 /// the log left, and noise slower than the motion as a random walk, each as wide as its tolerance. One standard
 /// deviation of any of them counts as measurement::ErrorScale::oneDeviation(). Zeros and lags that are much alike in
 /// all logs are no scatter of the rig: then they are no wider than they differ, and what they have in common is left to
-/// the effects. The model is re-estimated for that, and for how much each log counts (weightsByNoise()).
+/// the effects. What a record has for itself (gap::OwnErrors) may have any size. The model is re-estimated for that,
+/// and for how much each log counts (weightsByNoise()).
 LogsOfRig withRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
-                        const measurement::ErrorScale& scale, std::vector<log::Record> training,
-                        std::vector<log::Record> held_out, RigScatter scatter = RigScatter::as_found);
+                        const measurement::ErrorScale& scale, std::vector<gap::PreparedRecord> training,
+                        std::vector<gap::PreparedRecord> held_out, RigScatter scatter = RigScatter::as_found);
 
 }  // namespace rubber_suspension::diagnosis::prepare

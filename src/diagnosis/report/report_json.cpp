@@ -48,7 +48,16 @@ ordered_json candidateJson(const Diagnosis& d, const CandidateResult& candidate)
           {"parameters", candidate.parameters},
           {"parameters_text", words::numbersText(d, candidate)},
           {"why_out", words::whyOut(d, candidate)},
+          {"law", candidate.written ? "written" : "full"},
           {"add", each(candidate.add, entryJson)}};
+}
+
+ordered_json leftJson(const LeftOfLog& log) {
+  return {{"log", log.log}, {"as_configured", log.configured}, {"written", log.written}, {"allowed", log.allowed}};
+}
+
+ordered_json withheldJson(const Withheld& one) {
+  return {{"effect", one.effect}, {"log", one.log}, {"before", one.before}, {"after", one.after}};
 }
 
 ordered_json cellJson(const gap::GapCell& cell) {
@@ -152,6 +161,16 @@ ordered_json sharesJson(const std::vector<GapShare>& shares) {
   ordered_json result = ordered_json::object();
   for (const GapShare& share : shares) {
     result[share.by] = share.share;
+  }
+  return result;
+}
+
+ordered_json squaresJson(const std::vector<GapShare>& shares) {
+  ordered_json result = ordered_json::object();
+  for (const GapShare& share : shares) {
+    if (std::isfinite(share.squares_at_least)) {
+      result[share.by] = share.squares_at_least;
+    }
   }
   return result;
 }
@@ -324,7 +343,11 @@ std::string toJson(const Diagnosis& diagnosis) {
        {{"as_configured", diagnosis.gap_as_recorded.as_configured},
         {"re_estimated", diagnosis.gap_as_recorded.re_estimated},
         {"augmented", diagnosis.gap_as_recorded.augmented}}},
+      {"gap_further_log", diagnosis.gaps.further_log},
       {"share_of_configured_gap", sharesJson(diagnosis.shares)},
+      {"squares_removed_at_least", squaresJson(diagnosis.shares)},
+      {"withheld", each(diagnosis.law.withheld, withheldJson)},
+      {"left_of_logs", each(diagnosis.law.left_of_logs, leftJson)},
       {"rig_findings", report::findingsJson(diagnosis.rig_findings)},
       {"taken_out", each(diagnosis.logs.taken_out, takenOutJson)},
       {"closed", {{"fraction", diagnosis.gaps.closed}, {"interval_95", diagnosis.gaps.closed_interval}}},

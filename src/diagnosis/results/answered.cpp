@@ -120,6 +120,28 @@ std::vector<CandidateResult> candidateResults(const Left& left, const Gaps& gaps
   return candidates;
 }
 
+void tellAsWritten(const WrittenLaw& law, const std::vector<std::string>& effects, const Gaps& gaps,
+                   std::vector<CandidateResult>& candidates) {
+  const std::size_t own = law.augmented.add.size() - law.added_for.size();
+  for (CandidateResult& candidate : candidates) {
+    candidate.written = std::count(effects.begin(), effects.end(), candidate.effect) > 0 &&
+                        std::count(law.added_for.begin(), law.added_for.end(), candidate.effect) > 0;
+    if (!candidate.written) {
+      continue;
+    }
+    candidate.gap = gaps.unseen.augmented;
+    candidate.closed = gaps.closed;
+    candidate.interval = gaps.closed_interval;
+    candidate.add.clear();
+    for (std::size_t i = 0; i < law.added_for.size(); ++i) {
+      if (law.added_for[i] == candidate.effect) {
+        candidate.add.push_back(law.augmented.add[own + i]);
+      }
+    }
+    candidate.parameters = headlineOf(candidate.add);
+  }
+}
+
 std::vector<GapShare> sharesOf(const std::vector<std::string>& effects, const Gap& gap, const GapWith& gap_with,
                                int threads) {
   const std::size_t parts = 1 + effects.size();

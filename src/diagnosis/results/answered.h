@@ -29,6 +29,10 @@ Gaps gapsOf(const Left& left, const Workings& workings, const DiagnosisOptions& 
 std::vector<CandidateResult> candidateResults(const Left& left, const Gaps& gaps, const Workings& workings,
                                               const DiagnosisOptions& options);
 
+/// Tells of each effect that is written the numbers of the component file (CandidateResult::written).
+void tellAsWritten(const WrittenLaw& law, const std::vector<std::string>& effects, const Gaps& gaps,
+                   std::vector<CandidateResult>& candidates);
+
 /// The gap with some of what an answer changes: first whether its values are in, then each of its effects.
 using GapWith = std::function<double(const std::vector<bool>& in)>;
 

@@ -13,11 +13,13 @@
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/characteristics.h"
+#include "diagnosis/results/further_log.h"
 #include "diagnosis/results/replayed.h"
 #include "diagnosis/results/rig_findings.h"
 #include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/surrogate.h"
 #include "diagnosis/results/taken_out.h"
+#include "diagnosis/results/withholding.h"
 #include "diagnosis/results/written_law.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
@@ -91,6 +93,22 @@ Simulated simulateAll(const hypotheses::PreparedCase& prepared, const io::Compon
   return simulated;
 }
 
+// 95 % lower bound of the mean of what is left more by one component than by another, part by part. The standard error
+// is by the parts in which it is less: an effect that is at work in few parts removes much there, which is no doubt.
+double removedAtLeast(const std::vector<gap::PartError>& without, const std::vector<gap::PartError>& with) {
+  constexpr double kNormal95 = 1.645;  // of one side
+  double sum = 0.0;
+  double weights = 0.0;
+  double squares = 0.0;
+  for (std::size_t p = 0; p < with.size(); ++p) {
+    const double more = with[p].weight * (without[p].error - with[p].error);
+    sum += more;
+    weights += with[p].weight;
+    squares += more < 0.0 ? 2.0 * more * more : 0.0;
+  }
+  return (sum - kNormal95 * std::sqrt(squares)) / weights;
+}
+
 // The numbers of a report, from what describe() found before.
 class Describer {
  public:
@@ -106,11 +124,12 @@ class Describer {
         before_(before),
         written_(written),
         law_(written.law),
+        free_(written.fitted.law.about.free_in_log),
         options_(options) {}
 
   Diagnosis run(const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
                 std::vector<measurement::RigFinding> findings) const {
-    const Left left = leftOfLogs();
+    const Left left = leftByModels();
     Diagnosis result;
     result.component = prepared_.component.name;
     result.configured = prepared_.component;
@@ -118,14 +137,15 @@ class Describer {
     result.answer = answered(answer_, workings_.evidence);
     result.gaps = gapsOf(left, workings_, options_);
     const Gap& gap = result.gaps.unseen;
+    result.gaps.further_log =
+        gapOfFurtherLog(prepared_, written_.as_configured ? nullptr : &written_.fitted, options_.threads);
     result.candidates = candidateResults(left, result.gaps, workings_, options_);
+    tellAsWritten(law_, result.answer.effects, result.gaps, result.candidates);
     result.shares = sharesOf(
-        result.answer.effects, gap, [&](const auto& in) { return gapWith(result.answer.effects, in); },
-        options_.threads);
-    result.where = where();
+        result.answer.effects, gap,
+        [&](const auto& in) { return gap::gapOfParts(errorsWith(result.answer.effects, in)); }, options_.threads);
+    result.where = where(gap);
     result.rig_findings = std::move(findings);
-    const std::vector<measurement::RigFinding> of_rig = leavesMoreThanItExplains(gap) ? Findings() : findingsOfRig();
-    result.rig_findings.insert(result.rig_findings.end(), of_rig.begin(), of_rig.end());
     result.logs = admittedLogs(raw);
     result.parameters =
         ownParameters(prepared_.model, search_.re_estimated.fit.parameters.model, judged_.fit.parameters.model);
@@ -140,9 +160,40 @@ class Describer {
     return result;
   }
 
- private:
-  using Findings = std::vector<measurement::RigFinding>;
+  // Faults of the rig in each log, by what the judged model and the next likely one leave of it. None where the judged
+  // one leaves more than it explains: that is the model's.
+  std::vector<measurement::RigFinding> findingsOfRig() const {
+    if (leavesMoreThanItExplains(gapOfModels())) {
+      return {};
+    }
+    const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
+    const auto elements = law_.full.allElements();
+    const auto rival =
+        hypotheses::augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
+    std::vector<measurement::RigFinding> findings;
+    for (const bool held_out : {false, true}) {
+      const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
+                                     options_.threads);
+      findings.insert(findings.end(), found.begin(), found.end());
+    }
+    return findings;
+  }
 
+  // Of each effect that is named, a lower bound of the squares that its law removes, all else being as it is.
+  std::vector<double> squaresRemoved() const {
+    const std::vector<std::string> effects = answered(answer_, workings_.evidence).effects;
+    const std::vector<bool> all(1 + effects.size(), true);
+    const std::vector<gap::PartError> with = errorsWith(effects, all);
+    std::vector<double> removed(effects.size());
+    fit::parallelFor(effects.size(), options_.threads, [&](std::size_t e) {
+      std::vector<bool> others = all;
+      others[1 + e] = false;
+      removed[e] = removedAtLeast(errorsWith(effects, others), with);
+    });
+    return removed;
+  }
+
+ private:
   bool hasUnseenLogs() const { return !prepared_.held_out.empty(); }
 
   gap::Forces ofTraining(const gap::Forces& forces) const {
@@ -192,35 +243,34 @@ class Describer {
     return judge::scoreTable(evidence);
   }
 
-  Left leftOfLogs() const {
+  Gap gapOfModels() const {
     const double configured = gap::gapOfParts(gap::partErrors(recordsOfGap(), ofGap(workings_.simulated.configured)));
     const double floor =
         hasUnseenLogs() ? hypotheses::commonFloor(search_.noise.unseen, prepared_.held_out) : search_.noise.floor;
-    return {{configured, gap::gapOfParts(before_.unseen()), gap::gapOfParts(written_.errors.unseen()), floor},
-            law_.gap_of_full,
-            gapsAlone(),
-            scoresOfTheFile()};
+    return {configured, gap::gapOfParts(before_.unseen()), gap::gapOfParts(written_.errors.unseen()), floor};
   }
 
+  Left leftByModels() const { return {gapOfModels(), law_.gap_of_full, gapsAlone(), scoresOfTheFile()}; }
+
   // With some of the values and effects. In sample where there are no unseen logs.
-  double gapWith(const std::vector<std::string>& effects, const std::vector<bool>& in) const {
+  std::vector<gap::PartError> errorsWith(const std::vector<std::string>& effects, const std::vector<bool>& in) const {
     const auto elements = withSome(prepared_.component, law_, effects, in).allElements();
     const std::vector<gap::PreparedRecord>& records = recordsOfGap();
     fit::Hypothesis freed;  // what the effects that are in have free in each log
     bool has_friction = false;
     for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
       const fit::Candidate& candidate = search_.candidates[static_cast<std::size_t>(answer_.effects[e])];
-      const fit::FreeInLog free = candidate.free_in_log & judged_.hypothesis.free_in_log;
+      const fit::FreeInLog free = candidate.free_in_log & free_;
       has_friction = has_friction || (in[1 + e] && candidate.is_friction);
       freed.free_in_log = in[1 + e] ? freed.free_in_log | free : freed.free_in_log;
     }
-    if (judged_.hypothesis.free_in_log.by_factor && has_friction) {
+    if (free_.by_factor && has_friction) {
       freed.free_in_log.by_factor = hasUnseenLogs() ? hypotheses::frictionOfEach(elements, records)
                                                     : fit::columnOf(fit::frictionOf(elements, records));
     }
-    return gap::gapOfParts(hypotheses::partErrorsOf(
+    return hypotheses::partErrorsOf(
         freed, records,
-        hasUnseenLogs() ? gap::simulateEach(elements, records) : gap::simulate(elements, records, gap::asRecorded)));
+        hasUnseenLogs() ? gap::simulateEach(elements, records) : gap::simulate(elements, records, gap::asRecorded));
   }
 
   // Gaps of the whole logs with all that the rig did to them: as configured, re-estimated, augmented, with a surrogate.
@@ -235,40 +285,32 @@ class Describer {
     return recordedGaps(models, logs, recorded, options_.threads);
   }
 
-  std::vector<gap::GapCell> mapOf(const gap::Forces& forces) const {
+  // Where this gap of a component lies, on the logs that it is of: the squares of the cells add up to its own.
+  std::vector<gap::GapCell> mapOf(const gap::Forces& forces, double gap) const {
+    const std::vector<gap::PreparedRecord>& records = recordsOfGap();
     gap::Forces residual;
-    for (std::size_t r = 0; r < prepared_.training.size(); ++r) {
-      const gap::PreparedRecord& record = prepared_.training[r];
-      residual.push_back(record.withoutRig(record.force - forces[r]));
+    for (std::size_t r = 0; r < records.size(); ++r) {
+      residual.push_back(records[r].withoutRig(records[r].force - forces[r]));
     }
-    return gap::gapMap(prepared_.training, residual, search_.noise.of_logs);
+    std::vector<gap::GapCell> cells =
+        gap::gapMap(records, residual, hasUnseenLogs() ? search_.noise.unseen : search_.noise.of_logs);
+    for (gap::GapCell& cell : cells) {
+      cell.squared = cell.share * gap * gap;
+    }
+    return cells;
   }
 
   // Errors over frequency, amplitude and time, on the logs that the gap is of; where the models are wrong.
-  Where where() const {
+  Where where(const Gap& gap) const {
     const Simulated& s = workings_.simulated;
     Where where;
     const std::array<std::function<void()>, 4> tasks = {
         [&] { where.re_estimated = characteristicErrors(recordsOfGap(), ofGap(s.re_estimated)); },
         [&] { where.augmented = characteristicErrors(recordsOfGap(), ofGap(s.augmented)); },
-        [&] { where.before = mapOf(s.configured); }, [&] { where.after = mapOf(s.augmented); }};
+        [&] { where.before = mapOf(ofGap(s.configured), gap.as_configured); },
+        [&] { where.after = mapOf(ofGap(s.augmented), gap.augmented); }};
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
     return where;
-  }
-
-  // Faults of the rig in each log, by what the judged model and the next likely one leave of it.
-  Findings findingsOfRig() const {
-    const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
-    const auto elements = law_.full.allElements();
-    const auto rival =
-        hypotheses::augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
-    Findings findings;
-    for (const bool held_out : {false, true}) {
-      const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
-                                     judged_.hypothesis.free_in_log, options_.threads);
-      findings.insert(findings.end(), found.begin(), found.end());
-    }
-    return findings;
   }
 
   // Then it is the model's, and no fault of the rig.
@@ -280,8 +322,8 @@ class Describer {
   }
 
   AdmittedLogs admittedLogs(const std::vector<prepare::RawChannels>& raw) const {
-    const std::vector<LogAccount> accounts = accountsOf(law_.augmented.allElements(), prepared_.training,
-                                                        prepared_.held_out, raw, judged_.hypothesis.free_in_log);
+    const std::vector<LogAccount> accounts =
+        accountsOf(law_.augmented.allElements(), prepared_.training, prepared_.held_out, raw, free_);
     const std::size_t training = prepared_.training.size();
     AdmittedLogs logs;
     logs.admission.resize(accounts.size());
@@ -318,6 +360,7 @@ class Describer {
   const Replayed& before_;
   const MeasuredLaw& written_;
   const WrittenLaw& law_;
+  const fit::FreeInLog& free_;  // in each log beside what is written
   const DiagnosisOptions& options_;
 };
 
@@ -331,11 +374,31 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
   const io::ComponentDescription re_estimated = prepared.model.apply(search.re_estimated.fit.parameters.model);
   const Replayed before =
       replayed(prepared.fitter, fullLaw(search.re_estimated), re_estimated.allElements(), prepared.held_out);
-  const MeasuredLaw written = writtenLaw(prepared, search.candidates, search.at(workings->answer.model),
-                                         gap::gapOfParts(before.unseen()), options);
-  workings->simulated = simulateAll(prepared, re_estimated, written.law.augmented, options.threads);
-  Diagnosis result =
-      Describer(prepared, *workings, re_estimated, before, written, options).run(recorded, raw, std::move(findings));
+  const double gap_before = gap::gapOfParts(before.unseen());
+  const auto describer = [&](const MeasuredLaw& law) {
+    return Describer(prepared, *workings, re_estimated, before, law, options);
+  };
+  MeasuredLaw named;
+  std::vector<double> removed;
+  for (bool settled = false; !settled;) {  // a set of which an effect removes nothing is no answer
+    named = writtenLaw(prepared, search.candidates, search.at(workings->answer.model), gap_before, options);
+    removed = describer(named).squaresRemoved();
+    settled = std::all_of(removed.begin(), removed.end(), [](double squares) { return squares > 0.0; });
+    if (!settled) {
+      workings->evidence.hypotheses[static_cast<std::size_t>(workings->answer.model)].idle = true;
+      workings->table = judge::scoreTable(workings->evidence);
+      workings->answer = judge::answer(workings->table);
+    }
+  }
+  workings->simulated = simulateAll(prepared, re_estimated, named.law.augmented, options.threads);
+  const std::vector<measurement::RigFinding> of_rig = describer(named).findingsOfRig();
+  findings.insert(findings.end(), of_rig.begin(), of_rig.end());
+  const MeasuredLaw written = withoutDamage(prepared, *workings, std::move(named), gap_before, findings, options);
+  workings->simulated.augmented = simulate(prepared, written.law.augmented);
+  Diagnosis result = describer(written).run(recorded, raw, std::move(findings));
+  for (std::size_t e = 0; e < removed.size(); ++e) {
+    result.shares[1 + e].squares_at_least = removed[e];
+  }
   result.workings = workings;
   return result;
 }

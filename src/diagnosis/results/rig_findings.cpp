@@ -53,17 +53,10 @@ bool isBeyondChance(const measurement::RigFinding& finding) {
   return finding.interval_95[0] > 0.0 || finding.interval_95[1] < 0.0;
 }
 
-// For zeros and gains that are no tolerated error of the rig but a cause.
-io::RigTolerances withAny(const fit::FreeInLog& named, io::RigTolerances tolerances) {
-  constexpr double kAnyZero = 100.0;  // of the range of the force
-  tolerances.gain.value = named.gain ? 1.0 : tolerances.gain.value;
-  tolerances.force_zero = named.offset ? io::RigTolerance{kAnyZero, true} : tolerances.force_zero;
-  return tolerances;
-}
-
-bool isNamed(const measurement::RigFinding& finding, const fit::FreeInLog& named) {
-  return (named.gain && finding.finding == measurement::finding::kSensorGain) ||
-         (named.offset && finding.finding == measurement::finding::kForceZero);
+// What the verdict found to be an error of this log needs no second model to say so.
+bool isOwn(const measurement::RigFinding& finding, const gap::OwnErrors& own) {
+  return (own.gain && finding.finding == measurement::finding::kSensorGain) ||
+         (own.zero && finding.finding == measurement::finding::kForceZero);
 }
 
 // Whether another model finds a value of the same within the interval.
@@ -79,9 +72,8 @@ bool agrees(const measurement::RigFinding& finding, const std::vector<measuremen
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
-                                                 const std::vector<gap::PreparedRecord>& records,
-                                                 const fit::FreeInLog& named, int threads) {
-  const measurement::RigModel rig(records, element::each(records, measurement::maskOf), withAny(named, tolerances));
+                                                 const std::vector<gap::PreparedRecord>& records, int threads) {
+  const measurement::RigModel rig(records, element::each(records, measurement::maskOf), tolerances);
   std::array<std::vector<measurement::RigFit>, 2> by;
   fit::parallelFor(by.size(), threads, [&](std::size_t i) { by[i] = fitRig(rig, i == 0 ? judged : rival); });
   const auto& [fits, by_rival] = by;
@@ -99,7 +91,7 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
     const auto of_log = findingsBy(r, fits[r]);
     const auto of_rival = findingsBy(r, by_rival[r]);
     std::copy_if(of_log.begin(), of_log.end(), std::back_inserter(found), [&](const measurement::RigFinding& finding) {
-      return isBeyondChance(finding) && (isNamed(finding, named) || agrees(finding, of_rival));
+      return isBeyondChance(finding) && (isOwn(finding, records[r].own) || agrees(finding, of_rival));
     });
   }
   return found;

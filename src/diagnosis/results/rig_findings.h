@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "fit/free_in_log.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/io/rig_tolerances.h"
@@ -13,12 +12,10 @@ namespace rubber_suspension::diagnosis::results {
 
 /// The faults of the rig in each record, by what `judged` leaves of it: the values that the priors and the accepted
 /// error allow, each with the uncertainty that the accepted error leaves it. Not told where `rival`, the next likely
-/// elements, gives a value outside of its interval, but for zeros and gains of each log that the verdict names: those
-/// of `named`.
+/// elements, gives a value outside of its interval, but for what a log has for itself (gap::OwnErrors).
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
-                                                 const std::vector<gap::PreparedRecord>& records,
-                                                 const fit::FreeInLog& named, int threads);
+                                                 const std::vector<gap::PreparedRecord>& records, int threads);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -156,14 +156,8 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
   if (free.trend) {
     account.takeOut(taken_out::kDrift, without({true, false, false, free.by_zero}));
   }
-  if (free.offset) {
-    account.takeOut(taken_out::kZero, without({free.trend, true, false, free.by_zero}));
-  }
   if (free.by_factor) {
-    account.takeOut(taken_out::kFriction, without({free.trend, free.offset, false, free.by_zero, free.by_factor}));
-  }
-  if (free.gain) {
-    account.takeOut(taken_out::kGain, without(free));
+    account.takeOut(taken_out::kFriction, without(free));
   }
   return account;
 }

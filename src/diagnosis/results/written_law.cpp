@@ -147,9 +147,17 @@ MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const std::vect
   io::ComponentDescription of_full = componentOf(prepared, full);
   const double gap_of_full =
       gap::gapOfParts(unseenErrors(prepared.fitter, full, of_full.allElements(), prepared.held_out));
-  return {{std::move(rounded.component), std::move(of_full), gap_of_full, ownersOf(simple, candidates),
-           std::move(rounded.written), std::move(sizes.model), std::move(sizes.effects)},
-          std::move(errors)};
+  return {{std::move(rounded.component),
+           std::move(of_full),
+           gap_of_full,
+           ownersOf(simple, candidates),
+           std::move(rounded.written),
+           std::move(sizes.model),
+           std::move(sizes.effects),
+           {},
+           {}},
+          std::move(errors),
+          simple};
 }
 
 std::vector<SizedValue> rounded(std::vector<SizedValue> written, const io::ComponentDescription& component, int finer) {

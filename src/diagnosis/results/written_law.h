@@ -13,6 +13,8 @@ namespace rubber_suspension::diagnosis::results {
 struct MeasuredLaw {
   WrittenLaw law;
   Replayed errors;
+  FittedLaw fitted;            ///< the same before it was rounded
+  bool as_configured = false;  ///< nothing was fitted of it
 };
 
 /// `before`: gap of the re-estimated model.

@@ -51,12 +51,13 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
     case Out::removes_nothing:
       return "on further logs it may remove nothing";
     case Out::gap_remains:
-      return fmt::format("leaves {} of the {} that re-estimation leaves", percent(c.gap),
+      return fmt::format("its full law leaves {} of the {} that re-estimation leaves", percent(c.gap),
                          percent(d.gaps.unseen.re_estimated));
     case Out::more_than_named:
-      return fmt::format("leaves {}, where what is named leaves {}", percent(c.gap), percent(d.gaps.unseen.augmented));
+      return fmt::format("its full law leaves {}, where what is named leaves {}", percent(c.gap),
+                         percent(d.gaps.unseen.augmented));
     default:
-      return fmt::format("leaves {}, no more than what is named, and is less probable", percent(c.gap));
+      return fmt::format("its full law leaves {}, no more than what is named, and is less probable", percent(c.gap));
   }
 }
 

@@ -81,6 +81,99 @@ std::string ownValuesText(const Diagnosis& diagnosis) {
   return value == nullptr ? "The model's parameters are off" : offText(*value);
 }
 
+bool isWithheld(const Diagnosis& diagnosis, const std::string& effect) {
+  const auto& withheld = diagnosis.law.withheld;
+  return std::any_of(withheld.begin(), withheld.end(), [&](const Withheld& one) { return one.effect == effect; });
+}
+
+bool writesAnEffect(const Diagnosis& diagnosis) { return !diagnosis.law.added_for.empty() || diagnosis.table; }
+
+// " Friction is not written: with it, the component file would leave 3.1 % of log sweep, where 2.4 % are left as
+// configured."
+std::string withheldNote(const Diagnosis& diagnosis) {
+  std::string note;
+  for (const Withheld& one : diagnosis.law.withheld) {
+    const bool values = one.effect == "values";
+    note += fmt::format(
+        " {} not written: with {}, the component file would leave {} of {}, where {} are left as configured.",
+        values ? "Other values are" : capitalised(spoken(one.effect)) + " is", values ? "them" : "it",
+        percent(one.after, 2), one.log == "all logs" ? one.log : "log " + one.log, percent(one.before, 2));
+  }
+  return note;
+}
+
+// " Log b reads 10 % more than the others.", of a gain that is beyond the rig's tolerance. Where all logs have one, the
+// logs are told in two groups, since nothing tells which of them is right.
+std::string gainsNote(const Diagnosis& diagnosis) {
+  std::vector<const measurement::RigFinding*> gains;
+  for (const measurement::RigFinding& finding : diagnosis.rig_findings) {
+    if (finding.finding == measurement::finding::kSensorGain && finding.beyond_tolerance) {
+      gains.push_back(&finding);
+    }
+  }
+  std::string note;
+  if (gains.size() < 2 || gains.size() < diagnosis.logs.admission.size()) {
+    for (const measurement::RigFinding* gain : gains) {
+      note += fmt::format(" Log {} reads {} % {} than the others.", gain->log, wholePercent(std::abs(gain->value)),
+                          gain->value > 0.0 ? "more" : "less");
+    }
+    return note;
+  }
+  std::sort(gains.begin(), gains.end(), [](const auto* a, const auto* b) { return a->value < b->value; });
+  std::size_t split = 1;  // where neighbours differ most
+  for (std::size_t i = 1; i < gains.size(); ++i) {
+    const auto step = [&](std::size_t at) { return gains[at]->value - gains[at - 1]->value; };
+    split = step(i) > step(split) ? i : split;
+  }
+  const auto begin = gains.begin();
+  const auto names = [](auto from, auto to) {
+    return enumerated(element::each(std::vector<const measurement::RigFinding*>(from, to),
+                                    [](const measurement::RigFinding* gain) { return gain->log; }));
+  };
+  const auto middle = begin + static_cast<std::ptrdiff_t>(split);
+  const double more = (1.0 + (*middle)->value) / (1.0 + (*(middle - 1))->value) - 1.0;
+  const bool one = middle + 1 == gains.end();
+  return fmt::format(" {} {} {} {} % more than {}; the logs do not tell which of them {} right.", one ? "Log" : "Logs",
+                     names(middle, gains.end()), one ? "reads" : "read", wholePercent(more), names(begin, middle),
+                     gains.size() == 2 ? "is" : "are");
+}
+
+// ", 3.1 % on further logs", where logs left out tell it.
+std::string furtherText(const Diagnosis& diagnosis) {
+  const double gap = diagnosis.gaps.further_log;
+  return std::isfinite(gap) ? ", " + percent(gap) + " on further logs" : "";
+}
+
+// What the model may lack, where no effect that is named has half of the probability: by the probabilities that the
+// report lists, the likeliest first; empty where one has it.
+std::vector<std::string> openTexts(const Diagnosis& diagnosis, std::size_t most) {
+  constexpr double kMajority = 0.5;
+  constexpr double kWorthSaying = 0.05;
+  const auto named = [&](const CandidateResult& candidate) {
+    const std::vector<std::string>& effects = diagnosis.answer.effects;
+    return std::find(effects.begin(), effects.end(), candidate.effect) != effects.end();
+  };
+  const auto leads = [&](const CandidateResult& c) { return named(c) && c.probability >= kMajority; };
+  std::vector<std::string> texts;
+  if (diagnosis.candidates.empty() || std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(), leads)) {
+    return texts;
+  }
+  const Posterior& posterior = diagnosis.answer.posterior;
+  std::vector<std::pair<double, std::string>> open = {{posterior.none, "nothing, as configured"},
+                                                      {posterior.parameter_error, "nothing but right values"},
+                                                      {posterior.none_of_these, "something that is not in the list"}};
+  for (const CandidateResult& candidate : diagnosis.candidates) {
+    open.emplace_back(candidate.probability, spoken(candidate.effect));
+  }
+  std::stable_sort(open.begin(), open.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [probability, what] : open) {
+    if (texts.size() < most && probability >= kWorthSaying) {
+      texts.push_back(fmt::format("{} ({} %)", what, chance(probability)));
+    }
+  }
+  return texts;
+}
+
 // Of the gap as configured: the first is that of the values.
 double shareOfValues(const Diagnosis& diagnosis) {
   return diagnosis.shares.empty() ? 0.0 : diagnosis.shares.front().share;
@@ -91,6 +184,9 @@ std::string sharesText(const Diagnosis& diagnosis) {
   std::vector<std::string> texts;
   for (auto part = diagnosis.shares.rbegin(); part != diagnosis.shares.rend(); ++part) {
     const bool values = part->by == "values";
+    if (isWithheld(diagnosis, part->by)) {
+      continue;
+    }
     texts.push_back(fmt::format("{} {}{} {} %", values ? "other values" : part->by,
                                 part->share < 0.0 ? "add" : "remove", values ? "" : "s",
                                 wholePercent(std::abs(part->share))));
@@ -168,9 +264,10 @@ std::string ofUnseenLogs(const Diagnosis& diagnosis) {
   return any ? " of the unseen logs" : "";
 }
 
-std::string agreement(const Gap& gap) {
-  return fmt::format("The model agrees with the measurement: gap {}, noise floor {}.", percent(gap.as_configured),
-                     percent(gap.noise_floor));
+std::string agreement(const Diagnosis& diagnosis) {
+  const Gap& gap = diagnosis.gaps.unseen;
+  return fmt::format("The model agrees with the measurement: gap {}{}, noise floor {}.", percent(gap.as_configured),
+                     furtherText(diagnosis), percent(gap.noise_floor));
 }
 
 using experiment::NextExperiment;
@@ -217,26 +314,36 @@ std::string noneText(const Diagnosis& d, const NextExperiment& next) {
               : "Twice the stroke, twice the speed or five times the time would not do.");
 }
 
-}  // namespace
-
-std::string sentence(const Diagnosis& diagnosis) {
+std::string judgementText(const Diagnosis& diagnosis) {
   const Gap& gap = diagnosis.gaps.unseen;
   const std::string lacks = "the model lacks " + effectsText(diagnosis);
   const ChangeTexts closed(gap.re_estimated, gap.augmented, gap.noise_floor);
   const ChangeTexts moved(gap.as_configured, gap.re_estimated, gap.noise_floor);
-  const std::string closes = fmt::format(
-      " Adding {} removes {} % of the error that other parameter values cannot remove: gap {} to {}, noise {}.",
-      diagnosis.answer.effects.size() == 1 ? "it" : "them", wholePercent(diagnosis.gaps.closed), closed.before,
-      closed.after, closed.noise);
+  const std::string closes =
+      !writesAnEffect(diagnosis)
+          ? ""
+          : fmt::format(
+                " Adding {} removes {} % of the error that other parameter values cannot remove: gap {} to {}{}, noise "
+                "{}.",
+                diagnosis.answer.effects.size() == 1 ? "it" : "them", wholePercent(diagnosis.gaps.closed),
+                closed.before, closed.after, furtherText(diagnosis), closed.noise);
   const std::string values = deviationsText(diagnosis) + identifiedText(diagnosis);
+  constexpr std::size_t kMost = 5;
+  const std::vector<std::string> open =
+      diagnosis.answer.effects.empty() ? std::vector<std::string>{} : openTexts(diagnosis, kMost);
+  if (!open.empty()) {
+    return fmt::format("What the model lacks stays open with {}: it may be {}. The component file has {}: {}.",
+                       sourceOf(diagnosis), enumerated(open), effectsText(diagnosis), sharesText(diagnosis)) +
+           closes + values + remarkText(diagnosis);
+  }
   switch (diagnosis.answer.verdict) {
     case Verdict::none:
-      return agreement(gap);
+      return agreement(diagnosis);
     case Verdict::parameter_error:
-      return fmt::format("{}: other values remove {} % of the gap as configured, from {} to {} (noise {}).{}{}",
+      return fmt::format("{}: other values remove {} % of the gap as configured, from {} to {}{} (noise {}).{}{}",
                          diagnosis.parameters.guess ? "The data sheet is a guess" : ownValuesText(diagnosis),
-                         wholePercent(shareOfValues(diagnosis)), moved.before, moved.after, moved.noise, values,
-                         otherwise(diagnosis) + besideValuesText(diagnosis));
+                         wholePercent(shareOfValues(diagnosis)), moved.before, moved.after, furtherText(diagnosis),
+                         moved.noise, values, otherwise(diagnosis) + besideValuesText(diagnosis));
     case Verdict::named:
       return withOwnValues(diagnosis, lacks) + "." + closes + values + remarkText(diagnosis);
     case Verdict::confounded:
@@ -248,24 +355,36 @@ std::string sentence(const Diagnosis& diagnosis) {
              " No effect of the list explains the rest.";
     default:
       return fmt::format(
-          "No effect of the list explains the gap of {}{} (noise {}).{} Do not trust the model where that gap lies.",
-          percent(gap.re_estimated), ofUnseenLogs(diagnosis), percent(gap.noise_floor), values);
+          "No effect of the list explains the gap of {}{}{} (noise {}).{} Do not trust the model where that gap lies.",
+          percent(gap.re_estimated), ofUnseenLogs(diagnosis), furtherText(diagnosis), percent(gap.noise_floor), values);
   }
+}
+
+}  // namespace
+
+std::string sentence(const Diagnosis& diagnosis) {
+  return judgementText(diagnosis) + withheldNote(diagnosis) + gainsNote(diagnosis);
 }
 
 std::string headline(const Diagnosis& diagnosis) {
   const Gap& gap = diagnosis.gaps.unseen;
   const std::string effects = enumerated(element::each(diagnosis.answer.effects, spoken));
   const ChangeTexts closed(gap.re_estimated, gap.augmented, gap.noise_floor);
-  const std::string falls = fmt::format(": gap {} to {}.", closed.before, closed.after);
+  const std::string falls = fmt::format(": gap {} to {}{}.", closed.before, closed.after, furtherText(diagnosis));
+  constexpr std::size_t kMost = 3;
+  const std::vector<std::string> open =
+      diagnosis.answer.effects.empty() ? std::vector<std::string>{} : openTexts(diagnosis, kMost);
+  if (!open.empty()) {
+    return "It stays open what the model lacks: " + fmt::format("{}", fmt::join(open, ", ")) + "; " + falls.substr(2);
+  }
   switch (diagnosis.answer.verdict) {
     case Verdict::none:
-      return agreement(gap);
+      return agreement(diagnosis);
     case Verdict::parameter_error: {
       const ChangeTexts moved(gap.as_configured, gap.re_estimated, gap.noise_floor);
-      return fmt::format("{}: others lower the gap from {} to {}, noise {}.",
+      return fmt::format("{}: others lower the gap from {} to {}{}, noise {}.",
                          diagnosis.parameters.guess ? "The data sheet is a guess" : "Values of the model are wrong",
-                         moved.before, moved.after, moved.noise);
+                         moved.before, moved.after, furtherText(diagnosis), moved.noise);
     }
     case Verdict::named:
       return (headlineValue(diagnosis) == nullptr ? "The model lacks " : "Besides wrong values, the model lacks ") +
@@ -282,8 +401,8 @@ std::string headline(const Diagnosis& diagnosis) {
     case Verdict::defect:
       return "This report contradicts itself and names nothing.";
     default:
-      return fmt::format("No effect of the list explains the gap of {}, noise {}.", percent(gap.re_estimated),
-                         percent(gap.noise_floor));
+      return fmt::format("No effect of the list explains the gap of {}{}, noise {}.", percent(gap.re_estimated),
+                         furtherText(diagnosis), percent(gap.noise_floor));
   }
 }
 
@@ -302,7 +421,9 @@ std::string temperatureNote(const std::vector<std::string>& effects, const fit::
 std::string restNote(const Surrogate& surrogate) {
   constexpr double kLeastPart = 0.01;  // of the squared rest, to be told
   const std::string prediction = fmt::format(
-      "a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to (gap {:.1f} to {:.1f} %)",
+      "a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to (gap {:.1f} % without, "
+      "{:.1f} "
+      "% with the surrogate)",
       100.0 * surrogate.share, 100.0 * surrogate.unseen_before, 100.0 * surrogate.unseen_after);
   if (surrogate.function_of_the_motion) {
     return " The rest is a function of the motion that is not in the list: " + prediction + ".";

@@ -11,7 +11,7 @@ void addForceOffset(const fit::Excitation& excitation, fit::Candidate& candidate
   term.on_rig = true;
   term.is_offset = true;
   candidate.terms = {term};
-  candidate.free_in_log.offset = excitation.whole_logs > 1;
+  candidate.free_in_log.offset = excitation.whole_logs > 1 && !excitation.own.zero;
   candidate.one_form = true;
   candidate.constant = true;
 }

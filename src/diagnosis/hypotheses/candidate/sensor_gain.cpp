@@ -16,7 +16,7 @@ void addSensorGain(const fit::Excitation& excitation, fit::Candidate& candidate)
   term.softening = true;
   term.is_gain = true;
   candidate.terms = {term};
-  candidate.free_in_log.gain = excitation.whole_logs > 1;
+  candidate.free_in_log.gain = excitation.whole_logs > 1 && !excitation.own.gain;
   candidate.one_form = true;
   candidate.like_parameters = true;
 }

@@ -1,0 +1,39 @@
+// What two components leave of each log beside what the rig did to it alike for both: the written file against the
+// configured one.
+#pragma once
+
+#include <vector>
+
+#include "gap/simulate.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/gap/prepared_record.h"
+
+namespace rubber_suspension::diagnosis::results {
+
+/// What a rig did to a log, with one value for all components.
+struct RigOfLog {
+  double gain = 0.0;   ///< of the recorded force, as a finding says [-]
+  double delay = 0.0;  ///< of the recorded force behind the displacement, likewise [s]
+};
+
+/// What the findings say of each record.
+std::vector<RigOfLog> rigOfLogs(const std::vector<gap::PreparedRecord>& records,
+                                const std::vector<measurement::RigFinding>& findings);
+
+/// What each of two components leaves of each record: without its gain and delay, and without an offset and, of a log
+/// that starts in motion, an initial state, which are fitted to each component alike.
+std::vector<LeftOfLog> leftOfLogs(const std::vector<gap::PreparedRecord>& records, const std::vector<RigOfLog>& rig,
+                                  const gap::Forces& configured, const gap::Forces& written);
+
+/// By how much the written component leaves too much: over each log, the squared gap above the one allowed; over all
+/// logs together likewise. 0: nowhere.
+double excessOf(const std::vector<LeftOfLog>& logs);
+
+/// A square by which nothing is left more: a hundredth of the accepted one. An offset that is written leaves as much as
+/// none, since one is fitted to each log.
+double asMuchAs();
+
+/// The log with the largest excess; "all logs" where only all of them together have one.
+LeftOfLog worstOf(const std::vector<LeftOfLog>& logs);
+
+}  // namespace rubber_suspension::diagnosis::results
