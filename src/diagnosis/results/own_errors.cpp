@@ -64,10 +64,14 @@ std::vector<gap::OwnErrors> ownErrors(const hypotheses::PreparedCase& prepared,
     const double alike = std::sqrt(2.0) * io::kTolerated * tolerances.gain.value;  // of two, each within its tolerance
     const std::vector<bool> unlike = unlikeMost(gainsBeside(forces, records, tolerances), alike);
     for (std::size_t r = 0; r < own.size(); ++r) {
-      own[r].gain = unlike[r];
+      own[r].gain = own[r].gain || unlike[r];
     }
   }
-  return own;
+  const bool nothing_new =
+      std::equal(own.begin(), own.end(), records.begin(), [](const auto& found, const auto& record) {
+        return found.gain == record.own.gain && found.zero == record.own.zero;
+      });
+  return nothing_new ? std::vector<gap::OwnErrors>() : own;
 }
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -14,7 +14,7 @@ std::vector<bool> unlikeMost(const std::vector<double>& values, double alike);
 
 /// What each log has for itself where a judged hypothesis gives each log another gain or another zero: the gain of logs
 /// that read otherwise than most do, the zero of all. The logs of the fit, then those held out. Empty where it gives
-/// them none.
+/// them none, or none that the logs do not have already: a search that is repeated with them ends.
 std::vector<gap::OwnErrors> ownErrors(const hypotheses::PreparedCase& prepared,
                                       const hypotheses::FittedHypothesis& judged);
 
