@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "element/each.h"
+#include "element/largest_number.h"
 #include "element/registry.h"
 #include "element/suggestion.h"
 
@@ -39,7 +40,7 @@ void checkValue(const ElementType& type, const ParameterInfo& parameter, const s
   }
   for (const double value : values) {
     if (!parameter.range.contains(value)) {
-      refuseValue(type.name, parameter.name, value, parameter.unit, describe(parameter.range));
+      refuseValue(type.name, parameter.name, value, parameter.unit, acceptedFor(value, parameter.range));
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "element/largest_number.h"
 #include "element/refuse.h"
 #include "element/suggestion.h"
 #include "estimation/models.h"
@@ -477,8 +478,8 @@ double slopeAbout(const element::ParallelElement& law, double displacement) {
 void checkRange(const element::ParameterInfo& input, double value) {
   if (!input.range.contains(value)) {
     throw std::invalid_argument(fmt::format("{}: {:g}{} is out of range; accepted: {} ({})", input.name, value,
-                                            input.unit == "1" ? "" : " " + input.unit, element::describe(input.range),
-                                            input.documentation));
+                                            input.unit == "1" ? "" : " " + input.unit,
+                                            element::acceptedFor(value, input.range), input.documentation));
   }
 }
 

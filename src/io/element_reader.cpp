@@ -94,10 +94,12 @@ double ElementReader::loadNumber(const Entry& entry, const element::ParameterInf
                               parameter.unit));
   }
   if (!parameter.range.contains(value)) {
-    refuse(entry,
-           fmt::format("{} is {}; accepted: {}{}", text, std::isfinite(value) ? "out of range" : "not finite",
-                       acceptedIn(unit, parameter),
-                       parameter.name == "maxwell_elements" && value == 1.0 ? ", or model: maxwell for one" : ""));
+    const std::string hint = value > 0.0 && value < element::kSmallestNumber
+                                 ? fmt::format(", not below {:g} {}", element::kSmallestNumber, parameter.unit)
+                             : parameter.name == "maxwell_elements" && value == 1.0 ? ", or model: maxwell for one"
+                                                                                    : "";
+    refuse(entry, fmt::format("{} is {}; accepted: {}{}", text, std::isfinite(value) ? "out of range" : "not finite",
+                              acceptedIn(unit, parameter), hint));
   }
   return value;
 }
