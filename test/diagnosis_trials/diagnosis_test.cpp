@@ -157,9 +157,11 @@ TEST(Diagnosis, ClosesMostOfCouplingOfRateAndAmplitudeByCouplingAlone) {
   });
   const diagnosis::Diagnosis result = diagnoseTwo(flow);
   ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
-  // It is named only where no others explain the gap, and here relaxation and friction together come close.
-  const auto least = std::min_element(result.candidates.begin(), result.candidates.end(),
-                                      [](const auto& x, const auto& y) { return x.gap < y.gap; });
+  // It is named only where no others explain the gap, and here relaxation and friction together come close. What is
+  // named has the gap of the written file; the full laws of the others are compared with each other.
+  const auto least = std::min_element(
+      result.candidates.begin(), result.candidates.end(),
+      [](const auto& x, const auto& y) { return std::tie(x.written, x.gap) < std::tie(y.written, y.gap); });
   EXPECT_EQ(least->effect, "rate_amplitude_coupling") << result.sentence;
 }
 
