@@ -7,7 +7,13 @@
 
 namespace rubber_suspension::kernel {
 
-bool allFinite(const double* value, std::size_t count) { return RUBBER_SUSPENSION_KERNEL(finite)(value, count); }
+bool allFinite(const double* value, std::size_t count) {
+  return RUBBER_SUSPENSION_KERNEL(exponentsBelow)(value, count, 2047);
+}
+
+bool allBelowTwoTo(unsigned power, const double* value, std::size_t count) {
+  return RUBBER_SUSPENSION_KERNEL(exponentsBelow)(value, count, 1023U + power);
+}
 
 bool allIncreasing(const std::int64_t* stamp, std::size_t count) {
   return RUBBER_SUSPENSION_KERNEL(increasing)(stamp, count);

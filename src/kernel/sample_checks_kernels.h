@@ -1,15 +1,16 @@
 // Checks of many samples, for one kind of processor. See instruction_sets.h. None of them has a branch for each sample,
 // so that the loops become vector instructions.
 
-// One added to an exponent of ones only, that of infinity and of what is not a number, carries into the sign bit.
-inline bool finite(const double* value, std::size_t count) {
+// What is added to the exponent carries into the sign bit from the biased exponent `from` on: that of infinity and of
+// what is not a number, 2047, among them.
+inline bool exponentsBelow(const double* value, std::size_t count, std::uint64_t from) {
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63U;
-  constexpr std::uint64_t kOneInExponent = std::uint64_t{1} << 52U;
+  const std::uint64_t added = (2048U - from) << 52U;
   std::uint64_t seen = 0;
   for (std::size_t i = 0; i < count; ++i) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, value + i, sizeof bits);
-    seen |= (bits & ~kSign) + kOneInExponent;
+    seen |= (bits & ~kSign) + added;
   }
   return (seen & kSign) == 0;
 }

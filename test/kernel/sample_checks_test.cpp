@@ -38,6 +38,21 @@ TEST_P(SampleChecks, FindWhatIsNotFinite) {
   }
 }
 
+TEST_P(SampleChecks, FindWhatIsTooLarge) {
+  using Limits = std::numeric_limits<double>;
+  for (std::size_t count = 0; count <= kMost; ++count) {
+    std::vector<double> values(count + 1, -std::nextafter(0x1p99, 0.0));
+    EXPECT_TRUE(kernel::allBelowTwoTo(99, values.data(), count));
+    for (std::size_t at = 0; at < count; ++at) {
+      for (const double other : {0x1p99, -0x1p99, Limits::max(), -Limits::infinity(), Limits::quiet_NaN()}) {
+        values[at] = other;
+        EXPECT_FALSE(kernel::allBelowTwoTo(99, values.data(), count)) << other << " at " << at << " of " << count;
+      }
+      values[at] = 0.0;
+    }
+  }
+}
+
 TEST_P(SampleChecks, FindWhatDoesNotIncrease) {
   EXPECT_TRUE(kernel::allIncreasing(nullptr, 0));
   for (std::size_t count = 1; count <= kMost; ++count) {
