@@ -235,7 +235,7 @@ std::optional<CsvHeader> HeaderFinder::add(const TextLine& line) {
 
 std::optional<CsvHeader> HeaderFinder::atEnd() const {
   for (std::size_t i = lines_.size() < 3 ? 0 : lines_.size() - 2; i < lines_.size(); ++i) {
-    const auto found = candidate(i);
+    auto found = candidate(i);
     if (found && found->next_line <= lines_.back().number) {
       return found;
     }

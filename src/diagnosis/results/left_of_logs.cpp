@@ -105,7 +105,7 @@ double excessOf(const std::vector<LeftOfLog>& logs) {
 double asMuchAs() { return 0.01 * square(judge::fittedNumbers().accepted); }
 
 LeftOfLog worstOf(const std::vector<LeftOfLog>& logs) {
-  const LeftOfLog worst = *std::max_element(
+  LeftOfLog worst = *std::max_element(
       logs.begin(), logs.end(), [](const LeftOfLog& a, const LeftOfLog& b) { return excessOfLog(a) < excessOfLog(b); });
   if (excessOfLog(worst) > 0.0) {
     return worst;
