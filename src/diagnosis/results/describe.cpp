@@ -394,7 +394,9 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
   const std::vector<measurement::RigFinding> of_rig = describer(named).findingsOfRig();
   findings.insert(findings.end(), of_rig.begin(), of_rig.end());
   const MeasuredLaw written = withoutDamage(prepared, *workings, std::move(named), gap_before, findings, options);
-  workings->simulated.augmented = simulate(prepared, written.law.augmented);
+  if (!written.law.withheld.empty()) {
+    workings->simulated.augmented = simulate(prepared, written.law.augmented);
+  }
   Diagnosis result = describer(written).run(recorded, raw, std::move(findings));
   for (std::size_t e = 0; e < removed.size(); ++e) {
     result.shares[1 + e].squares_at_least = removed[e];

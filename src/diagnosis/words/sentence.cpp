@@ -421,9 +421,8 @@ std::string temperatureNote(const std::vector<std::string>& effects, const fit::
 std::string restNote(const Surrogate& surrogate) {
   constexpr double kLeastPart = 0.01;  // of the squared rest, to be told
   const std::string prediction = fmt::format(
-      "a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to (gap {:.1f} % without, "
-      "{:.1f} "
-      "% with the surrogate)",
+      "a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to "
+      "(gap {:.1f} % without, {:.1f} % with the surrogate)",
       100.0 * surrogate.share, 100.0 * surrogate.unseen_before, 100.0 * surrogate.unseen_after);
   if (surrogate.function_of_the_motion) {
     return " The rest is a function of the motion that is not in the list: " + prediction + ".";
