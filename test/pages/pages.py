@@ -8,7 +8,7 @@ In a page (CONTRIBUTING.md):
 - A block ```yaml to FILE is that file, for the commands behind it.
 - A block ```text behind one is all that it prints on stdout, ```text 2 its first two lines, long ones wrapped.
 - A picture with <!-- of FILE --> behind it is FILE, which the script leaves; of FILE.html the first screen, by Chromium.
-A number may be off by one in the last digit shown: it is rounded. --write puts the present output and pictures in place.
+Text is compared exactly, except for line breaks and spaces. --write puts the present output and pictures in place.
 roslaunch needs the environment of the build, as `catkin_generated/env_cached.sh` gives it.
 """
 
@@ -36,7 +36,6 @@ COLOURS = 128  # of a picture: every clone carries all of them, and all their ve
 SAME_PICTURE = 0.01
 FENCE = re.compile(r"^( *)```(sh run|yaml to \S+|text(?: \d+)?)\n(.*?)^ *```$", re.M | re.S)
 PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)<!-- of ([^ ]+) -->")
-NUMBER = re.compile(r"(\d+(?:\.\d+)?)")
 PRELUDE = """set -e
 rosrun() {{ shift; local name=$1; shift; if [ -x "{scripts}/$name" ]; then "{scripts}/$name" "$@"; else "{programs}/$name" "$@"; fi; }}
 cd "{root}"
@@ -90,7 +89,7 @@ class Page:
         """What the page shows and the commands do not print or draw."""
         for i, lines in self.outputs.items():
             shown, printed = " ".join(self.blocks[i][3].split()), " ".join(" ".join(lines).split())
-            if not same(shown, printed):
+            if shown != printed:
                 yield f"shows '{shown}', but prints '{printed}'"
         for picture, file in PICTURE.findall(self.text):
             drawn = self.picture(file)
@@ -123,19 +122,6 @@ class Page:
             page.show(1100, 760)
             page.picture(drawn)
         return drawn
-
-
-def same(shown, printed):
-    """Whether two texts differ in nothing but a last digit."""
-    one, other = NUMBER.split(shown), NUMBER.split(printed)
-    if one[::2] != other[::2]:
-        return False
-    return all(abs(float(a) - float(b)) <= 1.001 * 10.0 ** -min(decimals(a), decimals(b))
-               for a, b in zip(one[1::2], other[1::2]))
-
-
-def decimals(number):
-    return len(number.partition(".")[2])
 
 
 def wrapped(lines, block):

@@ -51,12 +51,11 @@ class Pages(unittest.TestCase):
             status = pages.main(self.root, self.root, ["page.md"], write)
         return status, said.getvalue()
 
-    def test_what_is_printed_passes_up_to_the_last_digit(self):
+    def test_what_is_printed_passes(self):
         self.assertEqual(self.main(PAGE % "0.2 %, 31.4 N"), (0, ""))
-        self.assertEqual(self.main(PAGE % "0.2 %, 31.3 N"), (0, ""))
 
     def test_another_number_or_word_is_told(self):
-        for other in ("0.2 %, 31.2 N", "0.4 %, 31.4 N", "0.2 %, 31.4 m"):
+        for other in ("0.2 %, 31.3 N", "0.4 %, 31.4 N", "0.2 %, 31.4 m"):
             status, said = self.main(PAGE % other)
             self.assertEqual(status, 1)
             self.assertIn(f"shows 'gap {other}, in /tmp/report', but prints 'gap 0.2 %, 31.4 N, in /tmp/report'", said)
