@@ -29,7 +29,7 @@ void setExperimentLimit(ExperimentLimits& limits, const std::string& assignment)
         fmt::format("{}: no '='; accepted: KEY=VALUE, as stroke=20 mm", log::quoted(assignment)));
   }
   const std::string key = log::trimmed(assignment.substr(0, equal));
-  const ExperimentLimitInfo& row = io::namedRow(experimentLimitTable(), key, "no limit of an experiment");
+  const ExperimentLimitInfo row = io::namedRow(experimentLimitTable(), key, "no limit of an experiment");
   const std::string text = log::trimmed(assignment.substr(equal + 1));
   const std::string accepted = fmt::format("a number in {} or text with such a unit, above 0", row.unit);
   double value = 0.0;
