@@ -118,7 +118,7 @@ Status statusOf(const Manifest& manifest, const std::string& folder) {
   for (const std::size_t place : manifest.distinctJobs()) {
     const Job& job = manifest.jobs[place];
     const FoundRecord found = findRecord(folder, job.id, manifest.version, FileCheck::sizes);
-    std::size_t JobCounts::*count = running.count(job.id) != 0 ? &JobCounts::running : &JobCounts::missing;
+    std::size_t JobCounts::* count = running.count(job.id) != 0 ? &JobCounts::running : &JobCounts::missing;
     if (!found.problem.empty()) {
       count = &JobCounts::broken;
       status.broken.push_back(found.problem);

@@ -150,9 +150,8 @@ class Pool {
   void look() {
     constexpr int kMoment = 100;               // [ms]
     constexpr double kMostBetweenLooks = 2.0;  // [s]; more means that this process was suspended, with its workers
-    std::vector<pollfd> sockets = element::each(workers_, [](const Worker& worker) {
-      return pollfd{worker.socket, POLLIN, 0};
-    });
+    std::vector<pollfd> sockets =
+        element::each(workers_, [](const Worker& worker) { return pollfd{worker.socket, POLLIN, 0}; });
     poll(sockets.data(), sockets.size(), kMoment);
     const auto now = std::chrono::steady_clock::now();
     const double passed = std::min(std::chrono::duration<double>(now - last_look_).count(), kMostBetweenLooks);

@@ -229,7 +229,7 @@ nlohmann::ordered_json reportJson(const EstimateReport& report) {
 struct FigureColumn {
   std::string title;
   SweepAxis along;
-  const std::vector<response::SweepPoint> EstimateReport::*points;
+  const std::vector<response::SweepPoint> EstimateReport::* points;
 };
 
 // Several components differ by the style of their lines, too: for those who do not see colours, and in print.

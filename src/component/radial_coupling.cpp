@@ -330,7 +330,7 @@ Eigen::Vector3d RadialCoupling::heldForce(const Eigen::Vector3d& d) const {
   return force;
 }
 
-void RadialCoupling::add(const Eigen::Vector3d& sum, double element::ComponentForce::*part, BushForce& force) const {
+void RadialCoupling::add(const Eigen::Vector3d& sum, double element::ComponentForce::* part, BushForce& force) const {
   for (std::size_t axis = 0; axis < directions_.size(); ++axis) {
     element::ComponentForce& direction = force.direction[directions_[axis]];
     direction.*part += sum[static_cast<Eigen::Index>(axis)];

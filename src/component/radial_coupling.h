@@ -94,7 +94,7 @@ class RadialCoupling {
   Eigen::Vector3d vectorOf(const Coordinates& coordinates) const;
   Eigen::Vector3d elasticForce(const Eigen::Vector3d& d, bool with_stops) const;
   Eigen::Vector3d heldForce(const Eigen::Vector3d& d) const;
-  void add(const Eigen::Vector3d& sum, double element::ComponentForce::*part, BushForce& force) const;
+  void add(const Eigen::Vector3d& sum, double element::ComponentForce::* part, BushForce& force) const;
   Eigen::Vector3d stepSliders(const Eigen::Vector3d& d, double* memory) const;
   Eigen::Vector3d stepBranches(double dt, const Eigen::Vector3d& begin, const Eigen::Vector3d& end,
                                double* memory) const;

@@ -193,7 +193,7 @@ gap::Forces HypothesisForces::moreThanWith(const Eigen::VectorXd& scales, const 
   return forces;
 }
 
-ForceColumn HypothesisForces::moved(const Place& place, Eigen::VectorXd ParameterVector::*part, Eigen::Index parameter,
+ForceColumn HypothesisForces::moved(const Place& place, Eigen::VectorXd ParameterVector::* part, Eigen::Index parameter,
                                     double step) const {
   return columnOf(numerics::quotient(place.base, step, [&](double by) {
     ParameterVector there = place.parameters;

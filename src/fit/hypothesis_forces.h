@@ -77,7 +77,7 @@ class HypothesisForces {
   /// Derivative by the scale of a basis term; about, where it is at nothing and others displace the component.
   ForceColumn termColumn(const Place& place, std::size_t term) const;
   /// Quotient where one of the parameters is moved.
-  ForceColumn moved(const Place& place, Eigen::VectorXd ParameterVector::*part, Eigen::Index parameter,
+  ForceColumn moved(const Place& place, Eigen::VectorXd ParameterVector::* part, Eigen::Index parameter,
                     double step) const;
   static ForceColumn knownColumn(const Place& place, std::size_t term, ForceColumn unit_effect);
 

@@ -78,7 +78,7 @@ void ModelParameters::addRelaxation() {
     relaxation.alpha = stiffnesses[0] / stiffnesses[1];
     relaxation.band_ratio = break_frequencies[1] / break_frequencies[0];
   }
-  const auto addFree = [&](bool free, const char* name, double Relaxation::*number, double largest) {
+  const auto addFree = [&](bool free, const char* name, double Relaxation::* number, double largest) {
     if (free) {
       add(name, {[=](Point& point, double ratio) { point.relaxation.*number *= ratio; }, false, 0.0}, largest);
     }
@@ -107,7 +107,7 @@ void ModelParameters::addSpecification() {
   }
 }
 
-void ModelParameters::addElements(std::vector<element::ElementDescription> Point::*list) {
+void ModelParameters::addElements(std::vector<element::ElementDescription> Point::* list) {
   for (std::size_t entry = 0; entry < (configured_.*list).size(); ++entry) {
     const element::ElementDescription completed = element::complete((configured_.*list)[entry]);
     const auto& table = element::findElementType(completed.type)->parameters;

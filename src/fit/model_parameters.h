@@ -115,7 +115,7 @@ class ModelParameters {
 
   void addRelaxation();
   void addSpecification();
-  void addElements(std::vector<element::ElementDescription> Point::*list);
+  void addElements(std::vector<element::ElementDescription> Point::* list);
   void add(const std::string& name, Slot slot, double largest_ratio);
   void addKnown();
   /// A number of the sheet, whether or not a component has the numbers of the point.

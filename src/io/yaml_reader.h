@@ -44,7 +44,7 @@ struct Key {
 
 /// A key whose value, as `load` finds it, becomes a member.
 template <class Target, class Value, class Load>
-Key<Target> into(std::string name, Value Target::*member, Load load, std::string needed = {}) {
+Key<Target> into(std::string name, Value Target::* member, Load load, std::string needed = {}) {
   return {std::move(name), [=](const Entry& entry, Target& target) { target.*member = load(entry); },
           std::move(needed)};
 }

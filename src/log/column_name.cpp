@@ -50,7 +50,7 @@ const std::vector<QuantityNames>& quantityTable() {
 
 const QuantityNames& rowOf(Quantity quantity) { return quantityTable()[static_cast<std::size_t>(quantity)]; }
 
-std::optional<Quantity> quantityWith(const std::string& bare, std::vector<std::string> QuantityNames::*words) {
+std::optional<Quantity> quantityWith(const std::string& bare, std::vector<std::string> QuantityNames::* words) {
   const std::string word = lowerCase(bare);
   for (const QuantityNames& row : quantityTable()) {
     if (std::find((row.*words).begin(), (row.*words).end(), word) != (row.*words).end()) {

@@ -192,7 +192,7 @@ void refuseUnpacked(std::size_t unpacked, std::size_t packed, bool large, std::s
 }
 
 bool isRegularFile(const std::string& path) {
-  struct stat status {};
+  struct stat status{};
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 

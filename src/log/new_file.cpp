@@ -43,7 +43,7 @@ extern "C" void removeUnfinishedFiles(int signal) {
 // Only where the program has no handler of its own: roscpp ends its programs in order on SIGINT.
 void watchSignals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) {
-    struct sigaction action {};
+    struct sigaction action{};
     sigaction(signal, nullptr, &action);
     if (action.sa_handler == SIG_DFL) {
       // A file beyond the limit of its size is an error of writing like others.
@@ -101,7 +101,7 @@ RemovedBySignal::~RemovedBySignal() {
 }
 
 bool isStream(const std::string& path) {
-  struct stat status {};
+  struct stat status{};
   const bool special = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
   return special || path.compare(0, 5, "/dev/") == 0 || path.compare(0, 6, "/proc/") == 0;
 }
@@ -119,7 +119,7 @@ std::string followedPath(const std::string& path) {
 }
 
 NewFile::NewFile(const std::string& path) : path_(path), target_(followedPath(path)) {
-  struct stat status {};
+  struct stat status{};
   const bool exists = stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {
     fail(path, EISDIR);

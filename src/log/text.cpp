@@ -129,7 +129,7 @@ std::string quoted(const std::string& text) {
 std::string join(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
 void refuseNamedPipe(const std::string& path) {
-  struct stat status {};
+  struct stat status{};
   // A shell opens the file that it puts in the place of a command, <(...).
   const bool is_open = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
   element::refuseIf<std::runtime_error>(!is_open && stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode),

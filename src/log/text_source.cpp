@@ -45,7 +45,7 @@ class FileBytes final : public ByteSource {
 
 // 0 where it is no regular file.
 std::size_t sizeOfFile(const std::string& path) {
-  struct stat status {};
+  struct stat status{};
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
 }
 

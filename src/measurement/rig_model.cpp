@@ -41,7 +41,7 @@ struct Column {
 void addDelays(const VectorXd& simulated, double dt, std::vector<Column>& columns) {
   const VectorXd rate = -numerics::slopesOf(simulated) / dt;
   const auto middle = 0.5 * static_cast<double>(simulated.size() - 1);
-  const VectorXd time = (VectorXd::LinSpaced(simulated.size(), -middle, middle)) * dt;
+  const VectorXd time = VectorXd::LinSpaced(simulated.size(), -middle, middle) * dt;
   columns.push_back({Nuisance::delay, rate});
   columns.push_back({Nuisance::clock, rate.cwiseProduct(time)});
 }
@@ -209,7 +209,7 @@ Solution withoutColumn(const NormalEquations& equations, const VectorXd& priors,
 struct NuisanceInfo {
   const char* finding;
   const char* unit;
-  io::RigTolerance io::RigTolerances::*tolerance;
+  io::RigTolerance io::RigTolerances::* tolerance;
   double (*whole)(const log::Record&);
 };
 

@@ -201,8 +201,7 @@ void addMotion(py::module_& module) {
           "elastic", [](const Motion& motion) { return motion.force().elastic; }, "[N]")
       .def_property_readonly(
           "viscous", [](const Motion& motion) { return motion.force().viscous; }, "[N]")
-      .def_property_readonly(
-          "friction", [](const Motion& motion) { return motion.force().friction; }, "[N]");
+      .def_property_readonly("friction", [](const Motion& motion) { return motion.force().friction; }, "[N]");
 }
 
 }  // namespace

@@ -106,7 +106,9 @@ class AnswerLink : public ros::SubscriberLink {
  private:
   // The lock keeps the change from falling between a look at it and the wait for it.
   void wake() {
-    { const std::lock_guard<std::mutex> lock(mutex_); }
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+    }
     room_.notify_all();
   }
 

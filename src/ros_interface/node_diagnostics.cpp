@@ -26,7 +26,7 @@ constexpr std::size_t kMostCells = 20;
 struct Fault {
   const char* row;
   const char* words;
-  std::uint64_t ChannelReport::*count;
+  std::uint64_t ChannelReport::* count;
 };
 
 constexpr Fault kFaults[] = {

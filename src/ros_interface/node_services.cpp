@@ -41,7 +41,7 @@ node::ComponentChannel& channelNamed(const std::string& name, const node::Channe
 
 // For every channel the entry of its name; throws unless the names are the same on both sides.
 template <class Entry>
-std::vector<const Entry*> matchByName(const std::vector<Entry>& entries, std::string Entry::*name,
+std::vector<const Entry*> matchByName(const std::vector<Entry>& entries, std::string Entry::* name,
                                       const node::ChannelGroup& group) {
   for (const Entry& entry : entries) {
     channelNamed(entry.*name, group);

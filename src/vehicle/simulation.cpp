@@ -93,8 +93,7 @@ void prepare(SimTK::Integrator& integrator, const VariableStep& options) {
 }
 
 // Step to a time; `accepted` is called after each step that the integrator takes on the way.
-void stepTo(
-    SimTK::Integrator& integrator, double time, const std::function<void()>& accepted = [] {}) {
+void stepTo(SimTK::Integrator& integrator, double time, const std::function<void()>& accepted = [] {}) {
   while (integrator.getTime() < time) {
     element::refuseIf<std::runtime_error>(integrator.stepTo(time) == SimTK::Integrator::EndOfSimulation,
                                           "the integrator ends at {:.6g} s", integrator.getTime());

@@ -34,8 +34,7 @@ void addSteps(std::vector<Case>& cases, std::size_t samples) {
   const auto uneven = std::make_shared<Bench>(kElements, Stamps::uneven, samples);
   const auto add = [&](const std::shared_ptr<Bench>& bench, const std::string& name, void (ExampleRun::*way)()) {
     const std::string loop = bench == uneven ? "plain loop, every dt its own" : "plain loop, constant dt";
-    cases.push_back(forceCase(
-        bench, name, [way](Bench& work) { (work.run.*way)(); }, loop, &Bench::plainLoop));
+    cases.push_back(forceCase(bench, name, [way](Bench& work) { (work.run.*way)(); }, loop, &Bench::plainLoop));
   };
   add(even, "`SampleStream::push`, constant dt", &ExampleRun::push);
   add(uneven, "`Component::step`, every dt another", &ExampleRun::step);

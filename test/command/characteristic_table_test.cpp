@@ -106,20 +106,14 @@ TEST(CharacteristicTable, AStrapCarriesPreloadsOfOneSign) {
   const auto table = makeTable("strap", strap, {{1.0}, {1e-3}, {9e3}});
   EXPECT_NEAR(table.rows[0].mean, 3e-3, 1e-12);
   EXPECT_NEAR(table.rows[0].point.characteristics.stiffness, kLinear, 1e-9 * kLinear);
-  EXPECT_THAT(
-      [&] {
-        makeTable("strap", strap, {{1.0}, {1e-3}, {-9e3}});
-      },
-      testing::ThrowsMessage<std::invalid_argument>(HasSubstr("preload: -9000 N")));
+  EXPECT_THAT([&] { makeTable("strap", strap, {{1.0}, {1e-3}, {-9e3}}); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("preload: -9000 N")));
 }
 
 TEST(CharacteristicTable, RefusesAPreloadThatNothingCarries) {
   const component::Component dashpot({{"dashpot", {{"damping", {2e4}}}}});
-  EXPECT_THAT(
-      [&] {
-        makeTable("dashpot", dashpot, {{1.0}, {1e-3}, {100.0}});
-      },
-      testing::ThrowsMessage<std::invalid_argument>(HasSubstr("preload: 100 N")));
+  EXPECT_THAT([&] { makeTable("dashpot", dashpot, {{1.0}, {1e-3}, {100.0}}); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("preload: 100 N")));
   EXPECT_THROW(makeTable("bush", stiffening(), {{0.0}, {1e-3}}), std::invalid_argument);
 }
 

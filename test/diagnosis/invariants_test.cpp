@@ -24,19 +24,13 @@ TEST(Invariants, AreEachFoundBroken) {
       {"effects are as probable as their sets", [](Diagnosis& d) { d.candidates[0].probability = 0.0; }},
       {"the first set is the one named", [](Diagnosis& d) { d.answer.confounded.front() = {"friction"}; }},
       {"no set holds an improbable effect", [](Diagnosis& d) { d.answer.confounded.push_back({"no effect"}); }},
-      {"alternatives follow by probability",
-       [](Diagnosis& d) {
-         d.answer.alternatives.assign(3, {{}, {}, 0.5});
-       }},
+      {"alternatives follow by probability", [](Diagnosis& d) { d.answer.alternatives.assign(3, {{}, {}, 0.5}); }},
       {"the floor is no more than any gap",
        [](Diagnosis& d) { d.gaps.unseen.noise_floor = 1.01 * d.gaps.unseen.augmented; }},
       {"named: the gap falls and the interval excludes 0, or the data sheet holds",
        [](Diagnosis& d) { d.gaps.unseen.re_estimated = d.gaps.unseen.as_configured = 0.99 * d.gaps.unseen.augmented; }},
       {"closed is of the gaps", [](Diagnosis& d) { d.gaps.closed -= 0.01; }},
-      {"the interval holds what is closed",
-       [](Diagnosis& d) {
-         d.gaps.closed_interval = {0.1, 0.2};
-       }},
+      {"the interval holds what is closed", [](Diagnosis& d) { d.gaps.closed_interval = {0.1, 0.2}; }},
       {"an interval that ends at a bound says so",
        [](Diagnosis& d) { d.law.effect_sizes.front().interval_95[0] = 0.0; }},
       {"what was taken out adds up", [](Diagnosis& d) { d.logs.admission.front().left *= 1.1; }},

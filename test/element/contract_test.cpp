@@ -460,11 +460,12 @@ TEST_P(LinearContract, SettledSineTendsToComplexStiffness) {
 
 // The dashpot's K* grows without limit; it has a closed form of its own in its test.
 class SampledContract : public Contract {};
-INSTANTIATE_TEST_SUITE_P(
-    ExactLawsWithFiniteStiffness, SampledContract, typicalElementsThat([](const element::ElementDescription& law) {
-      return isOneOf(law, {"spring", "maxwell", "springpot", "creep", "inertia_track"}) && linearSubject(law).linear();
-    }),
-    nameOf);
+INSTANTIATE_TEST_SUITE_P(ExactLawsWithFiniteStiffness, SampledContract,
+                         typicalElementsThat([](const element::ElementDescription& law) {
+                           return isOneOf(law, {"spring", "maxwell", "springpot", "creep", "inertia_track"}) &&
+                                  linearSubject(law).linear();
+                         }),
+                         nameOf);
 
 TEST_P(SampledContract, SettledSineOfAnExactStepIsKnown) {
   for (const double frequency : {0.5, 4.0, 25.0}) {

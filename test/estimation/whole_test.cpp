@@ -42,7 +42,9 @@ std::string refusal(estimation::Model model, const estimation::Specification& sp
 
 // Computed by an independent program: docs/estimation.md. Tolerances are half of the last digit.
 TEST(WholeComponent, OfFiveInputsWithFriction) {
-  const struct { double amplitude, alpha, loss_angle; } rows[] = {{2e-3, 0.506837, 10.8247}, {1e-3, 0.222246, 10.3648}};
+  const struct {
+    double amplitude, alpha, loss_angle;
+  } rows[] = {{2e-3, 0.506837, 10.8247}, {1e-3, 0.222246, 10.3648}};
   for (const auto& row : rows) {
     const auto resolved = estimation::resolve(estimation::Model::multi_maxwell,
                                               specificationOf(fiveInputs(5e6, row.amplitude)), kFriction);

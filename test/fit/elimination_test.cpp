@@ -134,9 +134,8 @@ TEST(Elimination, LeavesNoLessOfBlocksHeldOutThanInSample) {
     for (const std::size_t logs : {1, 2, 5}) {
       const BlockGrams blocks = equationsOf(someTriangles(logs), free);
       const Eigen::VectorXd bound = Eigen::VectorXd::Constant(blocks.unknowns(), 1e9);
-      const std::vector<double> errors = crossValidate(blocks, [&](const Eigen::MatrixXd& gram) {
-        return solve(gram, {-bound, bound});
-      });
+      const std::vector<double> errors =
+          crossValidate(blocks, [&](const Eigen::MatrixXd& gram) { return solve(gram, {-bound, bound}); });
       const Eigen::VectorXd solution = solutionOf(blocks);
       Eigen::ArrayXd more(static_cast<Eigen::Index>(errors.size()));
       for (std::size_t b = 0; b < errors.size(); ++b) {

@@ -40,9 +40,8 @@ BlockGrams equations(const std::vector<gap::PreparedRecord>& records) {
 
 double heldOut(const BlockGrams& blocks) {
   const Eigen::VectorXd bound = Eigen::VectorXd::Constant(blocks.unknowns(), 1e9);
-  const std::vector<double> errors = crossValidate(blocks, [&](const Eigen::MatrixXd& gram) {
-    return solve(gram, {-bound, bound});
-  });
+  const std::vector<double> errors =
+      crossValidate(blocks, [&](const Eigen::MatrixXd& gram) { return solve(gram, {-bound, bound}); });
   return std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks.weight.begin(), 0.0));
 }
 

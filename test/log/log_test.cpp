@@ -253,14 +253,8 @@ TEST(CheckLog, RefusesWhatALogMustNotHold) {
   EXPECT_NO_THROW(log::checkLog(good));
   const std::pair<const char*, void (*)(log::Log&)> changes[] = {
       {"a stamp twice", [](log::Log& log) { log.stamp[2] = 10; }},
-      {"a force too few",
-       [](log::Log& log) {
-         log.force = {1.0, 2.0};
-       }},
-      {"a temperature that is no number",
-       [](log::Log& log) {
-         log.temperature = {20.0, 20.0, std::nan("")};
-       }},
+      {"a force too few", [](log::Log& log) { log.force = {1.0, 2.0}; }},
+      {"a temperature that is no number", [](log::Log& log) { log.temperature = {20.0, 20.0, std::nan("")}; }},
       {"no displacement", [](log::Log& log) { log.displacement.clear(); }},
       {"one sample", [](log::Log& log) {
          log.stamp = {0};

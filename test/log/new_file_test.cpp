@@ -63,7 +63,7 @@ TEST(NewFile, FollowsLinksAndKeepsPermissions) {
   log::writeNewFile(link.string(), "newer");
   EXPECT_TRUE(fs::is_symlink(link));
   EXPECT_EQ(contentOf(file.path()), "newer");
-  struct stat status {};
+  struct stat status{};
   ASSERT_EQ(stat(file.path().c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0640U);
   const fs::path dangling = fs::path(file.folder()) / "dangling.csv";
@@ -77,7 +77,7 @@ TEST(NewFile, ANewOneHasTheUsualPermissions) {
   const mode_t mask = umask(027);
   log::writeNewFile(folder.folder() + "/out.csv", "text");
   umask(mask);
-  struct stat status {};
+  struct stat status{};
   ASSERT_EQ(stat((folder.folder() + "/out.csv").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0640U);
 }

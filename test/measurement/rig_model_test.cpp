@@ -31,8 +31,8 @@ TEST(RigModel, FindsZeros) {
   for (const double size : {0.002, 0.01, 0.03}) {
     Perturbation p;
     p.force_zero = size;
-    const Rate rate = rateOf(
-        allRigs(3), p, finding::kForceZero, [](const VirtualLog& log) { return log.force_zero; }, "force zero");
+    const Rate rate =
+        rateOf(allRigs(3), p, finding::kForceZero, [](const VirtualLog& log) { return log.force_zero; }, "force zero");
     // A progressive spring may put a small zero on the displacement as well.
     EXPECT_GE(rate.share(rate.found), 0.85);
     EXPECT_GE(rate.covered, kCovered * rate.found);
@@ -74,8 +74,7 @@ TEST(RigModel, FindsDelay) {
   for (const double size : {0.2, 0.5, 1.0}) {
     Perturbation p;
     p.delay = size;
-    const Rate rate = rateOf(
-        allRigs(3), p, finding::kDelay, [](const VirtualLog& log) { return log.delay; }, "delay");
+    const Rate rate = rateOf(allRigs(3), p, finding::kDelay, [](const VirtualLog& log) { return log.delay; }, "delay");
     EXPECT_GE(rate.share(rate.found), 0.95);
     EXPECT_GE(rate.covered, kCovered * rate.found);
     EXPECT_LE(rate.share(rate.others), kFalse);
@@ -86,8 +85,7 @@ TEST(RigModel, FindsGainAndClock) {
   for (const double size : {0.003, 0.005, 0.01}) {
     Perturbation p;
     p.gain = size;
-    const Rate rate = rateOf(
-        allRigs(3), p, finding::kSensorGain, [size](const VirtualLog&) { return size; }, "gain");
+    const Rate rate = rateOf(allRigs(3), p, finding::kSensorGain, [size](const VirtualLog&) { return size; }, "gain");
     EXPECT_GE(rate.share(rate.found), 0.95);
     EXPECT_GE(rate.covered, kCovered * rate.found);
     EXPECT_LE(rate.share(rate.others), kFalse);
@@ -95,8 +93,7 @@ TEST(RigModel, FindsGainAndClock) {
   for (const double size : {3e-5, 1e-4, 2e-4}) {
     Perturbation p;
     p.clock = size;
-    const Rate rate = rateOf(
-        allRigs(3), p, finding::kClock, [size](const VirtualLog&) { return size; }, "clock");
+    const Rate rate = rateOf(allRigs(3), p, finding::kClock, [size](const VirtualLog&) { return size; }, "clock");
     // The smallest, 0.3 ms at the ends of the log, is below a tenth of the noise where the motion is slow.
     EXPECT_GE(rate.share(rate.found), size > 5e-5 ? 0.95 : 0.7);
     EXPECT_GE(rate.covered, kCovered * rate.found);
@@ -111,8 +108,8 @@ TEST(RigModel, FindsRunningStart) {
   rigs.erase(
       std::remove_if(rigs.begin(), rigs.end(), [](const VirtualRig& rig) { return rig.motion == Motion::holds; }),
       rigs.end());  // these stand still at that moment
-  const Rate rate = rateOf(
-      rigs, p, finding::kRunningStart, [](const VirtualLog& log) { return log.transient; }, "running start");
+  const Rate rate =
+      rateOf(rigs, p, finding::kRunningStart, [](const VirtualLog& log) { return log.transient; }, "running start");
   EXPECT_GE(rate.covered, kCovered * rate.found);
   EXPECT_GE(rate.share(rate.found), 0.4);  // the others are below the noise
   EXPECT_LE(rate.share(rate.others), 2.0 * kFalse);

@@ -69,7 +69,9 @@ TEST(SimulatedSine, PolygonTendsToTheSineWithTheSquareOfTheStep) {
 }
 
 TEST(SettledLoop, BergLoopIsThatOfItsFormula) {
-  const struct { double amplitude, maximum_force, displacement; } rows[] = {{2.0, 1.5, 0.5}, {10.0, 1.0, 0.3}};
+  const struct {
+    double amplitude, maximum_force, displacement;
+  } rows[] = {{2.0, 1.5, 0.5}, {10.0, 1.0, 0.3}};
   for (const auto& row : rows) {
     const element::BergFriction law(row.maximum_force, row.displacement, 0.0);
     const auto loop = response::simulateSettledLoop(

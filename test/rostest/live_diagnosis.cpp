@@ -84,8 +84,7 @@ class LiveDiagnosisTopic : public testing::Test {
 
   // Play on for a time [s of the stamps] at twenty times the speed of the stamps, or until `done`; a stretch is sent
   // when the one before is answered, so that nothing is lost.
-  void play(
-      double duration, const std::function<bool()>& done = [] { return false; }) {
+  void play(double duration, const std::function<bool()>& done = [] { return false; }) {
     const std::int64_t last = count_ + std::llround(duration * kRate);
     while (count_ < last && !done() && !HasFatalFailure()) {
       for (int i = 0; i < kRate / 10; ++i, ++count_) {

@@ -21,7 +21,7 @@ struct ExperimentLimitInfo {
   std::string name;  ///< the key in `--limits KEY=VALUE`
   std::string unit;  ///< SI
   std::string documentation;
-  std::optional<double> ExperimentLimits::*member;
+  std::optional<double> ExperimentLimits::* member;
 };
 
 const std::vector<ExperimentLimitInfo>& experimentLimitTable();

@@ -35,7 +35,7 @@ struct RigToleranceInfo {
   std::string unit;           ///< of an absolute value; "1" where there are shares only
   std::string share_of;       ///< what a value in % is a share of
   std::string documentation;  ///< one line
-  RigTolerance RigTolerances::*member;
+  RigTolerance RigTolerances::* member;
 };
 
 const std::vector<RigToleranceInfo>& rigToleranceTable();

@@ -42,7 +42,7 @@ struct NumberInfo {
   const char* name;
   const char* meaning;
   const char* unit;
-  double JudgeNumbers::*value;
+  double JudgeNumbers::* value;
   bool positive;     ///< mean and deviation are of its logarithm, and so is the fit
   double mean;       ///< of the number itself in either case
   double deviation;  ///< standard deviation

@@ -176,7 +176,7 @@ class Comparer {
 
   double noise() const { return before_.gaps.unseen.noise_floor + after_.gaps.unseen.noise_floor; }
 
-  void compareGap(const std::string& title, double Gap::*gap) {
+  void compareGap(const std::string& title, double Gap::* gap) {
     const double before = before_.gaps.unseen.*gap;
     const double after = after_.gaps.unseen.*gap;
     const bool differs = gap != &Gap::noise_floor &&

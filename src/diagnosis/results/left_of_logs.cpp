@@ -110,7 +110,7 @@ LeftOfLog worstOf(const std::vector<LeftOfLog>& logs) {
   if (excessOfLog(worst) > 0.0) {
     return worst;
   }
-  const auto pooled = [&](double LeftOfLog::*gap) {
+  const auto pooled = [&](double LeftOfLog::* gap) {
     return std::sqrt(std::accumulate(logs.begin(), logs.end(), 0.0,
                                      [&](double sum, const LeftOfLog& log) { return sum + square(log.*gap); }) /
                      static_cast<double>(logs.size()));

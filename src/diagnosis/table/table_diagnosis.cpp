@@ -253,7 +253,7 @@ class TableDescriber {
     return rows;
   }
 
-  std::vector<Complex> of(Complex DiagnosedRow::*model) const { return element::each(rows_, model); }
+  std::vector<Complex> of(Complex DiagnosedRow::* model) const { return element::each(rows_, model); }
 
   // On rows that took no part in the fit.
   results::Left leftOfRows() const {
@@ -267,7 +267,7 @@ class TableDescriber {
   }
 
   // Where a model is wrong: two cells for each row.
-  std::vector<gap::GapCell> mapOf(Complex DiagnosedRow::*model) const {
+  std::vector<gap::GapCell> mapOf(Complex DiagnosedRow::* model) const {
     double sum = 0.0;
     std::vector<gap::GapCell> cells;
     for (const DiagnosedRow& row : rows_) {

@@ -99,7 +99,7 @@ void VariableTable::addTemperature(const std::string& name, const Component& com
   }
 }
 
-void VariableTable::addElements(const std::string& group, const Elements& elements, Elements ComponentData::*list,
+void VariableTable::addElements(const std::string& group, const Elements& elements, Elements ComponentData::* list,
                                 Causality causality) {
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const element::ElementType* type = element::findElementType(elements[i].type);

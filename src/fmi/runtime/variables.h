@@ -31,10 +31,10 @@ enum class Causality {
 
 /// Where in the data of a component the value of a parameter stands.
 struct Place {
-  Elements ComponentData::*list = nullptr;  ///< nullptr: the specification
-  std::size_t entry = 0;                    ///< of the list
-  std::string key = {};                     ///< name of the parameter
-  std::size_t position = 0;                 ///< in a list of numbers; 0 for a single one
+  Elements ComponentData::* list = nullptr;  ///< nullptr: the specification
+  std::size_t entry = 0;                     ///< of the list
+  std::string key = {};                      ///< name of the parameter
+  std::size_t position = 0;                  ///< in a list of numbers; 0 for a single one
 
   /// Not for parameters that are calculated.
   void put(ComponentData& data, double value) const;
@@ -76,7 +76,7 @@ class VariableTable {
  private:
   void addOne(const ComponentData& data);
   void addSix(const ComponentData& data);
-  void addElements(const std::string& group, const Elements& elements, Elements ComponentData::*list,
+  void addElements(const std::string& group, const Elements& elements, Elements ComponentData::* list,
                    Causality causality);
   template <class Value>
   std::vector<double> collect(Causality causality, Value value) const;
