@@ -83,7 +83,7 @@ distribution() {
   local ID=other VERSION_ID=
   [ -r /etc/os-release ] && . /etc/os-release
   case $ID-$VERSION_ID in
-    debian-12) echo debian ;;
+    debian-12 | debian-13) echo debian ;;
     ubuntu-20.04) echo ubuntu ;;
     *) echo other ;;
   esac
