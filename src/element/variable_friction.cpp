@@ -58,10 +58,7 @@ class VariableFriction final : public ParallelElement {
   double step(const Motion& motion, double* memory) const override {
     if (parameters_.travel > 0.0) {
       Motion way = motion;
-      if (parameters_.dead_band > 0.0) {
-        way.increment = followed(motion.displacement, parameters_.dead_band, memory[kWay]) - memory[kWay];
-        memory[kWay] += way.increment;
-      }
+      way.increment = advance(motion.displacement, parameters_.dead_band, memory[kWay]);
       memory[kBristleState] =
           StructureState(way, parameters_.build_up_time, parameters_.travel).after(memory[kBristleState]);
     }

@@ -15,6 +15,7 @@ const std::vector<std::string>& effectNames() {
                                                  "friction",
                                                  "inertia",
                                                  "lift_off",
+                                                 "payne_effect",
                                                  "progressive_stiffness",
                                                  "radial_coupling",
                                                  "rate_amplitude_coupling",

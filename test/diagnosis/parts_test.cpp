@@ -189,7 +189,7 @@ TEST(Candidates, AreEnteredOnceEach) {
       "free_play",       "bump_stop",  "self_heating", "stress_softening",  "asymmetric_stiffness",
       "inertia",         "time_delay", "force_offset", "series_compliance", "rate_amplitude_coupling",
       "force_drift",     "backlash",   "temperature",  "sensor_gain",       "fluid_inertia",
-      "radial_coupling", "lift_off"};
+      "radial_coupling", "lift_off",   "payne_effect"};
   EXPECT_EQ(names, contract);
   EXPECT_THAT(io::effectNames(), ::testing::ElementsAreArray(names)) << "that a component file may exclude";
 }

@@ -57,9 +57,15 @@ const std::vector<Limit> kLimits = {
      0.02,
      3e-3,
      0.0},
-    // The structure loses 1e-14 of itself over 10 mm, less than rounding.
-    {"thixotropic_maxwell_for_a_long_travel",
-     {entry("thixotropic_maxwell stiffness=1e6 break_frequency=2 build_up_time=0.3 travel=1e12")},
+    // Motion over 10 mm changes the rate of relaxation and the network by 1e-14, less than rounding.
+    {"payne_maxwell_for_a_long_travel",
+     {entry("payne_maxwell stiffness=1e6 break_frequency=2 recovery_time=0.3 travel=1e12")},
+     {maxwell(1e6, 2.0)},
+     0.02,
+     3e-3,
+     1e-8},
+    {"transient_network_for_a_long_travel",
+     {entry("transient_network stiffness=1e6 break_frequency=2 recovery_time=0.3 travel=1e12")},
      {maxwell(1e6, 2.0)},
      0.02,
      3e-3,
@@ -169,9 +175,12 @@ std::vector<Flow> flows() {
       // k tau v = F (1 + F/(k y))
       {"nonlinear_maxwell stiffness=1e6 break_frequency=2 displacement=5e-4", 0.05, 2.0, 20000,
        500.0 * (std::sqrt(0.25 + kViscous / 500.0) - 0.5), 1e-4 * kViscous},
-      // k tau v m with m = 1/(1 + v T_b/s)
-      {"thixotropic_maxwell stiffness=1e6 break_frequency=2 build_up_time=0.3 travel=5e-3", 0.05, 10.0, 1,
-       kViscous / (1.0 + 0.05 * 0.3 / 5e-3), 1e-9},
+      // k v/(1/tau + v/s); Dahl's limit k s; k s m with m = 1/(1 + v T/s)
+      {"payne_maxwell stiffness=1e6 break_frequency=2 recovery_time=0.3 travel=5e-3", 0.05, 20.0, 20000,
+       1e6 * 0.05 / (2.0 * element::kPi * 2.0 + 0.05 / 5e-3), 1e-9},
+      {"payne_maxwell stiffness=1e6 break_frequency=0 recovery_time=0 travel=5e-4", 0.05, 2.0, 1, 500.0, 1e-9},
+      {"transient_network stiffness=1e6 break_frequency=0 recovery_time=0.3 travel=5e-3", 0.05, 10.0, 1,
+       5e3 / (1.0 + 0.05 * 0.3 / 5e-3), 1e-9},
       // Balance of wear and build-up: m = 1/(1 + v T_b/s).
       {"variable_friction stiffness=1e6 yield_displacement=4e-4 travel=2e-3 build_up_time=0.5", 0.01, 20.0, 1,
        400.0 / (1.0 + 0.01 * 0.5 / 2e-3), 1e-9},

@@ -8,6 +8,18 @@ namespace {
 constexpr double kStiffness = 1e6;
 constexpr double kRelaxation = 1.0 / (2.0 * element::kPi * 2.0);  // of 2 Hz
 
+// Storage stiffness over the last of so many cycles, by Fourier's integral.
+double storageStiffness(Driver& driver, double frequency, double amplitude, int cycles) {
+  constexpr int kSamples = 400;
+  double stiffness = 0.0;
+  for (int i = 1; i <= cycles * kSamples; ++i) {
+    const double sine = std::sin(2.0 * element::kPi * i / kSamples);
+    const double force = driver.step(1.0 / (frequency * kSamples), amplitude * sine);
+    stiffness += i > (cycles - 1) * kSamples ? 2.0 / kSamples * force * sine / amplitude : 0.0;
+  }
+  return stiffness;
+}
+
 TEST(SlidingMaxwell, SlidesAtItsLimitAndRelaxesBelow) {
   Driver driver("sliding_maxwell stiffness=1e6 break_frequency=2 yield_displacement=4e-4");
   EXPECT_EQ(driver.step(1e-3, 2e-3), 400.0);
@@ -32,22 +44,40 @@ TEST(SlidingMaxwell, FrictionShowsAtHighFrequencyOnly) {
 }
 
 // One exact step against 1e5 explicit ones, which err by 1e-5; where both rates are equal as well.
-TEST(ThixotropicMaxwell, OneStepSolvesTheEquation) {
+TEST(TransientNetwork, OneStepSolvesTheEquation) {
   constexpr double kTravel = 5e-3;
   constexpr double kDuration = 0.2;
-  const double equal_rates = kTravel * (1.0 / kRelaxation - 1.0 / 0.3) * kDuration;
-  for (const double way : {2e-3, -8e-3, equal_rates}) {
-    Driver driver("thixotropic_maxwell stiffness=1e6 break_frequency=2 build_up_time=0.3 travel=5e-3");
-    double force = 0.0;
-    double state = 1.0;
-    constexpr int kSteps = 100000;
-    constexpr double kDt = kDuration / kSteps;
-    for (int i = 0; i < kSteps; ++i) {
-      force += kStiffness * state * way / kSteps - kDt * force / kRelaxation;
-      state += kDt * (1.0 - state) / 0.3 - state * std::abs(way) / kSteps / kTravel;
+  for (const double recovery : {0.3, kRelaxation}) {
+    for (const double way : {2e-3, -8e-3}) {
+      Driver driver(
+          entry("transient_network stiffness=1e6 break_frequency=2 travel=5e-3", {{"recovery_time", recovery}}));
+      double force = 0.0;
+      double intact = 1.0;
+      constexpr int kSteps = 100000;
+      constexpr double kDt = kDuration / kSteps;
+      for (int i = 0; i < kSteps; ++i) {
+        const double broken = std::abs(way) / kSteps / kTravel;
+        force += kStiffness * intact * way / kSteps - (kDt / kRelaxation + broken) * force;
+        intact += kDt * (1.0 - intact) / recovery - intact * broken;
+      }
+      EXPECT_NEAR(driver.step(kDuration, way), force, 1e-4 * std::abs(force)) << way;
+      EXPECT_NEAR(driver.memory()[1], intact, 1e-4) << way;
     }
-    EXPECT_NEAR(driver.step(kDuration, way), force, 1e-4 * std::abs(force)) << way;
-    EXPECT_NEAR(driver.memory()[1], state, 1e-4) << way;
+  }
+}
+
+// Kraus's curve with m = 1, at any frequency that is fast against the recovery: K' = k/(1 + (a/a_c)^2), a_c = pi s/2. q
+// ripples by 1/(4 pi f T) = 4 % of itself at 1 Hz, of which the cycle shows the second harmonic alone: below 2 % of k.
+TEST(PayneMaxwell, SoftensWithAmplitudeByKrausCurve) {
+  constexpr double kCritical = element::kPi / 2.0 * 1e-3;
+  for (const double frequency : {1.0, 8.0}) {
+    for (const double amplitude : {0.3 * kCritical, kCritical, 3.0 * kCritical}) {
+      Driver driver("payne_maxwell stiffness=1e6 break_frequency=0 recovery_time=2 travel=1e-3");
+      const double expected = kStiffness / (1.0 + std::pow(amplitude / kCritical, 2));
+      EXPECT_NEAR(storageStiffness(driver, frequency, amplitude, static_cast<int>(20.0 * frequency)), expected,
+                  0.02 * kStiffness)
+          << frequency << " " << amplitude;
+    }
   }
 }
 

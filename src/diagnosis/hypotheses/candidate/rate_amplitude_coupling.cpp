@@ -39,22 +39,9 @@ void addOverstress(const fit::Excitation& excitation, std::vector<fit::BasisTerm
   }
 }
 
-// A structure that motion breaks and rest builds up again: within a cycle of the highest frequency or over several.
-void addThixotropy(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
-  for (const double band : kBands) {
-    for (const double cycles : {0.5, 5.0}) {
-      terms.push_back(fit::additiveTerm("thixotropic_maxwell", "stiffness", 0.2 * excitation.stiffness,
-                                        {{"break_frequency", {band * excitation.highest_frequency}},
-                                         {"build_up_time", {cycles / excitation.highest_frequency}},
-                                         {"travel", {excitation.largest_displacement}}}));
-    }
-  }
-}
-
 void addRateAmplitudeCoupling(const fit::Excitation& excitation, fit::Candidate& candidate) {
   addFlow(excitation, candidate.terms);
   addOverstress(excitation, candidate.terms);
-  addThixotropy(excitation, candidate.terms);
 }
 
 // Flow at a limit of the force is friction, and flow at any force relaxation: named only where these fail.
