@@ -12,21 +12,29 @@ void addPayneEffect(const fit::Excitation& excitation, fit::Candidate& candidate
                                                  {"travel", {share * excitation.largest_displacement}},
                                                  {"dead_band", {excitation.dead_band}}}));
   };
-  // Recovery from some cycles of the fastest motion to the slowest motion. Where the travel is well above the
-  // displacement, these are Maxwell elements.
-  for (const double cycles : {3.0, 15.0, 75.0}) {
-    for (const double share : {0.2, 0.6, 1.8}) {
-      for (const double band : {0.004, 0.04}) {
+  // Recovery within some cycles of the fastest motion or of the slowest.
+  for (const double cycles : {5.0, 50.0}) {
+    for (const double share : {0.2, 0.7, 2.5}) {
+      for (const double band : {0.003, 0.02, 0.15}) {
         add("payne_maxwell", cycles, share, band);
       }
+    }
+    for (const double share : {0.2, 0.7, 2.5}) {
       add("transient_network", cycles, share, 0.0);
     }
   }
 }
 
-const EffectEntry kPayneEffect({165, "payne_effect",
-                                "Payne effect of filled rubber: stiffness falls while motion lasts and returns at rest",
-                                false, addPayneEffect});
+// Where the travel is long it is relaxation: named only where that fails.
+Effect payneEffect() {
+  Effect effect{165, "payne_effect",
+                "Payne effect of filled rubber: stiffness falls while motion lasts and returns at rest", false,
+                addPayneEffect};
+  effect.contains = {"relaxation"};
+  return effect;
+}
+
+const EffectEntry kPayneEffect(payneEffect());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate
