@@ -258,6 +258,7 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
   }
   EXPECT_EQ(contained, (std::set<std::pair<std::string, std::string>>{{"backlash", "friction"},
                                                                       {"fluid_inertia", "inertia"},
+                                                                      {"payne_effect", "relaxation"},
                                                                       {"rate_amplitude_coupling", "friction"},
                                                                       {"rate_amplitude_coupling", "relaxation"}}));
   const fit::Hypothesis both = fit::makeHypothesis(all, {backlash, coupling});
