@@ -212,7 +212,7 @@ int identifyComponent(const Options& options) {
 
 int fitToTable(const Options& options) {
   const auto components = io::loadComponentFile(options.config);
-  const io::ComponentDescription& description = io::selectComponent(components, options.component);
+  const io::ComponentDescription description = io::selectComponent(components, options.component);
   fit::MeasuredTable table = command::readTable(options.table_path);
   table.accept_units = options.log_options.acceptsUnits();
   command::requireNoShift(description, table, options.table_path);

@@ -271,7 +271,7 @@ class Maker {
   void expandComponent(const JobGroup& group, const Place& place, const Components& components,
                        const std::string& name) {
     try {
-      const io::ComponentDescription& component = io::selectComponent(components, name);
+      const io::ComponentDescription component = io::selectComponent(components, name);
       const Job job = jobOf(group, place, component.name);
       if (group.monte_carlo) {
         addDraws(group, job, component);

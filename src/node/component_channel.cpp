@@ -339,7 +339,7 @@ std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::checkState(const 
     }
     const SavedPromotion& saved = *state.promotion;
     const auto parsed = io::parseComponentFile(saved.description, "promotion");
-    const io::ComponentDescription& beside = io::selectComponent(parsed, name_, "promotion");
+    const io::ComponentDescription beside = io::selectComponent(parsed, name_, "promotion");
     requireOneDirection(*model->described);
     requireOneDirection(beside);
     auto promotion = std::make_shared<Promotion>(beside, max_gap_, promotion_settings_, saved.stage, saved.weight);
