@@ -106,11 +106,13 @@ template <class Log, class Loads, class Replay>
 int publish(const Options& options, const std::string& component, const Log& log, const Loads& loads,
             const Replay& replay, void (*write)(const std::string&, const Log&, const Loads&),
             const std::string& summary) {
+  const std::vector<gap::ComparedForce> compared =
+      options.compare ? compare(log, replay, options.agreement.limits()) : std::vector<gap::ComparedForce>();
+  // Only once nothing of the log can be refused any more.
   during("writing " + options.output, [&] { write(options.output, log, loads); });
   drawPlot(options.plot, [&] { return gap::replayFigure(component, log, loads); });
   std::cout << summary << "\n" << options.output << '\n';
-  return options.compare ? publishAgreement(options, component, compare(log, replay, options.agreement.limits()))
-                         : kSuccess;
+  return publishAgreement(options, component, compared);
 }
 
 int runPoses(const Options& options, const io::ComponentDescription& description) {
