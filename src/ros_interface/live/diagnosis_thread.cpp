@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "element/refuse.h"
 #include "io/cancellation.h"
@@ -162,9 +163,11 @@ void DiagnosisThread::fillStatus(const std::string& component,
   status.add("sentence", findings.sentence);
   status.add("looks", findings.looks);
   status.add("window [s]", findings.window);
-  status.add("gap as configured", findings.gap.as_configured);
-  status.add("gap with what was found", findings.gap.augmented);
-  status.add("noise floor", findings.gap.noise_floor);
+  if (std::isfinite(findings.gap.as_configured)) {  // not before the first look
+    status.add("gap as configured", findings.gap.as_configured);
+    status.add("gap with what was found", findings.gap.augmented);
+    status.add("noise floor", findings.gap.noise_floor);
+  }
   status.add("evidence", fmt::format("{:.3g} of {:.3g}", findings.now.evidence, findings.now.threshold));
   if (findings.now.since) {
     status.add("since [s]", fmt::format("{:.3f}", 1e-9 * static_cast<double>(*findings.now.since)));
