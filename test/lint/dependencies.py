@@ -75,7 +75,7 @@ OPTIONAL = {"rapidcheck", "rapidcheck.h"}
 # For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.
 TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev",
          "dpkg-dev", "file", "iproute2", "nftables", "munge", "slurm-client", "slurmctld", "slurmd", "g++-mingw-w64-x86-64", "wine64", "rviz", "chromium"}
-TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz")
+TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz", "strace")
 INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "python3-rostopic", "python3-roslaunch"}
 STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {
     "rubber_suspension", "rubber_suspension_core", "mpl_toolkits", "genpy", "actionlib"}
