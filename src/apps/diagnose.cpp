@@ -61,7 +61,7 @@ Files reportFiles(const DiagnoseOptions& options) {
   return files;
 }
 
-// Of the first few logs: the report lists them all.
+// Names the first few logs only: the report lists all.
 std::string takenOut(const diagnosis::Diagnosis& diagnosis) {
   constexpr std::size_t kMostLogs = 8;
   std::vector<std::string> phrases = diagnosis::words::describeTakenOut(diagnosis.logs.taken_out);

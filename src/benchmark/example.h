@@ -34,7 +34,7 @@ struct ExampleParameters {
   /// With stiffnesses and friction force times these factors.
   ExampleParameters scaled(double by_stiffness, double by_force) const;
 
-  /// The same numbers as entries of a component file.
+  /// Returns the numbers as entries of a component file.
   std::vector<element::ElementDescription> elements() const;
 };
 

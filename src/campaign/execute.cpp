@@ -71,8 +71,9 @@ ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
   return values;
 }
 
-// Of logs with a wrong sign, unit, column or component nothing is known; what no model explains bends the values; those
-// that go with an effect depend on its form, unless other values would do as well.
+// A fleet uses re-estimated values only if they mean something on their own: not with a wrong sign, unit or column,
+// which make them meaningless; not with an unexplained residual, which biases them; and with an added effect, whose
+// form they depend on, only if other values alone would explain the logs, too.
 bool hasValuesOfItsOwn(const diagnosis::Diagnosis& d) {
   const bool other_values_do =
       std::any_of(d.answer.alternatives.begin(), d.answer.alternatives.end(), [](const diagnosis::Alternative& other) {
@@ -288,7 +289,7 @@ class Executor {
     return folder;
   }
 
-  // Of an input; throws std::runtime_error where it has changed.
+  // Returns an input's path; throws std::runtime_error if it has changed.
   std::string unchangedPath(std::size_t input) const {
     const InputFile& file = manifest_.inputs[input];
     const io::FileHash hash = io::hashFile(file.path);

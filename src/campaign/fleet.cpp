@@ -41,7 +41,7 @@ ordered_json sharesOf(const std::vector<std::string>& names, std::size_t compone
   return shares;
 }
 
-// Of the value, from 1, at either end of the interval of the median; 0 where there are too few.
+// Rank, from 1, of the value at either end of the median's interval; 0 for too few values.
 std::size_t rankOfInterval(std::size_t count) {
   const boost::math::binomial below_median(static_cast<double>(count), 0.5);
   std::size_t rank = 0;
@@ -128,7 +128,7 @@ ordered_json Fleet::describe(const std::string& type, const std::vector<Componen
           {"listed", listed}};
 }
 
-// Of rigs that had one type alone there is nothing to compare.
+// Rigs that had only one type cannot be compared.
 ordered_json Fleet::describeRigs() const {
   std::map<std::array<std::string, 3>, std::vector<double>> values;
   std::map<std::string, std::set<std::string>> types_of;

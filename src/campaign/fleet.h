@@ -20,7 +20,7 @@ nlohmann::ordered_json distributionOf(std::vector<double> values);
 /// Less than this logarithm is within what a bench can hold: no value is far out for it.
 constexpr double kWorthSaying = 0.02;
 
-/// Of fewer values none is far out.
+/// Fewest values among which an outlier counts.
 constexpr std::size_t kFewestComponents = 6;
 
 /// Collects components job by job, in the order of the manifest, and counts.

@@ -54,7 +54,7 @@ constexpr std::size_t kMaximumJobs = 1000000;  ///< of a campaign
 /// accepted; then the groups are not to be used.
 std::vector<JobGroup> readJobsFile(const std::string& path, std::vector<std::string>& problems);
 
-/// The same from text; `path` stands for the file's name.
+/// Reads the groups from text; `path` stands for the file's name.
 std::vector<JobGroup> parseJobsFile(const std::string& text, const std::string& path,
                                     std::vector<std::string>& problems);
 

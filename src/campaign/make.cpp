@@ -260,7 +260,7 @@ class Maker {
     }
   }
 
-  // Those of one content are parsed once, because a fleet mostly has copies of one.
+  // Parses equal files once, because most files of a fleet are copies.
   const Components& load(const std::string& path) {
     const std::string text = log::readInput(path, io::kMaximumComponentFileSize, "; accepted: a component file");
     const auto known = components_.find(text);

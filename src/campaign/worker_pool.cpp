@@ -198,7 +198,7 @@ class Pool {
       return;
     }
     if (isOverdue(worker)) {
-      // The same text for the same limit, because it stands in the table.
+      // Equal limits give equal texts, because the table shows them.
       callbacks_.ended(*worker.job, JobEnd::died,
                        fmt::format("took longer than the limit of {:.6g} min and was ended; accepted: `campaign run "
                                    "--retry-failed` with another --job-minutes",

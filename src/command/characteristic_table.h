@@ -23,7 +23,7 @@ struct TableRow {
   double mean = 0.0;     ///< displacement that the preload leads to after a long rest [m]
   response::SweepPoint point;
 
-  /// Of the first harmonic of the force over that of the displacement [N/m].
+  /// First harmonic of the force over that of the displacement [N/m].
   std::complex<double> complex_stiffness;
 };
 

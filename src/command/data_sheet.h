@@ -16,7 +16,7 @@ namespace rubber_suspension::command {
 /// Throws std::invalid_argument or std::runtime_error: file, key, value and what is accepted, in one line.
 std::string componentFileFromDataSheet(const std::string& path);
 
-/// The same from text; `source` stands for the file's name in errors.
+/// Reads the sheet from text; `source` stands for the file's name in errors.
 std::string componentFileFromDataSheetText(const std::string& text, const std::string& source);
 
 }  // namespace rubber_suspension::command

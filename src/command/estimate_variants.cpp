@@ -93,7 +93,7 @@ bool isRequired(const std::string& key, Model model) {
   return std::find(required.begin(), required.end(), key) != required.end();
 }
 
-// Of M2 that has K_n and the loss angle at f_n. Throws std::invalid_argument where there is none.
+// Break frequency of the M2 with K_n and the loss angle at f_n. Throws std::invalid_argument if there is none.
 double breakFrequencyByLoss(Specification from) {
   for (const char* other : {"break_frequency", "maximum_stiffness", "high_frequency_stiffness", "high_frequency"}) {
     from.erase(other);
@@ -175,7 +175,7 @@ io::ComponentDescription inModel(const io::ComponentDescription& description, co
   }
 }
 
-// Those of a sweep over frequency, of another component.
+// Simulates the points of a sweep with another component.
 std::vector<response::SweepPoint> sweptAgain(const io::ComponentDescription& description,
                                              const std::vector<response::SweepPoint>& points) {
   const component::Component component = description.makeComponent();

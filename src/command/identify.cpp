@@ -102,7 +102,7 @@ gap::Forces simulateOver(const std::vector<element::ElementDescription>& element
   return gap::simulateEach(elements, records);
 }
 
-// Those that a record has sample by sample.
+// Indices of unbroken logs whose record has every sample.
 std::vector<std::size_t> usable(const std::vector<log::Log>& logs, const RecordsOfLogs& all,
                                 std::vector<gap::PreparedRecord>& records) {
   std::vector<std::size_t> places;

@@ -183,7 +183,7 @@ class TableReader {
     }
   }
 
-  // Those that are not blank.
+  // Skips blank lines.
   static std::vector<log::TextLine> linesOf(const std::string& text) {
     std::vector<log::TextLine> lines;
     std::istringstream stream(log::toUtf8(text));

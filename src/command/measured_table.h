@@ -15,7 +15,7 @@ namespace rubber_suspension::command {
 /// column temperature is read where there is one.
 fit::MeasuredTable parseTable(const std::string& text, const std::string& source);
 
-/// The same from a file of at most 16 MiB; the name of the table is that of the file without folder and ending.
+/// Reads a file of at most 16 MiB; the table has the name of the file without folder and extension.
 fit::MeasuredTable readTable(const std::string& path);
 
 }  // namespace rubber_suspension::command

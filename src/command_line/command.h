@@ -21,7 +21,7 @@ class UsageError : public std::runtime_error {
 
 enum ExitStatus : int { kSuccess = 0, kFailed = 1, kWrongUsage = 2, kDefect = 3 };
 
-/// Of this package.
+/// Version of this package.
 std::string version();
 
 /// One line on stderr, in which nothing of a file's content can steer the terminal.
@@ -56,7 +56,7 @@ auto during(const std::string& what, Work work) {
 int runCommand(int argc, char** argv, const Command& command, const OptionTable& table,
                const std::function<int()>& body);
 
-/// The same with options that have a table, which the body takes.
+/// Passes options that have a table to the body.
 template <class Options, class Body>
 int runCommand(int argc, char** argv, const Command& command, const Body& body) {
   Options options;

@@ -22,7 +22,7 @@ struct ComponentOptions {
   /// Throws io::ComponentFileError. Refuses a component of six directions likewise.
   io::ComponentDescription read(const std::string& command) const;
 
-  /// The same of any number of directions.
+  /// Accepts any number of directions.
   io::ComponentDescription readAny(const std::string& command) const;
 };
 

@@ -31,7 +31,7 @@ class LogOptions {
   /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.
   log::Log read(const std::string& command, const std::string& path, const std::string& component) const;
 
-  /// The same of a component of six directions, whose rotations of a bag come in this measure.
+  /// Reads the log of a component of six directions; rotations of a bag come in this measure.
   log::PoseLog readPoses(const std::string& command, const std::string& path, const std::string& component,
                          component::RotationMeasure measure) const;
 
@@ -39,7 +39,7 @@ class LogOptions {
   /// all of them.
   std::vector<log::Log> readAll(const std::string& path, const std::string& component) const;
 
-  /// The same, to be read block by block; several threads may open at once. Throws UsageError and LogError.
+  /// Opens the logs to be read block by block; several threads may do so at once. Throws UsageError and LogError.
   log::LogSources openAll(const std::string& path, const std::string& component) const;
 
   static void printNotes(const std::string& command, const std::string& path, const std::vector<std::string>& notes);

@@ -1,4 +1,4 @@
-// Options of a command that are legal and odd, one line each on stderr: the same words for every command.
+// Warnings, one line each on stderr, of inputs that are valid but suspicious; all commands share them.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace rubber_suspension::command_line {
 
-/// Of a component's specification.
+/// Warns of suspicious values in a component's specification.
 void warnOf(const std::string& command, const io::ComponentDescription& description);
 
-/// Of a log, where there is something odd.
+/// Warns of a suspicious log, if `odd` names what is suspicious.
 void warnOf(const std::string& command, const std::string& path, const std::optional<std::string>& odd);
 
-/// Of a log without a temperature for a component that follows one.
+/// Warns if the component depends on temperature and the log has none.
 void warnOfTemperature(const std::string& command, const std::string& path, bool has_temperature,
                        const io::ComponentDescription& description);
 

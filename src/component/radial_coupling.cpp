@@ -320,7 +320,7 @@ Eigen::Vector3d RadialCoupling::elasticForce(const Eigen::Vector3d& d, bool with
   return c.cwiseProduct((tangential.array() + share.dot(forces)).matrix());
 }
 
-// Of all that has no memory.
+// Force of all parts without memory.
 Eigen::Vector3d RadialCoupling::heldForce(const Eigen::Vector3d& d) const {
   Eigen::Vector3d force = elasticForce(d, true);
   for (std::size_t axis = 0; axis < directions_.size(); ++axis) {

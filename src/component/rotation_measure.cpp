@@ -16,7 +16,7 @@ double curvatureOf(double square, double half_angle_times_cotangent) {
 }
 
 RotationCoordinates vectorOf(const Eigen::Quaterniond& rotation) {
-  // Of q and -q, which are one rotation, that of the angle up to 180 deg.
+  // q and -q are one rotation; this sign has the angle up to 180 deg.
   const double sign = rotation.w() < 0.0 ? -1.0 : 1.0;
   const double w = sign * rotation.w();
   const double sine = rotation.vec().norm();

@@ -42,7 +42,7 @@ Eigen::Matrix3d crossing(const Eigen::Vector3d& v) {
   return matrix;
 }
 
-// Those of a triple that a coupling acts on.
+// Directions of a triple that a coupling acts on.
 std::vector<Direction> coupledDirections(Direction first, Coupling coupling, std::size_t axis) {
   std::vector<Direction> directions;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -382,7 +382,7 @@ SixNumbers SixDirections::directionForces(const Eigen::Isometry3d& pose, const W
   const Place place = placeAt(pose);
   const Eigen::Matrix3d to_bush = laws_.on_a.linear().transpose();
   const Eigen::Matrix3d rates = place.rotation.rates();
-  // Of rates^T Q = M by Cramer's rule.
+  // Solves rates^T Q = M by Cramer's rule.
   const Eigen::Vector3d moment = to_bush * (wrench.moment - place.arm.cross(wrench.force));
   const Eigen::Vector3d first = rates.row(0);
   const Eigen::Vector3d second = rates.row(1);

@@ -1,4 +1,4 @@
-// Whether the motion of a log is odd for a component, as where millimetres stand in a column of metres.
+// Detects a motion that is odd for a component, such as millimetres in a column of metres.
 #pragma once
 
 #include <optional>

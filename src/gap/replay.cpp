@@ -100,7 +100,7 @@ io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, c
                                   sample + 1, log.displacement[sample]));
 }
 
-// Of measured less simulated force, over the samples that count [N].
+// Mean of measured minus simulated force over the samples that count [N].
 double meanDifference(const log::Log& log, const std::vector<double>& force) {
   double sum = 0.0;
   double count = 0.0;

@@ -79,7 +79,7 @@ std::pair<std::string, unsigned long> numberedName(const std::string& folder) {
   return numbered ? std::pair(folder.substr(0, bar + 1), std::stoul(digits)) : std::pair(folder + "_", 1UL);
 }
 
-// Of regular files alone: a pipe can be read once.
+// Compares only regular files: a pipe can be read once.
 bool isCopy(const std::string& one, const std::string& other) {
   std::error_code error;
   if (!fs::is_regular_file(one, error) || !fs::is_regular_file(other, error) ||

@@ -20,7 +20,7 @@ namespace {
 
 void require(bool success) { element::refuseIf<std::runtime_error>(!success, "SHA-256: OpenSSL refuses it"); }
 
-// Of the pieces of a content: `next` gives them one by one, at last an empty one.
+// Hashes the pieces that `next` returns one by one, until one is empty.
 template <class Next>
 std::string hashOf(Next next) {
   const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);

@@ -14,7 +14,7 @@ struct FileHash {
   std::uint64_t size = 0;  ///< [bytes]
 };
 
-/// Of a file's content, read piece by piece. Throws std::runtime_error that begins with the path.
+/// Hashes a file, read piece by piece. Throws std::runtime_error that begins with the path.
 FileHash hashFile(const std::string& path);
 
 }  // namespace rubber_suspension::io

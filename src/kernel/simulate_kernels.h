@@ -149,7 +149,7 @@ inline Directions directionsOf(const double* increment) {
 struct BlockNumbers {
   Lanes lanes[kSimulationBlock / kWidth];
 
-  // The same from a sample on.
+  // Sets all from a sample on.
   void set(double number, std::size_t sample) {
     Lanes position;
     for (std::size_t i = 0; i < kWidth; ++i) {

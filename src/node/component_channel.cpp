@@ -164,7 +164,7 @@ ComponentChannel::ComponentChannel(const io::ComponentDescription& description, 
   }
 }
 
-// Whether a sample may go to the model, at the temperature of its stamp.
+// True if the model may receive a sample, at the temperature of its stamp.
 bool ComponentChannel::begins(std::int64_t stamp, bool finite) {
   if (!counts_.enabled) {
     ++counts_.disabled;
@@ -285,7 +285,7 @@ void ComponentChannel::keepTemperature() {
   }
 }
 
-// Whether another model is computed, too.
+// True if another model is computed, too.
 bool ComponentChannel::isBeside() const { return promotion_ && promotion_->fade.stage() != RunStage::configured; }
 
 void ComponentChannel::countLost(std::uint64_t samples) {

@@ -98,13 +98,13 @@ class ComponentChannel {
 
   const std::string& name() const { return name_; }
 
-  /// Whether it takes poses, and no displacements.
+  /// True if the samples are poses, not displacements.
   bool hasSixDirections() const { return has_six_; }
 
   /// Take one sample: stamp [ns], displacement [m]. Returns false, and counts why, if no force is to be sent.
   bool push(std::int64_t stamp, double displacement, element::ComponentForce& force);
 
-  /// The same of six directions: position [m] and rotation of B in A; the wrench on B, in A's axes.
+  /// Processes a pose: position [m] and rotation of B in A; the wrench on B, in A's axes.
   bool push(std::int64_t stamp, const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation,
             component::Wrench& wrench);
 

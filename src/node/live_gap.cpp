@@ -62,7 +62,7 @@ void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, io
   const double scale = std::sqrt(record.counted()) * record.force_deviation;
   gap.gap = residual.norm() / scale;
   gap.gap_as_recorded = error.norm() / scale;
-  // Of white noise alone: nothing was fitted, and what the model lacks must not pass for slow noise.
+  // White noise alone: nothing was fitted, and errors of the model must not pass for slow noise.
   gap.noise_floor = std::min(gap::whiteNoiseFloor(record, residual), gap.gap);
   gap.beyond_noise = gap::residualAboveFloor(gap.gap, gap.noise_floor);
   gap.cells = gap::gapMap({record}, {residual}, {gap.noise_floor});

@@ -71,7 +71,7 @@ element::ComponentForce CrossFade::blend(const element::ComponentForce& configur
   using Force = element::ComponentForce;
   Force force = configured;
   for (const auto part : {&Force::total, &Force::elastic, &Force::viscous, &Force::friction}) {
-    // Of halves, whose difference cannot overflow.
+    // The difference of halves cannot overflow.
     force.*part = 2.0 * (0.5 * configured.*part + weight_ * (0.5 * other.*part - 0.5 * configured.*part));
   }
   return force;

@@ -36,7 +36,7 @@ class TemperatureFeed {
     return changed ? current_ : std::nullopt;
   }
 
-  /// That of the last sample, if it had one.
+  /// Temperature of the last sample, if it had one.
   const std::optional<double>& current() const { return current_; }
 
  private:

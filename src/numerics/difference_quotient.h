@@ -8,15 +8,15 @@
 
 namespace rubber_suspension::numerics {
 
-/// Of the logarithm of a parameter of a model, or of a number of a law: truncation 1e-4 and rounding 1e-12, relative.
+/// Step of the logarithm of a model parameter or of a number of a law: relative truncation 1e-4, rounding 1e-12.
 constexpr double kLogarithmStep = 1e-4;
 
-/// Of the scale of a term at work, over its typical one. A term at nothing moves by all of the typical scale, so that
-/// a fit sees what it would come to.
+/// Step of the scale of an active term, relative to its typical scale. A term whose scale is 0 is stepped by all of the
+/// typical scale, so that a fit sees its effect.
 constexpr double kScaleStep = 0.02;
 
-/// Of a coordinate of the search of `estimate`, whose gradient has to vanish at the optimum to more digits: truncation
-/// 1e-6 and rounding 1e-10, both relative.
+/// Step of a coordinate in the search of `estimate`, which needs a more accurate gradient: relative truncation 1e-6,
+/// rounding 1e-10.
 constexpr double kSearchStep = 1e-6;
 
 /// The step that a quotient is over: this one, or the same to the other side, or 0 where `has_value` is true of

@@ -24,8 +24,8 @@ class Fourier {
   std::unique_ptr<Tables> tables_;
 };
 
-/// The same of samples filled with zeros to a power of two, `shortest` or more: this leaves energies as they are and is
-/// fast at any length.
+/// Spectrum of samples padded with zeros to a power of two, `shortest` or more: this preserves energies and is fast at
+/// any length.
 std::vector<std::complex<double>> paddedSpectrum(std::vector<double> samples, std::size_t shortest = 2);
 
 /// The real samples, so many, whose lines 0 to N/2 these are.

@@ -6,14 +6,14 @@
 
 namespace rubber_suspension::numerics {
 
-/// Of the x with least |A x - b| the one of least norm, so that collinear columns share.
+/// Returns the x of least norm that minimises |A x - b|, so that collinear columns share.
 Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 /// An x with least |A x - b|, where of collinear columns some get nothing.
 Eigen::VectorXd solveLeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-/// The same for columns that are known to be independent.
+/// Minimises |A x - b| for columns known to be independent.
 Eigen::VectorXd solveIndependent(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 /// The rest of B that the best A X leaves, and the rank of A.

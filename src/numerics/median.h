@@ -17,7 +17,7 @@ Number medianIn(std::vector<Number>& values) {
   return *middle;
 }
 
-/// The same of values that keep their order.
+/// Median of a copy, so that the values keep their order.
 template <class Number>
 Number medianOf(std::vector<Number> values) {
   return medianIn(values);

@@ -32,7 +32,7 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
-// Of this process; empty in a nodelet.
+// Arguments of the process; empty in a nodelet.
 std::vector<std::string>& processArguments() {
   static std::vector<std::string> arguments;
   return arguments;

@@ -1,4 +1,4 @@
-// Whether a topic is connected for certain.
+// Checks that a topic is connected.
 #include "ros_interface/connection.h"
 
 #include <fmt/format.h>

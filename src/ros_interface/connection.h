@@ -1,4 +1,4 @@
-// Whether a topic is connected for certain, so that the very first message is not lost.
+// Checks that a topic is connected, so that the first message is not lost.
 #pragma once
 
 #include <ros/callback_queue.h>

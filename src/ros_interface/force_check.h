@@ -45,7 +45,7 @@ ForceReference measuredReference(const log::Log& log);
 ForceReference simulatedReference(const component::Component& component, const log::Log& log,
                                   const std::string& config);
 
-/// Whether every sample of the log had exactly one force.
+/// Checks that every sample of the log had exactly one force.
 TestCase checkAnswers(const std::string& component, const log::Log& log, const PlayResult& result);
 
 /// How far the bench's forces are from the reference, leaving out the first `skip` seconds of the log; nothing where a
@@ -53,7 +53,7 @@ TestCase checkAnswers(const std::string& component, const log::Log& log, const P
 std::optional<gap::Agreement> compareForces(const log::Log& log, const ForceReference& reference,
                                             const PlayResult& result, double skip);
 
-/// Whether the gap to the reference is no larger than `tolerance`. A force that is missing or not finite fails.
+/// Checks that the gap to the reference is at most `tolerance`. A force that is missing or not finite fails.
 TestCase checkForces(const log::Log& log, const ForceReference& reference, const PlayResult& result,
                      const std::optional<gap::Agreement>& agreement, double tolerance);
 

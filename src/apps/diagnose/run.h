@@ -51,7 +51,7 @@ void clearStage();
 /// Version, date, command line and every file that is read.
 diagnosis::RunRecord runRecord(const DiagnoseOptions& options);
 
-/// Those of --rig.
+/// Applies the tolerances of --rig.
 void setTolerances(const std::vector<std::string>& assignments, io::ComponentDescription& component);
 
 /// The line on excerpts for the terminal; empty where all samples were searched.

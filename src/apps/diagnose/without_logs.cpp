@@ -38,7 +38,7 @@ std::vector<log::Log> readLogs(const std::vector<std::string>& paths, const io::
   return logs;
 }
 
-// Of K*, from that of the stiffness and that of the loss angle: they stand at right angles to each other.
+// Relative uncertainty of K* from those of its magnitude and its phase, which are orthogonal in the complex plane.
 std::optional<double> uncertaintyOf(const std::vector<std::string>& texts) {
   if (texts.empty()) {
     return std::nullopt;
