@@ -30,11 +30,11 @@ TEST(MemoryOfADiagnosis, IsRefusedOnceItIsMoreThanThereIs) {
 TEST(MemoryOfADiagnosis, TheRefusalSaysHowMuchIsNeededAndWhatIsAccepted) {
   const std::string text = refusal(12000000, 16 * kGibibyte);
   EXPECT_THAT(text, testing::HasSubstr("12000000 of 20000000 samples"));
-  EXPECT_THAT(text, testing::HasSubstr("35.9 GiB"));
+  EXPECT_THAT(text, testing::HasSubstr("40.9 GiB"));
   EXPECT_THAT(text, testing::HasSubstr("16.0 GiB are available"));
-  EXPECT_THAT(text, testing::HasSubstr("accepted: 5321891 samples"));
+  EXPECT_THAT(text, testing::HasSubstr("accepted: 4665768 samples"));
   EXPECT_EQ(text.find('\n'), std::string::npos);
-  EXPECT_EQ(refusal(5321891, 16 * kGibibyte), "");
+  EXPECT_EQ(refusal(4665768, 16 * kGibibyte), "");
 }
 
 TEST(MemoryOfADiagnosis, IsAskedForBeforeTheSearch) {
