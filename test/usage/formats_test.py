@@ -17,6 +17,7 @@ import tempfile
 import unittest
 
 import numpy as np
+import scipy.io
 
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 CONFIG = pathlib.Path(__file__).resolve().parents[2] / "config"
@@ -133,6 +134,25 @@ class Formats(unittest.TestCase):
             self.assertIn(f"replay: {log}: ", answer.stderr)
             self.assertIn(message, answer.stderr)
             self.assertFalse(self.path("none.csv").exists())
+
+    def test_a_log_that_is_refused_leaves_no_output(self):
+        time = np.arange(4000) * 1e-3
+        z = 1e-3 * np.sin(time)
+        scipy.io.savemat(self.path("whole.mat"), {"time_s": time, "displacement_m": z, "force_N": K * z})
+        mat = self.path("whole.mat").read_bytes()
+        rows = [f"{t!r},{d!r},{K * d!r}\n" for t, d in zip(time.tolist(), z.tolist())]
+        csv_with = "time_s,displacement_m,force_N\n{}{}{}".format
+        halves = "".join(rows[:3000]), "".join(rows[3000:])
+        # Cut off, a displacement that is out of range, and one whose simulated force is.
+        for name, content, status in (("log.mat", mat, 0), ("log.mat", mat[:len(mat) // 2], 1),
+                                      ("log.csv", csv_with(halves[0], "", halves[1]), 0),
+                                      ("log.csv", csv_with(halves[0], "2.9995,1e31,0\n", halves[1]), 1),
+                                      ("log.csv", csv_with(halves[0], "2.9995,1e25,0\n", halves[1]), 1)):
+            log, output = self.path(name, content), self.path("forces.csv")
+            output.unlink(missing_ok=True)
+            answer = run("replay", "--config", self.config, "--log", log, "--output", output, "--compare")
+            self.assertEqual((answer.returncode, output.exists()), (status, status == 0), answer.stderr)
+            self.assertEqual(answer.stderr.startswith("replay: "), status == 1, answer.stderr)
 
     def test_kc_has_k_star_at_its_sine(self):
         self.export("kc", "kc.yaml", "--frequency", 4)
