@@ -45,7 +45,7 @@ ordered_json valuesOf(const Job& job, const Record* record) {
   return values;
 }
 
-// What stands before the values of a job.
+// Leading columns of a job, before its values.
 ordered_json headOf(const Manifest& manifest, const Job& job, const Record* record) {
   const auto name_of = [&](std::size_t log) {
     return std::filesystem::path(manifest.inputs[log].path).stem().string();

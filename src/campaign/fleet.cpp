@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 constexpr double kTail = 0.025;           // of a 95 % interval
 constexpr std::size_t kMostListed = 500;  // components of a type: table.csv has all
 
-// How often each of these names occurs, most frequent first.
+// Frequency of each name, most frequent first.
 ordered_json sharesOf(const std::vector<std::string>& names, std::size_t components) {
   constexpr double kJeffreys = 0.5;  // prior count of either answer
   std::map<std::string, std::size_t> counts;

@@ -12,12 +12,12 @@
 
 namespace rubber_suspension::campaign {
 
-/// How a number is distributed over components, one at least, as fleet.json has it: components, median, quartiles, and,
-/// for six or more, median_interval_95: 95 % for the median, between two of the values whatever their distribution
-/// (Thompson, Ann. Math. Statist. 7 (1936) 122-128).
+/// Returns the distribution of a number over one or more components, as in fleet.json: components, median, quartiles,
+/// and, for six or more, median_interval_95: the distribution-free 95 % interval of the median, between two of the
+/// values (Thompson, Ann. Math. Statist. 7 (1936) 122-128).
 nlohmann::ordered_json distributionOf(std::vector<double> values);
 
-/// Less than this logarithm is within what a bench can hold: no value is far out for it.
+/// Smallest logarithm that a bench can resolve: no smaller deviation makes a value an outlier.
 constexpr double kWorthSaying = 0.02;
 
 /// Fewest values among which an outlier counts.

@@ -12,7 +12,7 @@
 
 namespace rubber_suspension::campaign {
 
-/// How a number of a specification scatters.
+/// Scatter of a number of a specification.
 struct Tolerance {
   enum class Shape {
     uniform,  ///< between the nominal value less `width` and plus `width`

@@ -25,7 +25,7 @@ struct Expansion {
 Expansion makeManifest(const std::string& jobs_file, const std::string& output, const std::string& version, int threads,
                        const LogReader& read_log);
 
-/// How the logs of a job are to be read.
+/// Returns the format of the logs of a job.
 log::LogFormat logFormat(const JobOptions& options);
 
 }  // namespace rubber_suspension::campaign

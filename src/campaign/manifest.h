@@ -20,7 +20,7 @@ enum class Command {
   replay,    ///< replay of one log
 };
 
-/// Which files a job leaves besides its record.
+/// Files that a job writes besides its record.
 enum class Reports {
   none,  ///< its record only
   data,  ///< what other programs read: report.json, augmented.yaml; identification.json, component.yaml; force.csv

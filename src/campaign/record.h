@@ -46,7 +46,7 @@ struct FoundRecord {
   std::string problem;  ///< of one that is cut off or changed, of another version or job, or with a damaged report
 };
 
-/// How the files of a report are compared with the record: by size, which is fast, or by size and digest.
+/// Comparison of the files of a report with the record: by size, which is fast, or by size and digest.
 enum class FileCheck { sizes, digests };
 
 /// Reads and checks a job's record.

@@ -18,7 +18,7 @@
 namespace rubber_suspension::campaign {
 namespace {
 
-// How much is done and when the rest will be: on a terminal in place, elsewhere a line now and then.
+// Shows progress and remaining time: in place on a terminal, otherwise a line now and then.
 class RunProgress {
  public:
   RunProgress(std::size_t total, const Say& say) : total_(total), say_(say) {}

@@ -1,4 +1,4 @@
-// How far a campaign is.
+// Progress of a campaign.
 #include "campaign/status.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// How far a campaign is: the records that are there, and the runs that work on others. Each run keeps a file in the
-// campaign's folder that names the jobs in its hands; it decides nothing and may be deleted.
+// Progress of a campaign: existing records, and jobs that runs are working on. Each run lists its current jobs in a
+// file in the campaign's folder, which is informative only and may be deleted.
 #pragma once
 
 #include <chrono>

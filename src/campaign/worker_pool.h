@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::campaign {
 
-/// How a job ended.
+/// Outcome of a job.
 enum class JobEnd : char {
   done,
   failed,  ///< with an error, which the worker reported

@@ -140,7 +140,7 @@ StreamForce SampleStream::refuseForce() {
   return {Acceptance::force_not_finite, {}};
 }
 
-// How many of the samples follow the last one at equal distance, all accepted by their stamps.
+// Number of samples that follow the last one at equal time steps and are accepted by their stamps.
 std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const {
   constexpr std::size_t kMost = 4096;     // after a run whose force is not finite, its samples are pushed again
   constexpr std::size_t kTogether = 128;  // steps

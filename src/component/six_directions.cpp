@@ -330,8 +330,7 @@ Eigen::Matrix<double, 6, 6> SixDirections::coordinateJacobian(const Place& place
   return jacobian;
 }
 
-// How the moment of constant generalised moments [N m] turns as the bush does: the derivative of rates^T Q by the
-// coordinates.
+// Derivative of the moment rates^T Q of constant generalised moments [N m] by the coordinates.
 Eigen::Matrix3d SixDirections::turningMoment(const Place& place, const Eigen::Vector3d& moments) const {
   constexpr double kDistance = 1e-5;  // [rad]; leaves 1e-10 of the moment
   Eigen::Matrix3d derivative;

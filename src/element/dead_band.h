@@ -13,7 +13,7 @@ inline double followed(double displacement, double dead_band, double before) {
   return std::clamp(before, displacement - 0.5 * dead_band, displacement + 0.5 * dead_band);
 }
 
-/// The same over a step from a place behind the play, which it moves; returns by how much [m].
+/// Advances the place behind the play by one step; returns its displacement [m].
 inline double advance(double displacement, double dead_band, double& place) {
   const double before = place;
   place = followed(displacement, dead_band, before);

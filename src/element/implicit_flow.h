@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::element {
 
-// Of flowRoot(), for m > 1, from above.
+// Solves the equation of flowRoot() for m > 1 by Newton steps from above.
 inline double flowRootByNewton(double r, double b, double m) {
   constexpr int kMostSteps = 60;
   double x = std::min(r, std::pow(r / b, 1.0 / m));

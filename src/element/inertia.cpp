@@ -45,12 +45,12 @@ class Inertia final : public ParallelElement {
   double mass_;
 };
 
-/// The same of a noisy displacement: F = m d2z/dt2 of z behind the filter H(s) = (1 + 4 s/w_b)/(1 + s/w_b)^4, whose
+/// Inertia for a noisy displacement: F = m d2z/dt2 of z behind the filter H(s) = (1 + 4 s/w_b)/(1 + s/w_b)^4, whose
 /// error 6 (w/w_b)^2 has no part of first order, so that the force is not late at low frequency. White noise s on z
 /// makes 0.87 m s/dt^2 of force at w_b dt = 1, beyond which samples are too far apart for the filter, and 0.041 m
 /// s/dt^2 at w_b dt = 1/4. The filter is stepped exactly for a displacement that is linear between samples, at any step
-/// lengths. Memory: what the four lags lag by. Source: observer form of a filtered differentiator, e.g. Khalil,
-/// Nonlinear Systems (2002), section 14.5.
+/// lengths. Memory: the lags of the four first-order filters. Source: observer form of a filtered differentiator, e.g.
+/// Khalil, Nonlinear Systems (2002), section 14.5.
 class SmoothedInertia final : public ParallelElement {
  public:
   SmoothedInertia(double mass /* m [kg] */, double bandwidth /* w_b/(2 pi) [Hz] */)

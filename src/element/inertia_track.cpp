@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kRadiansBetweenTurns = 3.0;  // less than half a period
 constexpr double kMostParts = 4096.0;
-// Of a radian of the resonance, or of the time in which the quadratic loss halves a rate.
+// Longest part of a split step, in radians of the resonance or times in which the quadratic loss halves a rate.
 constexpr double kSplit = 0.25;
 constexpr double kMostTurned = 4.0;       // radians of the resonance in a step that is split, with quadratic loss
 constexpr double kPastTurn = 1.0 + 1e-9;  // a deflection is known twice as well as the time at which it turns

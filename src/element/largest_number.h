@@ -10,8 +10,8 @@ namespace rubber_suspension::element {
 /// In SI units, beyond any component, and where powers of it leave the range of a double. No Range contains more.
 constexpr double kLargestNumber = 1e30;
 
-/// Of a quantity that cannot be negative; 0 itself is accepted where its Range contains 0. In SI units, below any
-/// component, and where products and powers of it lose their digits or become 0.
+/// Smallest positive value of a quantity [SI]; 0 is accepted if its Range contains 0. Smaller than in any component:
+/// products and powers of smaller numbers lose their digits or underflow.
 constexpr double kSmallestNumber = 1e-100;
 
 /// As describe(range), behind a value that is out of range, which may be so for its size alone.

@@ -1,4 +1,4 @@
-// What shifts by temperature are made of: the gas constant, and the shift of the force alone.
+// Parts of temperature shifts: the gas constant, and the shift of the force alone.
 #pragma once
 
 #include "rubber_suspension/element/temperature_shift.h"

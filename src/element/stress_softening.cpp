@@ -102,7 +102,7 @@ class StressSoftening final : public ForceEffect {
   }
 
  private:
-  /// How far a displacement reaches to the side that counts [m].
+  /// Reach of a displacement to the active side [m].
   double reachOf(double displacement) const {
     return parameters_.side == Side::both ? std::abs(displacement)
                                           : std::max(0.0, static_cast<double>(parameters_.side) * displacement);

@@ -42,7 +42,7 @@ std::optional<std::string> nearestWithin(const std::string& word, const std::vec
   return nearest;
 }
 
-// How papers write what component files spell out.
+// Symbols of papers for names of component files.
 const std::vector<std::pair<std::string, std::string>>& symbols() {
   static const std::vector<std::pair<std::string, std::string>> table = {{"m1", "kelvin_voigt"},
                                                                          {"m2", "maxwell"},

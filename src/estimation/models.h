@@ -22,7 +22,7 @@ struct Obstacle {
 /// 10); nothing without either.
 std::optional<double> specifiedLossAngle(const Specification& specification);
 
-/// The same of a specification that has one.
+/// Loss angle of a specification that has one.
 inline double lossAngle(const Specification& specification) { return specifiedLossAngle(specification).value(); }
 
 /// The condition of all models on their stiffnesses: K_st < K_n < K_max, and none more than ten times K_st.
@@ -31,7 +31,7 @@ std::optional<Obstacle> stiffnessObstacle(const Specification& specification);
 /// The specification with the tangent of its curve at the working point in place of the curve.
 Specification tangentOf(Model model, const Specification& specification);
 
-/// Whether the numbers of a base, which pass checkSpecification(), have a solution.
+/// True if the numbers of a base, which pass checkSpecification(), have a solution.
 bool isSolvable(Model model, const Specification& specification);
 
 /// The elements of a model around its static curve: the curve for the first spring and, where it scales, Maxwell

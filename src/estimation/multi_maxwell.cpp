@@ -21,7 +21,7 @@ using Complex = std::complex<double>;
 
 // Keeps the roots away from alpha = 0 and infinity, where some elements vanish.
 constexpr double kBandMargin = 1e-9;
-// The same of a search over K_max, which takes alpha to its ends.
+// Relative margin at the ends of the search over K_max, where alpha reaches its limits.
 constexpr double kEndMargin = 1e-6;
 // Steps of the scan for a high frequency that gives a loss angle.
 constexpr int kBandSteps = 60;
@@ -118,7 +118,7 @@ struct Solution {
   double alpha;
 };
 
-// The same with its derivative by ln(alpha).
+// Relative stiffness with its derivative by ln(alpha).
 std::pair<Complex, Complex> relativeStiffnessWithSlope(double alpha, const std::vector<Complex>& of_each) {
   Complex sum = 0.0;
   Complex moment = 0.0;

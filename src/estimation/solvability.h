@@ -1,4 +1,5 @@
-// Which values a single input could take with the others kept: the help in an error about an input without solution.
+// Intervals of a single input with a solution, the others unchanged: the help in an error about a specification without
+// one.
 #pragma once
 
 #include <functional>
@@ -11,7 +12,7 @@ namespace rubber_suspension::estimation {
 /// True if a specification has a solution.
 using Solvable = std::function<bool(const Specification&)>;
 
-/// How closely to look: what is quick to decide, or what takes a settled loop.
+/// Resolution of the scan: fine if a decision is fast, coarse if it needs a settled loop.
 enum class Scan { fine, coarse };
 
 /// The intervals of one input, others kept, in which a solution exists; open intervals in ascending order.

@@ -46,7 +46,7 @@ bool settles(const element::ElementDescription& entry) {
   return entry.type != "force_drift" && (law.action() != element::Action::scales_force || law.linear());
 }
 
-// Of what is added, the stiffness [N/m] at rest and that at very high frequency, springs and Maxwell elements alone.
+// Stiffness [N/m] of added springs and Maxwell elements at rest and at very high frequency.
 struct AddedStiffness {
   double at_rest = 0.0;
   double limit = 0.0;
@@ -83,7 +83,7 @@ class Whole {
     subtract();
   }
 
-  // Whether loops take no time: forces that add up, and no Maxwell elements that have to settle along a curve.
+  // True if loops are fast to compute: parallel elements, and no Maxwell elements that have to settle along a curve.
   bool isQuick() const {
     return given_.curve() == nullptr && std::all_of(add_.begin(), add_.end(), [](const auto& entry) {
              return lawOfComponent(element::makeElement(entry)) != nullptr;

@@ -25,7 +25,7 @@ struct FmuParts {
   std::string windows_binary = {};  ///< path of the same for Windows; empty: it was not built
 };
 
-/// Those that were built with the program that calls this: they lie beside it, that for Windows where there is one.
+/// Returns the parts built with the calling program, which are beside it, including that for Windows if it exists.
 FmuParts installedParts();
 
 /// Description of a component in an FMU: its elements complete, and a GUID that follows from it and the version of the

@@ -8,9 +8,9 @@
 
 namespace rubber_suspension::kernel {
 
-/// Of each element the force [N] at the end of as many steps of dt [s] as there are displacements [m], from the
-/// displacement `start` on, where it has none; to `force` of each. The bits of the law. Each step of an element waits
-/// for the one before it, so several elements side by side take little longer than one.
+/// Computes the force [N] of each element, which is 0 at the displacement `start`, after each step of dt [s] to the
+/// displacements [m], to the same bits as the law. A step waits for the one before it, so several interleaved elements
+/// need little more time than one.
 void maxwellForces(const std::vector<element::BasicLaws::MaxwellNumbers>& elements, double dt, double start,
                    const double* displacement, std::size_t count, const std::vector<double*>& force);
 

@@ -1,8 +1,8 @@
 // Checks of many samples, for one kind of processor. See instruction_sets.h. None of them has a branch for each sample,
 // so that the loops become vector instructions.
 
-// What is added to the exponent carries into the sign bit from the biased exponent `from` on: that of infinity and of
-// what is not a number, 2047, among them.
+// Adds a number that carries into the sign bit for biased exponents of `from` or more, such as 2047 of infinity and
+// NaN.
 inline bool exponentsBelow(const double* value, std::size_t count, std::uint64_t from) {
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63U;
   const std::uint64_t added = (2048U - from) << 52U;

@@ -30,7 +30,7 @@ struct SofteningBlock {
 /// after the other.
 class SofteningBank final : public element::ForceEffect {
  public:
-  /// Whether a law, all of whose parameters are given, is one of these: of powers that need no std::pow.
+  /// True if the bank supports a law with all parameters given: its powers need no std::pow.
   static bool takes(const element::ElementDescription& law);
 
   /// `description` is that of the law.

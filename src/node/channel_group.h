@@ -25,7 +25,7 @@ class ChannelGroup {
 
   const std::vector<ComponentChannel*>& channels() const { return channels_; }
 
-  /// Those of six directions, or those of one.
+  /// Channels of six directions, or of one.
   const std::vector<ComponentChannel*>& channels(bool six_directions) const { return by_kind_[six_directions ? 1 : 0]; }
 
   /// Held while a bundle is answered.

@@ -1,4 +1,4 @@
-// How long samples took, as a histogram of fixed size: counting one allocates nothing and costs some nanoseconds.
+// Histogram of latencies, of fixed size: counting allocates nothing and needs some nanoseconds.
 #pragma once
 
 #include <algorithm>

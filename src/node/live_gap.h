@@ -44,7 +44,7 @@ struct LiveGap {
   GapLevel level(const GapSettings& settings) const;
 };
 
-/// Which force of a sample is compared with the measured one.
+/// The force of a sample that is compared with the measured one.
 using SimulatedForce = double MatchedSample::*;
 
 /// The gap of one window of matched samples, split as the diagnosis splits it; without trend. Samples without that

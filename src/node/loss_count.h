@@ -1,4 +1,4 @@
-// How many messages of a topic some subscriber lost, by who still holds them; knows no ROS.
+// Counts messages of a topic that a subscriber lost, by their reference counts. Independent of ROS.
 #pragma once
 
 #include <boost/shared_array.hpp>

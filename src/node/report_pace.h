@@ -1,4 +1,4 @@
-// How often something that stays wrong is worth a line of log. Knows no ROS.
+// Limits the rate of log lines about a lasting fault. Independent of ROS.
 #pragma once
 
 namespace rubber_suspension::node {
@@ -11,7 +11,7 @@ class ReportPace {
   static constexpr double kLongest = 60.0;     ///< [s]
   static constexpr double kForgotten = 120.0;  ///< [s]
 
-  /// Something is wrong at this time [s]: true if it is worth a line now. Times must not decrease.
+  /// Notes a fault at this time [s]; true if a line is due. Times must not decrease.
   bool isDue(double now) {
     if (now - last_fault_ > kForgotten) {
       interval_ = 0.0;

@@ -1,4 +1,4 @@
-// Least squares with bounds on each unknown, from the normal equations: the one solver of all fits.
+// Least squares with bounds on each unknown, from the normal equations: the solver of all fits.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,15 +6,14 @@
 
 namespace rubber_suspension::numerics {
 
-/// Minimise x'Gx/2 - b'x subject to lower <= x <= upper, G symmetric and positive semidefinite, by an active set
-/// (Lawson and Hanson 1974; Stark and Parker 1995 for two-sided bounds). Directions that G does not determine stay at
+/// Minimises x'Gx/2 - b'x subject to lower <= x <= upper, G symmetric and positive semidefinite, by an active set
+/// (Lawson and Hanson 1974; Stark and Parker 1995 for two-sided bounds). In directions that G does not determine, x is
 /// the admissible point nearest to 0, within the accuracy of a ridge of 1e-9 of G's diagonal. Sizes up to some tens.
 Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
                                     const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
-/// The same with 0 <= x_i where signed_unknown[i] is false and no bounds else; without a ridge, so exact to rounding,
-/// by a decomposition that reveals the rank: collinear columns of any sign share by least norm. A column of zeros gets
-/// x_i = 0.
+/// Minimises x'Gx/2 - b'x subject to 0 <= x_i where signed_unknown[i] is false. Without a ridge, so exact to rounding,
+/// by a rank-revealing decomposition: collinear columns get the solution of least norm, a column of zeros x_i = 0.
 Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
                                         const std::vector<bool>& signed_unknown);
 

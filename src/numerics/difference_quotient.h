@@ -1,4 +1,4 @@
-// Derivatives by difference quotients: the one place that chooses their steps and sides.
+// Derivatives by difference quotients, with their steps and sides.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,21 +19,20 @@ constexpr double kScaleStep = 0.02;
 /// rounding 1e-10.
 constexpr double kSearchStep = 1e-6;
 
-/// The step that a quotient is over: this one, or the same to the other side, or 0 where `has_value` is true of
-/// neither.
+/// Returns `step`, or `-step` if only that side has a value, or 0 if neither has.
 double takenStep(double step, const std::function<bool(double by)>& has_value);
 
-/// (F(x + step) - F(x))/step by takenStep(), of each vector; 0 where that is 0: the unknown cannot move. `base`: F(x).
+/// Returns (F(x + step) - F(x))/step of each vector with the step of takenStep(); 0 if that is 0. `base`: F(x).
 /// `moved`: F(x + by).
 std::vector<Eigen::VectorXd> quotient(
     const std::vector<Eigen::VectorXd>& base, double step,
     const std::function<std::optional<std::vector<Eigen::VectorXd>>(double by)>& moved);
 
-/// The Jacobian of some values by central differences over this step of each coordinate. Throws what `values` throws.
+/// Returns the Jacobian by central differences with this step of each coordinate. Throws what `values` throws.
 Eigen::MatrixXd centralDifferences(const std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>& values,
                                    const Eigen::VectorXd& x, double step);
 
-/// The change from sample to sample of a signal of two or more, by central differences, one-sided at the ends.
+/// Returns the change per sample of a signal of two samples or more, by central differences, one-sided at the ends.
 Eigen::VectorXd slopesOf(const Eigen::Ref<const Eigen::VectorXd>& signal);
 
 }  // namespace rubber_suspension::numerics

@@ -14,15 +14,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// A penalty that keeps unknowns of which blocks tell nothing at 0, and changes no other to speak of.
+// Raises the penalty so that unknowns that the blocks do not determine are 0, with no noticeable effect on the others.
 VectorXd atLeast(const VectorXd& penalty, const MatrixXd& sum) {
-  constexpr double kLeast = 1e-10;  // of what all blocks tell
+  constexpr double kLeast = 1e-10;  // of the sum over all blocks
   constexpr double kNothing = 1e-300;
   const VectorXd least = (kLeast * sum.diagonal().tail(penalty.size())).cwiseMax(kNothing);
   return penalty.cwiseMax(least);
 }
 
-// The unknowns that leave least of each column of X.
+// Unknowns with the least residual of each column of X.
 MatrixXd sharesOf(const MatrixXd& products, const VectorXd& penalty) {
   const Index own = penalty.size();
   MatrixXd gram = products.bottomRightCorner(own, own);
@@ -55,7 +55,7 @@ MatrixXd sumOf(const std::vector<MatrixXd>& products) {
   return sum;
 }
 
-// Sums, not differences: what is zero without a fold has to be so to the last bit.
+// Sums rather than subtracts: what is zero without a fold has to be exactly zero.
 std::vector<MatrixXd> sumsWithoutFold(const std::vector<MatrixXd>& products, const BlockPlaces& places) {
   std::vector<MatrixXd> sums(static_cast<std::size_t>(places.folds),
                              MatrixXd::Zero(products.front().rows(), products.front().cols()));

@@ -1,5 +1,5 @@
-// Unknowns that some blocks of samples have for themselves, taken out of normal equations (block-arrow structure): cost
-// and memory are those of the other unknowns, however many parts of the samples have their own.
+// Elimination of unknowns of single blocks of samples from normal equations (block-arrow structure): cost and memory
+// are those of the common unknowns, however many blocks have unknowns of their own.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::numerics {
 
-/// Products of columns over blocks of samples, and what a fit to other blocks leaves of each block.
+/// Products of columns over blocks of samples, and of the residuals of each block after a fit to the others.
 struct BlockProducts {
   Eigen::MatrixXd sum;                        ///< of all blocks
   std::vector<Eigen::MatrixXd> without_fold;  ///< of all but those of a fold
@@ -23,22 +23,21 @@ struct BlockPlaces {
   bool in_sample = true;  ///< the products in sample are wanted, too
 };
 
-/// Those of the columns X where `products` are of [X U]: U times unknowns with a penalty on their squares, such as
-/// errors of the measurement of unit variance, of which each block may have its own as far as other folds leave that
-/// open. A block held out then leaves what it adds to the least squares of the others, and its share of the penalty of
-/// what these found.
+/// Eliminates U from the `products` of [X U], where U has unknowns of each block with a penalty on their squares, such
+/// as measurement errors of unit variance. A held-out block contributes what it adds to the least squares of the
+/// others, and its share of the penalty on their solution.
 BlockProducts withoutErrors(const std::vector<Eigen::MatrixXd>& products, const Eigen::VectorXd& penalty,
                             const BlockPlaces& places);
 
-/// Those of X where `products` are of [X U], U times unknowns of a law: a block held out has those of the other folds.
-/// `shares`: becomes what all blocks give of U for each column of X.
+/// Eliminates U from the `products` of [X U], where U has the unknowns of a law: a held-out block has the solution of
+/// the other folds. `shares` becomes the solution from all blocks for each column of X.
 BlockProducts withoutUnknowns(const BlockProducts& products, const Eigen::VectorXd& penalty, const BlockPlaces& places,
                               Eigen::MatrixXd& shares);
 
-/// The blocks of each fold as one; none in sample.
+/// Merges the blocks of each fold; without products in sample.
 BlockProducts byFold(const BlockProducts& products, BlockPlaces& places);
 
-/// Those of some of the columns.
+/// Returns the products of a selection of columns.
 BlockProducts ofColumns(const BlockProducts& products, const std::vector<Eigen::Index>& columns);
 
 }  // namespace rubber_suspension::numerics

@@ -7,8 +7,8 @@
 
 namespace rubber_suspension::numerics {
 
-/// The discrete Fourier transform of real samples; powers of two are fastest. It keeps its tables for each length, so
-/// that one transform should serve pieces of the same length.
+/// The discrete Fourier transform of real samples; powers of two are fastest. It stores tables for each length, so use
+/// one object for pieces of the same length.
 class Fourier {
  public:
   Fourier();
@@ -28,7 +28,7 @@ class Fourier {
 /// any length.
 std::vector<std::complex<double>> paddedSpectrum(std::vector<double> samples, std::size_t shortest = 2);
 
-/// The real samples, so many, whose lines 0 to N/2 these are.
+/// Returns the `count` real samples with these lines 0 to N/2.
 std::vector<double> samplesOf(const std::vector<std::complex<double>>& half_spectrum, std::size_t count);
 
 }  // namespace rubber_suspension::numerics

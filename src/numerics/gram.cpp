@@ -22,8 +22,8 @@ namespace {
 
 constexpr Eigen::Index kBlock = 256;  // samples: two tiles stay in the first-level cache
 
-// Where each column has its samples of a block, in whole tiles; copied and filled with zeros where the block is not
-// whole.
+// Pointers to the samples of each column in a block, in whole tiles; an incomplete block is copied and padded with
+// zeros.
 std::vector<const double*> block(const Eigen::Ref<const Eigen::MatrixXd>& columns, Eigen::Index first,
                                  std::size_t tiles, std::vector<double>& copy) {
   const Eigen::Index count = std::min(kBlock, columns.rows() - first);

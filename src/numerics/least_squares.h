@@ -1,5 +1,4 @@
-// Least squares by orthogonal decompositions. Eigen's take ten seconds to compile wherever they are used: this is the
-// one place.
+// Least squares by orthogonal decompositions. They are used only here, because Eigen's take ten seconds to compile.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,32 +9,32 @@ namespace rubber_suspension::numerics {
 Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// An x with least |A x - b|, where of collinear columns some get nothing.
+/// Returns an x that minimises |A x - b|, with 0 for some of several collinear columns.
 Eigen::VectorXd solveLeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 /// Minimises |A x - b| for columns known to be independent.
 Eigen::VectorXd solveIndependent(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-/// The rest of B that the best A X leaves, and the rank of A.
+/// Residual of B after the best A X, and the rank of A.
 struct Remainder {
   Eigen::MatrixXd values;
   Eigen::Index rank = 0;
 };
 Remainder remainder(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// Orthonormal columns that span the same as these. What is left of a column beside the others counts as nothing below
-/// this share of the largest; at 0, below its rounding.
+/// Returns orthonormal columns with the same span. A column counts as dependent if its part orthogonal to the others is
+/// below this share of the largest; at 0, below rounding.
 Eigen::MatrixXd orthonormalColumns(const Eigen::MatrixXd& columns, double least_share = 0.0);
 
-/// For errors of unit variance with, beside them, columns C times unknowns of unit variance: orthogonal columns N such
-/// that I - N N' is the symmetric root of (I + C C')^-1, which makes both together white. A column of N is at most 1
-/// long: that of what C leaves entirely free.
+/// For errors of unit variance plus C times unknowns of unit variance: returns orthogonal columns N such that I - N N'
+/// is the symmetric root of (I + C C')^-1, which whitens the sum. The columns of N have a norm of at most 1, which
+/// unbounded unknowns reach.
 Eigen::MatrixXd whiteningColumns(const Eigen::MatrixXd& c);
 
-/// The penalty on the squares of unknowns of N by which least squares beside them leave what (I + C C')^-1 does.
+/// Penalty on the squared unknowns of N for which least squares with them equal those weighted by (I + C C')^-1.
 Eigen::VectorXd penaltyOfWhitening(const Eigen::MatrixXd& n);
 
-/// From N to columns that C C' is of.
+/// Inverse of whiteningColumns(): columns C with the same C C'.
 Eigen::MatrixXd columnsOfWhitening(const Eigen::MatrixXd& n);
 
 }  // namespace rubber_suspension::numerics

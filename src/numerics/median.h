@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::numerics {
 
-/// The upper one of the two in the middle where the count is even; 0 of none. Changes the order of the values.
+/// Returns the upper of the two middle values for an even count, 0 for none. Changes the order of the values.
 template <class Number>
 Number medianIn(std::vector<Number>& values) {
   if (values.empty()) {

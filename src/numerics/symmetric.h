@@ -10,7 +10,7 @@ class Cholesky {
  public:
   explicit Cholesky(const Eigen::MatrixXd& matrix);
 
-  /// False where the matrix is not positive definite; then there is no solution.
+  /// False if the matrix is not positive definite: there is no solution.
   bool exists() const { return exists_; }
   auto diagonal() const { return factor_.diagonal(); }
 
@@ -18,15 +18,15 @@ class Cholesky {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
 
  private:
-  Eigen::MatrixXd factor_;  // above the diagonal it is whatever the matrix was
+  Eigen::MatrixXd factor_;  // above the diagonal: the elements of the matrix
   bool exists_ = false;
 };
 
-/// By L D L', so that a matrix may be singular or indefinite.
+/// Solves by L D L', so the matrix may be singular or indefinite.
 Eigen::VectorXd solveSymmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// In rising order, with vectors of length 1 as columns.
+/// Eigenvalues in increasing order, with unit vectors as columns.
 struct Eigensystem {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;

@@ -15,15 +15,15 @@ namespace {
 constexpr double kFirstRadius = 1e4;     // the first step is damped by 1e-4 of the diagonal of J'J
 constexpr double kLargestRadius = 1e16;  // no damping
 constexpr double kSmallestRadius = 1e-32;
-constexpr double kLeastDamped = 1e-6;       // share of the unit below which a coordinate is damped like that
-constexpr double kLeastImprovement = 1e-3;  // of what a step promised, for it to be taken
+constexpr double kLeastDamped = 1e-6;       // share of the unit below which a coordinate is damped like this share
+constexpr double kLeastImprovement = 1e-3;  // of the predicted reduction, for a step to be accepted
 
 // The region in which the quadratic model of the sum is trusted.
 class TrustRegion {
  public:
   double radius() const { return radius_; }
 
-  // After a step that kept this part of what it promised.
+  // Adapts the radius to the ratio of actual to predicted reduction.
   void adapt(double improvement) {
     if (improvement > kLeastImprovement) {
       radius_ = std::min(kLargestRadius, radius_ / std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * improvement - 1.0, 3)));
@@ -39,7 +39,7 @@ class TrustRegion {
   double shrinking_ = 2.0;
 };
 
-// The least of the damped quadratic model within the limits.
+// Minimiser of the damped quadratic model within the limits.
 Eigen::VectorXd stepFrom(const Eigen::VectorXd& x, const SumOfSquares::Slope& here, const Limits& limits,
                          double least_damped, double radius) {
   Eigen::MatrixXd damped = here.curvature;
@@ -47,7 +47,7 @@ Eigen::VectorXd stepFrom(const Eigen::VectorXd& x, const SumOfSquares::Slope& he
   return boundedLeastSquares(damped, -here.gradient, limits.lower - x, limits.upper - x);
 }
 
-// By how much the quadratic model says that the sum falls.
+// Predicted reduction of the sum by the quadratic model.
 double promise(const SumOfSquares::Slope& here, const Eigen::VectorXd& step) {
   return -step.dot(2.0 * here.gradient + here.curvature * step);
 }
@@ -103,9 +103,9 @@ Optimum searchLeast(SumOfSquares& sum, const Eigen::VectorXd& start, const Limit
         continue;
       }
     } else if (promised > 0.5 * last_promise) {
-      break;  // the gradient has come down to its rounding
+      break;  // the gradient is down to rounding
     } else {
-      last_promise = promised;  // the sum cannot tell any more, but the gradient falls
+      last_promise = promised;  // the sum is at its rounding, but the gradient still decreases
     }
     x += step;
     cost = there;

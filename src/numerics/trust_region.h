@@ -27,8 +27,8 @@ class SumOfSquares {
   virtual double rounding() const = 0;
 };
 
-/// That of residuals whose Jacobian is found by central differences. Where they throw std::invalid_argument there is no
-/// sum.
+/// Sum of squares of residuals with a Jacobian by central differences. Where they throw std::invalid_argument, it has
+/// no value.
 class DifferencedSquares final : public SumOfSquares {
  public:
   using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>;

@@ -5,8 +5,8 @@
 
 namespace rubber_suspension::vehicle {
 
-/// What is simulated, and on what components. Half a bogie is a frame on two primary springs with a body on a secondary
-/// one; the body is a rigid one, such as a cab, on four bushes, with all six freedoms.
+/// Kind of vehicle. Half a bogie is a frame on two primary springs with a body on a secondary one; the body is rigid,
+/// such as a cab, with six degrees of freedom on four bushes.
 enum class Kind {
   struts,  ///< half a bogie on components of one direction
   bushes,  ///< half a bogie on components of six directions

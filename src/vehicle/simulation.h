@@ -24,7 +24,7 @@ struct Scene {
   double time(std::int64_t n) const { return 1e-9 * static_cast<double>(n * step); }  ///< [s]
 };
 
-/// How an explicit integrator chooses its steps.
+/// Step control of an explicit integrator.
 struct VariableStep {
   double accuracy = 1e-8;   ///< Simbody's measure of the error of a step
   double longest = 0.5e-3;  ///< [s]; the pose is linear between accepted steps, which no error measure sees

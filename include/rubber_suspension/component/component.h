@@ -16,8 +16,8 @@
 
 namespace rubber_suspension::component {
 
-/// Everything that a component remembers between two samples. Copying it is saving it; a trial step is a step on a
-/// copy. What a step needs lies on few cache lines.
+/// Memory of a component between two samples. Copy it to save it or to try a step. The data of a step are on few cache
+/// lines.
 class alignas(kernel::kCacheLine) ComponentState {
  public:
   double displacement() const { return displacement_; }  ///< at the last sample [m]
@@ -25,11 +25,11 @@ class alignas(kernel::kCacheLine) ComponentState {
   bool isFinite() const {
     return std::all_of(memory_.begin(), memory_.end(), [](double number) { return std::isfinite(number); });
   }
-  /// The same into a list that is used again, so that saving takes no memory.
+  /// Saves the memory into a list that is reused, so that saving allocates nothing.
   void saveMemory(std::vector<double>& numbers) const { numbers.assign(memory_.begin(), memory_.end()); }
 
-  /// Take what another state of the same component remembers, and keep the coefficients of the step length last used;
-  /// faster than copying all.
+  /// Copies the memory of another state of the same component, but not its coefficients of the step length; faster than
+  /// copying all.
   void copyFrom(const ComponentState& other) {
     displacement_ = other.displacement_;
     prepared_.branch = other.prepared_.branch;
@@ -53,7 +53,7 @@ class alignas(kernel::kCacheLine) ComponentState {
   double displacement_ = 0.0;
   bool kernel_alone_ = false;      // as in the component
   kernel::PreparedStep prepared_;  // derived, not saved; a branch only where the component is the kernel alone
-  // Of all elements, one block after the other; that of most components lies here, beside the coefficients.
+  // Memory of all elements, block after block; inline for most components, on cache lines next to the coefficients.
   boost::container::small_vector<double, 16> memory_;
   Trial trial_;  // not saved
 };
@@ -88,21 +88,19 @@ class Component {
   /// A state of the right size, at rest at zero displacement.
   ComponentState makeState() const;
 
-  /// Continue from numbers that displacement() [m] and memory() of a state gave. Throws std::invalid_argument, and
-  /// leaves the state as it was, on another size, on numbers that are not finite and on those that an element cannot
-  /// have left.
+  /// Restores a state from its displacement() [m] and memory(). Throws std::invalid_argument, without changing the
+  /// state, for a wrong size, numbers that are not finite, and those that no element can have written.
   void restore(ComponentState& state, double displacement, const std::vector<double>& memory) const;
 
-  /// Initialise the component at rest at a displacement [m], relaxed since long and never loaded before.
+  /// Initialises the component at rest at a displacement [m], fully relaxed and never loaded before.
   element::ComponentForce initialise(ComponentState& state, double displacement) const;
 
-  /// The same component after a long rest at a displacement [m]: relaxed and cooled, what is permanent (stress
-  /// softening) stays.
+  /// Relaxes and cools the component by a long rest at a displacement [m]; permanent changes (stress softening) remain.
   element::ComponentForce relax(ComponentState& state, double displacement) const;
 
-  /// Advance by dt > 0 [s] to a displacement [m], linear in between. Allocates nothing.
-  /// The force is not a number, from there on, where the test piece has given way behind a series compliance: where its
-  /// tangent stiffness (of an asymmetric_stiffness, say) is more negative than the compliance can hold.
+  /// Advances by dt > 0 [s] to a displacement [m], linear in between. Allocates nothing. The force is NaN, from there
+  /// on, if the test piece becomes unstable behind a series compliance: if its tangent stiffness (of an
+  /// asymmetric_stiffness, say) is more negative than the compliance can balance.
   __attribute__((always_inline)) element::ComponentForce step(ComponentState& state, double dt,
                                                               double displacement) const {
     if (!state.kernel_alone_) {
@@ -116,38 +114,38 @@ class Component {
                : kernel_.step(dt, displacement, increment, memory, state.prepared_);
   }
 
-  /// Whether a temperature does anything.
+  /// True if the component depends on temperature.
   bool shiftsWithTemperature() const { return !shifts_.empty(); }
 
-  /// The temperatures [degC] at which its shifts hold.
+  /// Temperatures [degC] at which its shifts are valid.
   const element::Range& temperatures() const { return temperatures_; }
 
-  /// The temperature [degC] of the steps that follow, until another is set; what the component remembers stays. Does
-  /// nothing where the temperature is the same or the component has no shift; factors are computed here alone.
-  /// Throws std::invalid_argument outside of temperatures(). Allocates nothing otherwise.
+  /// Sets the temperature [degC] of the following steps and computes the factors; the memory does not change. Without
+  /// effect if the temperature is the same or the component has no shift. Throws std::invalid_argument outside of
+  /// temperatures(); otherwise allocates nothing.
   void setTemperature(ComponentState& state, double temperature) const;
 
-  /// Back to a_T = b_T = 1, as in makeState().
+  /// Resets to a_T = b_T = 1, as in makeState().
   void forgetTemperature(ComponentState& state) const;
 
-  /// As many steps of dt [s] as there are displacements [m]; the total forces [N] go to `force`. The same bits as
-  /// step() after step(), several times as fast. Allocates nothing.
+  /// Simulates steps of dt [s] to `count` displacements [m] and writes the total forces [N] to `force`: the same bits
+  /// as step(), several times as fast. Allocates nothing.
   void simulate(ComponentState& state, double dt, const double* displacement, std::size_t count, double* force) const;
 
-  /// The same with the temperature [degC] of each step.
+  /// Simulates with the temperature [degC] of each step.
   void simulate(ComponentState& state, double dt, const double* displacement, const double* temperature,
                 std::size_t count, double* force) const;
 
-  /// Linearise the step of dt [s] from `state` to a displacement [m] about its end, by central differences of two trial
-  /// steps 10 nm to either side (relative error about 1e-7 for friction that reverses within 0.1 mm, 1e-9 for linear
-  /// laws). At a reversal, where friction has two slopes, it is their mean. `trial` is working space from makeState().
-  /// Neither `state` nor memory allocation is touched.
+  /// Linearises the step of dt [s] from `state` to a displacement [m] about its end, by central differences of two
+  /// trial steps 10 nm to either side (relative error about 1e-7 for friction that reverses within 0.1 mm, 1e-9 for
+  /// linear laws). At a reversal, where friction has two slopes, it is their mean. `trial` is working space from
+  /// makeState(). Neither `state` nor memory allocation is touched.
   Tangent tangent(const ComponentState& state, double dt, double displacement, ComponentState& trial) const;
 
   /// True if all elements are linear, so that complexStiffness has a value.
   bool linear() const;
 
-  /// K* = dynamic stiffness at a frequency [Hz], [N/m]; nothing if an element is nonlinear.
+  /// Returns K*, the dynamic stiffness [N/m] at a frequency [Hz]; nullopt if an element is nonlinear.
   std::optional<std::complex<double>> complexStiffness(double frequency) const {
     return complexStiffnessShifted(frequency, {});
   }

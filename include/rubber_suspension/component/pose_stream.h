@@ -16,25 +16,25 @@ struct StreamWrench {
 /// Feeds a component of six directions with stamped poses, as SampleStream does one of one direction.
 class PoseStream : public StampedStream {
  public:
-  /// How far the length of a quaternion may be from 1.
+  /// Largest deviation of the length of a quaternion from 1.
   static constexpr double kQuaternionTolerance = 1e-3;
 
   /// The component must outlive the stream. max_gap in [s].
   explicit PoseStream(const SixDirections& component, double max_gap = 0.5);
 
-  /// Take one pose of B in A: stamp [ns], position [m], rotation. The first one after construction or reset() finds the
-  /// component at rest there. A dropped sample leaves the state as it was. Allocates nothing.
+  /// Processes a pose of B in A: stamp [ns], position [m], rotation. At the first one after construction or reset() the
+  /// component is at rest. A dropped sample does not change the state. Allocates nothing.
   StreamWrench push(std::int64_t stamp, const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation);
 
   /// As SampleStream::setTemperature() [degC].
   bool setTemperature(double temperature);
 
-  /// Back to a new test piece at rest, of the same temperature; the next sample starts again. Counters stay.
+  /// Resets to a new test piece at rest, with the same temperature and counters; the next sample starts again.
   void reset();
 
   const SixDirectionsState& state() const { return state_; }
 
-  /// Of the accepted samples, those beyond the stated validity.
+  /// Number of accepted samples beyond the stated validity.
   std::uint64_t beyondValid() const { return beyond_valid_; }
 
   /// Continue where another stream of the same component stopped, with numbers() of its state. Throws as

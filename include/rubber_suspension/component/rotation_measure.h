@@ -45,8 +45,8 @@ struct RotationCoordinates {
 /// The coordinates of a rotation; the quaternion is of length 1.
 RotationCoordinates coordinatesOf(RotationMeasure measure, const Eigen::Quaterniond& rotation);
 
-/// Of a rotation by an angle a up to 20.7 deg, t = sin^2 a <= kMost: a/sin a and the curvature above, side by
-/// side. The polynomials agree with them at ten Chebyshev points; what they leave out is under 1e-16 of either.
+/// Series of a/sin a and of the curvature above, side by side, for rotations by an angle a up to 20.7 deg, t = sin^2 a
+/// <= kMost. The polynomials interpolate at ten Chebyshev points, with an error below 1e-16 of either.
 struct RotationSeries {
   using Pair = double __attribute__((vector_size(2 * sizeof(double))));
   static constexpr double kMost = 0.125;
@@ -68,7 +68,7 @@ struct RotationSeries {
   }
 };
 
-/// The same of a rotation matrix; a rotation vector of up to 20 deg takes no call.
+/// Returns the coordinates of a rotation matrix; inlined for rotation vectors of up to 20 deg.
 template <class Matrix>
 __attribute__((always_inline)) inline RotationCoordinates coordinatesOf(RotationMeasure measure,
                                                                         const Eigen::MatrixBase<Matrix>& r) {
@@ -88,7 +88,7 @@ Eigen::Quaterniond rotationOf(RotationMeasure measure, const Eigen::Vector3d& va
 /// True for coordinates [rad] before the end of the measure.
 bool measureHolds(RotationMeasure measure, const Eigen::Vector3d& value);
 
-/// How large a rotation is in its measure [rad]: the length of the vector, or the largest of the angles.
+/// Size of a rotation in its measure [rad]: the length of the vector, or the largest of the angles.
 double sizeOf(RotationMeasure measure, const Eigen::Vector3d& value);
 
 }  // namespace rubber_suspension::component

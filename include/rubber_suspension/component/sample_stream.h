@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::component {
 
-/// Whether a sample was accepted, and how or why not.
+/// Treatment of a sample.
 enum class Acceptance {
   accepted,
   restarted,     ///< accepted after a jump back of more than a second: a new replay, the component was reset
@@ -46,7 +46,7 @@ struct StreamForce {
   element::ComponentForce force;  ///< of an accepted sample only
 };
 
-/// Which samples are accepted by their stamps, and how many of each kind there were; common to all streams.
+/// Accepts or drops samples by their stamps, and counts them; common to all streams.
 class StampedStream {
  public:
   static constexpr std::int64_t kNanosecondsPerSecond = 1000000000;
@@ -76,17 +76,17 @@ class StampedStream {
   bool started_ = false;
 };
 
-/// Feeds a component with stamped samples. Time is the stamp's integer nanoseconds and nothing else, so that the same
-/// log gives the same force to the last bit whether it comes over a topic, from a bag or from a file.
+/// Feeds a component with stamped samples. Time is the stamp's integer nanoseconds alone, so that a log gives the same
+/// force to the last bit from a topic, a bag or a file.
 class SampleStream : public StampedStream {
  public:
   /// The component must outlive the stream. max_gap in [s].
   explicit SampleStream(const Component& component, double max_gap = 0.5);
 
-  /// Take one sample: stamp [ns], displacement [m]. The first one after construction or reset() finds the component at
-  /// rest at its displacement. A dropped sample leaves the state as it was. Allocates nothing.
+  /// Processes a sample: stamp [ns], displacement [m]. At the first one after construction or reset() the component is
+  /// at rest. A dropped sample does not change the state. Allocates nothing.
   __attribute__((always_inline)) StreamForce push(std::int64_t stamp, double displacement) {
-    // As far from the sample before as one that was accepted: nothing is left to check but the numbers.
+    // With a time step that was accepted before, only the numbers have to be checked.
     if (stamp <= last_stamp_ || between(last_stamp_, stamp) != usual_.nanoseconds ||
         !(std::abs(displacement) <= kLargest) || step_count_ == kMostSteps) {
       return pushAny(stamp, displacement);
@@ -101,20 +101,19 @@ class SampleStream : public StampedStream {
     return {Acceptance::accepted, force};
   }
 
-  /// push() one sample after the other, up to the first that is dropped; returns how many were accepted. Their forces
-  /// [N], the same to the last bit, go to `force`. Several times as fast where samples are evenly spaced.
+  /// Pushes samples up to the first that is dropped and returns the number accepted; writes their forces [N], the same
+  /// to the last bit as of push(), to `force`. Several times as fast for evenly spaced samples.
   std::size_t pushAll(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force);
 
-  /// The temperature [degC] at which the samples that follow are taken, until another is set; false, and nothing has
-  /// happened, where it is none at which the component's shifts hold. Nothing where the component has no shift.
-  /// Allocates nothing.
+  /// Sets the temperature [degC] of the following samples; returns false, without effect, if the component's shifts are
+  /// not valid there. Without effect for a component without shifts. Allocates nothing.
   bool setTemperature(double temperature);
 
-  /// pushAll() with the temperature [degC] of each sample, which the component has to take; null: there is none.
+  /// pushAll() with the temperature [degC] of each sample, at which the shifts are valid; null: none.
   std::size_t pushAll(const std::int64_t* stamp, const double* displacement, const double* temperature,
                       std::size_t count, double* force);
 
-  /// Back to a new test piece at rest, of the same temperature; the next sample starts again. Counters stay.
+  /// Resets to a new test piece at rest, with the same temperature and counters; the next sample starts again.
   void reset();
 
   const ComponentState& state() const { return state_; }
@@ -148,7 +147,7 @@ class SampleStream : public StampedStream {
 
   const Component& component_;
   ComponentState state_;
-  // The way back to the state before a sample: an earlier state, and the steps from there.
+  // An earlier state and the steps since, to restore the state before a sample.
   ComponentState saved_;
   std::array<Step, kMostSteps> steps_;
   std::size_t step_count_ = 0;

@@ -17,21 +17,21 @@ class SeriesBalance {
 
   bool empty() const { return empty_; }
 
-  /// True where u = F/K_s, alike to both sides.
+  /// True if u = F/K_s on both sides.
   bool linear() const { return hardening_.empty() && sides_.tension == sides_.compression && !hasContact(); }
 
-  /// Whether a contact opens under a force of some sign, and nothing holds it then.
+  /// True if a contact opens under a force of some sign.
   bool hasContact() const { return opens_in_tension_ || opens_in_compression_; }
 
-  /// Whether it does under this force [N].
+  /// True if it opens under this force [N].
   bool opensUnder(double force) const {
     return (force > 0.0 && opens_in_tension_) || (force < 0.0 && opens_in_compression_);
   }
 
-  /// 1/K_s [m/N], where it is linear; 0 without elements.
+  /// 1/K_s [m/N] of a linear balance; 0 without elements.
   double compliance() const { return sides_.tension; }
 
-  /// u [m] under a force [N], of all but contacts that nothing holds.
+  /// Deflection u [m] under a force [N], except that of open contacts.
   double deflection(double force) const;
 
   /// Displacement [m] of a test piece of basic laws alone at the end of a step of `path`, whose displacement [m] is

@@ -24,7 +24,7 @@ std::optional<Direction> directionFromString(const std::string& name);
 
 inline bool isRotation(Direction direction) { return direction >= kRx; }
 
-/// How the directions of the translations, or of the rotations, act on each other.
+/// Coupling of the three translations, or of the three rotations.
 enum class Coupling {
   rectangular,  ///< each by itself
   cylindrical,  ///< the two across an axis by their radius
@@ -42,7 +42,7 @@ struct Wrench {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin that its owner names [N m]
 };
 
-/// How B moves against A, as seen in A and in A's axes.
+/// Velocity of B relative to A, in A's axes.
 struct Twist {
   Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< rate of the position of B's origin [m/s]
   Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
@@ -82,16 +82,16 @@ struct SixTangent {
   Eigen::Matrix<double, 6, 6> damping;    ///< dt times that of the viscous parts
 };
 
-/// Everything that a component of six directions remembers. Copying it is saving it.
+/// Memory of a component of six directions; copy it to save it.
 class SixDirectionsState {
  public:
-  /// Take what another state of the same component remembers; faster than copying all.
+  /// Copies the memory of another state of the same component; faster than copying all.
   void copyFrom(const SixDirectionsState& other);
 
   /// Coordinates at the last sample [m, rad].
   SixNumbers coordinates() const { return SixNumbers(coordinates_.data()); }
 
-  /// All that it remembers, for SixDirections::restore().
+  /// Returns the memory for SixDirections::restore().
   std::vector<double> numbers() const;
 
  private:
@@ -132,17 +132,17 @@ class SixDirections {
   /// At rest at a pose of B in A, relaxed since long and never loaded before; with a twist the dashpots move already.
   BushForce initialise(SixDirectionsState& state, const Eigen::Isometry3d& pose, const Twist& twist = {}) const;
 
-  /// The same component after a long rest at a pose: what is permanent stays.
+  /// Relaxes the component by a long rest at a pose; permanent changes remain.
   BushForce relax(SixDirectionsState& state, const Eigen::Isometry3d& pose) const;
 
-  /// Advance by dt > 0 [s] to a pose. Allocates nothing. Beyond holds() the wrench means nothing.
+  /// Advances by dt > 0 [s] to a pose. Allocates nothing. The wrench is undefined unless holds().
   BushForce step(SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose) const;
 
-  /// The same with the twist at the pose, which a pure dashpot answers to in place of the mean rate of the step. All
-  /// other elements follow from the poses alone, as do dashpots behind free play, compliance or another such effect.
+  /// Advances with the twist at the pose, which pure dashpots use in place of the mean rate of the step. All other
+  /// elements, and dashpots behind free play, compliance or the like, use the poses alone.
   BushForce step(SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose, const Twist& twist) const;
 
-  /// Linearise the step of dt [s] from `state` to a pose about its end. `trial` is working space from makeState().
+  /// Linearises the step of dt [s] from `state` to a pose about its end. `trial` is working space from makeState().
   /// Derivatives of the laws are central differences over 10 nm and 10 nrad, those of the axes exact to 1e-9.
   SixTangent tangent(const SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose,
                      SixDirectionsState& trial) const;
@@ -153,10 +153,10 @@ class SixDirections {
   /// Pose of the bodies from coordinates of the bush [m, rad].
   Eigen::Isometry3d pose(const SixNumbers& coordinates) const;
 
-  /// True where the rotation is before the end of its measure.
+  /// True if the rotation is within its measure.
   bool holds(const SixNumbers& coordinates) const { return measureHolds(laws_.measure, coordinates.tail<3>()); }
 
-  /// True where it is within the stated validity as well.
+  /// True if it is also within the stated validity.
   bool isValid(const SixNumbers& coordinates) const {
     return sizeOf(laws_.measure, coordinates.tail<3>()) <= laws_.valid_rotation;
   }
@@ -168,8 +168,7 @@ class SixDirections {
   /// Wrenches on the bodies by one that step() gave at a pose.
   static Reactions reactions(const Eigen::Isometry3d& pose, const Wrench& wrench);
 
-  /// Whether a temperature does anything; at which [degC] it does; that of the steps that follow. As Component has it,
-  /// for all directions.
+  /// Temperature dependence, as in Component, for all directions.
   bool shiftsWithTemperature() const;
   element::Range temperatures() const;
   void setTemperature(SixDirectionsState& state, double temperature) const;
@@ -181,7 +180,7 @@ class SixDirections {
  private:
   using Coordinates = std::array<double, kDirections>;
 
-  // Where the bush stands at a pose.
+  // Position of the bush at a pose.
   struct Place {
     Eigen::Vector3d translation;  // d in the axes of the bush on A [m]
     RotationCoordinates rotation;

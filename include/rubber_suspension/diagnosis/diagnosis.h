@@ -45,7 +45,7 @@ struct DiagnosisOptions {
   std::vector<std::string> excluded = {};  ///< effects that are ruled out besides those of the component
   bool evidence = false;  ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
   std::uint64_t available_memory = 0;  ///< that it may take [bytes]; 0: what the system has left for this process
-  /// Of all logs and hold-outs together, that the search takes; of longer ones it takes excerpts.
+  /// Most samples of all logs and hold-outs that the search uses; longer logs are searched in excerpts.
   std::size_t most_samples = kMostSamples;
   bool turns = false;  ///< of a rotation: in its logs and its component m stands for rad, and N for N m
 };
@@ -185,8 +185,8 @@ struct SizedValue {
 struct GapShare {
   std::string by;  ///< "values", or the effect
   double share = 0.0;
-  /// Of an effect: 95 % lower bound of the squares that its law removes, by parts of the logs, in units of the force's
-  /// variance; of data that took no part in the fit.
+  /// For an effect: 95 % lower bound of the squares that its law removes from held-out data, over parts of the logs, in
+  /// units of the force's variance.
   double squares_at_least = kNotComputed;
 };
 
@@ -226,7 +226,7 @@ struct ReportChange {
   bool differs = false;  ///< beyond noise and intervals
 };
 
-/// How a report differs from an earlier one.
+/// Differences of a report from an earlier one.
 struct Comparison {
   std::string with;  ///< the earlier report's path; empty: nothing was compared
   std::string date;  ///< of the earlier report, where it has one
@@ -264,20 +264,20 @@ struct Answered {
   Posterior posterior;                    ///< of the answers; the verdict's is the largest
 };
 
-/// How far the gap falls.
+/// Reduction of the gap.
 struct Gaps {
   Gap unseen;                    ///< what the rig did to each log taken out
   double closed = kNotComputed;  ///< fraction of the closable gap
   /// 95 %, of further logs of the same rig where effects are named.
   std::array<double, 2> closed_interval = {kNotComputed, kNotComputed};
-  /// Of a further log, with only an offset removed: of each log by a fit of what is written to the others. Of three
-  /// logs or more of which none is held out.
+  /// Predicted gap of a further log, with only an offset removed: of each log by a fit of the written law to the
+  /// others. Computed for three logs or more without hold-outs.
   double further_log = kNotComputed;
   std::string noise_source;
 };
 
-/// What the component as configured and the one that is written leave of a log, as gaps: an offset and what a start in
-/// motion left are fitted to both, and what the report says that the rig did to the log is removed.
+/// Gaps of the configured and of the written component on a log, with an offset and an initial state fitted to both,
+/// and the reported errors of the rig removed.
 struct LeftOfLog {
   std::string log;
   double configured = 0.0;
@@ -299,7 +299,7 @@ struct WrittenLaw {
   io::ComponentDescription augmented;
   io::ComponentDescription full;      ///< the same with the laws that were judged, all their numbers in full
   double gap_of_full = kNotComputed;  ///< of that one, as Gaps::unseen.augmented is of the simplest law
-  /// Of each entry that `augmented` adds to the configured ones, the effect that it belongs to.
+  /// Effect of each entry that `augmented` adds to the configured ones.
   std::vector<std::string> added_for;
   std::vector<SizedValue> numbers;       ///< of `augmented` in full, by their places (io::numberPlace)
   std::vector<SizedValue> model_sizes;   ///< of the judged model's own parameters
@@ -330,13 +330,13 @@ struct AdmittedLogs {
   std::vector<TakenOut> taken_out;  ///< log by log
 };
 
-/// What to do next.
+/// Recommended next step.
 struct NextStep {
   std::string text;
   ProposedExperiment proposed;  ///< its displacement
 };
 
-/// How much of the logs a search took.
+/// Number of samples that a search used.
 struct Samples {
   std::size_t searched = 0;
   std::size_t recorded = 0;  ///< that the logs have; more than `searched` where it took excerpts
@@ -352,9 +352,8 @@ struct Diagnosis {
   Answered answer;
   Gaps gaps;
   Gap gap_as_recorded;  ///< of the logs as they are, which `replay` gives; without a floor
-  /// Of the judged model: the values, then each effect. They add up to what is removed. Each is the mean over all
-  /// orders in which values and effects may be put in (Shapley, 1953): what one removes depends on those that are
-  /// there.
+  /// Shares that values and each effect of the judged model remove; they add up to the whole. Because the share of one
+  /// depends on those already present, it is the mean over all orders (Shapley, 1953).
   std::vector<GapShare> shares;
   std::vector<CandidateResult> candidates;  ///< most probable first
   Where where;
@@ -377,23 +376,22 @@ struct Diagnosis {
   std::shared_ptr<const BenchEvidence> bench_evidence;  ///< for the verdict check_bench alone
 };
 
-/// Whether a component file goes with it, WrittenLaw::augmented: one was judged, and the report does not contradict
-/// itself.
+/// True if the diagnosis has a component file, WrittenLaw::augmented: one was judged, and the report does not
+/// contradict itself.
 inline bool hasComponentFile(const Diagnosis& diagnosis) {
   return diagnosis.workings != nullptr && diagnosis.defect.empty();
 }
 
 /// Diagnose one component. Logs in the order of recording, on one component; each hold-out starts with a new one.
-/// Without hold-outs the gaps are those of blocks that took no part in the fit (cross validation).
-/// Of logs with more samples than the options allow it takes excerpts, each of them a log in the report;
-/// `gap_as_recorded` is of the whole logs all the same.
-/// Throws LogError for a log that cannot be used, or where all of them take more memory than there is,
-/// std::invalid_argument for a component that cannot be built.
+/// Without hold-outs the gaps are those of blocks that took no part in the fit (cross validation). Logs with more
+/// samples than the options allow are searched in excerpts, each of which is a log in the report; `gap_as_recorded` is
+/// of the whole logs. Throws LogError for a log that cannot be used, or where all of them take more memory than there
+/// is, std::invalid_argument for a component that cannot be built.
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
                    const std::vector<log::Log>& hold_out, const DiagnosisOptions& options = {});
 
-/// The same of logs of any length, which are read block by block, up to three times: memory depends on the samples that
-/// the search takes, and not on those that the logs have.
+/// Diagnoses logs of any length, which are read block by block, up to three times: memory depends on the samples that
+/// the search uses, not on the length of the logs.
 Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSources& logs,
                    const log::LogSources& hold_out, const DiagnosisOptions& options = {});
 
@@ -414,8 +412,8 @@ std::vector<std::string> reportFiles();
 /// std::runtime_error.
 void writeReportData(const Diagnosis& diagnosis, const std::string& folder);
 
-/// The same, and then report.html, a page that needs no network, drawn by scripts/render_report. Returns the reason in
-/// one line where that draws no page; empty where it does. Throws std::runtime_error.
+/// Writes the data, and then report.html, a page that needs no network, by scripts/render_report. Returns an empty
+/// string, or one line with the reason if there is no page. Throws std::runtime_error.
 std::string writeReport(const Diagnosis& diagnosis, const std::string& folder);
 
 }  // namespace rubber_suspension::diagnosis

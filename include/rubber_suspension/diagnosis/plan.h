@@ -34,9 +34,9 @@ struct Plan {
   RunRecord run;
 };
 
-/// Which effects logs of these displacements would show, in the order of recording on one component. A measured force
-/// is not looked at: the component's own is simulated, with white noise. Throws LogError for a log that cannot be used,
-/// std::invalid_argument for a component that cannot be built.
+/// Predicts the effects that logs of these displacements, in the order of recording on one component, would show. A
+/// measured force is ignored: that of the component is simulated, with white noise. Throws LogError for a log that
+/// cannot be used, std::invalid_argument for a component that cannot be built.
 Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>& logs, const PlanOptions& options);
 
 /// A table of a line per effect.

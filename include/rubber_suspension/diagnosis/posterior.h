@@ -1,11 +1,11 @@
-// Probabilities of what a gap comes of.
+// Probabilities of the causes of a gap.
 #pragma once
 
 #include <limits>
 
 namespace rubber_suspension::diagnosis {
 
-/// Of the answers that a diagnosis can give; they add up to 1. Not a number where nothing was judged. Throws nothing.
+/// Probabilities of the answers of a diagnosis, which add up to 1; NaN if nothing was judged. Throws nothing.
 struct Posterior {
   double none = std::numeric_limits<double>::quiet_NaN();  ///< there is no gap beyond noise
   /// The model's own values are wrong, and nothing is missing.

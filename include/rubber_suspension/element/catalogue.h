@@ -62,8 +62,8 @@ const ElementType* findElementType(const std::string& name);
 /// Throws std::invalid_argument that names type, parameter, value and what is accepted.
 ElementPointer makeElement(const ElementDescription& description);
 
-/// Whether an entry belongs to the rig that measured and not to the rubber: it is marked so, or what the measuring
-/// chain does. Throws as makeElement does.
+/// True if an entry belongs to the rig, not to the rubber: it is marked so, or is an effect of the measuring chain.
+/// Throws as makeElement does.
 bool isOfRig(const ElementDescription& description);
 
 /// The entry with defaults filled in; throws as makeElement does.

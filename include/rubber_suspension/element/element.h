@@ -10,14 +10,14 @@
 
 namespace rubber_suspension::element {
 
-/// How the displacement moved since the previous sample; it is taken as linear in between.
+/// Motion since the previous sample, linear in time.
 struct Motion {
   double dt;            ///< time since the previous sample [s], greater than 0
   double displacement;  ///< at the end of the step [m]
   double increment;     ///< displacement minus that of the previous sample [m]
 };
 
-/// Which part of a component's force an element contributes to.
+/// Part of a component's force to which an element contributes.
 enum class Part { elastic, viscous, friction };
 
 /// Force of a component and the parts that it consists of [N]. Positive displacement gives positive force.
@@ -28,7 +28,7 @@ struct ComponentForce {
   double friction = 0.0;
 };
 
-/// Where on the way from displacement to force a law acts.
+/// Place of a law in the path from displacement to force.
 enum class Action {
   adds_force,               ///< its force adds to that of the others
   displaces,                ///< changes the displacement before the others see it
@@ -37,7 +37,7 @@ enum class Action {
   shifts_with_temperature,  ///< rates and force of the others, by the temperature
 };
 
-/// Common to all laws: an immutable object whose memory is a block of doubles that the caller owns.
+/// Base of all laws: an immutable object whose memory is a block of doubles that the caller owns.
 ///
 /// Because memory is apart, a trial step is a step on a copy, saving a state is copying numbers, and one object
 /// serves any number of simulations at once. No method allocates.
@@ -48,8 +48,8 @@ class Element {
   /// Number of doubles of memory.
   virtual std::size_t memorySize() const { return 0; }
 
-  /// True where the law can go on from these numbers, all of them finite, that something else than itself has written:
-  /// what it takes for a place in a list or for a count has to be one.
+  /// True if the law can continue from these finite numbers, whose origin is unknown: indices and counts among them
+  /// have to be valid.
   virtual bool acceptsMemory(const double* /*memory*/) const { return true; }
 
   virtual Action action() const = 0;
@@ -84,7 +84,7 @@ class ParallelElement : public Element {
   /// force there [N].
   virtual double relax(double displacement, double* memory) const { return initialise(displacement, memory); }
 
-  /// Advance the memory over one step and return the force at its end [N].
+  /// Advances the memory over one step and returns the force at its end [N].
   virtual double step(const Motion& motion, double* memory) const = 0;
 
   virtual Part part() const = 0;
@@ -136,7 +136,7 @@ class ForceEffect : public Element {
   /// Advance over one step; returns the factor on the force of the test piece, `force` being that without the effect.
   virtual double step(const Motion& motion, const ComponentForce& force, double* memory) const = 0;
 
-  /// Of a law whose factor never changes; nothing for any other.
+  /// Returns the factor of a law with a constant one, else nullopt.
   virtual std::optional<double> constantFactor() const { return std::nullopt; }
 
   Action action() const final { return Action::scales_force; }
@@ -152,10 +152,10 @@ class SeriesElement : public Element {
     double compression;  ///< for F < 0
   };
 
-  /// By how much it yields to a force [m]: of the force's sign, and nowhere falling with it.
+  /// Deflection under a force [m]: of the force's sign, and nowhere decreasing with it.
   virtual double deflection(double force) const = 0;
 
-  /// Of a law that is linear to either side; nothing for another.
+  /// Returns the compliance of a law that is linear on each side, else nullopt.
   virtual std::optional<Compliance> compliance() const = 0;
 
   Action action() const final { return Action::yields; }

@@ -57,10 +57,9 @@ struct ParameterInfo {
 /// The row of that name, or nullptr.
 const ParameterInfo* findParameter(const std::vector<ParameterInfo>& table, std::string_view name);
 
-/// Whether a fit moves a parameter of these values: `estimate --from-log` and `diagnose` alike ask here. It moves
-/// scales and shapes. It keeps a value at an end of its range, which says that the law has no such part (a coefficient
-/// of 0, play that loses all of the motion, a stop that is linear), and a list of several numbers, which is a curve
-/// that was measured point by point.
+/// True if `estimate --from-log` and `diagnose` fit a parameter with these values: scales and shapes, except a value at
+/// an end of its range, where the law has no such part (a coefficient of 0, play that loses all of the motion, a linear
+/// stop), and a list of several numbers, which is a curve measured point by point.
 bool isFree(const ParameterInfo& parameter, const std::vector<double>& values);
 
 /// Values by parameter name; a scalar is a list of one.

@@ -47,7 +47,7 @@ class RadialStiffness final : public ParallelElement {
   double alone_;
 };
 
-/// Those among elements. Throws std::invalid_argument as their make() does.
+/// Returns the radial stiffnesses among elements. Throws std::invalid_argument as their make() does.
 std::vector<RadialStiffness> radialLaws(const std::vector<ElementDescription>& elements);
 
 /// Adds to the forces [N] of components that have these laws what displacements across change of them.

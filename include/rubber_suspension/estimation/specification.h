@@ -40,7 +40,7 @@ struct WrittenUnit {
   double size;       ///< of it in the SI unit, 1e6 N/m
 };
 
-/// Which part of a component its specification describes.
+/// Part of a component that its specification describes.
 enum class Describes {
   unsaid,     ///< the base, with a note where elements are added
   base,       ///< the elements of the model alone
@@ -59,7 +59,7 @@ struct SpecifiedPoint {
   double weight = 1.0;
 };
 
-/// How far the numbers of a data sheet may be off, each as the standard deviation of its logarithm.
+/// Tolerances of the numbers of a data sheet, as standard deviations of their logarithms.
 struct SheetTolerance {
   static constexpr double kUsual = 0.1;                ///< where nothing is said
   static constexpr double kGuess = 2.302585092994046;  ///< ln 10: a guess
@@ -140,7 +140,7 @@ double nominalDisplacement(const Specification& specification);
 /// The table of all numbers that `specification:` may hold.
 const std::vector<element::ParameterInfo>& specificationParameters();
 
-/// Whether a number is one that a sheet states of the component, and may be off: no working point, no choice.
+/// True for a number that a sheet states of the component and that may be wrong: no working point, no choice.
 bool isOfSheet(std::string_view name);
 
 /// The keys that a model takes from its specification.
@@ -155,15 +155,15 @@ struct ModelInfo {
 
 const ModelInfo& modelInfo(Model model);
 
-/// Check the specification against the tables: unknown, missing, superfluous, out of range.
-/// Throws std::invalid_argument that names key, value and what is accepted.
+/// Checks the specification against the tables: unknown, missing, superfluous, out of range. Throws
+/// std::invalid_argument that names key, value and what is accepted.
 void checkSpecification(Model model, const Specification& specification);
 
 /// The elements of the model that meets the specification of a base; resolve() makes one of any other.
 /// Throws std::invalid_argument that names key, value and the interval that it could take, where there is no solution.
 std::vector<element::ElementDescription> estimate(Model model, const Specification& specification);
 
-/// The same with a linear spring in place of the static curve: of its tangent, and nothing scaled along it.
+/// Estimates elements with a linear spring, the tangent, in place of the static curve, and none scaled along it.
 std::vector<element::ElementDescription> estimateTangent(Model model, const Specification& specification);
 
 }  // namespace rubber_suspension::estimation

@@ -27,7 +27,7 @@ struct StaticCurve {
   /// Displacement [m] of a force [N]. Throws std::invalid_argument where there is none, or more than one.
   double displacementAt(double force) const;
 
-  /// Of each piece [N/m].
+  /// Slope of each piece [N/m].
   std::vector<double> slopes() const;
 };
 

@@ -9,9 +9,9 @@
 
 namespace rubber_suspension::gap {
 
-/// RMS of measured minus simulated force over the standard deviation of the measured force [-].
-/// Of samples that count: 1, or 0 where a force was not measured; empty: all. Throws std::invalid_argument where the
-/// sizes differ, or the measured force is empty or constant.
+/// RMS of measured minus simulated force over the standard deviation of the measured force [-]. `counts` is 1 for each
+/// sample that counts, 0 where the force was not measured; empty: all count. Throws std::invalid_argument if the sizes
+/// differ, or the measured force is empty or constant.
 double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated,
                    const std::vector<double>& counts = {});
 

@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::gap {
 
-/// What a rig may have added to the force of one log, as a prior that every fit has. By default it adds nothing.
+/// Prior of the force that a rig may have added to one log; by default none.
 struct RigPrior {
   /// Whitening columns N (numerics::whiteningColumns) of zero, lag, gain, slow noise and of the state left from before
   /// the log, each within its prior; 0 where samples do not count; may be empty.
@@ -22,7 +22,7 @@ struct RigPrior {
   double displacement_zero = 0.0;
 };
 
-/// What a rig did to one log and not to the others, of any size: it is found beside every model.
+/// Errors of the rig in a single log, of any size, which are fitted with every model.
 struct OwnErrors {
   bool gain = false;  ///< the gain of the force's channel
   bool zero = false;  ///< the zero of the force

@@ -33,7 +33,7 @@ struct Replay {
 /// Simulate a log. Throws as simulateLog does.
 Replay replay(const component::Component& component, const log::Log& log);
 
-/// Whether a gap is as recorded, or without the mean of the difference.
+/// Treatment of the mean difference in a gap.
 enum class Offset { kept, removed };
 
 /// One line for the terminal: samples, duration, range of the force and, with a measured force, the gap.

@@ -27,14 +27,15 @@ struct SixDirectionsDescription;
 /// can only be changed as a whole, so that the elements are always those of the specification.
 class ComponentDescription {
  public:
-  /// Of the model `elements`, without any.
+  /// Makes a component of the model `elements` without any.
   ComponentDescription() = default;
 
-  /// Of the model `elements`.
+  /// Makes a component of the model `elements`.
   ComponentDescription(std::string component, std::vector<element::ElementDescription> list)
       : name(std::move(component)), elements_(std::move(list)) {}
 
-  /// Of any other model, with what is added. Throws std::invalid_argument where the specification has no solution.
+  /// Makes a component of any other model, with added elements. Throws std::invalid_argument if the specification has
+  /// no solution.
   ComponentDescription(std::string component, estimation::Model model, estimation::Specification specification,
                        std::vector<element::ElementDescription> added = {});
 
@@ -48,12 +49,13 @@ class ComponentDescription {
   bool holds_fluid = false;  ///< so a resonance in its force is one of a column of fluid, not of the fixture
   /// In which its file gives numbers, by the SI unit; of several the first.
   std::map<std::string, std::string> units;
-  /// Of a component of six directions, which has nothing of its own but a name; nullptr for any other.
+  /// Set for a component of six directions, which has only a name besides; otherwise nullptr.
   std::shared_ptr<const SixDirectionsDescription> six;
 
   estimation::Model model() const { return model_; }
 
-  /// Of the base, whatever the file describes: estimate() makes elements() of it. Empty for the model `elements`.
+  /// Specification of the base, whatever the file describes: estimate() makes elements() of it. Empty for the model
+  /// `elements`.
   const estimation::Specification& specification() const { return resolved_.specification; }
 
   /// As it was given: of the whole component, say, or points.
@@ -62,7 +64,7 @@ class ComponentDescription {
   /// Findings on the way from written() to specification(): notes, misfits of points.
   const estimation::Resolved& resolved() const { return resolved_; }
 
-  /// Those that the model estimates from the specification, or lists; without those added.
+  /// Elements that the model estimates from the specification, or lists, without added ones.
   const std::vector<element::ElementDescription>& elements() const { return elements_; }
 
   /// Give the model another specification, of the whole with what is added now or of the base. Throws
@@ -127,7 +129,7 @@ constexpr std::size_t kMaximumListLength = 10000;  // numbers of one list
 /// base name, and specifications without solution. Throws ComponentFileError.
 std::vector<ComponentDescription> loadComponentFile(const std::string& path);
 
-/// The same from text; `source` stands for the file's name in errors.
+/// Parses a component file from text; `source` stands for the file's name in errors.
 std::vector<ComponentDescription> parseComponentFile(const std::string& text, const std::string& source);
 
 /// The component of that name; with an empty name the only one. Throws ComponentFileError that lists the names and
@@ -135,7 +137,7 @@ std::vector<ComponentDescription> parseComponentFile(const std::string& text, co
 const ComponentDescription& selectComponent(const std::vector<ComponentDescription>& components,
                                             const std::string& name, const std::string& source = "");
 
-/// How numbers are written for people; a place is as of numberPlace(), or "specification.static_stiffness", of six
+/// Format of numbers for people; a place is that of numberPlace(), or "specification.static_stiffness", for six
 /// directions behind "directions.x.".
 struct YamlStyle {
   std::string head;  ///< lines of comment before all

@@ -33,7 +33,7 @@ struct PreparedStep {
   boost::container::small_vector<MaxwellBlock, 1, boost::alignment::aligned_allocator<MaxwellBlock, kCacheLine>>
       maxwells;
 
-  /// Whether a step is as long as the one before and reverses no friction: continueTo() is then the step.
+  /// True if a step is as long as the one before and reverses no friction, so that continueTo() is the step.
   __attribute__((always_inline)) bool continues(double length, double displacement, const double* memory) const {
     return sameBits(length, dt) &&
            (friction_count == 1 ? element::BergFriction::keepsDirection(branch, displacement, memory + maxwell_count)
@@ -84,7 +84,7 @@ class BasicLawsKernel {
 
   std::size_t memorySize() const { return maxwell_count_ + frictions_.size() * element::BergFriction::kMemorySize; }
 
-  /// Of the right size, for no step length yet.
+  /// Makes a step of the right size, without a step length.
   PreparedStep makePreparedStep() const;
 
   /// Initialise the memory at rest at this displacement [m], relaxed since long.

@@ -15,7 +15,7 @@ namespace rubber_suspension::log {
 
 class NewFile;
 
-/// How sure the units of displacement and force are.
+/// Origin of the units of displacement and force.
 enum class UnitsAre {
   named,     ///< by the file or the user
   assumed,   ///< SI, because neither names that of the one or of the other
@@ -52,8 +52,8 @@ class LogError : public std::runtime_error {
 /// All segments of a file, each as a log of its own.
 constexpr std::size_t kAllSegments = static_cast<std::size_t>(-1);
 
-/// How to read a file that does not tell it itself. A column goes by its name in the file, with its unit or without, or
-/// by its number from 1.
+/// Format of a file that does not state it itself. A column is named as in the file, with or without its unit, or by
+/// its number from 1.
 struct LogFormat {
   struct Channel {
     std::string column;   ///< empty: by name or unit
@@ -83,8 +83,8 @@ struct LogFormat {
 /// accepted.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate);
 
-/// The same with `--decimal ,` or `--decimal force=,`, `--segment 2` or `--segment all`, `--bridge SECONDS`,
-/// `--sentinel none` or `--sentinel -9999`, and `--clock receipt`; empty, or less than 0: not given.
+/// Makes a format with `--decimal ,` or `--decimal force=,` as well, `--segment 2` or `--segment all`, `--bridge
+/// SECONDS`, `--sentinel none` or `--sentinel -9999`, and `--clock receipt`; empty, or less than 0: not given.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate,
                         const std::string& decimal, const std::string& segment, double bridge,
                         const std::string& sentinel = "", const std::string& clock = "");

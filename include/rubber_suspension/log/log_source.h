@@ -45,7 +45,7 @@ std::shared_ptr<const LogSource> sourceOf(Log&& log);
 /// read once, as by readLog(). Throws LogError.
 std::shared_ptr<const LogSource> openLog(const std::string& path, const LogFormat& format = {});
 
-/// The same of all segments, where the format asks for them.
+/// Opens all segments, if the format asks for them.
 LogSources openLogs(const std::string& path, const LogFormat& format = {});
 
 }  // namespace rubber_suspension::log

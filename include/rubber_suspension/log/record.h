@@ -44,7 +44,7 @@ struct Record {
   Eigen::Index size() const { return displacement.size(); }
   double duration() const { return dt * static_cast<double>(size()); }
 
-  /// How many of the samples [first, first + count) count.
+  /// Number of the samples [first, first + count) that count.
   double counted(Eigen::Index first, Eigen::Index count) const;
   double counted() const { return counted(0, size()); }
 };
@@ -62,7 +62,7 @@ void requireForce(const Log& log);
 /// Throws LogError as makeRecord() does.
 Record evenRecord(const Log& log, LeadIn lead_in = {});
 
-/// The same of channels that need not change.
+/// Makes a record of channels that need not change.
 Record rawRecord(const Log& log, LeadIn lead_in = {});
 
 /// True where both channels change by more than numbers do.

@@ -1,4 +1,4 @@
-// Whether logs can be what they say at all, before any physics: sign, unit factors, swapped columns, another component.
+// Checks of logs before any diagnosis: sign, unit factors, swapped columns, another component.
 #pragma once
 
 #include <complex>
@@ -40,9 +40,8 @@ std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription
                                    const std::vector<log::Record>& records,
                                    double tolerance = estimation::SheetTolerance::kUsual);
 
-/// Of a table, whose name the finding has, the same by K* [N/m] of its rows, measured and configured: sign where all
-/// loss angles are negative, unit_factor, other_component or peak_to_peak; nothing where effects may explain their
-/// ratio.
+/// Checks a table, whose name the finding has, by measured and configured K* [N/m] of its rows: sign if all loss angles
+/// are negative, unit_factor, other_component or peak_to_peak; nullopt if effects may explain their ratio.
 std::optional<RigFinding> checkTable(const std::string& table, const std::vector<std::complex<double>>& measured,
                                      const std::vector<std::complex<double>>& configured,
                                      double tolerance = estimation::SheetTolerance::kUsual);

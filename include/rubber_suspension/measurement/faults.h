@@ -35,7 +35,7 @@ struct Faults {
 /// - a saturated channel piles up at its extreme value while the other one goes further out and returns.
 Faults findFaults(const std::string& name, const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
 
-/// The same of a log as it was read, before makeRecord(): its samples are those of the log.
+/// Finds the faults of a log as read, before makeRecord(), by samples of the log.
 Faults findFaults(const log::Log& log);
 
 /// The log with both channels bridged by straight lines where they were not measured: makeRecord() of it neither

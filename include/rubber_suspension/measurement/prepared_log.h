@@ -24,7 +24,7 @@ struct PreparedLog {
 /// where fewer than half of the samples are left.
 PreparedLog prepareLog(const log::Log& log, log::LeadIn lead_in = {});
 
-/// The same of a piece of a longer log, all of which the component has taken: its first cycle counts.
+/// Prepares a piece of a longer log, which the component has moved through: its first cycle counts.
 PreparedLog preparePiece(const log::Log& log);
 
 /// Orthonormal columns of what a motion before each record may have left in a component: where the log starts in

@@ -1,4 +1,4 @@
-// Which vector instructions the code for blocks of samples uses. Throws nothing.
+// Vector instructions of the code for blocks of samples. Throws nothing.
 #pragma once
 
 namespace rubber_suspension::processor {

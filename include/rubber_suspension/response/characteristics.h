@@ -12,7 +12,8 @@ struct Characteristics {
   double loss = 0.0;        ///< W, energy lost in the cycle: the area of the loop [J]
 };
 
-/// Of the elliptic loop of a linear component with this K*, at this amplitude [m]: K = |K*|, sin(delta) = Im K*/|K*|.
+/// Returns the characteristics of the elliptic loop of a linear component with this K* at this amplitude [m]: K = |K*|,
+/// sin(delta) = Im K*/|K*|.
 Characteristics characteristicsOfEllipse(std::complex<double> complex_stiffness, double amplitude);
 
 }  // namespace rubber_suspension::response

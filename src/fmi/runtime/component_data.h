@@ -23,14 +23,14 @@ struct ComponentData {
   Elements add;                             ///< complete
   /// Shifts with temperature, complete: those of the key `temperature`.
   Elements temperature;
-  /// Of a component of six directions, with elements that are complete; it has none of the above but name and GUID.
+  /// Set for a component of six directions, with complete elements; of the above it has only name and GUID.
   std::optional<component::SixDirectionsLaws> six;
 
-  /// Those that the model estimates from the specification, or lists. Throws std::invalid_argument where there is no
-  /// solution.
+  /// Returns the elements that the model estimates from the specification, or lists. Throws std::invalid_argument
+  /// without a solution.
   Elements modelElements() const;
 
-  /// Those of the model, those added and those of the temperature, in the order of the component file.
+  /// Returns elements of the model, added elements and temperature shifts, in the order of the component file.
   Elements allElements() const;
 };
 

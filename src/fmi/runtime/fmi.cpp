@@ -156,7 +156,7 @@ void step(Instance& instance, double time, double size, std::initializer_list<bo
   reached = instance.time();
 }
 
-// Of a step that went before, since none is ever under way.
+// Answers about the previous step, because no step is ever pending.
 template <class Value>
 void getStatus(bool known, const char* accepted, Value* value, Value found) {
   refuseIf<Discarded>(!known || value == nullptr, "status: {}", accepted);

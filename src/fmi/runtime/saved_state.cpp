@@ -38,7 +38,7 @@ std::uint64_t hashOf(const char* bytes, std::size_t size) {
   return hash;
 }
 
-// Of all that stands behind it.
+// Checksum of all bytes behind it.
 std::uint64_t checksumOf(const char* bytes, std::size_t size) { return hashOf(bytes + 16, size - 16); }
 
 }  // namespace
