@@ -126,7 +126,9 @@ TEST(MeasuredTable, IsReadWhateverHoldsItsText) {
   }
   const TemporaryFile array("lab.npy", "\x93NUMPY");
   EXPECT_THAT([&] { readTable(array.path()); },
-              testing::ThrowsMessage<std::runtime_error>(HasSubstr("a NumPy array, which is not read")));
+              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("a NumPy array, which is not read"),
+                                                      HasSubstr("'time_s,displacement_UNIT,force_UNIT'"),
+                                                      HasSubstr("with the units of the array"))));
 }
 
 TEST(MeasuredTable, ReadsWhatExportTableWrites) {

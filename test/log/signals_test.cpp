@@ -285,6 +285,7 @@ TEST(Formats, AreNamedByTheirFirstBytes) {
                                     {"[{\"t\": 0}]"s, "JSON"},
                                     {"\x80\x04\x95"s, "a pickle of Python"},
                                     {"    -1\n    58\n"s, "a universal file (UFF 58)"},
+                                    {"#BEGINGLOBALHEADER\n101,log\n"s, "the header of a DIAdem file"},
                                     {inZip("time.npy"), "arrays of NumPy (.npz)"},
                                     {inZip("[Content_Types].xml"), "a spreadsheet (.xlsx)"},
                                     {inZip("log.csv"), "a ZIP archive"},

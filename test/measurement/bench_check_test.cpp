@@ -443,6 +443,7 @@ TEST(BenchCheck, NamesLogsThatHardlyMove) {
   const std::vector<RigFinding> findings = checkBench(elementsOf({}), {record});
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].finding, finding::kTooShort);
+  EXPECT_THAT(findings[0].text, AllOf(HasSubstr("add a log that moves"), Not(HasSubstr("record longer"))));
 }
 
 TEST(BenchCheck, IsTheSameOnABenchOfAnySize) {
