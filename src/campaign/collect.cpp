@@ -22,13 +22,13 @@ std::string csvCell(const ordered_json& value) {
   }
   std::string text = value.is_string() ? value.get<std::string>() : value.dump();
   if (value.is_string() && !text.empty() && std::string("=+-@\t").find(text[0]) != std::string::npos) {
-    text.insert(0, 1, '\'');  // or a spreadsheet would work it out
+    text.insert(0, 1, '\'');  // or a spreadsheet would evaluate it
   }
   const bool plain = text.find_first_of(",\"\n\r") == std::string::npos;
   return plain ? text : "\"" + boost::replace_all_copy(text, "\"", "\"\"") + "\"";
 }
 
-// Drawn numbers of the specification stand before what was found.
+// Drawn numbers of the specification precede the results.
 ordered_json valuesOf(const Job& job, const Record* record) {
   ordered_json values = ordered_json::object();
   for (const auto& [name, value] : job.specification) {

@@ -1,4 +1,4 @@
-// Works off one job: diagnose, estimate --from-log or replay, and what of it stands in tables.
+// Executes one job (diagnose, estimate --from-log or replay) and extracts its values for tables.
 #include "campaign/execute.h"
 
 #include <fmt/format.h>
@@ -134,8 +134,8 @@ std::map<std::string, io::FileHash> filesIn(const std::string& folder) {
   return files;
 }
 
-// Throws again what the machine lacks, which says nothing of the job: memory, as std::bad_alloc, and room on the disk
-// or file descriptors. Writers and readers of many formats tell it in their text alone.
+// Rethrows errors of the machine, not of the job: lack of memory, as std::bad_alloc, of disk space or of file
+// descriptors, which writers and readers of many formats report only in their text.
 void rethrowOfTheMachine(const std::exception& error) {
   const auto tells = [text = std::string(error.what())](int code) {
     return text.find(std::strerror(code)) != std::string::npos;
@@ -149,7 +149,7 @@ void rethrowOfTheMachine(const std::exception& error) {
   }
 }
 
-// Keeps the component file that it read last, and logs, because many jobs share them.
+// Caches the component file read last, and logs, because many jobs share them.
 class Executor {
  public:
   Executor(std::string folder, const Manifest& manifest, LogReader read_log)
@@ -282,7 +282,7 @@ class Executor {
     return kept_logs_.emplace(key, std::move(log)).first->second;
   }
 
-  // Made if missing; what an earlier try left there has the same names and is replaced.
+  // Makes the folder if it is missing; files of an earlier attempt have the same names and are replaced.
   std::string makeReportFolder(const Job& job) const {
     std::string folder = folder_ + "/" + reportFolder(job.id);
     io::makeFolder(folder);

@@ -1,4 +1,4 @@
-// Works off one job in this process, by the same calls as the command that it stands for.
+// Executes one job in this process, by the same calls as its command.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace rubber_suspension::campaign {
 
-/// Works a job off and writes its report and its record; a failure is the record's error. It keeps the files that
-/// it read last. The manifest has to live as long. Throws std::runtime_error where no record can be written.
+/// Returns a function that executes a job and writes its report and record; a failure is the record's error. It caches
+/// the files read last. The manifest has to outlive it. Throws std::runtime_error where no record can be written.
 std::function<Record(const Job&)> executorOf(const std::string& folder, const Manifest& manifest,
                                              const LogReader& read_log);
 

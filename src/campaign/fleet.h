@@ -60,9 +60,8 @@ struct CollectSummary {
   std::string page_problem;         ///< why there is no fleet.html; empty where there is
 };
 
-/// Write table.csv, table.json, fleet.json and fleet.html: the same bytes however the jobs were worked off, for nothing
-/// of time, place or order of the work stands in them. A job without a result has a row nevertheless. Throws
-/// std::runtime_error.
+/// Writes table.csv, table.json, fleet.json and fleet.html: the same bytes regardless of time, place and order of the
+/// work. A job without a result has a row, too. Throws std::runtime_error.
 CollectSummary collect(const Manifest& manifest, const std::string& folder);
 
 inline std::string tableCsvPath(const std::string& folder) { return folder + "/table.csv"; }

@@ -239,7 +239,7 @@ class JobsReader : public io::YamlReader {
     }
   }
 
-  // No key is without effect.
+  // Refuses keys without effect.
   void checkUse(const Entry& entry, Command command) {
     using Commands = std::vector<std::string>;
     static const std::vector<std::pair<std::string, Commands>> uses = {

@@ -50,7 +50,7 @@ struct JobGroup {
 
 constexpr std::size_t kMaximumJobs = 1000000;  ///< of a campaign
 
-/// Read and check it. `problems` receives everything that is wrong, one line each: file:line, key, value, what is
+/// Reads and checks it. `problems` receives everything that is wrong, one line each: file:line, key, value, what is
 /// accepted; then the groups are not to be used.
 std::vector<JobGroup> readJobsFile(const std::string& path, std::vector<std::string>& problems);
 
@@ -58,9 +58,9 @@ std::vector<JobGroup> readJobsFile(const std::string& path, std::vector<std::str
 std::vector<JobGroup> parseJobsFile(const std::string& text, const std::string& path,
                                     std::vector<std::string>& problems);
 
-/// The drawn numbers of each run, by name [SI]. The same seed gives the same draws on every machine, and more runs
-/// begin with those of fewer: 53 bits of a Mersenne Twister per number, in the order of the names; a normal one by the
-/// inverse of its distribution. Throws std::invalid_argument for a tolerance of a number that is not specified.
+/// Returns the drawn numbers of each run, by name [SI]. The same seed gives the same draws on every machine, and more
+/// runs begin with those of fewer: 53 bits of a Mersenne Twister per number, in the order of the names; a normal one by
+/// the inverse of its distribution. Throws std::invalid_argument for a tolerance of a number that is not specified.
 std::vector<std::map<std::string, double>> drawSpecifications(const estimation::Specification& nominal,
                                                               const MonteCarlo& study);
 

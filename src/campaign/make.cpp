@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder's own name is no pattern, whatever letters it has.
+// Escapes a folder's name, which is no pattern.
 std::string escaped(const std::string& text) { return std::regex_replace(text, std::regex(R"([*?[\\])"), R"(\$&)"); }
 
 // Files that `pattern` of the shell (*, ?, [...]) names, relative to `folder` unless it begins with a slash: absolute
@@ -56,7 +56,7 @@ std::vector<std::string> matchPattern(const std::string& folder, const std::stri
 
 using Components = std::vector<io::ComponentDescription>;
 
-// A way in which a log is read: as this job reads it.
+// A log with the options of the job that reads it.
 struct Reading {
   std::size_t input;
   Job job;
@@ -157,13 +157,13 @@ class Maker {
     problems_.push_back(fmt::format("{}:{}: jobs.{}.{}", path_, group.line, group.name, text));
   }
 
-  // The campaign's folder and those that it makes in it, which an earlier run may have left there.
+  // True for the campaign's folder and its subfolders, which may exist from an earlier run.
   bool isOwn(const std::string& path) const {
     static const std::vector<std::string> made = {"", "/results", "/reports", "/running", "/slurm"};
     return std::any_of(made.begin(), made.end(), [&](const std::string& name) { return path == output_ + name; });
   }
 
-  // Without those that have a problem, because reading them may never end.
+  // Omits files with a problem, because reading them may never end.
   std::vector<std::string> match(const JobGroup& group, const char* key, const std::string& folder,
                                  const std::vector<std::string>& patterns) {
     std::vector<std::string> paths;
@@ -229,7 +229,7 @@ class Maker {
     }
   }
 
-  // Evidence does not count twice. A replay may have copies.
+  // Refuses the same log twice as evidence; a replay may have copies.
   void refuseTwice(const JobGroup& group, const std::vector<io::InputFile>& logs) {
     std::set<std::string> seen;
     std::vector<io::InputFile> distinct;
@@ -305,7 +305,7 @@ class Maker {
     return job;
   }
 
-  // The place of a file among the inputs, each of which stands there once.
+  // Index of a file in the list of inputs, which has each once.
   std::size_t inputOf(const std::string& path) {
     const auto [place, added] = inputs_.emplace(path, manifest_.inputs.size());
     if (added) {

@@ -16,11 +16,11 @@ using LogReader =
 
 struct Expansion {
   Manifest manifest;
-  std::vector<std::string> notes;     ///< what was left out or stands twice
+  std::vector<std::string> notes;     ///< omitted or repeated inputs
   std::vector<std::string> problems;  ///< what is wrong with the inputs, a line each, none twice; then there is no job
 };
 
-/// Expand a jobs file. `output`, the campaign's own folder, is none of those that a pattern names. Component files are
+/// Expands a jobs file. `output`, the campaign's own folder, is none of those that a pattern names. Component files are
 /// loaded, logs read and hashed, draws estimated.
 Expansion makeManifest(const std::string& jobs_file, const std::string& output, const std::string& version, int threads,
                        const LogReader& read_log);

@@ -31,7 +31,7 @@ void readEnum(const nlohmann::json& json, Enum& value, const std::vector<std::st
   value = static_cast<Enum>(found - names.begin());
 }
 
-// Calls visit(key, pointer to member, whether it stands in every manifest) for all but the options.
+// Calls visit(key, pointer to member, true if every manifest has it) for all but the options.
 template <class Visit>
 void forEachMember(Visit visit) {
   visit("id", &Job::id, true);
@@ -56,7 +56,7 @@ ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<
 
 const char* const kManifestSchema = "rubber_suspension/campaign/1";
 
-// Two letters of the id make a folder each, so that none holds more than some hundred entries.
+// Folders are named by two letters of the id each, so that none has more than some hundred entries.
 constexpr std::size_t kPrefix = 2;
 
 std::string split(const std::string& id) { return id.substr(0, kPrefix) + "/" + id.substr(kPrefix); }

@@ -1,5 +1,5 @@
-// The manifest: every job of a campaign, one command on one component with its logs, what makes it this job and no
-// other, the files that it reads, and the folder that it lies in.
+// The manifest: every job of a campaign, one command on one component with its logs, its identity, the files that it
+// reads, and its folder.
 #pragma once
 
 #include <cstdint>
@@ -77,7 +77,7 @@ void forEachOption(Visit visit) {
   visit("starts", &JobOptions::starts);
 }
 
-/// A file that jobs read, with what it held when the manifest was made.
+/// A file that jobs read, with its hash when the manifest was made.
 struct InputFile {
   std::string path;  ///< absolute
   io::FileHash content;
@@ -89,7 +89,7 @@ struct Job {
   std::string group;       ///< name of its entry in the jobs file
   std::string type;        ///< components of one type are compared with each other
   std::string test_rig;    ///< what is tested on one rig may share its stiffness
-  std::string test_piece;  ///< what tells components of one name apart: the folder, or the number of the draw
+  std::string test_piece;  ///< distinguishes components of one name: the folder, or the number of the draw
   Command command = Command::diagnose;
   std::string component;
   std::size_t config = 0;
@@ -102,8 +102,8 @@ struct Job {
 /// Its name for a user: its entry in the jobs file, test piece, and the beginning of its id.
 std::string nameOf(const Job& job);
 
-/// The id of a job: the same wherever its files lie, as long as their contents, the names of its logs (which stand in
-/// the report), its options and the version of the program are.
+/// Id of a job. It depends on the contents of its files, the names of its logs (which the report shows), its options
+/// and the version of the program, not on the folders of the files.
 std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version);
 
 void to_json(nlohmann::ordered_json& json, const JobOptions& options);

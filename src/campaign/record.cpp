@@ -81,7 +81,7 @@ Record recordFromText(const std::string& text) {
 
 // Kind of the entry in a record's place that is no regular file; empty where it is one, or nothing is there.
 std::string otherKind(const std::string& path) {
-  std::error_code unknown;  // reading it says why
+  std::error_code unknown;  // reported when reading fails
   const fs::file_status status = fs::status(path, unknown);
   if (!fs::is_directory(status) && !fs::is_other(status)) {
     return "";
@@ -136,7 +136,7 @@ FoundRecord findRecord(const std::string& folder, const std::string& id, const s
   if (const std::string kind = otherKind(path); !kind.empty()) {  // a pipe would have its reader wait
     return {std::nullopt, path + ": is " + kind + ", not a record"};
   }
-  std::error_code unknown;  // opening it says why
+  std::error_code unknown;  // reported when opening fails
   if (const std::uintmax_t size = fs::file_size(path, unknown); !unknown && size > kLargest) {
     return {std::nullopt, fmt::format("{}: has {} bytes; a record has at most {}", path, size, kLargest)};
   }

@@ -32,11 +32,11 @@ struct Record {
   bool failed() const { return !error.empty(); }
 };
 
-/// The path of its report within the campaign's folder, the page for people before data; "" where it left none.
+/// Path of its report within the campaign's folder, preferably of the page; "" without a report.
 std::string reportPath(const Record& record);
 
-/// Write it beside, on the disk, and give it its name: it is there completely or not at all. The files that it names
-/// have to be there already. A folder or pipe in its place is given another name (.no_record). Throws
+/// Writes it under a temporary name, syncs and renames it: it is there completely or not at all. The files that it
+/// names have to be there already. A folder or pipe in its place is given another name (.no_record). Throws
 /// std::runtime_error.
 void writeRecord(const Record& record, const std::string& folder);
 

@@ -21,8 +21,8 @@ struct Shard {
 /// "3/8" is the third of eight shards. Throws std::invalid_argument that says what is accepted.
 Shard parseShard(const std::string& text);
 
-/// Limit of time for a job, unless it is told otherwise [min]. It is to end what would never end, and nothing else: a
-/// diagnosis searches 300,000 samples at most, which takes some minutes at most, whatever its logs have.
+/// Default time limit of a job [min]. It only ends jobs that would never end: a diagnosis searches at most 300,000
+/// samples, in some minutes, however long its logs are.
 constexpr double kJobMinutes = 240.0;
 
 struct RunOptions {

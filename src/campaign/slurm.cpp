@@ -110,7 +110,7 @@ std::string submitArray(const SlurmArray& array, const std::string& folder) {
   io::makeFolder(folder + "/slurm");
   const std::string script = folder + "/slurm/array.sh";
   log::writeNewFile(script, array.script);
-  // Where an element writes what it says; Slurm's own letters stand behind %.
+  // Log file of an element; % begins Slurm's placeholders.
   const std::string log = boost::replace_all_copy(absolutePath(folder), "%", "%%") + "/slurm/%A_%a.log";
   const Said said = ask("sbatch --parsable --output=" + shellWord(log) + " " + shellWord(script));
   std::string id = numberIn(said.text);

@@ -26,15 +26,15 @@ struct SlurmArray {
   std::string note;  ///< how the number of shards came about
 };
 
-/// Plan an array over what is left. Without a job done, its time is not known and kAssumedSeconds are taken, said in
-/// the note. The script moves and deletes nothing, so that an element that Slurm requeues after the loss of a node goes
-/// on where the lost one was.
+/// Plans an array over the remaining jobs. If none is done yet, kAssumedSeconds are assumed for each, with a note. The
+/// script moves and deletes nothing, so that an element that Slurm requeues after the loss of a node continues where
+/// the lost one stopped.
 SlurmArray planArray(const Status& status, const std::string& folder, const SlurmOptions& options);
 
 constexpr double kAssumedSeconds = 5.0;      ///< of a job of which nothing is known: a diagnosis of some minutes of log
 constexpr std::size_t kMostElements = 1000;  ///< of an array, as Slurm's MaxArraySize of 1001 allows
 
-/// Submit by `sbatch`; returns the number of the array. Where one that was submitted from this folder still waits or
+/// Submits by `sbatch`; returns the number of the array. Where one that was submitted from this folder still waits or
 /// runs, nothing is submitted: throws std::runtime_error that names it, as where sbatch or squeue fail.
 std::string submitArray(const SlurmArray& array, const std::string& folder);
 

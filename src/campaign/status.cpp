@@ -43,7 +43,7 @@ struct RunningRun {
   double silent;                 // since its last beat [s]
 };
 
-// All runs that have left a file, by host and process.
+// All runs with a file, by host and process.
 std::map<std::string, RunningRun> findRuns(const std::string& folder) {
   std::map<std::string, RunningRun> runs;
   std::error_code failure;

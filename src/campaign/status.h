@@ -26,7 +26,7 @@ class Heartbeat {
   std::chrono::steady_clock::time_point last_{};
 };
 
-/// A run that has been silent for so long [s] is taken for dead; it beats every few seconds.
+/// A run without a heartbeat for this time [s] counts as dead; one is due every few seconds.
 constexpr double kSilentForLong = 120.0;
 
 struct JobCounts {

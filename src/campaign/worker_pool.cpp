@@ -70,7 +70,7 @@ struct Worker {
   double seconds = 0.0;  // since it was given the job [s]
 };
 
-// While it exists, SIGINT, SIGTERM and SIGHUP are held back until it asks for them.
+// While it exists, SIGINT, SIGTERM and SIGHUP are blocked until it asks for them.
 class Pool {
  public:
   Pool(const std::vector<std::size_t>& jobs, const PoolCallbacks& callbacks, double longest)
@@ -145,8 +145,8 @@ class Pool {
     }
   }
 
-  // Waits a moment for messages, and kills workers that exceed the limit. Such a worker is buried when it is gone,
-  // because a process that waits for a file system may take its time.
+  // Waits a moment for messages, and kills workers that exceed the limit. Such a worker is reaped once it has ended,
+  // because a process that waits for a file system may end late.
   void look() {
     constexpr int kMoment = 100;               // [ms]
     constexpr double kMostBetweenLooks = 2.0;  // [s]; more means that this process was suspended, with its workers

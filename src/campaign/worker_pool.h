@@ -1,4 +1,4 @@
-// Worker processes that work off jobs, each many of them, and a supervisor that outlives what kills a worker.
+// Worker processes, each of which does many jobs, and a supervisor that survives the death of a worker.
 //
 // Neither a process per job nor a thread per worker: a process started for each of 10^5 small jobs would cost more than
 // the jobs, and a thread that crashes takes all others with it. So each worker is a process, forked once, that calls
@@ -31,8 +31,8 @@ struct PoolCallbacks {
   std::function<void(const std::vector<std::size_t>& running)> tick;
 };
 
-/// Work off these jobs in their order with so many processes; false where SIGINT, SIGTERM or SIGHUP interrupted it,
-/// and then the workers have ended. To be called where this process has no other thread. A worker killed from outside
+/// Executes these jobs in order with `workers` processes; returns false, after the workers have ended, if SIGINT,
+/// SIGTERM or SIGHUP interrupted it. To be called where this process has no other thread. A worker killed from outside
 /// (SIGKILL, SIGTERM, ...) speaks against its machine, not against the job, which is tried once more; killed twice
 /// (memory, most likely), it is left undone.
 ///

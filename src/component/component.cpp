@@ -207,7 +207,7 @@ void Component::restore(ComponentState& state, double displacement, const std::v
   state.prepared_.branch = {};
 }
 
-// Factors of a temperature are greater than 0, as time and force are to keep their signs.
+// Factors of a temperature are greater than 0, so that time and force keep their signs.
 bool Component::acceptsMemory(const double* memory) const {
   const auto all = [memory](const auto& placed) {
     return std::all_of(placed.begin(), placed.end(),
@@ -269,7 +269,7 @@ element::ComponentForce Component::startTestPiece(double displacement, Start kin
   return force;
 }
 
-// Displacement of a test piece of this force, which is at `before` when the step begins.
+// Displacement of a test piece with this force, which is at `before` at the begin of the step.
 template <class Force>
 double Component::solveSeries(Force force, double path, double before, double guess) const {
   const double closed = solveSeriesBalance([&](double z) { return z + series_.deflection(force(z)) - path; }, guess);
@@ -383,7 +383,7 @@ void Component::stepsAlongPath(ComponentState& state, double dt, const double* d
         stepTestPiece(state.prepared_, &test_piece[i], One(), memory, force + i);
         continue;
       }
-      // The last trial was this step, but for the memory of the linear laws.
+      // The last trial was this step, except for the memory of the linear laws.
       const element::Motion reduced{state.prepared_.dt, test_piece[i].displacement, test_piece[i].increment};
       stepOf(elements_.begin(), elements_.begin() + linear_count_, reduced, state.trial_.memory.data());
       std::copy_n(state.trial_.memory.begin(), trial_size_, memory);
@@ -408,7 +408,7 @@ void Component::applyDisplacementEffects(element::Motion* motion, Count count, d
   takeIncrements(motion, count, memory[behind_effects_slot_]);
 }
 
-// Displacement of the test piece behind what is in series.
+// Displacement of the test piece behind the elements in series.
 double Component::balance(ComponentState& state, const element::Motion& path) const {
   const double before = state.memory_[test_piece_slot_];
   if (elements_.empty() && force_effects_.empty() && shifts_.empty() && !series_.hasContact()) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kSameToRounding = 1e-9;
 
-// Berg's friction has no form by the radius; the bank of the same numbers has, but is not the same friction.
+// Berg's friction has no form by the radius; the slider bank with the same numbers has, but behaves differently.
 [[noreturn]] void refuseBerg(const element::BergFriction& berg) {
   const double amplitude = berg.displacement();
   double force = 0.0;
@@ -43,7 +43,7 @@ constexpr std::size_t kVector = 3;
 
 using ElementList = std::vector<element::ElementDescription>;
 
-// Elements by how the radius takes them.
+// Elements by their treatment in the coupling.
 struct SortedElements {
   ElementList along;  // each direction by itself
   ElementList elastic;
@@ -135,7 +135,7 @@ void RadialLaw::addCurve(const element::ElementDescription& table) {
     points_[i].slope = (points_[i + 1].force - points_[i].force) / width;
     points_[i + 1].energy = points_[i].energy + 0.5 * (points_[i].force + points_[i + 1].force) * width;
   }
-  // Beyond the last point as the table has it, also where that lies below 0.
+  // Beyond the last point the table continues, also if that is below 0.
   const double beyond = points_.back().radius + std::max(points_.back().radius, 1.0);
   points_.back().slope = (forceAt(law, beyond) - points_.back().force) / (beyond - points_.back().radius);
 }
@@ -365,7 +365,8 @@ void RadialCoupling::step(double dt, const Coordinates& begin, const Coordinates
   }
 }
 
-// The stretch of a slider's spring, brought back along itself to the yield displacement: what is cut off moves it.
+// Limits the stretch of a slider's spring to the yield displacement, in its own direction; the slider moves by the
+// excess.
 Eigen::Vector3d RadialCoupling::stepSliders(const Eigen::Vector3d& d, double* memory) const {
   const std::size_t count = sliders_.size();
   double* const x = memory;
@@ -387,8 +388,8 @@ Eigen::Vector3d RadialCoupling::stepSliders(const Eigen::Vector3d& d, double* me
   return force;
 }
 
-// Visits the pieces of a straight way between the radii at which a slope changes: the share of the way at their ends.
-// At a share s the radius is sqrt(least^2 + (length (s - nearest))^2).
+// Visits the pieces of a straight path between the radii at which a slope changes, with the share of the path at their
+// ends. At a share s the radius is sqrt(least^2 + (length (s - nearest))^2).
 template <class Visit>
 void RadialCoupling::visitPieces(const Eigen::Vector3d& begin, const Eigen::Vector3d& end, Visit visit) const {
   const Eigen::Vector3d way = end - begin;

@@ -1,4 +1,4 @@
-// Directions that act by their radius: what has no form along each of them alone.
+// Directions coupled by their radius: laws that are not separate for each direction.
 #pragma once
 
 #include <array>
@@ -79,7 +79,7 @@ class RadialCoupling {
   /// At rest at coordinates, relaxed; adds to the forces.
   void initialise(const Coordinates& coordinates, double* memory, BushForce& force) const;
 
-  /// Advance over a step in which the coordinates are linear; adds the forces at its end.
+  /// Advances over a step in which the coordinates are linear; adds the forces at its end.
   void step(double dt, const Coordinates& begin, const Coordinates& end, double* memory, BushForce& force) const;
 
  private:

@@ -7,8 +7,8 @@
 namespace rubber_suspension::component {
 namespace {
 
-// (1 - (a/2) cot(a/2))/a^2 by the square of a; below kSeries by its series, of which the first term left out is under
-// 1e-17 of it.
+// (1 - (a/2) cot(a/2))/a^2 by the square of a; below kSeries by its series, whose first omitted term is below a
+// relative 1e-17.
 double curvatureOf(double square, double half_angle_times_cotangent) {
   constexpr double kSeries = 0.01;
   return square < kSeries ? 1.0 / 12 + square * (1.0 / 720 + square * (1.0 / 30240 + square * (1.0 / 1209600)))

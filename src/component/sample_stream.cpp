@@ -44,7 +44,7 @@ Acceptance StampedStream::judge(std::int64_t stamp, bool finite) const {
 void StampedStream::count(Acceptance acceptance) {
   counters_.accepted += isAccepted(acceptance) ? 1 : 0;
   if (acceptance == Acceptance::accepted) {
-    return;  // nearly all are; what follows is a jump that the processor takes some time for
+    return;  // the usual case; the other branch costs a mispredicted jump
   }
   switch (acceptance) {
     case Acceptance::accepted:
@@ -81,7 +81,7 @@ void SampleStream::save() {
   step_count_ = 0;
 }
 
-// Undo the last step, or all since the state was saved if that was no step.
+// Undoes the last step, or all since the state was saved if that was no step.
 void SampleStream::rollBack() {
   step_count_ -= step_count_ > 0 ? 1 : 0;
   state_.copyFrom(saved_);
@@ -114,8 +114,8 @@ element::ComponentForce SampleStream::advance(Acceptance acceptance, std::int64_
   return component_.step(state_, dt, displacement);
 }
 
-// A displacement can be finite and yet too large for a law that stiffens; the state must not keep that. Nor may a delay
-// or a filter keep one whose later force would overflow.
+// A finite displacement may be too large for a law that stiffens, and must not remain in the state. Nor may a delay or
+// a filter store one whose later force would overflow.
 StreamForce SampleStream::pushAny(std::int64_t stamp, double displacement) {
   StreamForce result{judge(stamp, std::isfinite(displacement)), {}};
   if (isAccepted(result.acceptance)) {
@@ -159,7 +159,7 @@ std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displ
   return size;
 }
 
-// False, and nothing has happened, where a displacement is too large or a force is not finite.
+// Returns false, without effect, if a displacement is too large or a force is not finite.
 bool SampleStream::pushRun(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force) {
   constexpr unsigned kPower = 99;  // 2^99 is 0.63 of the largest displacement; the few above it are pushed one by one
   if (!kernel::allBelowTwoTo(kPower, displacement, count)) {

@@ -1,4 +1,4 @@
-// Compliances and contacts in series with the test piece, and the displacement that they leave to it.
+// Compliances and contacts in series with the test piece, and its remaining displacement.
 #include "rubber_suspension/component/series_balance.h"
 
 #include <cmath>

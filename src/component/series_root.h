@@ -39,9 +39,9 @@ double rootBetween(Function function, RootSample stays, RootSample latest) {
   return latest.position;
 }
 
-/// Root of mismatch(z) = z + u(F(z)) - z_path next to the guess. Where its slope is nowhere less than the least slope
-/// (1 where no tangent stiffness is negative) the root lies between the guess and the guess less its mismatch over that
-/// slope; otherwise a step or more beyond, each twice as far. NaN where there is none: the test piece has given way.
+/// Root of mismatch(z) = z + u(F(z)) - z_path next to the guess. If its slope is at least the least slope (1 unless a
+/// tangent stiffness is negative), the root is between the guess and the guess minus its mismatch over that slope;
+/// otherwise one or more steps beyond, each twice as long. NaN if there is none: the test piece is unstable.
 template <class Mismatch>
 double solveSeriesBalance(Mismatch mismatch, double guess, double least_slope = 1.0) {
   constexpr int kWidenings = 60;
@@ -66,8 +66,8 @@ double solveSeriesBalance(Mismatch mismatch, double guess, double least_slope = 
   return rootBetween(mismatch, {guess, at_guess}, {other, at_other});
 }
 
-/// Displacement of a test piece of this force where nothing holds it, next to one where its force has the wrong sign:
-/// the root of force(z). `before` is the displacement at the begin of the step, which the root lies about.
+/// Displacement of a free test piece with this force, next to one at which its force has the wrong sign: the root of
+/// force(z). `before`, the displacement at the begin of the step, is near the root.
 template <class Force>
 double solveFreeLength(Force force, double wrong, double force_there, double before) {
   constexpr double kLeast = 1e-12;  // [m]

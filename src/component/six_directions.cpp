@@ -20,7 +20,7 @@ constexpr std::array<const char*, kDirections> kDirectionNames = {"x", "y", "z",
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-// Damping [N s/m] of the dashpots that see the coordinate itself, in real time: none where something lies between.
+// Damping [N s/m] of the dashpots that act directly on the coordinate, in real time.
 double directDamping(const std::vector<element::ElementDescription>& elements) {
   element::BasicLaws sum;
   for (const element::ElementDescription& description : elements) {
@@ -122,7 +122,7 @@ SixDirections::SixDirections(SixDirectionsLaws laws)
   }
 }
 
-// Elements that act by the radius go into a coupling; the directions keep those that act along them.
+// Moves elements that act by the radius into a coupling; the others remain in the directions.
 void SixDirections::couple(std::vector<Direction> directions, SixElements& elements) {
   const auto given = std::count_if(directions.begin(), directions.end(),
                                    [&](Direction direction) { return !elements[direction].empty(); });
@@ -235,7 +235,7 @@ SixNumbers SixDirections::ratesOf(const Place& place, const Twist& twist) const 
   return rates;
 }
 
-// The force of the dashpots at rates that they have not answered to yet.
+// Force of the dashpots at rates that their step did not include.
 void SixDirections::addDamping(const SixNumbers& rates, BushForce& force) const {
   for (std::size_t i = 0; i < kDirections; ++i) {
     const double added = damping_[i] * rates[static_cast<Eigen::Index>(i)];
@@ -332,7 +332,7 @@ Eigen::Matrix<double, 6, 6> SixDirections::coordinateJacobian(const Place& place
 
 // Derivative of the moment rates^T Q of constant generalised moments [N m] by the coordinates.
 Eigen::Matrix3d SixDirections::turningMoment(const Place& place, const Eigen::Vector3d& moments) const {
-  constexpr double kDistance = 1e-5;  // [rad]; leaves 1e-10 of the moment
+  constexpr double kDistance = 1e-5;  // [rad]; error 1e-10 of the moment
   Eigen::Matrix3d derivative;
   for (Eigen::Index i = 0; i < 3; ++i) {
     const Eigen::Vector3d step = kDistance * Eigen::Vector3d::Unit(i);

@@ -1,4 +1,4 @@
-// A component in a simulation that tries steps and takes them back.
+// A component in a simulation with trial and rejected steps.
 #include "rubber_suspension/component/trial_stepper.h"
 
 #include <fmt/format.h>

@@ -114,7 +114,7 @@ class DashpotAlongCurve final : public ParallelElement {
 };
 
 /// The force of a bank of Jenkins sliders times a factor b(z) >= 0 as above. The bank slides at the same displacements
-/// at every preload, and holds b times the force. The integral of b k (z - s) from the slider s is its energy, so it
+/// at every preload, with b times the force. The integral of b k (z - s) from the slider s is its energy, so it
 /// dissipates as it slides. Source: sliders as SliderBank.
 class SlidersAlongCurve final : public ParallelElement {
  public:

@@ -15,8 +15,8 @@ double growth(double strain) {
 }
 
 /// F = k2 z^2 + k_d |z|/2 + k_h s (cosh(z/s) - 1) + k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), to be added to a linear
-/// spring. No loss. The first three terms are even: they hold nothing of a spring or of progressive_stiffness, which
-/// are odd. The fourth is even but for a linear part; the last one has an odd part of the same size. Under a sine of
+/// spring. No loss. The first three terms are even, without any part of a spring or of progressive_stiffness, which are
+/// odd. The fourth is even but for a linear part; the last one has an odd part of the same size. Under a sine of
 /// amplitude A the first term shifts the mean force by k2 A^2/2 and adds a second harmonic of as much. Validity: the
 /// coefficients may have either sign, so the tangent stiffness of the component becomes negative where the linear
 /// spring no longer outweighs them, below z = -k/(2 k2) for k2 > 0; keep well within. The last exponential stiffens on

@@ -10,8 +10,8 @@
 namespace rubber_suspension::element {
 namespace {
 
-// Runge-Kutta steps over the length within which the rate changes by its own size. Its error falls with the fourth
-// power; BoucWen says what is left.
+// Runge-Kutta steps over the length within which the rate changes by its own size. Its error decreases with the fourth
+// power (see BoucWen).
 constexpr double kShareOfBend = 0.06;
 // |q|^n up to which the series in it are used.
 constexpr double kNearZero = 0.125;

@@ -18,7 +18,7 @@ namespace {
 
 using Entries = std::map<int, ElementType>;
 
-// By place; made when the first law enters itself, whatever the order in which the files' static objects are made.
+// Sorted by place; created when the first law registers, in whatever order static objects are initialised.
 Entries& entries() {
   static Entries list;
   return list;

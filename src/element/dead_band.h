@@ -1,4 +1,4 @@
-// A displacement that the noise of its sensor does not move.
+// A displacement filtered from the noise of its sensor by play.
 #pragma once
 
 #include <algorithm>

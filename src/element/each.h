@@ -22,7 +22,7 @@ auto each(const List& list, const Function& of) {
   return result;
 }
 
-/// The entries for which a condition holds.
+/// Returns the entries that meet a condition.
 template <class Entry, class Condition>
 std::vector<Entry> those(const std::vector<Entry>& list, const Condition& holds) {
   std::vector<Entry> result;
@@ -34,7 +34,7 @@ std::vector<Entry> those(const std::vector<Entry>& list, const Condition& holds)
   return result;
 }
 
-/// The texts that a function or a member gives of the entries, with a separator between them.
+/// Joins the texts that a function or a member returns for the entries by a separator.
 template <class List, class Function>
 std::string joined(const List& list, const std::string& separator, const Function& of) {
   return fmt::format("{}", fmt::join(each(list, of), separator));

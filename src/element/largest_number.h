@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::element {
 
-/// In SI units, beyond any component, and where powers of it leave the range of a double. No Range contains more.
+/// Largest number [SI] of any Range: larger than in any component; powers of it exceed the range of a double.
 constexpr double kLargestNumber = 1e30;
 
 /// Smallest positive value of a quantity [SI]; 0 is accepted if its Range contains 0. Smaller than in any component:

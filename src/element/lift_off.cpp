@@ -4,10 +4,10 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// In series with the test piece. It is closed while the force of the test piece has the sign that the contact carries,
-/// and does nothing. It opens where the force would turn: then the test piece is free, F = 0, and recovers by itself;
-/// its displacement is the root of that at each step. Contact returns where the plate meets it at the length that it
-/// has by then. Something else may hold an open contact, a bolt or a guide: F = k_s u with the opening u.
+/// In series with the test piece. While the contact is closed it transmits the force unchanged. It opens where the
+/// force would change sign: then the test piece is free, F = 0, and recovers by itself; its displacement is the root of
+/// this at each step. The contact closes where the plate reaches the length that the test piece then has. A bolt or a
+/// guide may hold an open contact: F = k_s u with the opening u.
 ///
 /// Memory: none, the free length is that of the test piece. Passive on a passive test piece: the contact does no work,
 /// as force or opening is zero; k_s is a spring. Validity: no adhesion, no impact of masses where contact returns. With
@@ -20,13 +20,13 @@ class LiftOff final : public SeriesElement {
   LiftOff(Carries carries, double slack_stiffness /* k_s [N/m], 0: nothing holds it */)
       : carries_(carries), slack_stiffness_(slack_stiffness) {}
 
-  /// Not of an open contact that nothing holds, which may be anywhere.
+  /// Undefined for an open contact without a holder, which may be anywhere.
   double deflection(double force) const override {
     const bool opens = carries_ == Carries::tension ? force < 0.0 : force > 0.0;
     return opens ? force / slack_stiffness_ : 0.0;
   }
 
-  /// Infinite for the sign of force that opens a contact that nothing holds.
+  /// Infinite for the sign of force that opens a contact without a holder.
   std::optional<Compliance> compliance() const override {
     const double open = 1.0 / slack_stiffness_;
     return carries_ == Carries::tension ? Compliance{0.0, open} : Compliance{open, 0.0};

@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::element {
 
-/// Points of a value over displacement. Two points at one displacement make a step, at which the second holds.
+/// Points of a value over displacement. Two points at one displacement make a step, with the value of the second.
 class PositionTable {
  public:
   /// Throws std::invalid_argument that names law and parameter on lists of different lengths and on displacements that

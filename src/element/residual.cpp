@@ -81,7 +81,7 @@ std::array<double, Size> listOf(const ElementDescription& description, const cha
 
 bool isNone(const std::vector<double>& values) { return values.size() == 1 && values[0] == 0.0; }
 
-// Without resonators the file says 0.
+// Without resonators the value in the file is 0.
 void readResonators(const ElementDescription& description, ResidualBasis::Layout& layout, Residual::Weights& weights) {
   layout.resonant = !isNone(description.list("resonances"));
   if (!layout.resonant) {

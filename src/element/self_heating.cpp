@@ -9,7 +9,7 @@ namespace {
 
 enum HeatSlot { kRise, kLossForce };
 
-// Far beyond all that softens further; a displacement that no test piece survives must not leave an infinite rise.
+// Far beyond any further softening; no displacement may make the rise infinite.
 constexpr double kLargestRise = 1e6;
 
 constexpr double kLeastFactor = 0.2;

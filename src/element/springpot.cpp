@@ -36,7 +36,7 @@ struct SpringpotLaw {
   double stiffness;            // K_r = |K*| at the reference frequency [N/m]
   double reference_frequency;  // f_r [Hz]
   double order;                // alpha in (0, 1): towards 0 a spring, towards 1 a dashpot [-]
-  double low_frequency;        // ends of the range in which the bank holds to the law [Hz]
+  double low_frequency;        // ends of the range in which the bank follows the law [Hz]
   double high_frequency;
 };
 

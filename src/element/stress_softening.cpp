@@ -108,7 +108,7 @@ class StressSoftening final : public ForceEffect {
                                           : std::max(0.0, static_cast<double>(parameters_.side) * displacement);
   }
 
-  /// Part of a displacement that lies on the side that counts [-].
+  /// Part of a displacement on the active side [-].
   double shareOfSide(double displacement, double reach) const {
     constexpr double kBlended = 0.25;  // of the reach, to either side of zero
     if (parameters_.side == Side::both) {

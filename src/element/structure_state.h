@@ -12,9 +12,9 @@ namespace rubber_suspension::element {
 struct StructureState {
   double rate;     ///< 1/T_b + |dz/dt|/s [1/s]
   double settled;  ///< what m tends to at this velocity [-]
-  double decay;    ///< part of the difference to it that the step leaves [-]
+  double decay;    ///< part of the difference to it that remains after the step [-]
 
-  /// A build-up time T_b [s] of 0 stands for none; travel s [m] is greater than 0.
+  /// A build-up time T_b [s] of 0 means none; travel s [m] is greater than 0.
   StructureState(const Motion& motion, double build_up_time, double travel) {
     const double building = build_up_time > 0.0 ? 1.0 / build_up_time : 0.0;
     rate = building + std::abs(motion.increment) / (motion.dt * travel);

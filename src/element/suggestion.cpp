@@ -16,7 +16,7 @@ bool equal(char one, char other) { return lower(one) == lower(other); }
 
 bool isSeparator(const std::string& text, std::size_t at) { return text[at] == '_' || text[at] == '-'; }
 
-// A whole part: what separates the parts of the name stands on either side of it, or its end.
+// True for a whole part, between separators or ends of the name.
 bool hasPart(const std::string& name, const std::string& part) {
   const std::size_t at = name.find(part);
   if (part.empty() || at == std::string::npos) {

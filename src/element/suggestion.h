@@ -17,8 +17,8 @@ std::vector<std::string> namesOf(const Rows& rows) {
   return names;
 }
 
-/// The letters to change, add, leave out or swap with their neighbour to get from one word to the other; case does not
-/// matter (optimal string alignment).
+/// Number of letters to change, add, omit or swap with their neighbour to turn one word into the other, regardless of
+/// case (optimal string alignment).
 std::size_t editDistance(const std::string& one, const std::string& other);
 
 /// The known word that is nearest by editDistance(), at most one letter in three apart (of two letters only the case

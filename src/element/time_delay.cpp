@@ -10,7 +10,7 @@ namespace {
 constexpr double kLongestAdvance = 0.02;  // [s]
 constexpr double kLongestDelay = 0.05;    // [s]
 constexpr int kSamples = 256;
-// Whole spacings that the ring is sure to hold: of two intervals in a row at least one spacing is kept (see store()).
+// Whole spacings that the ring contains at least: one for every two consecutive intervals (see store()).
 constexpr int kSpacings = kSamples / 2 - 2;
 
 // Memory: the time since the start, the index of the newest sample, how many there are, then times and displacements.

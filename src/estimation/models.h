@@ -51,7 +51,7 @@ double slopeAbout(const element::ParallelElement& law, double displacement);
 /// "key 4.2e+06 N/m", for reasons that compare two inputs.
 std::string inputText(const Specification& specification, const std::string& key);
 
-/// All inputs as they stand in a component file on one line.
+/// All inputs as one line of a component file.
 std::string flowMap(const Specification& specification);
 
 /// Throws std::invalid_argument for a value that its table does not accept.
@@ -81,7 +81,7 @@ double highStiffnessOfOne(const Specification& specification, double break_frequ
 /// The condition of high_frequency_stiffness on the others: f_n < f_h, K_n < K(f_h).
 std::optional<Obstacle> highFrequencyObstacle(const Specification& specification);
 
-/// The storage stiffness K_n cos(delta) has to exceed K_st, else nothing is left for a Maxwell element.
+/// The storage stiffness K_n cos(delta) has to exceed K_st, or a Maxwell element has no stiffness.
 std::optional<Obstacle> storageObstacle(const Specification& specification);
 
 // M1 to M3 and one element of M2 (linear_models.cpp).

@@ -162,8 +162,8 @@ double angleForBand(const Inputs& inputs, double high_frequency) {
   return std::arg(k_st + (inputs.maximum_stiffness.value() - k_st) * relativeStiffness(alpha, of_each));
 }
 
-// The working point has to lie in the band that a user gives. A low frequency from Eq. 22 is but a means to place the
-// elements; whether they can meet the working point is judged by their break frequencies.
+// The working point has to lie in the band that a user gives. A low frequency from Eq. 22 only places the elements;
+// their break frequencies decide whether they can meet the working point.
 bool bandIsOrdered(const Inputs& inputs, double high_frequency) {
   const double f_n = inputs.nominal_frequency;
   return f_n < high_frequency && (!inputs.low_frequency.has_value() || inputs.low_frequency.value() < f_n);

@@ -8,8 +8,8 @@
 namespace rubber_suspension::estimation {
 namespace {
 
-// A testing machine of class 1 (ISO 7500-1) measures a force to 1 %, and so no stiffness better: what lies closer
-// together is one stiffness to it.
+// A testing machine of class 1 (ISO 7500-1) measures a force to 1 %, so it cannot distinguish stiffnesses that are
+// closer.
 constexpr double kStiffnessAccuracy = 0.01;
 
 // The stiffness [N/m] that a mass of 1 kg deflects by 1 cm; what carries a vehicle is far stiffer.
@@ -39,7 +39,7 @@ void warnOfSoftness(std::vector<std::string>& warnings, const Specification& spe
   }
 }
 
-// K_max is that at any frequency; a data sheet says that at f_h.
+// K_max is the limit at any frequency; a data sheet states the stiffness at f_h.
 std::string highFrequencyNote(const Specification& specification, double high_frequency) {
   const double stiffness = std::abs(stiffnessAt(estimateTangent(Model::multi_maxwell, specification), high_frequency));
   const WrittenUnit unit = specification.writtenUnit("maximum_stiffness");

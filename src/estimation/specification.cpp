@@ -106,8 +106,8 @@ const std::vector<NamedModel>& models() {
   return table;
 }
 
-// Keys of every model: an amplitude, which linear models do not depend on; of those that say what they describe, the
-// whole working point.
+// Keys that every model accepts: an amplitude, on which linear models do not depend, and, with `describes`, the whole
+// working point.
 const std::vector<std::string> kWorkingPoint = {"nominal_amplitude", "nominal_displacement", "nominal_force"};
 
 const NamedModel& entry(Model model) { return models().at(static_cast<std::size_t>(model)); }
@@ -186,7 +186,7 @@ void checkGroup(const NamedModel& model, const Specification& specification, con
   }
 }
 
-// high_frequency_stiffness stands for maximum_stiffness and needs its frequency.
+// high_frequency_stiffness replaces maximum_stiffness and needs its frequency.
 void checkHighFrequency(const NamedModel& model, const Specification& specification) {
   const bool stiffness = specification.has("high_frequency_stiffness");
   element::refuseIf(stiffness && !specification.has("high_frequency"),

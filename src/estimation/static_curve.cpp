@@ -16,7 +16,7 @@
 namespace rubber_suspension::estimation {
 namespace {
 
-// The piece that holds a displacement, the last one from its point on; those at the ends go on beyond.
+// Piece that contains a displacement; the end pieces extend beyond the curve.
 std::size_t pieceAt(const std::vector<double>& displacement, double z) {
   const auto after = std::upper_bound(displacement.begin() + 1, displacement.end() - 1, z);
   return static_cast<std::size_t>(after - displacement.begin()) - 1;

@@ -25,7 +25,7 @@ constexpr double kAgreement = 1e-10;  // of the loss and of the high-frequency s
 constexpr int kMostSteps = 40;
 constexpr double kAnyAmplitude = 1e-3;  // [m] of what is linear
 
-// No solution; the obstacle says why.
+// No solution, with the obstacle.
 struct Unsolvable {
   Obstacle obstacle;
   std::string accepted;  // what is known of it without a search; may be empty
@@ -208,7 +208,7 @@ class Whole {
                          : "less in add:";
   }
 
-  // Where a base has a solution, ends left out.
+  // Open interval in which a base has a solution.
   template <class WithStiffness>
   std::vector<std::pair<double, double>> intervals(const Specification& base, const WithStiffness& with) const {
     constexpr double kFar = 100.0;  // times K_n, where there is no upper end

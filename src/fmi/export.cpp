@@ -61,7 +61,7 @@ std::string binaryWith(const std::string& text, const std::string& path) {
   return binary;
 }
 
-// A string literal may hold 65536 bytes for sure, so the text comes in pieces, which the compiler joins.
+// Only 65536 bytes are guaranteed in a string literal, so the text is split into pieces, which the compiler joins.
 std::string componentHeader(const std::string& text) {
   constexpr std::size_t kPiece = 8192;
   std::string header = "#pragma once\n#define RUBBER_SUSPENSION_COMPONENT_TEXT";

@@ -17,7 +17,7 @@
 namespace rubber_suspension::fmi {
 namespace {
 
-// Names and values; what has no name is left out.
+// Names and values; entries without a name are omitted.
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 std::string number(double value) { return fmt::format("{}", value); }
@@ -49,7 +49,7 @@ Attributes valueAttributes(const Variable& variable) {
           {variable.start ? "start" : "", number(variable.start.value_or(0.0))}};
 }
 
-// Units behind symbols; base units stand for themselves.
+// Units of symbols other than base units.
 const std::map<std::string, std::string> kSymbols = {
     {"kg", ""}, {"m", ""},     {"s", ""},         {"A", ""},       {"K", ""},    {"rad", ""},  {"mol", ""},
     {"1", "1"}, {"Hz", "1/s"}, {"N", "kg m/s^2"}, {"Pa", "N/m^2"}, {"J", "N m"}, {"W", "J/s"}, {"degC", "K"}};

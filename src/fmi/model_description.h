@@ -14,7 +14,7 @@ enum class Version { fmi2, fmi3 };
 /// The text of modelDescription.xml, in UTF-8. `tool` is the name and version of the exporter.
 std::string modelDescription(const ComponentData& data, Version version, const std::string& tool);
 
-/// Exponents of kg, m, s, A, K, rad, mol; those that are 0 are left out.
+/// Exponents of kg, m, s, A, K, rad, mol; those that are 0 are omitted.
 using BaseUnit = std::map<std::string, int>;
 
 /// The base units of a unit such as "N s/m" or "N/m^3". Factors are not needed: all units inside are SI, but

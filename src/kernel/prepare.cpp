@@ -18,7 +18,7 @@ void setLarge(double ratio, double stiffness, std::size_t element, MaxwellBlock&
 }  // namespace
 
 void BasicLawsKernel::prepare(double dt, PreparedStep& prepared) const {
-  // All as if the step were small, as that goes side by side; then those for which it is not.
+  // Computes all lanes as for small steps, then replaces those with large ones.
   RUBBER_SUSPENSION_KERNEL(prepareSmall)
   (dt, maxwell_rate_.data(), maxwell_stiffness_.data(), maxwell_count_, prepared.maxwells.data());
   if (dt * fastest_rate_ > element::Relaxation::kSmall) {

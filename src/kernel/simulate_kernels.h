@@ -12,8 +12,8 @@ inline Lanes frictionBranch(const Lanes& displacement, const Lanes& reference_di
   return reference_force + magnitude(travel) * left / (reach + magnitude(travel));
 }
 
-// Maxwell elements side by side, each one sample behind the one before it: what it adds to the sum of a sample then
-// goes with it from lane to lane. Lane 0 is the last element, and the sums leave it finished.
+// Maxwell elements side by side, each one sample behind the one before it, so that the sum of a sample moves from lane
+// to lane. Lane 0 is the last element, where the sums are complete.
 template <std::size_t elements>
 class MaxwellPipeline {
   static constexpr std::size_t kVectors = (elements + kWidth - 1) / kWidth;

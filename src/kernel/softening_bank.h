@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::kernel {
 
-/// Numbers of laws side by side, which stand for nothing where they are 0.
+/// Numbers of laws side by side; 0 in unused lanes.
 struct SofteningBlock {
   static constexpr std::size_t kSize = 8;
   using Numbers = std::array<double, kSize>;

@@ -5,9 +5,10 @@
 inline Lanes larger(const Lanes& one, const Lanes& other) { return select(one > other, one, other); }
 inline Lanes smaller(const Lanes& one, const Lanes& other) { return select(one < other, one, other); }
 
-/// exp(-x) for x >= 0, within 1e-15 of itself: halved as often as x holds ln 2, and the square of the rest's half.
+/// exp(-x) for x >= 0, to a relative 1e-15: x is reduced by multiples of ln 2, and the remainder is halved and its
+/// result squared.
 inline Lanes fallen(const Lanes& x) {
-  constexpr double kMost = 700.0;          // what is left then is nothing
+  constexpr double kMost = 700.0;          // beyond, the result is 0
   constexpr double kToInteger = 0x1.8p52;  // its last bits count what is added
   constexpr double kHighLn2 = 6.93147180369123816490e-01;
   constexpr double kLowLn2 = 1.90821492927058770002e-10;

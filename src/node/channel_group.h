@@ -1,4 +1,4 @@
-// All components of the node, where something concerns them all at one instant. Knows no ROS.
+// All components of the node, where something concerns them all at one instant. Independent of ROS.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace rubber_suspension::node {
 
-/// A bundle of samples and what saves or changes all components exclude each other, so that no state that is saved
-/// holds half a bundle and no bundle is answered half before and half after a change. Single samples go past it: one
-/// component's lock is enough for them.
+/// Bundles of samples and operations on all components exclude each other, so that no saved state has half a bundle,
+/// and no bundle is answered partly before and partly after a change. Single samples need only the lock of their
+/// component.
 class ChannelGroup {
  public:
   /// The channels must outlive the group.

@@ -84,7 +84,7 @@ class ComponentChannel::Model {
   void restore(const SavedStream& saved) {
     tell([&](auto& stream) { saved.started ? goOn(stream, saved) : stream.reset(); });
   }
-  // Takes no lock while the model serves, so it leaves the running stream alone.
+  // Does not touch the running stream, and so needs no lock.
   void check(const SavedStream& saved) const {
     ask([&](const auto& component, const auto& running) {
       std::decay_t<decltype(running)> stream(component, max_gap_);
@@ -228,8 +228,8 @@ void ComponentChannel::addMeasured(std::int64_t stamp, const component::Wrench& 
   }
 }
 
-// The monitors of six directions hold the wrench as it was measured: what it comes to in the directions is up to the
-// pose. Samples that not all have are left out.
+// The monitors of six directions store the measured wrench, whose components in the directions depend on the pose.
+// Samples that are missing in one of them are omitted.
 std::vector<std::vector<MatchedSample>> ComponentChannel::windows(double seconds) const {
   std::vector<std::vector<MatchedSample>> windows;
   for (const GapMonitor& gap : gaps_) {
@@ -275,7 +275,7 @@ bool ComponentChannel::setTemperature(std::int64_t stamp, double temperature) {
   return true;
 }
 
-// The temperature that was measured last holds, whatever the state says.
+// Keeps the last measured temperature rather than that of the state.
 void ComponentChannel::keepTemperature() {
   if (const std::optional<double>& temperature = temperatures_.current()) {
     model_->tell([&](auto& stream) { stream.setTemperature(*temperature); });
@@ -406,7 +406,7 @@ void ComponentChannel::rollBack() {
   promotion_->fade.giveBack();
 }
 
-// A model that has left its place is of no use any more; `finished` is to be freed after the lock.
+// Moves a model that is no longer used to `finished`, which is to be freed after the lock.
 void ComponentChannel::dropFinished(std::shared_ptr<Promotion>& finished) {
   if (promotion_ && promotion_->fade.stage() == RunStage::configured) {
     note_ = promotion_->note;

@@ -1,4 +1,5 @@
-// One component of the node: its samples, its counters, its state, safe to use from several threads. Knows no ROS.
+// One component of the node: its samples, its counters, its state, safe to use from several threads. Independent of
+// ROS.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@
 
 namespace rubber_suspension::node {
 
-/// Where a model stands.
+/// State of a model's stream.
 struct SavedStream {
   bool started = false;       ///< false: no sample yet, the rest means nothing
   std::int64_t stamp = 0;     ///< [ns] of the last accepted sample
@@ -57,7 +58,7 @@ struct RunningModel {
   std::string configured_sha256;   ///< of the description in YAML
   std::string other_sha256;        ///< likewise; empty: there is no other model
   std::vector<std::string> added;  ///< types of the elements that the other model adds
-  std::string note;                ///< why a stage was left, where it did not go on as asked
+  std::string note;                ///< why a stage ended, if not as requested
 
   friend bool operator!=(const RunningModel& a, const RunningModel& b) {
     return std::tie(a.stage, a.since, a.configured_sha256, a.other_sha256, a.note) !=
@@ -68,7 +69,7 @@ struct RunningModel {
 /// Counts of a channel since it was made, over resets and reloads, and since the last report.
 struct ChannelReport : component::StreamCounters {
   std::uint64_t beyond_valid = 0;       ///< samples that were answered beyond `valid`
-  std::optional<element::Range> valid;  ///< displacements [m] for which the component says that it is valid
+  std::optional<element::Range> valid;  ///< stated validity [m]
   std::uint64_t beyond_rotation = 0;    ///< poses that were answered beyond `valid_rotation`
   double valid_rotation = 0.0;          ///< of six directions [rad]
   std::uint64_t disabled = 0;           ///< samples that came while the component was disabled
@@ -82,12 +83,12 @@ struct ChannelReport : component::StreamCounters {
   std::optional<component::SixNumbers> coordinates;  ///< likewise, of six directions [m, rad]
   bool shifts_with_temperature = false;              ///< whether the component does
   std::optional<double> temperature;                 ///< of the last sample [degC], where one has come
-  std::uint64_t refused_temperatures = 0;            ///< not finite, or none at which the component's shift holds
+  std::uint64_t refused_temperatures = 0;            ///< not finite, or one at which the component's shift is not valid
   LatencyHistogram latency;                          ///< of the samples since the last report
 };
 
-/// Feeds one component with samples. Each call holds the lock for the time of some arithmetic only: never while
-/// a file is read, a model is estimated or a message is published.
+/// Feeds one component with samples. Calls lock only for arithmetic, never while a file is read, a model is estimated
+/// or a message is published.
 class ComponentChannel {
   class Promotion;
 
@@ -101,7 +102,7 @@ class ComponentChannel {
   /// True if the samples are poses, not displacements.
   bool hasSixDirections() const { return has_six_; }
 
-  /// Take one sample: stamp [ns], displacement [m]. Returns false, and counts why, if no force is to be sent.
+  /// Processes a sample: stamp [ns], displacement [m]. Returns false, and counts the reason, if no force is to be sent.
   bool push(std::int64_t stamp, double displacement, element::ComponentForce& force);
 
   /// Processes a pose: position [m] and rotation of B in A; the wrench on B, in A's axes.
@@ -114,14 +115,14 @@ class ComponentChannel {
   /// The matched samples of the last seconds: of one direction, or of six in their order, with generalised forces.
   std::vector<std::vector<MatchedSample>> windows(double seconds) const;
 
-  /// The temperature [degC] of the samples from a stamp [ns] on. Returns false, and counts it, where it is none at
-  /// which the component's shift holds.
+  /// Sets the temperature [degC] of the samples from a stamp [ns] on. Returns false, and counts it, if the component's
+  /// shift is not valid there.
   bool setTemperature(std::int64_t stamp, double temperature);
 
-  /// Count a served sample: from arrival to publication [ns].
+  /// Counts a served sample: from arrival to publication [ns].
   void countLatency(std::int64_t nanoseconds) { latency_.add(nanoseconds); }
 
-  /// Count samples that a sender sent and that never arrived.
+  /// Counts samples that a sender sent and that never arrived.
   void countLost(std::uint64_t samples);
 
   /// Back to a new component at rest.
@@ -135,19 +136,19 @@ class ComponentChannel {
   /// Throws std::invalid_argument if the state is not one of this component. Returns the model beside, if it has one.
   std::shared_ptr<Promotion> checkState(const SavedState& state) const;
 
-  /// Go on from a state; throws as checkState(), and nothing has changed.
+  /// Continues from a state; throws as checkState(), and nothing has changed.
   void load(const SavedState& state);
 
   /// A model made ready for exchange(), outside of any lock.
   class Model;
   static std::shared_ptr<Model> makeModel(const io::ComponentDescription& description, double max_gap);
 
-  /// Go on with another model. One of the same elements takes the state over; any other starts as new.
+  /// Continues with another model, which takes over the state if it has the same elements, else starts as new.
   void exchange(const std::shared_ptr<Model>& model);
 
-  /// Compute another model beside the configured one, in its shadow; after that it takes its place by a
-  /// cross-fade, unless its error was the greater one or its force not finite. Throws std::invalid_argument where
-  /// another model is there already, or this one cannot be built.
+  /// Computes another model in the shadow of the configured one, which it then replaces by a cross-fade, unless its
+  /// error was larger or its force not finite. Throws std::invalid_argument if there is another model already, or this
+  /// one cannot be built.
   void promote(const io::ComponentDescription& description);
 
   /// Back to the configured model by a cross-fade, or out of the shadow. Throws std::invalid_argument where no other

@@ -1,4 +1,5 @@
-// Matches measured to simulated forces by stamp and keeps the last seconds of them, for the live gap. Knows no ROS.
+// Matches measured to simulated forces by stamp and keeps the last seconds of them, for the live gap. Independent of
+// ROS.
 #pragma once
 
 #include <array>
@@ -28,14 +29,14 @@ struct MatchCounters {
   std::uint64_t not_finite = 0;  ///< measured forces dropped, those beyond element::kLargestNumber among them
 };
 
-/// Takes samples and measured forces from different threads, in any order to each other, late or early. Costs nothing
-/// until the first measured force comes; from then on it allocates nothing and holds its lock for one sample's time.
+/// Matches samples and measured forces from different threads, in any relative order. Costs nothing before the first
+/// measured force; afterwards it allocates nothing and locks for one sample at a time.
 class GapMonitor {
  public:
   static constexpr std::size_t kCapacity = 32768;  ///< samples kept by default: 32 s at 1 kHz, 3 s at 10 kHz
   static constexpr std::size_t kWaiting = 4096;    ///< measured forces ahead of their samples, kept at most
 
-  /// Keeps `capacity` samples, at least kCapacity; where that is more, memory for the rest is taken as they come.
+  /// Stores `capacity` samples, at least kCapacity; memory beyond that is allocated as they come.
   explicit GapMonitor(std::size_t capacity = kCapacity);
 
   /// A sample that the component accepted. A stamp that steps back is a new replay: all earlier samples are forgotten.
@@ -85,7 +86,7 @@ class GapMonitor {
   const std::size_t capacity_;
   mutable std::mutex mutex_;
   std::atomic<bool> wanted_{false};
-  std::vector<std::unique_ptr<Block>> blocks_;  // of a ring; sample number n lies at n modulo the capacity
+  std::vector<std::unique_ptr<Block>> blocks_;  // of a ring; sample number n is at n modulo the capacity
   std::uint64_t first_ = 0;                     // number of the first sample since the last restart
   std::uint64_t count_ = 0;                     // number of the next sample
   std::uint64_t matched_end_ = 0;               // number behind the newest that is matched

@@ -15,9 +15,9 @@
 namespace rubber_suspension::node {
 namespace {
 
-constexpr std::size_t kFewest = 100;         // samples; as few as the diagnosis takes
-constexpr Eigen::Index kWarpedWhole = 2000;  // samples; a rating takes 10 ms a second of 10 kHz then
-constexpr std::size_t kHistory = 600;        // reports that the trend is taken over, at most
+constexpr std::size_t kFewest = 100;         // samples; as in the diagnosis
+constexpr Eigen::Index kWarpedWhole = 2000;  // samples; a rating then needs 10 ms for each second at 10 kHz
+constexpr std::size_t kHistory = 600;        // most reports in the trend
 
 log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) {
   log::Log log;
@@ -30,8 +30,8 @@ log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) 
   return log;
 }
 
-// The part of the force that the rig added within its tolerances; beyond them it is a gap. By least squares: slow noise
-// says little of a zero, which must not make the gap larger.
+// Force that the rig added within its tolerances; beyond them it is a gap. Fitted without slow noise, with which an
+// offset would be poorly determined and could enlarge the gap.
 Eigen::VectorXd tolerated(const measurement::RigModel& rig, const measurement::RigColumns& columns) {
   const measurement::RigFit fit = rig.fit(0, columns, 0);
   Eigen::VectorXd part = Eigen::VectorXd::Zero(fit.residual.size());
@@ -46,7 +46,7 @@ Eigen::VectorXd tolerated(const measurement::RigModel& rig, const measurement::R
 // Both forces on one even time base: the records are of the same stamps.
 void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, io::RigTolerances tolerances,
              LiveGap& gap) {
-  tolerances.initial_state.value = 0.0;  // the component has taken all samples before the window
+  tolerances.initial_state.value = 0.0;  // the component has processed all samples before the window
   const measurement::PreparedLog measured = measurement::preparePiece(logOf(samples, &MatchedSample::measured));
   const gap::PreparedRecord record(measured.record);
   const Eigen::VectorXd simulated = log::evenRecord(logOf(samples, force)).force;
@@ -98,7 +98,7 @@ LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& 
   }
   gap.stamp = samples.back().stamp;
   gap.window = 1e-9 * static_cast<double>(samples.back().stamp - samples.front().stamp);
-  // A window that has just begun would take its first transient for a gap, a thinned one is as good as a full one.
+  // A window that has just begun would show its first transient as a gap; thinned windows are no problem.
   if (samples.size() < kFewest || gap.window < 0.1 * settings.window) {
     gap.reason = "the window is not filled yet";
     return gap;
@@ -131,7 +131,7 @@ LiveGap GapTracker::update(const std::vector<MatchedSample>& window, SimulatedFo
   return gap;
 }
 
-// Slope of the straight line through the history; windows that overlap say nothing of a trend.
+// Slope of the straight line through the history; overlapping windows do not show a trend.
 double GapTracker::trend() const {
   if (history_.size() < 3 || history_.back().time - history_.front().time < settings_.window) {
     return 0.0;

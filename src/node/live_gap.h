@@ -1,5 +1,4 @@
-// The live gap: how large it is against noise, where it lies, whether it grows, and what the rig has to do with it.
-// Knows no ROS.
+// The live gap: its size relative to noise, place and trend, and the part of the rig. Independent of ROS.
 #pragma once
 
 #include <array>
@@ -31,8 +30,8 @@ struct LiveGap {
   std::int64_t stamp = 0;  ///< of the newest sample [ns]
   double window = 0.0;     ///< time that the samples cover [s]
   std::size_t samples = 0;
-  double gap = 0.0;                 ///< once what the rig did within its tolerances is taken out [-]
-  double gap_as_recorded = 0.0;     ///< with it [-]
+  double gap = 0.0;                 ///< without errors of the rig within its tolerances [-]
+  double gap_as_recorded = 0.0;     ///< with them [-]
   double noise_floor = 0.0;         ///< what the white noise of the measured force alone would give [-]
   double beyond_noise = 0.0;        ///< sqrt(gap^2 - noise_floor^2), at least 0 [-]
   double trend = 0.0;               ///< change of `gap` with the time of the stamps [1/s]; 0 until a window long
@@ -48,10 +47,9 @@ struct LiveGap {
 using SimulatedForce = double MatchedSample::*;
 
 /// The gap of one window of matched samples, split as the diagnosis splits it; without trend. Samples without that
-/// force are left out, and those before the newest time gap (log::EvenSteps). Zero, delay, clock and gain of the
-/// force's channel are taken out where they are within 2 standard deviations of the rig's tolerances, and samples that
-/// a channel did not measure do not count; a zero of the displacement stays, which it would take another simulation to
-/// see.
+/// force, and those before the newest time gap (log::EvenSteps), are omitted. Offset, delay, clock and gain of the
+/// force channel are removed within 2 standard deviations of the rig's tolerances, and samples that a channel did not
+/// measure do not count. An offset of the displacement remains, because finding it needs another simulation.
 LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& settings,
                    const io::RigTolerances& tolerances = {}, SimulatedForce force = &MatchedSample::simulated);
 
@@ -61,7 +59,7 @@ class GapTracker {
   explicit GapTracker(const GapSettings& settings, const io::RigTolerances& tolerances = {})
       : settings_(settings), tolerances_(tolerances) {}
 
-  /// Measure the gap of a window and its trend.
+  /// Measures the gap of a window and its trend.
   LiveGap update(const std::vector<MatchedSample>& window, SimulatedForce force = &MatchedSample::simulated);
 
  private:

@@ -9,18 +9,18 @@
 
 namespace rubber_suspension::node {
 
-/// A queue that is full holds the last `queue_size` messages in their order, so what a message pushes out is always the
-/// one `queue_size` before it. Whoever held that one before the message was handed over, and does not hold it after,
-/// has lost it. Meanwhile nothing may be sent. Nothing is kept that no queue keeps. For one thread.
+/// A full queue has the last `queue_size` messages in order, so a message displaces the one `queue_size` before it. An
+/// owner of that one before, but not after the message was handed over, has lost it. Nothing may be sent meanwhile.
+/// Only messages that are in a queue are kept. For one thread.
 class LossCount {
  public:
   using Buffer = boost::shared_array<std::uint8_t>;
 
   explicit LossCount(std::size_t queue_size) : queue_size_(queue_size) {}
 
-  /// A message comes, and no queue has it yet.
+  /// To be called for a message before any queue has it.
   void begin(const Buffer& message) {
-    // A message that is just being sent to a subscriber is in no queue any more, however old it is.
+    // A message that is being sent to a subscriber is no longer in a queue, however old it is.
     while (window_.size() > queue_size_ || (!window_.empty() && window_.front().use_count() == 1)) {
       window_.pop_front();
     }
@@ -28,7 +28,7 @@ class LossCount {
     window_.push_back(message);
   }
 
-  /// The message has been handed to all queues: whether any lost another for it.
+  /// To be called when all queues have the message; true if any lost another one for it.
   bool end() {
     const long before = std::exchange(holders_, 0);
     return before > 0 && window_.front().use_count() < before;
@@ -37,7 +37,7 @@ class LossCount {
  private:
   std::size_t queue_size_;
   std::deque<Buffer> window_;
-  long holders_ = 0;  // of the oldest, this object among them, where the message pushes it out
+  long holders_ = 0;  // of the oldest, including this object, if the message displaces it
 };
 
 }  // namespace rubber_suspension::node

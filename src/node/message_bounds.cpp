@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kSequenceAndStamp = 12;
 constexpr std::size_t kLength = 4;
 
-// Goes over the fields of a message, each held against the bytes that remain. Once one does not fit, none does.
+// Reads the fields of a message, each checked against the remaining bytes. After one that does not fit, none does.
 class Fields {
  public:
   Fields(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}

@@ -1,5 +1,5 @@
-// Bounds of a message on the wire, checked before it is decoded: decoders make room for what a message claims to hold.
-// Knows no ROS.
+// Bounds of a message on the wire, checked before it is decoded, because decoders allocate what a message claims to
+// contain. Independent of ROS.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 namespace rubber_suspension::node {
 
 constexpr std::size_t kLongestFrameId = 255;        ///< bytes of a header's frame_id
-constexpr std::size_t kLongestComponentName = 100;  ///< bytes; the component file has none longer
+constexpr std::size_t kLongestComponentName = 100;  ///< bytes, as in component files
 
 /// True if these bytes are a header and that many float64, to the last byte: 1 of a Displacement or MeasuredForce, 2 of
 /// a sensor_msgs/Temperature, 7 of a geometry_msgs/PoseStamped, 6 of a WrenchStamped.

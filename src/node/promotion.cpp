@@ -1,4 +1,4 @@
-// Another model in the place of the configured one.
+// Replacement of the configured model.
 #include "node/promotion.h"
 
 #include <fmt/format.h>

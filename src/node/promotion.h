@@ -1,4 +1,4 @@
-// Another model in the place of the configured one: first in its shadow, then by a cross-fade, and back. Knows no ROS.
+// Replacement of the configured model: first in its shadow, then by a cross-fade, and back. Independent of ROS.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ std::string toString(RunStage stage);
 RunStage runStageOf(const std::string& name);
 
 struct PromotionSettings {
-  double shadow = 5.0;  ///< time that a model is computed beside the configured one before it takes its place [s]
+  double shadow = 5.0;  ///< time that a model is computed beside the configured one before the cross-fade [s]
   double fade = 1.0;    ///< time of a cross-fade [s]
 };
 
@@ -48,23 +48,23 @@ class CrossFade {
   double weight() const { return weight_; }
   std::int64_t since() const { return since_; }  ///< stamp of the stage's first sample [ns]
 
-  /// A sample at that stamp [ns]. A stamp that steps back takes no time.
+  /// Advances to a sample at that stamp [ns]. A stamp that steps back counts as no time.
   void advance(std::int64_t stamp);
 
-  /// The last sample was at that stamp; the stage begins with it.
+  /// Begins the stage with the last sample, at that stamp.
   void resume(std::int64_t stamp) {
     last_ = stamp;
     since_ = stamp;
   }
 
-  /// True once the shadow has lasted; then take() or end() is due.
+  /// True once the shadow is over; then call take() or end().
   bool shadowIsOver() const;
 
-  /// From the shadow into the place of the configured model, or, called for while it fades, back.
+  /// Begins the cross-fade from the configured model to the other one, or reverses a fade back.
   void take() { enter(RunStage::promoting); }
   void giveBack();
 
-  /// The configured model alone, at once.
+  /// Returns to the configured model at once.
   void end();
 
   /// The published force from those of both models.

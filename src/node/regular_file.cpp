@@ -48,7 +48,7 @@ Type typeOf(const std::string& path, const std::string& seen) {
 void requireRegularFile(const std::string& path) { requireRegular(path, typeOf(path, path)); }
 
 std::string readRegularFile(const std::string& path, std::size_t most) {
-  // To open a pipe without O_NONBLOCK would wait for its other end.
+  // Without O_NONBLOCK, opening a pipe would wait for its other end.
   const int opened = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW);
   if (opened < 0) {
     fail(path, errno == ELOOP ? "is a symbolic link; accepted: a regular file" : std::strerror(errno));
@@ -70,7 +70,7 @@ std::string readRegularFile(const std::string& path, std::size_t most) {
 }
 
 void replaceRegularFile(const std::string& path, const std::string& text) {
-  std::error_code unknown;  // writing says why
+  std::error_code unknown;  // reported when writing fails
   const Type type = symlink_status(std::filesystem::path(path), unknown).type();
   if (type != Type::not_found && type != Type::none) {
     requireRegular(path, type);

@@ -19,8 +19,8 @@ void requireRegularFile(const std::string& path);
 /// The content of a regular file of at most `most` bytes; a symbolic link is not followed. Throws FileError.
 std::string readRegularFile(const std::string& path, std::size_t most);
 
-/// Replace a regular file, or write a new one: whole, or as it was before, even if the power fails. Throws FileError,
-/// also where the path is a symbolic link.
+/// Replaces a regular file, or writes a new one, atomically even if the power fails. Throws FileError, also where the
+/// path is a symbolic link.
 void replaceRegularFile(const std::string& path, const std::string& text);
 
 }  // namespace rubber_suspension::node

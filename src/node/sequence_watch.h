@@ -1,4 +1,4 @@
-// Notices samples that were sent but never arrived, by the sequence number that every sender counts up. Knows no ROS.
+// Notices samples that were sent but never arrived, by the sequence number of each sender. Independent of ROS.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,13 @@
 
 namespace rubber_suspension::node {
 
-/// Follows the sequence numbers of all senders to one topic. `Sender` is a shared pointer to what stands for a
-/// connection. It is held here, so that no later connection can come to lie at the address of one that has ended and be
-/// taken for it; those that nobody else holds any more are dropped when a new one comes. Allocates only then.
+/// Follows the sequence numbers of all senders to one topic. `Sender` is a shared pointer that identifies a connection.
+/// It is stored, so that no later connection can have the address of one that has ended; those without another owner
+/// are dropped when a new one comes. Allocates only then.
 template <class Sender>
 class SequenceWatch {
  public:
-  /// Takes a number of a sender and returns how many numbers the sender skipped since its last one. What a sender lost
-  /// before its first number came cannot be known.
+  /// Returns how many numbers a sender skipped since its last one. Losses before its first number are unknown.
   std::uint32_t take(const Sender& sender, std::uint32_t sequence) {
     const auto known = entries_.find(sender.get());
     if (known == entries_.end()) {
@@ -25,7 +24,7 @@ class SequenceWatch {
       return 0;
     }
     const std::uint32_t skipped = sequence - std::exchange(known->second.last, sequence) - 1;
-    // One that goes back is a sender that counts again from the start or in its own way: nothing is known to be lost.
+    // A sender whose numbers go back counts again from the start or in its own way: no loss is known.
     return skipped < (1U << 31) ? skipped : 0;
   }
 

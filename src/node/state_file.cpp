@@ -22,7 +22,7 @@ constexpr const char* kSchema = "rubber_suspension/state/1";
 constexpr std::int64_t kLatestStamp =
     std::int64_t{std::numeric_limits<std::uint32_t>::max()} * 1000000000 + std::numeric_limits<std::uint32_t>::max();
 
-// JSON keeps a finite double to the last bit: it is written with as many digits as that takes.
+// JSON preserves a finite double to the last bit: it is written with as many digits as needed.
 json streamJson(const SavedStream& stream) {
   return {{"started", stream.started},
           {"stamp_ns", stream.stamp},
@@ -99,7 +99,7 @@ bool isWeightOf(RunStage stage, double weight) {
   return stage != RunStage::configured && weight >= least && weight <= most;  // configured: no model is beside
 }
 
-// The hash says whether the description is the one that was saved.
+// The hash checks that the description is the one that was saved.
 SavedPromotion promotionOf(const json& entry) {
   SavedPromotion promotion{streamOf(entry), entry.at("component_file").get<std::string>(),
                            runStageOf(entry.at("stage").get<std::string>()),
@@ -127,7 +127,7 @@ SavedState stateOf(const json& entry) {
   return state;
 }
 
-// The parser goes into brackets without bound, and what it gives ends by a call for each.
+// Parser and destructor recurse for each bracket without a limit.
 bool refuseDeepNesting(int depth, json::parse_event_t /*event*/, const json& /*parsed*/) {
   element::refuseIf(depth >= kDeepestStateFile, "nested deeper than {} brackets", kDeepestStateFile);
   return true;
@@ -160,7 +160,7 @@ std::string stateText(const std::vector<SavedState>& states) {
 }
 
 std::vector<SavedState> parseStates(const std::string& text, const std::string& source) {
-  // A parser's message may quote the text, with its line breaks.
+  // The parser's message may quote the text, with its line breaks.
   const auto refusal = [&](const std::exception& error) {
     return FileError(log::oneLine(fmt::format("{}: no state file: {}", source, error.what())));
   };

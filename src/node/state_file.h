@@ -1,4 +1,5 @@
-// The file in which the node keeps the states of its components, so that it can go on where it stopped. Knows no ROS.
+// The file in which the node keeps the states of its components, so that it can continue where it stopped. Independent
+// of ROS.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +17,14 @@ constexpr int kDeepestStateFile = 8;                         ///< brackets withi
 /// All states as text, every number to its last bit.
 std::string stateText(const std::vector<SavedState>& states);
 
-/// The states of such a text. Throws FileError, also for a component that stands there twice and for a stamp that
-/// no message can have; `source` names the text in what().
+/// Parses the states of such a text. Throws FileError, also for a repeated component and for a stamp that no message
+/// can have; `source` names the text in what().
 std::vector<SavedState> parseStates(const std::string& text, const std::string& source);
 
-/// Write all states: see replaceRegularFile. Throws FileError.
+/// Writes all states as replaceRegularFile() does. Throws FileError.
 void writeStateFile(const std::string& path, const std::vector<SavedState>& states);
 
-/// Read what writeStateFile wrote. Throws FileError.
+/// Reads a file of writeStateFile(). Throws FileError.
 std::vector<SavedState> readStateFile(const std::string& path);
 
 }  // namespace rubber_suspension::node

@@ -1,4 +1,4 @@
-// Temperatures that come by their own stamps, for the samples from those stamps on. Knows no ROS.
+// Temperatures with their own stamps, for the samples from those stamps on. Independent of ROS.
 #pragma once
 
 #include <boost/circular_buffer.hpp>
@@ -8,13 +8,13 @@
 
 namespace rubber_suspension::node {
 
-/// Each temperature holds from its stamp until that of the next; one that comes late holds from the next sample on.
-/// For one thread. Allocates once, with the first temperature.
+/// Each temperature applies from its stamp to that of the next; a late one, from the next sample on. For one thread.
+/// Allocates once, with the first temperature.
 class TemperatureFeed {
  public:
-  static constexpr std::size_t kMostWaiting = 1024;  ///< ahead of their samples; the oldest is left out beyond
+  static constexpr std::size_t kMostWaiting = 1024;  ///< ahead of their samples; beyond, the oldest is dropped
 
-  /// A stamp [ns] before the newest one is a new replay: what waits for the old one is forgotten.
+  /// A stamp [ns] before the newest one begins a new replay and discards the waiting temperatures.
   void add(std::int64_t stamp, double temperature) {
     if (waiting_.capacity() == 0) {
       waiting_.set_capacity(kMostWaiting);

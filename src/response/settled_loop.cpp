@@ -181,8 +181,8 @@ std::optional<double> vertex(double first, double second, double third, double f
                                             : std::nullopt;
 }
 
-// The extreme of a loop near its extreme sample, by a parabola. The force has a corner at a turning point, so there the
-// parabola takes samples of one side only: the side on which it has its extreme.
+// The extreme of a loop near its extreme sample, by a parabola. The force has a corner at a turning point, so the
+// parabola there uses samples of one side only, on which it has its extreme.
 double peak(const std::vector<double>& force, std::size_t at) {
   const std::size_t size = force.size();
   const auto value = [&](std::size_t offset) { return force[(at + size + offset - 2) % size]; };  // 2 is `at`

@@ -23,7 +23,7 @@ struct History {
 /// middle.) Throws std::invalid_argument where the two are not of the same length.
 PerBush<double> displacementDifference(const Bushes& components, const History& history, const History& reference);
 
-/// Write time_s and, of struts, frame_m, pitch_rad, body_m, <component>_displacement_m and <component>_force_N; of
+/// Writes time_s and, of struts, frame_m, pitch_rad, body_m, <component>_displacement_m and <component>_force_N; of
 /// others, behind the name of each component, the coordinates x_m to rz_rad and the wrench Fx_N to Mz_Nm.
 /// Throws std::runtime_error.
 void writeHistoryCsv(const std::string& path, Kind kind, const Bushes& components, const History& history);

@@ -84,7 +84,7 @@ State startOf(const Scene& scene, const Vehicle& vehicle) {
   return state;
 }
 
-// Steps that end where they are told to, and are seen one by one.
+// Makes steps end at the requested time and return one by one.
 void prepare(SimTK::Integrator& integrator, const VariableStep& options) {
   integrator.setAccuracy(options.accuracy);
   integrator.setMaximumStepSize(options.longest);

@@ -33,7 +33,7 @@ struct VariableStep {
 /// The counts of an integrator.
 struct StepCount {
   int accepted = 0;
-  int taken_back = 0;  ///< steps tried and rejected
+  int taken_back = 0;  ///< rejected trial steps
 };
 
 /// Runge-Kutta-Merson with variable steps: wrenches of trial steps, the components' memory advances with accepted ones.
@@ -42,15 +42,15 @@ struct StepCount {
 History runVariableStep(const Scene& scene, const Bushes& components, const VariableStep& options,
                         StepCount* count = nullptr);
 
-/// Poses go out, wrenches come back, one of each component; several may be under way.
+/// Exchanges poses for wrenches, one of each component; several may be in transit.
 class Exchange {
  public:
   virtual ~Exchange() = default;
 
-  /// Send the poses at a stamp [ns].
+  /// Sends the poses at a stamp [ns].
   virtual void send(std::int64_t stamp, const Poses& poses) = 0;
 
-  /// Wait for the wrenches that answer the poses sent at a stamp. Throws std::runtime_error where none come.
+  /// Waits for the wrenches that answer the poses sent at a stamp. Throws std::runtime_error where none come.
   virtual Wrenches receive(std::int64_t stamp) = 0;
 };
 

@@ -33,7 +33,7 @@ class Vehicle::BushForces final : public SimTK::Force::Custom::Implementation {
     }
   }
 
-  // Rubber keeps no account of its energy.
+  // The energy of the rubber is not computed.
   double calcPotentialEnergy(const SimTK::State& /*state*/) const override { return 0.0; }
 
  private:

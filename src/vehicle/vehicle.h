@@ -1,5 +1,5 @@
-// Vehicles on rubber components as Simbody models: half a bogie, and a body on four bushes.
-// Simbody's headers take long to compile: include this file only where the model itself is stepped.
+// Vehicles on rubber components as Simbody models: half a bogie, and a body on four bushes. Simbody's headers take long
+// to compile: include this file only to step the model itself.
 #pragma once
 
 #include <Simbody.h>
@@ -11,12 +11,12 @@
 
 namespace rubber_suspension::vehicle {
 
-/// Where a vehicle gets the wrenches of its components from.
+/// Source of the wrenches of a vehicle's components.
 class WrenchLaw {
  public:
   virtual ~WrenchLaw() = default;
 
-  /// The wrench of a component at a time [s] and pose. Called for trial steps that may be taken back.
+  /// The wrench of a component at a time [s] and pose. Called for trial steps, which may be rejected.
   virtual component::Wrench wrench(std::size_t bush, double time, const Eigen::Isometry3d& pose) = 0;
 };
 

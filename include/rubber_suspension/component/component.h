@@ -1,4 +1,4 @@
-// A component: elements in parallel, what lies between actuator and test piece, and what scales the test piece's force.
+// A component: parallel elements, effects between actuator and test piece, and factors on the test piece's force.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ class alignas(kernel::kCacheLine) ComponentState {
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
     std::vector<double> memory;     // of the test piece, which trial steps advance
-    double slope_step = kNone;      // [s], for which `slope` holds
+    double slope_step = kNone;      // [s], of `slope`
     element::ComponentForce slope;  // what a step of the linear elements adds to their forces for each metre
     double displacement = kNone;    // at the end of the last trial step [m]
     element::ComponentForce force;  // there
@@ -219,7 +219,7 @@ class Component {
   std::vector<Placed<element::ParallelElement>> rig_;
 
   std::vector<std::shared_ptr<const element::TemperatureShift>> shifts_;
-  element::Range temperatures_;  // at which all of them hold
+  element::Range temperatures_;  // at which all of them are valid
   std::size_t temperature_slot_ = 0;
 
   bool kernel_alone_ = true;  // nothing but the kernel

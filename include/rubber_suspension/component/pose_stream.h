@@ -37,7 +37,7 @@ class PoseStream : public StampedStream {
   /// Number of accepted samples beyond the stated validity.
   std::uint64_t beyondValid() const { return beyond_valid_; }
 
-  /// Continue where another stream of the same component stopped, with numbers() of its state. Throws as
+  /// Continues where another stream of the same component stopped, with numbers() of its state. Throws as
   /// SixDirections::restore() does.
   void deserialise(std::int64_t last_stamp, const std::vector<double>& numbers);
 

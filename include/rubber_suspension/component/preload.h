@@ -7,15 +7,14 @@
 
 namespace rubber_suspension::component {
 
-/// A static load of a direction: where the numbers of its specification hold, and what tables over a preload are read
-/// at.
+/// Static load of a direction: the working point of its specification and of tables over a preload.
 struct Preload {
   bool is_force = true;  ///< else a displacement
   double value = 0.0;    ///< [N, N m], or [m, rad]
 };
 
-/// A table by which the preload of one direction scales the forces of another. It is read once, at the preload that the
-/// file gives, as a factor that followed the motion would do work over closed loops.
+/// A table by which the preload of one direction scales the forces of another. It is evaluated once, at the configured
+/// preload, because a factor that followed the motion would do work over closed loops.
 struct PreloadTable {
   Direction direction = kX;      ///< that is scaled
   Direction by = kZ;             ///< whose preload does it

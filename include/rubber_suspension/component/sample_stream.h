@@ -62,7 +62,7 @@ class StampedStream {
   Acceptance judge(std::int64_t stamp, bool finite) const;
   void count(Acceptance acceptance);
 
-  /// later - earlier [ns]; both may lie anywhere, so the difference may be more than a signed number holds.
+  /// later - earlier [ns], which may exceed the range of a signed number.
   static std::uint64_t between(std::int64_t earlier, std::int64_t later) {
     return static_cast<std::uint64_t>(later) - static_cast<std::uint64_t>(earlier);
   }
@@ -118,7 +118,7 @@ class SampleStream : public StampedStream {
 
   const ComponentState& state() const { return state_; }
 
-  /// Continue where another stream of the same component stopped. Throws as Component::restore() does.
+  /// Continues where another stream of the same component stopped. Throws as Component::restore() does.
   void deserialise(std::int64_t last_stamp, double displacement, const std::vector<double>& memory);
 
  private:
@@ -128,7 +128,7 @@ class SampleStream : public StampedStream {
     double displacement;  // [m]
   };
   static constexpr std::size_t kMostSteps = 64;  // all of which are repeated where a force is not finite
-  static constexpr double kLargest = 1e30;       // [m]; beyond any component, and what a delay holds stays finite
+  static constexpr double kLargest = 1e30;       // [m]; beyond any component; the content of a delay remains finite
 
   // A time between samples that was accepted; none before the first.
   struct Interval {

@@ -1,4 +1,4 @@
-// Compliances and contacts in series with the test piece, and the displacement that they leave to it. Throws nothing.
+// Compliances and contacts in series with the test piece, and its remaining displacement. Throws nothing.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace rubber_suspension::component {
 
-/// Elements of series compliance, whose deflections under the common force F add up: z_test_piece + u(F) = z. To solve
-/// this series balance is to find the displacement of the test piece whose force fits.
+/// Elements of series compliance, whose deflections under the common force F add up: z_test_piece + u(F) = z. Solving
+/// this series balance finds the displacement of the test piece that meets it.
 class SeriesBalance {
  public:
   void add(const std::shared_ptr<const element::SeriesElement>& element);
@@ -61,7 +61,7 @@ class SeriesBalance {
 
   Equation equationOf(const kernel::BasicLawsKernel& laws, const kernel::LinearForce& linear,
                       const element::Motion& path, const double* memory) const {
-    // Compliance takes from the force without it, never its sign: that tells the side.
+    // The compliance reduces the force but keeps its sign, which determines the side.
     const double compliance =
         sides_.tension == sides_.compression
             ? sides_.tension

@@ -50,8 +50,8 @@ struct Twist {
 
 /// Parts of a component of six directions.
 struct SixDirectionsLaws {
-  /// Elements of each direction, rotations in rad and N m; none: the direction is free. Of directions that are coupled,
-  /// one that is given alone stands for all.
+  /// Elements of each direction, rotations in rad and N m; none: the direction is free. If only one of several coupled
+  /// directions is given, it applies to all.
   SixElements elements;
   Coupling translation = Coupling::rectangular;
   Coupling rotation = Coupling::rectangular;
@@ -173,7 +173,7 @@ class SixDirections {
   element::Range temperatures() const;
   void setTemperature(SixDirectionsState& state, double temperature) const;
 
-  /// Continue from SixDirectionsState::numbers(). Throws std::invalid_argument, and leaves the state as it was, as
+  /// Continues from SixDirectionsState::numbers(). Throws std::invalid_argument, without changing the state, as
   /// Component::restore() does.
   void restore(SixDirectionsState& state, const std::vector<double>& numbers) const;
 

@@ -1,15 +1,14 @@
-// A component in a simulation that tries steps and takes them back: explicit stages, rejected steps, iterations.
+// A component in a simulation with trial steps: explicit stages, rejected steps, iterations.
 #pragma once
 
 #include "rubber_suspension/component/component.h"
 
 namespace rubber_suspension::component {
 
-/// Keeps what the component remembers at the last step that the integrator has accepted; every trial starts there and
-/// leaves nothing behind. The order of calls is initialise(), then any number of attempt() and tangent(), then
-/// accept(), and so on.
+/// Stores the state at the last step that the integrator has accepted; every trial starts there and does not change it.
+/// The order of calls is initialise(), then any number of attempt() and tangent(), then accept(), and so on.
 ///
-/// From one accepted step to a trial the displacement is taken as linear. The force is then of second order in the
+/// From the accepted step to a trial the displacement is linear. The force is then of second order in the
 /// length of accepted steps, whatever the order of the integrator, and an integrator's own estimate of its error does
 /// not see that: limit its step (relaxation times and periods over about 20). A dashpot answers to the mean speed since
 /// the accepted step, which is of first order; give a viscous damper to the simulation instead where there is one.

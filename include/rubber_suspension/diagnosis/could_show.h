@@ -1,5 +1,4 @@
-// Effects that logs could have shown: each implanted into them at a stated size, and what would be found. Throws
-// nothing.
+// Effects that logs could have shown: the findings for each, implanted at a stated size. Throws nothing.
 #pragma once
 
 #include <string>
@@ -11,7 +10,7 @@ namespace rubber_suspension::diagnosis {
 struct ImplantedEffect {
   std::string effect;
   std::string outcome;                 ///< found, confounded, taken_for, unexplained, or out_of_reach; of most shapes
-  std::vector<std::string> taken_for;  ///< what would be named in its place or could not be told from it
+  std::vector<std::string> taken_for;  ///< effects named in its place or not distinguished from it
   std::vector<double> named_as;        ///< share of the shapes for which each effect of the list would be named first
   double nothing_named = 0.0;          ///< share for which none would
   double visible_share = 0.0;          ///< of its force, the part that re-estimated model parameters do not hide

@@ -1,4 +1,4 @@
-// Where the model fails, which unmodelled effect causes it, how far the gap shrinks: the diagnosis as one call.
+// The diagnosis as one call: where the model fails, which effect is missing, and how much of the gap it closes.
 #pragma once
 
 #include <array>
@@ -28,10 +28,10 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Samples that a search takes unless it is told otherwise; memory and time grow with them.
+/// Default for the most samples of a search; memory and time grow with them.
 constexpr std::size_t kMostSamples = 300000;
 
-/// A number that nothing was computed of, as for the verdict check_bench; null in report.json.
+/// Value of a number that was not computed, as for the verdict check_bench; null in report.json.
 constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
 /// The options of a diagnosis besides the component and the logs.
@@ -43,8 +43,8 @@ struct DiagnosisOptions {
   int resamplings = 400;                   ///< draws
   ExperimentLimits limits;                 ///< of the experiment that is proposed
   std::vector<std::string> excluded = {};  ///< effects that are ruled out besides those of the component
-  bool evidence = false;  ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
-  std::uint64_t available_memory = 0;  ///< that it may take [bytes]; 0: what the system has left for this process
+  bool evidence = false;  ///< the report includes the evidence: errors of every hypothesis on held-out data
+  std::uint64_t available_memory = 0;  ///< limit [bytes]; 0: what is available to this process
   /// Most samples of all logs and hold-outs that the search uses; longer logs are searched in excerpts.
   std::size_t most_samples = kMostSamples;
   bool turns = false;  ///< of a rotation: in its logs and its component m stands for rad, and N for N m
@@ -55,7 +55,7 @@ struct CandidateResult {
   std::string effect;
   std::string documentation;
   bool on_rig = false;
-  double probability = 0.0;  ///< of all sets that hold this effect
+  double probability = 0.0;  ///< of all sets with this effect
   double gap = 0.0;          ///< held out, with this effect alone added
   double closed = 0.0;       ///< fraction of the closable gap
   /// 95 % interval of `closed` on further logs of the same rig.
@@ -68,14 +68,14 @@ struct CandidateResult {
   bool written = false;
 };
 
-/// An explanation of the logs beside the one that is told.
+/// Another explanation of the logs than the reported one.
 struct Alternative {
   Verdict verdict = Verdict::none;   ///< `named` for a set of effects
   std::vector<std::string> effects;  ///< the set
   double probability = 0.0;
 };
 
-/// An effect that was ruled out, with the probability that it would have otherwise.
+/// An excluded effect, with the probability that it would have otherwise.
 struct ExcludedEffect {
   std::string effect;
   double probability_otherwise = 0.0;
@@ -96,21 +96,21 @@ struct MissingForce {
   std::vector<double> velocity;      ///< edges [m/s]
   /// Cells row by row along the velocity; where there are too few samples not a number.
   std::vector<double> measured;   ///< measured less augmented force [N]
-  std::vector<double> surrogate;  ///< what the surrogate adds to the augmented force [N]
+  std::vector<double> surrogate;  ///< force of the surrogate [N]
   std::vector<int> samples;
 };
 
-/// A component that closes a rest that no effect explains, without a claim to its cause.
+/// A component that closes a gap that no effect explains, without stating a cause.
 struct Surrogate {
   io::ComponentDescription component;  ///< the augmented one with a `residual` on top
   double gap = 0.0;                    ///< of the logs as they are, which `replay` of the component gives
   double unseen_before = 0.0;  ///< gap of the augmented component on logs or blocks that took no part in the fit
   double unseen_after = 0.0;   ///< the same with surrogates that were fitted without them
-  double share = 0.0;          ///< of the squared rest beyond the noise, that these predict
-  double chance = 1.0;         ///< that they would seem to predict some of it if they could not
-  bool beyond_chance = false;  ///< that they predict some of it is no chance
-  bool function_of_the_motion = false;  ///< the larger part of the rest is predicted, beyond chance
-  MissingForce missing;                 ///< what it is fitted to
+  double share = 0.0;          ///< of the squared residual beyond the noise that these predict
+  double chance = 1.0;         ///< p-value of their prediction
+  bool beyond_chance = false;  ///< the prediction is significant
+  bool function_of_the_motion = false;  ///< the larger part of the residual is predicted, significantly
+  MissingForce missing;                 ///< the force that it is fitted to
 };
 
 /// Errors of the characteristics on held-out data, relative RMS over windows.
@@ -137,17 +137,17 @@ struct Admission {
   double noise = kNotComputed;        ///< floor in units of the force's standard deviation
   double repeats = 0.0;               ///< share of the log that repeats an earlier motion
   double recorded = kNotComputed;     ///< gap of the augmented component to the log as recorded
-  double left = kNotComputed;         ///< the same once what the rig did to the log is taken out
+  double left = kNotComputed;         ///< the same without the errors of the rig
   std::optional<LogRating> rating;    ///< of a log that was judged
   std::vector<std::string> notes;
 };
 
-/// The part of one kind that was taken out of a log before a model was held against it.
+/// Errors of one kind that were removed from a log before it was compared with a model.
 struct TakenOut {
   std::string log;
   std::string kind;  ///< spikes, zero, drift, delay, gain, displacement_zero, initial_state
-  /// Root of what it has of the mean squared residual, over the force's standard deviation; less than 0 where the
-  /// residual grew. The squares of a log, each with its sign, add up to recorded^2 - left^2 of its Admission.
+  /// Root of its part of the mean squared residual, over the force's standard deviation; negative if the residual grew.
+  /// The squares of a log, each with its sign, add up to recorded^2 - left^2 of its Admission.
   double share = 0.0;
 };
 
@@ -169,7 +169,7 @@ struct RunRecord {
   std::vector<InputFile> files;
 };
 
-/// A number of the judged model with what the logs leave open.
+/// A number of the judged model with its uncertainty.
 struct SizedValue {
   std::string owner;  ///< "specification", the type of an element, or the effect that it belongs to
   std::string name;
@@ -178,7 +178,7 @@ struct SizedValue {
   double value = 0.0;
   std::array<double, 2> interval_95{};  ///< posterior predictive: logs, form of the law and choice of the law
   std::array<bool, 2> at_bound{};       ///< whether an end of it is a bound of the fit
-  std::string text = {};                ///< of a number of a file: as it stands there; empty: in full
+  std::string text = {};                ///< for a number of a file: its text there; empty: in full
 };
 
 /// The part of the gap as configured that values or one effect remove.
@@ -211,7 +211,7 @@ struct ProposedExperiment {
   double dt = 0.0;                   ///< [s]
   std::vector<double> displacement;  ///< [m], at even steps; empty: none is proposed
   std::string decides;               ///< the explanation judged, by its effects
-  std::vector<std::string> against;  ///< those that it is to be told from
+  std::vector<std::string> against;  ///< its competitors
   double difference = 0.0;   ///< were it right: RMS force by which the nearest other, refitted, would be off there [N]
   double open_before = 0.0;  ///< entropy of the names: of each effect, whether it is at work [bit]
   double open_after = 0.0;   ///< the same, expected once the log is among those diagnosed [bit]
@@ -249,7 +249,7 @@ struct DiagnosedTable {
   std::vector<std::string> notes;
 };
 
-struct BenchEvidence;  // what the report draws of logs that cannot be what they say
+struct BenchEvidence;  // figures of logs that fail the checks of the bench
 struct Workings;       // what the report draws and lists besides: every hypothesis that was tried, the simulated forces
 
 /// The answer of the judgement, with the names of effects.
@@ -266,7 +266,7 @@ struct Answered {
 
 /// Reduction of the gap.
 struct Gaps {
-  Gap unseen;                    ///< what the rig did to each log taken out
+  Gap unseen;                    ///< without the errors of the rig
   double closed = kNotComputed;  ///< fraction of the closable gap
   /// 95 %, of further logs of the same rig where effects are named.
   std::array<double, 2> closed_interval = {kNotComputed, kNotComputed};
@@ -282,10 +282,11 @@ struct LeftOfLog {
   std::string log;
   double configured = 0.0;
   double written = 0.0;
-  double allowed = 0.0;  ///< by which the square of the second may be above that of the first
+  double allowed = 0.0;  ///< allowed excess of the second squared gap over the first
 };
 
-/// An effect that is named and not written: with it, the file would leave more of a log than the configured component.
+/// An effect that is named but not written, because the file would have a larger gap on a log than the configured
+/// component.
 struct Withheld {
   std::string effect;   ///< "values" for the re-estimated ones
   std::string log;      ///< the one with the largest excess; "all logs" where it is the sum of all
@@ -324,7 +325,7 @@ struct OwnParameters {
   bool guess = false;                            ///< the data sheet is a guess: its values are identified
 };
 
-/// The logs, and what was taken out of each.
+/// The logs, and the errors removed from each.
 struct AdmittedLogs {
   std::vector<Admission> admission;
   std::vector<TakenOut> taken_out;  ///< log by log
@@ -357,7 +358,7 @@ struct Diagnosis {
   std::vector<GapShare> shares;
   std::vector<CandidateResult> candidates;  ///< most probable first
   Where where;
-  CouldShow could_show;  ///< what these logs would have shown of each effect
+  CouldShow could_show;  ///< effects that these logs could have shown
   NextStep next;
   io::ComponentDescription configured;
   io::ComponentDescription re_estimated;
@@ -365,7 +366,7 @@ struct Diagnosis {
   bool write_full_law = false;                        ///< the report has augmented_full.yaml
   std::optional<Surrogate> surrogate;                 ///< for the verdicts unknown and partly
   std::optional<DiagnosedTable> table;                ///< empty where it was made from logs
-  std::vector<measurement::RigFinding> rig_findings;  ///< what the rig did to each log
+  std::vector<measurement::RigFinding> rig_findings;  ///< errors of the rig
   Samples samples;
   AdmittedLogs logs;
   OwnParameters parameters;
@@ -382,7 +383,7 @@ inline bool hasComponentFile(const Diagnosis& diagnosis) {
   return diagnosis.workings != nullptr && diagnosis.defect.empty();
 }
 
-/// Diagnose one component. Logs in the order of recording, on one component; each hold-out starts with a new one.
+/// Diagnoses one component. Logs in the order of recording, on one component; each hold-out starts with a new one.
 /// Without hold-outs the gaps are those of blocks that took no part in the fit (cross validation). Logs with more
 /// samples than the options allow are searched in excerpts, each of which is a log in the report; `gap_as_recorded` is
 /// of the whole logs. Throws LogError for a log that cannot be used, or where all of them take more memory than there
@@ -398,14 +399,13 @@ Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSour
 /// The report as JSON text, schema rubber_suspension/gap_report/1.
 std::string toJson(const Diagnosis& diagnosis);
 
-/// The errors that every hypothesis leaves, of which the judgement is made, as JSON text; empty where they were not
-/// asked for.
+/// The errors of every hypothesis, on which the judgement is based, as JSON text; empty unless requested.
 std::string evidenceJson(const Diagnosis& diagnosis);
 
 /// Names of the files that a report may consist of, the page last.
 std::vector<std::string> reportFiles();
 
-/// Write the report into a folder, which is made: report.json, augmented.yaml, augmented_full.yaml where it was asked
+/// Writes the report into a folder, which is made: report.json, augmented.yaml, augmented_full.yaml where it was asked
 /// for, next_experiment.csv, surrogate.yaml and missing_force.csv where there is a surrogate, evidence.json where it
 /// was asked for, and the numbers of its figures. None takes its name before all are written. Before that the page of
 /// an earlier report is removed, with whatever else that report left there and this one lacks. Throws

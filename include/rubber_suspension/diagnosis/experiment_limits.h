@@ -26,8 +26,8 @@ struct ExperimentLimitInfo {
 
 const std::vector<ExperimentLimitInfo>& experimentLimitTable();
 
-/// Set what `--limits KEY=VALUE` says, as "stroke=20 mm". Throws std::invalid_argument that names key, value and what
-/// is accepted.
+/// Applies `--limits KEY=VALUE`, such as "stroke=20 mm". Throws std::invalid_argument that names key, value and what is
+/// accepted.
 void setExperimentLimit(ExperimentLimits& limits, const std::string& assignment);
 
 }  // namespace rubber_suspension::diagnosis

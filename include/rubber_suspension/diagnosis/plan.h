@@ -17,7 +17,7 @@ struct PlanOptions {
   int threads = 2;
 };
 
-/// A programme as the component of the plan would take it.
+/// A programme with the response of the component.
 struct PlannedLog {
   std::string log;
   double duration = 0.0;              ///< [s]
@@ -48,7 +48,7 @@ std::string toJson(const Plan& plan);
 /// Names of the files of a plan.
 std::vector<std::string> planFiles();
 
-/// Write plan.json and then plan.html, a page that needs no network, into a folder, which is made. Returns the reason
+/// Writes plan.json and then plan.html, a page that needs no network, into a folder, which is made. Returns the reason
 /// in one line where no page is drawn; empty where one is. Throws std::runtime_error.
 std::string writePlan(const Plan& plan, const std::string& folder);
 

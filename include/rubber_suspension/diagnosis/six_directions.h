@@ -1,5 +1,5 @@
-// The diagnosis of a component of six directions: each one that is named by itself, the others as given motion, and a
-// map of which displacement predicts what is left of which force.
+// The diagnosis of a component of six directions: each selected one by itself, with the others as given motion, and a
+// map of which displacement predicts the residual of which force.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// A row's residual and a column's displacement of the cross map. The residual is what the augmented component leaves
-/// of the measured generalised force of `of`. Its `share` is predicted by a cubic function of the displacements of `of`
-/// and `by` together and of the rate of `of` times that of `by`, beyond cubics of the displacement and the rate of `of`
-/// alone; on parts of the logs that took no part in the fit of these functions.
+/// A row's residual and a column's displacement of the cross map. The residual is that of the augmented component in
+/// the generalised force of `of`. Its `share` is predicted by a cubic function of the displacements of `of` and `by`
+/// together and of the rate of `of` times that of `by`, beyond cubics of the displacement and the rate of `of` alone;
+/// on parts of the logs that took no part in the fit of these functions.
 struct CrossShare {
   component::Direction of = component::kX;
   component::Direction by = component::kY;
-  double share = 0.0;  ///< of the squared residual [-]; not a number where `by` stands still, or moves as `of` does
+  double share = 0.0;  ///< of the squared residual [-]; NaN if `by` does not move, or moves as `of` does
   double force = 0.0;  ///< RMS of what is predicted [N, N m]; likewise
 };
 
@@ -40,8 +40,8 @@ struct SixDirectionsDiagnosis {
 /// radius: of coupled directions no force belongs to one alone.
 void requireDirections(const io::ComponentDescription& component, const std::vector<component::Direction>& directions);
 
-/// Diagnose directions of a component of six, each as diagnose() does it, with its own generalised force divided by its
-/// factor of stiffness_by_preload. Throws as diagnose() and requireDirections() do, LogError also for a log without
+/// Diagnoses directions of a component of six, each as diagnose() does it, with its own generalised force divided by
+/// its factor of stiffness_by_preload. Throws as diagnose() and requireDirections() do, LogError also for a log without
 /// wrenches.
 SixDirectionsDiagnosis diagnoseDirections(const io::ComponentDescription& component,
                                           const std::vector<component::Direction>& directions,
@@ -49,7 +49,7 @@ SixDirectionsDiagnosis diagnoseDirections(const io::ComponentDescription& compon
                                           const std::vector<log::PoseLog>& hold_out,
                                           const DiagnosisOptions& options = {});
 
-/// The pairs of the map that say something, as a sentence, and the map as a table for a terminal.
+/// Returns the coupled pairs of the map as a sentence, and the map as a table for a terminal.
 std::string crossMapSentence(const SixDirectionsDiagnosis& diagnosis);
 std::string crossMapText(const SixDirectionsDiagnosis& diagnosis);
 
@@ -59,7 +59,7 @@ std::string toJson(const SixDirectionsDiagnosis& diagnosis);
 /// Names of the files beside the folders of the directions.
 std::vector<std::string> sixDirectionsFiles();
 
-/// Write report.json, augmented.yaml and report.html into a folder, and the report of each direction into a folder of
+/// Writes report.json, augmented.yaml and report.html into a folder, and the report of each direction into a folder of
 /// its name in it. Returns the reason in one line where no page is drawn; empty where all are. Throws
 /// std::runtime_error.
 std::string writeReports(const SixDirectionsDiagnosis& diagnosis, const std::string& folder);

@@ -8,10 +8,10 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Fewest rows that a diagnosis takes: with fewer, nothing is left to test a hypothesis on.
+/// Fewest rows for a diagnosis; fewer cannot test a hypothesis.
 constexpr std::size_t kFewestRows = 6;
 
-/// Diagnose one component from a table. Search and judgement are those of logs; residuals are those of K*
+/// Diagnoses one component from a table. Search and judgement are those of logs; residuals are those of K*
 /// (fit::gapOfTable()), and what takes no part in a fit are rows. Effects that no table shows are never named
 /// (DiagnosedTable::never_shown). Throws std::invalid_argument for a table or a component that cannot be used.
 Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,

@@ -10,14 +10,14 @@ enum class Verdict {
   none,             ///< no gap beyond noise
   parameter_error,  ///< the model's own values are wrong, and nothing is missing
   named,            ///< effects of the list are missing
-  confounded,       ///< likewise, and the logs cannot tell which
+  confounded,       ///< likewise, but the logs do not decide which
   unknown,          ///< something is missing, and it is not in the list
   partly,           ///< effects of the list are missing, and something else
   check_bench,      ///< a log has a wrong sign, unit, column or component
-  defect            ///< the report would contradict itself, and tells nothing
+  defect            ///< the report would contradict itself, and states no result
 };
 
-/// As in reports.
+/// Returns the word of reports.
 std::string toString(Verdict verdict);
 
 /// Throws std::invalid_argument for a word that no report has.
@@ -25,10 +25,10 @@ Verdict verdictOf(const std::string& word);
 
 std::ostream& operator<<(std::ostream& stream, Verdict verdict);
 
-/// True for those that name effects.
+/// True for verdicts that name effects.
 bool namesEffects(Verdict verdict);
 
-/// True for those that leave a rest without a cause.
+/// True for verdicts with a residual of unknown cause.
 bool leavesRest(Verdict verdict);
 
 }  // namespace rubber_suspension::diagnosis

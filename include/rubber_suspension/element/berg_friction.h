@@ -12,10 +12,10 @@ namespace rubber_suspension::element {
 /// The side of a branch's reference point that the motion is on, made ready for many samples.
 struct BergSide {
   double direction = 0.0;  ///< of the motion; 0: there is no branch, and no motion keeps it
-  double left = 0.0;       ///< what is left of the reference force to F_max or -F_max [N]
+  double left = 0.0;       ///< difference of the reference force to F_max or -F_max [N]
   double reach = 1.0;      ///< z2 (1 -+ mu), kept above 0 [m]
 
-  /// Force [N] that a travel [m] from the reference point, taken without its sign, adds to that there.
+  /// Change of the force [N] over an absolute travel [m] from the reference point.
   double rise(double travel) const { return travel * left / (reach + travel); }
 };
 
@@ -54,10 +54,10 @@ class BergFriction final : public ParallelElement {
     return true;
   }
 
-  /// Start on the settled loop of this amplitude at its lower reversal point: z = centre - amplitude, F = -F_f0.
+  /// Starts on the settled loop of this amplitude at its lower reversal point: z = centre - amplitude, F = -F_f0.
   double startSettled(double amplitude, double centre, double* memory) const;
 
-  /// Advance to a displacement [m]; returns the force [N]. Rate does not matter.
+  /// Advances to a displacement [m]; returns the force [N]. Rate does not matter.
   double advance(double displacement, double* memory) const {
     move(displacement, memory);
     return branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
@@ -81,18 +81,18 @@ class BergFriction final : public ParallelElement {
     return (displacement - memory[kExtremum]) * branch.direction > 0.0;
   }
 
-  /// Continue a branch in its direction to a displacement [m]; returns the force [N].
+  /// Continues a branch in its direction to a displacement [m]; returns the force [N].
   static double continueTo(const BergSide& branch, double displacement, double* memory) {
     memory[kExtremum] = displacement;
     return memory[kReferenceForce] + branch.rise(std::abs(displacement - memory[kReferenceDisplacement]));
   }
 
-  /// Move along displacements [m] up to, and without, the first that reverses the motion; returns how many these
+  /// Moves along displacements [m] up to, and without, the first that reverses the motion; returns how many these
   /// are. The force at each is branch().
   std::size_t followUntilReversal(const double* displacement, std::size_t count, double* memory) const;
 
-  /// Reverse at a displacement [m] that the branch has led to: it becomes the reference point. The extremum is then the
-  /// caller's to set.
+  /// Reverses at a displacement [m] that the branch has led to: it becomes the reference point. The extremum is then
+  /// the caller's to set.
   void reverseAt(double reversal_point, double* memory) const {
     const double force = branch(reversal_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
     memory[kReferenceForce] = std::clamp(force, -maximum_force_, maximum_force_);  // against rounding
@@ -127,7 +127,7 @@ class BergFriction final : public ParallelElement {
     return {travel, left, compliance_ * std::abs(left) + kTiny};
   }
 
-  /// Bring the memory to a displacement [m].
+  /// Brings the memory to a displacement [m].
   void move(double displacement, double* memory) const {
     const double beyond = (displacement - memory[kExtremum]) * memory[kDirection];
     if (beyond > 0.0) {
@@ -137,7 +137,7 @@ class BergFriction final : public ParallelElement {
     }
   }
 
-  /// Start from rest, or from a reversal point once the motion has backed off far enough.
+  /// Starts from rest, or from a reversal point once the motion has backed off far enough.
   void reverse(double displacement, double travel_back, double* memory) const {
     if (memory[kDirection] == 0.0) {
       if (displacement != memory[kReferenceDisplacement]) {

@@ -58,8 +58,8 @@ const std::vector<ElementType>& elementTypes();
 /// The law of that name, or nullptr.
 const ElementType* findElementType(const std::string& name);
 
-/// Check an entry against its table, fill in defaults, make the law.
-/// Throws std::invalid_argument that names type, parameter, value and what is accepted.
+/// Checks an entry against its table, fills in defaults and makes the law. Throws std::invalid_argument that names
+/// type, parameter, value and what is accepted.
 ElementPointer makeElement(const ElementDescription& description);
 
 /// True if an entry belongs to the rig, not to the rubber: it is marked so, or is an effect of the measuring chain.

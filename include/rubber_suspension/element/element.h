@@ -1,4 +1,4 @@
-// The interfaces that every law implements; a law keeps its parameters, its memory is handed in. No law throws.
+// The interfaces that every law implements; a law has its parameters, the caller its memory. No law throws.
 #pragma once
 
 #include <algorithm>
@@ -54,33 +54,34 @@ class Element {
 
   virtual Action action() const = 0;
 
-  /// True for what belongs to the rig (fixture mass, load cell): it sees the actuator's displacement, and effects on
-  /// the test piece's force pass it by.
+  /// True for parts of the rig (fixture mass, load cell): they follow the actuator's displacement, without effects on
+  /// the test piece's force.
   virtual bool onRig() const { return false; }
 
-  /// True for what the measuring chain does to a signal (delay, gain, zero, drift): never a part of the rubber.
+  /// True for effects of the measuring chain on a signal (delay, gain, offset, drift), which are never part of the
+  /// rubber.
   virtual bool ofMeasuringChain() const { return false; }
 
-  /// True where the force is linear in the displacement's history, but for a constant or a trend.
+  /// True if the force is linear in the displacement's history, except for a constant or a trend.
   virtual bool linear() const = 0;
 
-  /// True where, from rest on, it never gives back more energy than it was given, by itself or on a passive test piece.
-  /// Active are: faults of a measuring chain, which have forces of their own or shift them in time; a part of a
-  /// characteristic that needs a spring beside it; a test piece that is loaded cold and unloaded hot.
+  /// True if, from rest on, it never returns more energy than it received, by itself or on a passive test piece. Active
+  /// are errors of a measuring chain, which add or shift forces; parts of a characteristic that need a parallel spring;
+  /// and a test piece that is loaded cold and unloaded hot.
   virtual bool passive() const { return true; }
 };
 
 /// A law whose force adds to that of the others: spring, dashpot, Maxwell element, friction, ...
 class ParallelElement : public Element {
  public:
-  /// Initialise the memory for a component at rest at this displacement [m], relaxed since long; returns the force [N].
-  /// Zeros and no force, unless a law says otherwise.
+  /// Initialises the memory for a component at rest at this displacement [m], relaxed since long; returns the force
+  /// [N]. Zeros and no force, unless a law says otherwise.
   virtual double initialise(double /*displacement*/, double* memory) const {
     std::fill_n(memory, memorySize(), 0.0);
     return 0.0;
   }
 
-  /// Bring the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
+  /// Brings the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
   /// force there [N].
   virtual double relax(double displacement, double* memory) const { return initialise(displacement, memory); }
 
@@ -89,8 +90,7 @@ class ParallelElement : public Element {
 
   virtual Part part() const = 0;
 
-  /// Add the law to a sum of basic laws where it is one: then a component steps it with all others of them at once.
-  /// False for any other law, and nothing has happened.
+  /// Adds a basic law to a sum, which a component steps at once. Returns false, without effect, for any other law.
   virtual bool addTo(BasicLaws& /*sum*/) const { return false; }
 
   /// K*(omega) [N/m] at angular frequency omega [rad/s] of a linear law; nothing for a nonlinear one.
@@ -106,10 +106,10 @@ class DisplacementEffect : public Element {
   /// As ParallelElement::initialise; returns the displacement behind the effect [m].
   virtual double initialise(double displacement, double* memory) const = 0;
 
-  /// Advance over one step and return the displacement behind the effect at its end [m].
+  /// Advances over one step and returns the displacement behind the effect at its end [m].
   virtual double step(const Motion& motion, double* memory) const = 0;
 
-  /// True for what a sensor does (delay): it comes before all that is between actuator and test piece.
+  /// True for effects of a sensor (delay), which precede all others between actuator and test piece.
   virtual bool ofSensor() const { return false; }
 
   /// Factor on the displacement under a sine, of a linear law; nothing for a nonlinear one.
@@ -122,18 +122,18 @@ class DisplacementEffect : public Element {
 /// A law that scales the force of the test piece by its history: stress softening, self-heating.
 class ForceEffect : public Element {
  public:
-  /// Initialise the memory for a new test piece at rest at this displacement [m]; the factor is then 1, or
+  /// Initialises the memory for a new test piece at rest at this displacement [m]; the factor is then 1, or
   /// the constant one.
   virtual void initialise(double displacement, double* memory) const = 0;
 
-  /// Bring the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
+  /// Brings the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
   /// factor on the force there.
   virtual double relax(double displacement, double* memory) const {
     initialise(displacement, memory);
     return 1.0;
   }
 
-  /// Advance over one step; returns the factor on the force of the test piece, `force` being that without the effect.
+  /// Advances over one step; returns the factor on the force of the test piece, `force` being that without the effect.
   virtual double step(const Motion& motion, const ComponentForce& force, double* memory) const = 0;
 
   /// Returns the factor of a law with a constant one, else nullopt.
@@ -143,7 +143,7 @@ class ForceEffect : public Element {
   bool linear() const final { return constantFactor().has_value(); }
 };
 
-/// Series compliance: an elastic law in series with the whole test piece, as a bracket or rig that yields.
+/// Series compliance: an elastic law in series with the whole test piece, such as a compliant bracket or rig.
 class SeriesElement : public Element {
  public:
   /// Deflection per force [m/N]; infinite for a contact that opens.

@@ -1,4 +1,4 @@
-// The values that a user may write for a parameter: one table from which checks, errors and reference pages follow.
+// Table of the admissible values of parameters, for checks, errors and reference pages.
 #pragma once
 
 #include <limits>
@@ -47,11 +47,11 @@ std::string toString(Role role);
 struct ParameterInfo {
   std::string name;           ///< the YAML key
   std::string unit;           ///< SI unit in UDUNITS spelling, "1" for none; fixes the dimension
-  Role role;                  ///< what it does to the force
+  Role role;                  ///< effect on the force
   Range range;                ///< admissible values, in that unit
   std::string documentation;  ///< one sentence for reference page and errors
   std::optional<double> default_value = std::nullopt;  ///< absent: the parameter is required
-  bool is_list = false;                                ///< takes a list of numbers in place of one
+  bool is_list = false;                                ///< a list of numbers in place of one
 };
 
 /// The row of that name, or nullptr.

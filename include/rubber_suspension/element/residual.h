@@ -1,4 +1,4 @@
-// Surrogate for the force that no other element explains: learned from logs, linear in its weights, bounded.
+// Surrogate for a residual force: fitted to logs, linear in its weights, bounded.
 #pragma once
 
 #include <Eigen/Core>
@@ -59,10 +59,10 @@ class ResidualBasis {
     kMemorySize = kTurn + 5 * kResonators,
   };
 
-  /// Initialise the memory for a component at rest at this displacement [m], relaxed since long.
+  /// Initialises the memory for a component at rest at this displacement [m], relaxed since long.
   void initialise(double displacement, double* memory) const;
 
-  /// Advance the memory over one step: of second order in its length (the amplitude of first), and stable for any.
+  /// Advances the memory over one step: of second order in its length (the amplitude of first), and stable for any.
   void advance(const Motion& motion, double* memory) const;
 
   /// Number of functions: products, characteristic, resonators.

@@ -9,14 +9,14 @@
 
 namespace rubber_suspension::element {
 
-/// A spring k in series with a slider that holds up to the displacement y of the spring.
+/// A spring k in series with a slider that sticks up to the displacement y of the spring.
 struct JenkinsSlider {
   double yield_displacement;  ///< y [m]
   double stiffness;           ///< k [N/m]
 
   double maximumForce() const { return stiffness * yield_displacement; }  ///< [N]
 
-  /// Force [N] at a displacement [m]. `slider` is where the slider stands [m]; it is pulled along beyond yield.
+  /// Force [N] at a displacement [m]. `slider` is the position of the slider [m], which moves beyond yield.
   double advance(double displacement, double& slider) const {
     if (displacement - slider > yield_displacement) {
       slider = displacement - yield_displacement;

@@ -1,4 +1,4 @@
-// The interface of laws by which temperature moves a test piece along the axes of time and force. Throws nothing.
+// The interface of laws by which temperature shifts time and force of a test piece. Throws nothing.
 #pragma once
 
 #include "rubber_suspension/element/element.h"
@@ -10,8 +10,8 @@ constexpr double kZeroCelsius = 273.15;  ///< 0 degC [K]
 
 /// Factors of time-temperature superposition: K*(omega, T) = b_T K*(a_T omega, T_0).
 struct Shift {
-  double time = 1.0;   ///< a_T: what takes 1 s at T_0 takes a_T s
-  double force = 1.0;  ///< b_T, on all that the test piece holds
+  double time = 1.0;   ///< a_T: a process of 1 s at T_0 lasts a_T s
+  double force = 1.0;  ///< b_T, on the force of the test piece
 };
 
 /// A law of temperature. Several shift one after the other: their factors multiply.
@@ -27,17 +27,17 @@ class TemperatureShift : public Element {
   /// The factors at a temperature [degC] within temperatures().
   virtual Shift at(double temperature) const = 0;
 
-  /// Where the law holds [degC].
+  /// Range in which the law is valid [degC].
   virtual Range temperatures() const = 0;
 
   Action action() const final { return Action::shifts_with_temperature; }
   /// At constant temperature.
   bool linear() const final { return true; }
-  /// A component loaded cold and unloaded hot gives back another energy than it took.
+  /// A component loaded cold and unloaded hot does not return the energy that it received.
   bool passive() const final { return false; }
 };
 
-/// Slower or faster than this, in decades, no law holds.
+/// Largest shift in decades at which a law is valid.
 constexpr double kMostDecades = 20.0;
 
 /// The range in both.

@@ -24,16 +24,17 @@ double compressionFactor(double shape_factor);
 
 enum class LoadDirection { compression, shear };
 
-/// The table of everything that `data_sheet:` may hold beside the keys of a specification.
+/// The table of the keys of `data_sheet:` besides those of a specification.
 const std::vector<element::ParameterInfo>& dataSheetParameters();
 
 struct DataSheetResult {
   Model model;
   Specification specification;
-  std::vector<std::string> notes;  ///< what was derived, how, and how far it can be trusted
+  std::vector<std::string> notes;  ///< derivations and their reliability
 };
 
-/// Turn a data sheet into a specification; numbers by the names of dataSheetParameters() and specificationParameters().
+/// Turns a data sheet into a specification; numbers by the names of dataSheetParameters() and
+/// specificationParameters().
 ///
 /// - static_stiffness may be replaced by shore_a, loaded_area, layer_thickness, shape_factor (and layers): in
 ///   compression E (1 + 2 S^2) A/(n t), in shear G A/(n t) with G = E/3 and S >= 1, below which bending counts;

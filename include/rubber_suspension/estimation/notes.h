@@ -11,8 +11,8 @@ namespace rubber_suspension::estimation {
 /// One sentence each. Throws std::out_of_range where an input that the model needs is missing.
 std::vector<std::string> estimationNotes(Model model, const Specification& specification);
 
-/// Values of a specification that are legal and odd, such as a slip of a unit: one sentence each, which begins with the
-/// key. Empty for the model `elements`. Throws nothing.
+/// Valid but suspicious values of a specification, such as a wrong unit: one sentence each, which begins with the key.
+/// Empty for the model `elements`. Throws nothing.
 std::vector<std::string> specificationWarnings(const Specification& specification);
 
 }  // namespace rubber_suspension::estimation

@@ -1,4 +1,4 @@
-// From what a data sheet says to the elements of a model: the specification, the models, the estimation.
+// From a data sheet to the elements of a model: specification, models, estimation.
 #pragma once
 
 #include <algorithm>
@@ -114,9 +114,9 @@ class Specification {
   const std::vector<Values>& preloads() const { return preloads_; }
   void setPreloads(std::vector<Values> preloads) { preloads_ = std::move(preloads); }
 
-  /// The units in which errors and warnings speak of values; SI for those that are not named. They change no value.
+  /// Sets the units of values in errors and warnings, by default SI. They change no value.
   void writeIn(Units units) { units_ = std::make_shared<const Units>(std::move(units)); }
-  /// The unit in which to speak of the parameter of that name.
+  /// Returns the unit for the parameter of that name in messages.
   WrittenUnit writtenUnit(std::string_view name) const;
 
  private:
@@ -137,13 +137,13 @@ class Specification {
 /// Displacement z_0 [m] of the working point. Throws std::invalid_argument where nominal_force has none.
 double nominalDisplacement(const Specification& specification);
 
-/// The table of all numbers that `specification:` may hold.
+/// The table of all numbers of `specification:`.
 const std::vector<element::ParameterInfo>& specificationParameters();
 
 /// True for a number that a sheet states of the component and that may be wrong: no working point, no choice.
 bool isOfSheet(std::string_view name);
 
-/// The keys that a model takes from its specification.
+/// The keys of a model's specification.
 struct ModelInfo {
   Model model;
   std::string documentation;

@@ -13,7 +13,7 @@ struct StaticCurve {
   std::vector<double> displacement;  ///< increasing [m]
   std::vector<double> force;         ///< [N]
   bool monotone = false;             ///< falling forces are refused
-  bool scales = true;  ///< Maxwell elements and dashpots of the model take the slope of the curve at each displacement
+  bool scales = true;  ///< Maxwell elements and dashpots scale with the slope of the curve at each displacement
 
   /// Throws std::invalid_argument that begins with "static_curve" on lists that are no curve, and on a slope that is
   /// not positive where monotone or scales asks for that.

@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::estimation {
 
-/// A point of a fit and by how much the component misses it.
+/// A point of a fit and the misfit of the component.
 struct PointMisfit {
   SpecifiedPoint point;
   double stiffness = 0.0;   ///< of the component there [N/m]

@@ -15,8 +15,8 @@ struct IdentificationOptions {
   int starts = 8;                 ///< first as given, the others spread over what the log can show
   std::vector<std::string> held;  ///< parameters to keep, as "maxwell.break_frequency"
   unsigned seed = 1;              ///< of the starts
-  /// For each log, what its rig may have added to the force besides the constant that all have in common: columns over
-  /// its samples, whose shares are found along. Empty: nothing.
+  /// Columns over the samples of each log for errors of its rig besides the common offset, whose factors are fitted,
+  /// too. Empty: none.
   std::vector<Eigen::MatrixXd> rig;
 };
 
@@ -32,7 +32,7 @@ struct IdentifiedParameter {
   bool determined = true;  ///< false: at a limit of the search, or an interval wider than a factor of 2 to either side
 };
 
-/// A combination of parameters that the log hardly shows: along it the force stays the same within the noise.
+/// A combination of parameters that the log hardly determines: along it the force changes by less than the noise.
 struct UndeterminedDirection {
   double standard_deviation = 0.0;  ///< of ln(parameter) along the direction; inf where nothing shows it
   std::vector<std::pair<std::string, double>> weights;  ///< relative changes of the parameters, largest is 1

@@ -10,11 +10,11 @@ namespace rubber_suspension::fit {
 
 /// One measured sine: dynamic stiffness and loss angle of its settled loop (Polach, IAVSD 2015, Eqs. 1 and 2).
 struct TablePoint {
-  double frequency = 0.0;   ///< [Hz]
-  double amplitude = 0.0;   ///< half of peak to peak [m]
-  double stiffness = 0.0;   ///< [N/m]
-  double loss_angle = 0.0;  ///< [rad]
-  double mean = 0.0;        ///< displacement that the sine swings about: where the preload holds it [m]
+  double frequency = 0.0;                            ///< [Hz]
+  double amplitude = 0.0;                            ///< half of peak to peak [m]
+  double stiffness = 0.0;                            ///< [N/m]
+  double loss_angle = 0.0;                           ///< [rad]
+  double mean = 0.0;                                 ///< mean displacement under the preload [m]
   std::optional<double> temperature = std::nullopt;  ///< [degC]
 
   /// K exp(i delta) [N/m].
@@ -28,7 +28,7 @@ struct MeasuredTable {
   std::vector<std::string> notes;  ///< of its reading: columns that were ignored
   /// Standard deviation of a row's K*, RMS of |K*_measured - K*_true|/|K*|, where the laboratory states it.
   std::optional<double> uncertainty = std::nullopt;
-  bool accept_units = false;  ///< no check shall doubt the units of its stiffness
+  bool accept_units = false;  ///< the units of its stiffness are not checked
 };
 
 /// Throws std::invalid_argument for a point that is no loop, by its numbers and what would be accepted.

@@ -1,4 +1,4 @@
-// The gap between measured and simulated force, and what of it is beyond the noise floor: the one definition.
+// Definition of the gap between measured and simulated force, and of its part above the noise floor.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,7 +28,7 @@ double residualAboveFloor(double gap, double floor);
 /// opens the gap. At most kMostClosed; 0 where there is nothing to close.
 double closedFraction(double before, double after, double floor);
 
-/// More than all is closed where the floor was taken for higher than it is.
+/// More than all can be closed if the floor was overestimated.
 constexpr double kMostClosed = 1.1;
 
 /// Mean squared residual of a part of a log in units of its force's variance, the part's weight, and its log's place.
@@ -41,7 +41,7 @@ struct PartError {
 /// Gap over all parts: the root of the weighted mean of their squares.
 double gapOfParts(const std::vector<PartError>& parts);
 
-/// Unknowns that a log has for itself, by their columns over its samples, and the penalty on their squares.
+/// Unknowns of a single log, by their columns over its samples, and the penalty on their squares.
 struct OwnUnknowns {
   Eigen::MatrixXd columns;
   Eigen::VectorXd penalty;
@@ -54,8 +54,8 @@ std::vector<PartError> partErrors(const std::vector<PreparedRecord>& records,
                                   const std::vector<Eigen::VectorXd>& simulated,
                                   const std::vector<OwnUnknowns>& own = {});
 
-/// Noise floor of a record by what a model leaves of its force [N], as a gap: white noise above three times the band of
-/// the displacement, but no more than the measured force itself has there (a mass that is driven by a noisy
+/// Returns the noise floor of a record from the residual of a model [N], as a gap: white noise above three times the
+/// band of the displacement, but no more than the measured force itself has there (a mass that is driven by a noisy
 /// displacement makes more).
 double whiteNoiseFloor(const log::Record& record, const Eigen::VectorXd& residual);
 

@@ -15,13 +15,13 @@ struct Iso18571 {
   double slope = 0.0;      ///< after the shift, by smoothed central differences
   double total = 0.0;      ///< 0.4 corridor + 0.2 (phase + magnitude + slope)
   bool repeats = false;    ///< the measured signal repeats itself: the shift may lead to another cycle
-  std::size_t blocks = 1;  ///< that the warping took one by one
+  std::size_t blocks = 1;  ///< of the warping
 };
 
 /// Signals up to this length are warped as a whole, as the standard has it.
 constexpr Eigen::Index kWarpedWhole = 10000;
 
-/// Rate a simulated signal. Both have even time steps and one length. Signals longer than `warped_whole` are warped in
+/// Rates a simulated signal. Both have even time steps and one length. Signals longer than `warped_whole` are warped in
 /// equal blocks of at most 2,000 samples, since the work of warping grows with the square of the length; all else is of
 /// the whole signal. A simulated signal that is not finite is rated 0. Throws std::invalid_argument where lengths
 /// differ, there are less than two samples, or the measured signal does not change or is not finite.

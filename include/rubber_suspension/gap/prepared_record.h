@@ -1,4 +1,4 @@
-// A record for fits: what was recorded, what its rig may have added, and how much it counts. Throws nothing.
+// A record for fits, with possible errors of its rig and its weight. Throws nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,9 +16,9 @@ struct RigPrior {
   Eigen::MatrixXd columns;
   /// Error that one standard deviation of any of them counts as, over the force's standard deviation.
   double one_deviation = 0.0;
-  /// Most that noise slower than the motion, or a drift, may add and still be noise [N]: its standard deviation.
+  /// Largest standard deviation [N] of noise slower than the motion, or of a drift, that counts as noise.
   double slow_noise = std::numeric_limits<double>::infinity();
-  /// By which all of the displacement may have been recorded too high: standard deviation [m].
+  /// Standard deviation of an offset of the displacement [m].
   double displacement_zero = 0.0;
 };
 

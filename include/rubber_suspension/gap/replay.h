@@ -30,7 +30,7 @@ struct Replay {
   std::uint64_t bridged = 0;  ///< time gaps longer than the stream's max_gap
 };
 
-/// Simulate a log. Throws as simulateLog does.
+/// Simulates a log. Throws as simulateLog does.
 Replay replay(const component::Component& component, const log::Log& log);
 
 /// Treatment of the mean difference in a gap.

@@ -1,4 +1,4 @@
-// Where the gap lies: its squared size by log, frequency, amplitude and quantity. Throws nothing.
+// The squared gap by log, frequency, amplitude and quantity. Throws nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@ struct GapCell {
   double squared = 0.0;      ///< its part of the squared gap, in variances of the force
 };
 
-/// Split the squared residual. Each log is cut into windows of at least two periods of its slowest motion and eight
+/// Splits the squared residual. Each log is cut into windows of at least two periods of its slowest motion and eight
 /// of its mean frequency; in each
 /// window and octave the part of the residual that is coherent with the displacement is an error of stiffness (in
 /// phase) or of loss (in quadrature), what is not coherent is an error of harmonics (among them noise); the mean of the

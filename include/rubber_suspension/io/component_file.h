@@ -47,7 +47,7 @@ class ComponentDescription {
   std::optional<element::Range> valid_displacement;  ///< where the component is valid [m], where given
   std::vector<std::string> excluded_effects;  ///< that its construction rules out, which a diagnosis knows by name
   bool holds_fluid = false;  ///< so a resonance in its force is one of a column of fluid, not of the fixture
-  /// In which its file gives numbers, by the SI unit; of several the first.
+  /// Units of the numbers in its file, by the SI unit; of several the first.
   std::map<std::string, std::string> units;
   /// Set for a component of six directions, which has only a name besides; otherwise nullptr.
   std::shared_ptr<const SixDirectionsDescription> six;
@@ -58,7 +58,7 @@ class ComponentDescription {
   /// `elements`.
   const estimation::Specification& specification() const { return resolved_.specification; }
 
-  /// As it was given: of the whole component, say, or points.
+  /// Specification as given, such as that of the whole component, or points.
   const estimation::Specification& written() const { return written_; }
 
   /// Findings on the way from written() to specification(): notes, misfits of points.
@@ -67,9 +67,9 @@ class ComponentDescription {
   /// Elements that the model estimates from the specification, or lists, without added ones.
   const std::vector<element::ElementDescription>& elements() const { return elements_; }
 
-  /// Give the model another specification, of the whole with what is added now or of the base. Throws
-  /// std::invalid_argument where that has no solution, and then leaves the description as it was; std::logic_error for
-  /// the model `elements`, which has none.
+  /// Sets another specification of the model, of the base or of the whole with the present added elements. Throws
+  /// std::invalid_argument, without any change, if that has no solution; std::logic_error for the model `elements`,
+  /// which has none.
   void specify(estimation::Specification specification);
 
   /// The elements of the model, those added, and the shift with temperature. Throws std::invalid_argument for a
@@ -124,7 +124,7 @@ constexpr std::size_t kMaximumComponents = 256;
 constexpr std::size_t kMaximumElements = 1000;     // entries of one `elements` or `add`
 constexpr std::size_t kMaximumListLength = 10000;  // numbers of one list
 
-/// Load and check everything, estimation included. Numbers are SI, text carries its unit. Refused are unknown, missing
+/// Loads and check everything, estimation included. Numbers are SI, text carries its unit. Refused are unknown, missing
 /// and repeated keys, wrong types, units of another dimension, values out of range or not finite, names that are no ROS
 /// base name, and specifications without solution. Throws ComponentFileError.
 std::vector<ComponentDescription> loadComponentFile(const std::string& path);
@@ -149,7 +149,7 @@ struct YamlStyle {
 /// "add[0].stiffness", or "add[0].stiffness[1]" in a list; an index below 0: no list.
 std::string numberPlace(const std::string& entry, const std::string& key, int index);
 
-/// YAML that parseComponentFile reads back to the same numbers, bit by bit, unless the style says otherwise.
+/// Returns YAML that parseComponentFile reads back to the same numbers, bit by bit, unless the style rounds.
 std::string toYaml(const std::vector<ComponentDescription>& components, const YamlStyle& style = {});
 
 }  // namespace rubber_suspension::io

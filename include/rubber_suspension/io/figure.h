@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::io {
 
-/// A colour beside those of the palette: that of text, which stands out from every other.
+/// The colour of text, which differs from all colours of the palette.
 constexpr int kInk = -2;
 
 /// One curve, or a set of markers.
@@ -52,7 +52,7 @@ struct Spread {
   double upper = 0.0;
 };
 
-/// Add one value per row to axes with rows: a marker with a line from quartile to quartile, `offset` rows below the
+/// Adds one value per row to axes with rows: a marker with a line from quartile to quartile, `offset` rows below the
 /// row's middle. The colour is an index into the palette.
 void addSpreads(Axes& axes, const std::string& label, const std::vector<Spread>& values, double offset, int colour);
 
@@ -64,7 +64,7 @@ class FigureError : public std::runtime_error {
 /// True for the names that drawFigure accepts: FILE.svg and FILE.png.
 bool isFigurePath(const std::string& path);
 
-/// Draw to FILE.svg or FILE.png, by the extension. Throws FigureError.
+/// Draws to FILE.svg or FILE.png, by the extension. Throws FigureError.
 void drawFigure(const Figure& figure, const std::string& path);
 
 }  // namespace rubber_suspension::io

@@ -12,7 +12,7 @@ inline constexpr double kTolerated = 2.0;
 /// Standard deviation of something that a rig adds to a log, new in each log.
 struct RigTolerance {
   double value = 0.0;     ///< in the unit of its row, or as a share; 0: the rig does not do it
-  bool is_share = false;  ///< of what the row of the table says
+  bool is_share = false;  ///< of the quantity in the row of the table
 
   /// In the unit of its row, where a share is one of `whole`.
   double of(double whole) const { return is_share ? value * whole : value; }
@@ -44,7 +44,7 @@ const std::vector<RigToleranceInfo>& rigToleranceTable();
 /// accepted.
 RigTolerance parseRigTolerance(const std::string& key, const std::string& text);
 
-/// Set what `--rig KEY=VALUE` says. Throws as parseRigTolerance() does.
+/// Applies `--rig KEY=VALUE`. Throws as parseRigTolerance() does.
 void setRigTolerance(RigTolerances& tolerances, const std::string& assignment);
 
 /// Text that parseRigTolerance() reads back to the same number; a share to the last digit but one.

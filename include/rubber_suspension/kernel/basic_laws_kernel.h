@@ -19,9 +19,9 @@
 
 namespace rubber_suspension::kernel {
 
-/// The numbers that a kernel derives from its laws, step length and memory to make the next step fast. All that such a
-/// step needs besides the memory lies here, so that of many components little is fetched. It need not be saved. Throws
-/// nothing.
+/// The numbers that a kernel derives from its laws, step length and memory to make the next step fast. It contains all
+/// data of such a step besides the memory, so that little is fetched for each of many components. It need not be saved.
+/// Throws nothing.
 struct PreparedStep {
   double dt = -1.0;               ///< step length that the coefficients are for [s]
   double dashpot_gain = 0.0;      ///< c/dt [N/m]
@@ -87,14 +87,14 @@ class BasicLawsKernel {
   /// Makes a step of the right size, without a step length.
   PreparedStep makePreparedStep() const;
 
-  /// Initialise the memory at rest at this displacement [m], relaxed since long.
+  /// Initialises the memory at rest at this displacement [m], relaxed since long.
   element::ComponentForce initialise(double displacement, double* memory) const;
 
-  /// Bring the coefficients to a step length > 0 [s].
+  /// Brings the coefficients to a step length > 0 [s].
   void prepare(double dt, PreparedStep& prepared) const;
 
-  /// Advance by one step, from numbers that stay in registers. `prepared` is of this kernel, and its branch that of the
-  /// memory, or none.
+  /// Advances by one step, from numbers that stay in registers. `prepared` is of this kernel, and its branch that of
+  /// the memory, or none.
   element::ComponentForce step(double dt, double displacement, double increment, double* memory,
                                PreparedStep& prepared) const;
 

@@ -20,7 +20,7 @@ struct alignas(kCacheLine) MaxwellBlock {
   Pair decay[kSize / 2];
   Pair gain[kSize / 2];
 
-  /// Advance two elements by an increment of displacement [m], and add their forces [N] to the first number of `sum`,
+  /// Advances two elements by an increment of displacement [m], and adds their forces [N] to the first number of `sum`,
   /// one after the other; what becomes of the second is no matter.
   void stepPair(std::size_t pair, double increment, double* force, Pair& sum) const {
     Pair forces;
@@ -31,7 +31,7 @@ struct alignas(kCacheLine) MaxwellBlock {
     sum += Pair{forces[1], forces[1]};
   }
 
-  /// Advance the first elements, eight at most, likewise. Without a loop, which would cost as much as the elements do,
+  /// Advances the first elements, eight at most, likewise. Without a loop, which would cost as much as the elements do,
   /// and nested, so that no address is computed.
   template <std::size_t first = 0>
   __attribute__((always_inline)) void stepFirst(std::size_t count, double increment, double* force, Pair& sum) const {

@@ -19,7 +19,7 @@ class NewFile;
 enum class UnitsAre {
   named,     ///< by the file or the user
   assumed,   ///< SI, because neither names that of the one or of the other
-  accepted,  ///< right, as the user says: no check doubts them
+  accepted,  ///< confirmed by the user: not checked
 };
 
 /// A log in SI units; all vectors that are not empty have the same length.
@@ -64,14 +64,13 @@ struct LogFormat {
 
   std::array<Channel, 4> of;     ///< time, displacement, force, temperature
   std::optional<double> rate;    ///< sampling rate [Hz], in place of stamps; the first sample is at 0 s
-  char decimal = '\0';           ///< decimal mark of text, '.' or ','; '\0': as the numbers tell
-  std::size_t segment = 0;       ///< which, from 1, where a file holds several logs, or kAllSegments; 0: it holds one
+  char decimal = '\0';           ///< decimal mark of text, '.' or ','; '\0': detected from the numbers
+  std::size_t segment = 0;       ///< number from 1 if a file has several logs, or kAllSegments; 0: it has one
   bool turns = false;            ///< the displacement is an angle [rad] and the force a moment [N m]
   std::optional<double> bridge;  ///< longest time without a number that is passed over [s]; nothing: 0.5 s, and only
                                  ///< where 99 of 100 rows have their numbers
   bool large = false;            ///< a packed file may unpack to more than a hundred times its size
-  /// A number of the file that stands for none; not a number: each is a measurement. Nothing: what repeats and lies far
-  /// beyond the others stands for none.
+  /// Code of the file for a missing value; NaN: there is none; nullopt: a repeated number far beyond the others is one.
   std::optional<double> sentinel;
   bool by_receipt = false;    ///< messages of a bag have the times of their receipt
   bool accept_units = false;  ///< no check shall doubt the units
@@ -94,7 +93,7 @@ constexpr std::size_t kMaximumLogRows = 20000000;  // 5.5 hours at 1 kHz
 constexpr std::size_t kMaximumSegments = 10000;
 constexpr std::size_t kMaximumLogLine = 64 * 1024;  // bytes
 
-/// Read a log from text. Canonical, and read fastest, is what this package writes: a header with columns time_s,
+/// Reads a log from text. Canonical, and read fastest, is what this package writes: a header with columns time_s,
 /// displacement_<m|mm|um>, force_<N|kN|MN> (optional), temperature_degC (optional), then one row per sample, separated
 /// by commas. Read as well, with a note of what was taken for what: plain names in English and German with a unit
 /// behind them or in a row of units, columns of other names where exactly one has a unit of length, of force, of time;
@@ -107,24 +106,24 @@ constexpr std::size_t kMaximumLogLine = 64 * 1024;  // bytes
 /// Throws LogError.
 Log readCsvLog(const std::string& path, const LogFormat& format = {});
 
-/// Read a log by its content: MATLAB (level 4 by the extension .mat), HDF5, otherwise text. Throws LogError, also where
-/// the format asks for all segments and there is more than one.
+/// Reads a log by its content: MATLAB (level 4 by the extension .mat), HDF5, otherwise text. Throws LogError, also
+/// where the format asks for all segments and there is more than one.
 Log readLog(const std::string& path, const LogFormat& format = {});
 
 /// The logs of a file: one, or each segment where the format asks for all. Throws LogError.
 std::vector<Log> readLogs(const std::string& path, const LogFormat& format = {});
 
-/// Check a log from any source: lengths agree, time increases, all is finite, at least two samples.
+/// Checks a log from any source: lengths agree, time increases, all is finite, at least two samples.
 /// Throws LogError that names log, sample and value.
 void checkLog(const Log& log);
 
-/// checkLog() in pieces, for who goes through a log anyhow: first its lengths, then its samples from `first` on.
+/// checkLog() in pieces, for callers that iterate over a log: first its lengths, then its samples from `first` on.
 void checkLengths(const Log& log);
 void checkSamples(const Log& log, std::size_t first, std::size_t count);
 
 /// Writes `time_s,displacement_m` and, if wanted, `force_N`, piece by piece; time as exact decimal, the others with 17
-/// digits: all reads back bit by bit. The file is written beside and takes its name in close(), complete; without that
-/// call nothing is left. All calls throw LogError.
+/// digits: all reads back bit by bit. The file is written under a temporary name and renamed in close(); without that
+/// call it is removed. All calls throw LogError.
 class LogCsvWriter {
  public:
   LogCsvWriter(const std::string& path, bool with_force);
@@ -142,11 +141,11 @@ class LogCsvWriter {
   std::ofstream file_;
 };
 
-/// Write `time_s,displacement_m,force_N`; time as exact decimal, the others with 17 digits: all reads back bit by bit.
+/// Writes `time_s,displacement_m,force_N`; time as exact decimal, the others with 17 digits: all reads back bit by bit.
 /// Throws LogError.
 void writeForceCsv(const std::string& path, const Log& log, const std::vector<double>& force);
 
-/// Write `time_s,displacement_m` and, if the log has a measured force, `force_N`, as exactly. Throws LogError.
+/// Writes `time_s,displacement_m` and, if the log has a measured force, `force_N`, as exactly. Throws LogError.
 void writeLogCsv(const std::string& path, const Log& log);
 
 }  // namespace rubber_suspension::log

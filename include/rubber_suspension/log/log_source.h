@@ -28,8 +28,8 @@ class LogSource {
   /// As that of a Log.
   virtual std::string name() const = 0;
 
-  /// Hands out the samples from the first on, in SI units and checked as by checkLog(); the notes, complete where all
-  /// was read. Several threads may read at once. Throws LogError, and what `take` throws.
+  /// Passes the samples on from the first one, in SI units and checked as by checkLog(); returns the notes, complete if
+  /// all was read. Several threads may read at once. Throws LogError, and what `take` throws.
   virtual std::vector<std::string> read(const Take& take) const = 0;
 };
 

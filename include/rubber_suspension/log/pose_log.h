@@ -17,7 +17,7 @@ struct PoseLog {
   std::string name;
   std::vector<std::int64_t> stamp;  ///< [ns]
   std::array<std::vector<double>, 6> coordinate;
-  std::vector<Quaternion> quaternion;  ///< rotations as a bag has them, to the last bit; empty: as the coordinates say
+  std::vector<Quaternion> quaternion;         ///< rotations of a bag, to the last bit; empty: those of the coordinates
   std::array<std::vector<double>, 6> wrench;  ///< empty if the log has none
   std::vector<double> temperature;            ///< [degC]; empty if the log has none
   std::vector<double> counts;                 ///< 0 where the wrench was not measured; empty: measured throughout
@@ -27,13 +27,13 @@ struct PoseLog {
   std::size_t size() const { return stamp.size(); }
 };
 
-/// Read the columns x, y, z, rx, ry, rz and, where they are there, Fx, Fy, Fz, Mx, My, Mz, each with its unit behind it
-/// (x_mm, rx_deg, Fx_N, Mz_Nm), from all that readLog() reads. Throws LogError as that does, where the columns are leg
-/// lengths of a hexapod, and where a row lacks some of its values.
+/// Reads the columns x, y, z, rx, ry, rz and, where they are there, Fx, Fy, Fz, Mx, My, Mz, each with its unit behind
+/// it (x_mm, rx_deg, Fx_N, Mz_Nm), from all that readLog() reads. Throws LogError as that does, where the columns are
+/// leg lengths of a hexapod, and where a row lacks some of its values.
 PoseLog readPoseLog(const std::string& path, const LogFormat& format = {});
 
-/// Write `time_s,x_m ... rz_rad,Fx_N ... Mz_Nm` with the coordinates of the log and other wrenches, one per sample; all
-/// reads back bit by bit. Throws LogError.
+/// Writes `time_s,x_m ... rz_rad,Fx_N ... Mz_Nm` with the coordinates of the log and other wrenches, one per sample;
+/// all reads back bit by bit. Throws LogError.
 void writeWrenchCsv(const std::string& path, const PoseLog& log, const std::array<std::vector<double>, 6>& wrench);
 
 }  // namespace rubber_suspension::log

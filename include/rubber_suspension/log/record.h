@@ -33,7 +33,7 @@ struct Record {
   double displacement_noise = 0.0;   ///< standard deviation of the sensor's white noise, estimated [m]
   double passed_frequency = 0.0;     ///< above this the displacement was smoothed [Hz]; 0 if it is as recorded
   double highest_frequency = 0.0;    ///< above this the displacement is noise [Hz]
-  double lowest_frequency = 0.0;     ///< below this the displacement has no power to speak of [Hz]
+  double lowest_frequency = 0.0;     ///< below this the displacement has negligible power [Hz]
   double mean_frequency = 0.0;       ///< RMS speed over RMS displacement about its mean, by 2 pi [Hz]
   UnitsAre units = UnitsAre::named;  ///< of displacement and force
   std::vector<std::string> notes;    ///< what was found and done: time base, saturation, smoothing
@@ -49,7 +49,7 @@ struct Record {
   double counted() const { return counted(0, size()); }
 };
 
-/// Check and prepare a log for diagnosis, to which a motion led. An uneven time base is resampled at its median step,
+/// Checks and prepares a log for diagnosis, to which a motion led. An uneven time base is resampled at its median step,
 /// or in so many samples as twice those of the log, with a note. Throws LogError where the log has no force, is shorter
 /// than 100 samples, does not move, or has a time gap: a step longer than half a second and than 20 times that of nine
 /// in ten samples.

@@ -17,16 +17,16 @@ bool isUnit(const std::string& text);
 /// text itself where it converts to the unit `wanted`, or where none of the spellings known here does.
 std::string spelledUnit(const std::string& text, const std::string& wanted);
 
-/// The unit that stands behind a name with an underscore or a blank, as "kgf" in load_kgf; nothing where it is another
-/// word, such as "in" and "max".
+/// Returns the unit behind a name, after an underscore or a blank, as "kgf" in load_kgf; nullopt for another word, such
+/// as "in" and "max".
 std::optional<std::string> unitOfSuffix(const std::string& text);
 
 /// Linear conversion between two units.
 class UnitConversion {
  public:
   /// Throws std::invalid_argument where a unit is unknown or they differ in dimension, with the unit that was probably
-  /// meant where there is one ("kN" for "kn"). Angles count as a dimension of their own, so that rad/s is not taken for
-  /// Hz or a loss angle for a relative damping.
+  /// meant, if any ("kN" for "kn"). Angles are a dimension of their own, so that rad/s is not confused with Hz, nor a
+  /// loss angle with a relative damping.
   UnitConversion(const std::string& from, const std::string& to);
 
   double operator()(double value) const { return (inverse_ ? value / scale_ : value * scale_) + offset_; }

@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::measurement {
 
-/// Compare the records of one bench with the configured component. Every finding is fatal and has evidence and
+/// Compares the records of one bench with the configured component. Every finding is fatal and has evidence and
 /// correction in its text:
 /// - constant: a channel does not change, stands still for a tenth of the log or more while the other continues, or is
 ///   noise alone of next to nothing;

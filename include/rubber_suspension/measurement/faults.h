@@ -1,4 +1,4 @@
-// Samples that a sensor did not measure: spikes, values held by a dropout, a channel at its stop. Throws nothing.
+// Samples that a sensor did not measure: spikes, values held during a dropout, saturation. Throws nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@ struct Faults {
   Mask usable() const { return displacement && force; }
 };
 
-/// Search both channels, sampled evenly or nearly so. All limits are relative to the channel's own scatter about a
+/// Searches both channels, sampled evenly or nearly so. All limits are relative to the channel's own scatter about a
 /// prediction from its neighbours, to its range, or to the other channel:
 /// - a spike stands out of both neighbourhoods for at most three samples, in one channel only, and other visits to the
 ///   same displacement have no such corner (so that it is no bump stop) (after Hampel's identifier, Davies and
@@ -39,7 +39,7 @@ Faults findFaults(const std::string& name, const Eigen::VectorXd& displacement, 
 Faults findFaults(const log::Log& log);
 
 /// The log with both channels bridged by straight lines where they were not measured: makeRecord() of it neither
-/// smooths a spike into its surroundings nor takes one for noise.
+/// smooths a spike into its surroundings nor counts one as noise.
 log::Log repaired(const log::Log& log, const Faults& faults);
 
 /// The mask of a log for the record that was made of it, whose samples differ where its time base was uneven: false

@@ -1,4 +1,4 @@
-// The gap that noise alone leaves, from what the motion does not cause. Throws nothing.
+// The gap of noise alone, from the part of the force that the motion does not cause. Throws nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,19 +12,19 @@
 
 namespace rubber_suspension::measurement {
 
-/// Standard deviation of the noise [N] in what the best model leaves of a record, its rig's part taken out: by repeats
-/// of the same cycle, else by the spectrum beside the motion, else where the displacement stands still. Never above
-/// what a model leaves; never below what the force's resolution allows. `slow_noise`: most that is slower than the
-/// motion and still noise [N].
+/// Returns the standard deviation of the noise [N] in the residual of the best model on a record, without errors of the
+/// rig: by repeats of the same cycle, else by the spectrum outside the band of the motion, else at standstill. At most
+/// the residual of a model; at least the resolution of the force. `slow_noise`: most that is slower than the motion and
+/// still noise [N].
 double noiseFloor(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask,
                   double slow_noise = std::numeric_limits<double>::infinity());
 
-/// The law of the noise in such a residual [N], where the band of the motion holds nothing else: what a model errs by
-/// follows no law that holds beside the motion as well.
+/// Returns the law of the noise in such a residual [N], if the band of the motion has nothing else: errors of a model
+/// do not follow the law of the noise outside that band.
 std::optional<NoiseModel> noiseAlone(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
 
-/// The floor of what a model leaves of a record, as a gap [-]; the rig's part and samples that do not count are taken
-/// out first.
+/// Returns the noise floor of a model's residual on a record, as a gap [-], without errors of the rig and samples that
+/// do not count.
 double relativeFloor(const gap::PreparedRecord& record, const Eigen::VectorXd& residual);
 
 }  // namespace rubber_suspension::measurement

@@ -12,13 +12,13 @@
 
 namespace rubber_suspension::measurement {
 
-/// A record and what single samples of its log told.
+/// A record and the findings on single samples of its log.
 struct PreparedLog {
   log::Record record;                ///< with `counts` where samples do not count
   std::vector<RigFinding> findings;  ///< spikes, held values, saturation
 };
 
-/// Make a log, to which a motion led, ready: samples that a channel did not measure are bridged and do not count, nor
+/// Makes a log, to which a motion led, ready: samples that a channel did not measure are bridged and do not count, nor
 /// does the first cycle of a log that starts in motion, in which friction remembers what came before. Of a log with a
 /// channel that does not change the record is raw: checkBench() names it. Throws LogError as makeRecord() does, and
 /// where fewer than half of the samples are left.

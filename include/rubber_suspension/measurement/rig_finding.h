@@ -1,4 +1,4 @@
-// A fault of the rig between component and log, as a report tells it. Throws nothing.
+// A finding about the rig, as in reports. Throws nothing.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The force that a rig adds to each log beside the component: zeros, delay, clock, gain and a start in motion; found
-// and taken out by generalised least squares.
+// The force that a rig adds to each log beside the component: offsets, delay, clock, gain and a start in motion;
+// estimated and removed by generalised least squares.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,7 +27,7 @@ enum class Nuisance {
                   ///< the prior's standard deviation times a share of what a motion before the log would have left
 };
 
-/// Where a log is linearised: the displacement zero and the delays that are taken out before.
+/// Linearisation point of a log: the displacement offset and the delays removed before.
 struct RigPoint {
   double displacement_zero = 0.0;  ///< [m]
   double delay = 0.0;              ///< [s]
@@ -87,8 +87,8 @@ class RigModel {
   std::vector<RigFit> fitAll(const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate) const;
 
   /// The findings of a fit beyond chance (1 in 1000 for each value) and large enough to matter (a tenth of the noise,
-  /// RMS over the log), each with its 95 % interval. Where the logs cannot tell a zero of the force from one of the
-  /// displacement, both are told as one `force_zero`.
+  /// RMS over the log), each with its 95 % interval. If the logs cannot distinguish an offset of the force from one of
+  /// the displacement, both are reported as one `force_zero`.
   std::vector<RigFinding> findings(std::size_t log, const RigFit& fit) const;
 
   const std::vector<gap::PreparedRecord>& records() const { return records_; }

@@ -10,7 +10,7 @@ enum class Instructions {
   avx512,  ///< eight numbers at once
 };
 
-/// The widest that the processor has, unless useAtMost() said less.
+/// The widest of the processor, unless limited by useAtMost().
 Instructions instructionsInUse();
 
 /// Use none wider than these from here on, in all threads: for tests, and to measure what other processors would do.

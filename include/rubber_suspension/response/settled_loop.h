@@ -34,7 +34,7 @@ struct SettledLoop {
   Characteristics characteristics() const;
 };
 
-/// Simulate a component under a sine of this frequency [Hz] and amplitude [m] until it settles.
+/// Simulates a component under a sine of this frequency [Hz] and amplitude [m] until it settles.
 ///
 /// Where all elements act in parallel, the linear ones enter by their K*, free of discretisation, Berg friction starts
 /// on its settled loop, and only the others run until they repeat. With effects in series (compliance, free play,

@@ -1,4 +1,4 @@
-// The other end of the bundled topics: a simulation that sends the displacements of all components and takes forces.
+// Client of the bundled topics, for a simulation that sends the displacements of all components and receives forces.
 #pragma once
 
 #include <ros/callback_queue.h>
@@ -31,17 +31,17 @@ class BundleClientOf {
   /// `timeout` [s] bounds every wait.
   BundleClientOf(const ros::NodeHandle& handle, std::vector<std::string> components, double timeout = kPatience);
 
-  /// Wait until nothing that is sent or answered can be lost. Throws BundleError.
+  /// Waits until nothing that is sent or answered can be lost. Throws BundleError.
   void connect();
 
-  /// Call a service of type std_srvs/Trigger of the node, such as simulate/reset. Throws BundleError.
+  /// Calls a service of type std_srvs/Trigger of the node, such as simulate/reset. Throws BundleError.
   void call(const std::string& service);
 
-  /// Send the displacements [m] or poses [m], in the order of the components, at a stamp [ns]. Stamps have to increase,
-  /// and to lie within what a ROS header can hold (0 to 2^32 s).
+  /// Sends the displacements [m] or poses [m], in the order of the components, at a stamp [ns]. Stamps have to
+  /// increase, and to lie within what a ROS header can hold (0 to 2^32 s).
   void send(std::int64_t stamp, const std::vector<Sample>& samples);
 
-  /// Wait for the answer to the message of a stamp that was sent; answers to earlier ones are discarded.
+  /// Waits for the answer to the message of a stamp that was sent; answers to earlier ones are discarded.
   /// Throws BundleError where it does not come in time, or where not every component has an answer in it.
   Answer receive(std::int64_t stamp);
 

@@ -20,18 +20,18 @@ class Body {
 
   const std::vector<double>& calculated() const { return calculated_; }
 
-  /// The temperatures [degC] at which its shifts hold.
+  /// Temperatures [degC] at which its shifts are valid.
   element::Range temperatures() const { return six_ ? six_->temperatures() : one_->temperatures(); }
   void setTemperature(double temperature) {
     six_ ? six_->setTemperature(six_state_, temperature) : one_->setTemperature(one_state_, temperature);
   }
 
-  /// At rest and never moved before, at a temperature [degC] or as specified; gives the outputs. Throws
-  /// std::invalid_argument where there are none.
+  /// Initialises at rest, never moved before, at a temperature [degC] or as specified, and returns the outputs. Throws
+  /// std::invalid_argument if there are none.
   Numbers initialise(const Numbers& inputs, const std::optional<double>& temperature);
 
-  /// Gives the outputs; false where they are not finite. Allocates nothing. Throws std::invalid_argument, and leaves
-  /// all as it was, for a rotation beyond the end of its measure.
+  /// Advances and sets the outputs; returns false if they are not finite. Allocates nothing. Throws
+  /// std::invalid_argument, without any change, for a rotation beyond the end of its measure.
   bool step(double size, const Numbers& inputs, Numbers& outputs) {
     if (six_) {
       return stepSix(size, inputs, outputs);
@@ -46,7 +46,7 @@ class Body {
 
   void save(SavedState& state) const;
 
-  /// Throws std::invalid_argument, and leaves this as it was, for a state that it cannot have left.
+  /// Restores a state. Throws std::invalid_argument, without any change, for one that it cannot have saved.
   void restore(const SavedState& state);
 
  private:

@@ -16,7 +16,7 @@ using Elements = std::vector<element::ElementDescription>;
 
 struct ComponentData {
   std::string name;  ///< of the component
-  std::string guid;  ///< by which an importer says that modelDescription.xml and binary belong together
+  std::string guid;  ///< by which an importer checks that modelDescription.xml and binary belong together
   estimation::Model model = estimation::Model::elements;
   estimation::Specification specification;  ///< empty for the model `elements`
   Elements elements;                        ///< of the model `elements`, complete; empty for all others

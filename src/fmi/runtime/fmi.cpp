@@ -32,8 +32,8 @@ static_assert(sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) <= kCapacity, "more text 
 
 // The text in the block: none until the exporter writes to it.
 std::string embeddedText() {
-  // Volatile: what the compiler sees here is not what the binary will hold. Not constant: so it lies in a section that
-  // the file holds as it is.
+  // Volatile, because export changes the content in the binary; not constant, so that it is in a section with
+  // initialised data.
   static volatile EmbeddedBlock block = {RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) - 1,
                                          RUBBER_SUSPENSION_COMPONENT_TEXT};
   const std::uint64_t written = block.size;
@@ -58,7 +58,7 @@ Status guarded(void* handle, Body body) noexcept {
     } catch (const std::exception& error) {
       return instance.tell(Status::error, error.what());
     }
-  } catch (...) {  // where even the message fails, there is only the status left
+  } catch (...) {  // if even the message fails, only the status is returned
     return Status::error;
   }
 }
@@ -163,7 +163,7 @@ void getStatus(bool known, const char* accepted, Value* value, Value found) {
   *value = found;
 }
 
-// Save into the state that the importer holds, or into a new one where it holds none.
+// Saves into the state of the importer, or into a new one if it has none.
 void saveTo(const Instance& instance, void** state) {
   void*& held = at(state, "save of the state");
   auto fresh = held == nullptr ? std::make_unique<SavedState>() : nullptr;

@@ -175,9 +175,9 @@ void Instance::settle() {
   }
 }
 
-// Importers count time in sums of their own. The time of each step is taken from them, so one rounding of such a sum
-// lies between theirs and ours, 1e-16 of the time; 1e-9 of it and a millionth of the step leave them ample room, and
-// what is more is a step left out or done twice, or one beyond the stop time.
+// Importers sum up time themselves, and each step uses their time, so the two differ by one rounding, 1e-16 of the
+// time. The tolerance of 1e-9 of the time and a millionth of the step is ample; a larger difference is a step omitted,
+// repeated or beyond the stop time.
 double Instance::roomFor(double size) const { return 1e-6 * size + 1e-9 * std::abs(now_.time); }
 
 bool Instance::isInTime(double time, double size) const {

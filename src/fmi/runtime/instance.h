@@ -78,7 +78,7 @@ class Instance {
   /// Derivatives of the displacement by time, of orders from 1 to kMostDerivatives; they count for the next step alone.
   void setDerivatives(const Reference* references, std::size_t count, const int* orders, const double* values);
 
-  /// Advance by a step [s] that begins at a time [s] and does not end after the stop time. Allocates nothing.
+  /// Advances by a step [s] that begins at a time [s] and does not end after the stop time. Allocates nothing.
   void step(double time, double size) {
     if (now_.phase != Phase::stepping || !(size > 0.0) || !std::isfinite(size) || !isInTime(time, size)) {
       refuseStep(time, size);

@@ -62,7 +62,7 @@ SavedState deserialise(const char* bytes, std::size_t size) {
     std::memcpy(words, bytes, sizeof words);
     std::memcpy(numbers.data(), bytes + sizeof words, 8 * numbers.size());
   }
-  // The memory of a component holds places in lists, too, so nothing may be taken from bytes that were changed.
+  // The memory of a component includes indices, so changed bytes must not be used.
   element::refuseIf(words[0] != kMagic || words[1] != checksumOf(bytes, size),
                     "the bytes are no serialised state, or were changed");
   const double phase = numbers[0];

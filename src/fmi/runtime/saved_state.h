@@ -1,4 +1,4 @@
-// The state of an FMU that an importer saves, to take a step back or to continue elsewhere.
+// The state of an FMU that an importer saves, to undo a step or to continue elsewhere.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::fmi {
 
-/// Where an instance stands between instantiation and release.
+/// Phase of an instance between instantiation and release.
 enum class Phase : std::uint32_t { instantiated, initialising, stepping, terminated, failed };
 
 /// Highest derivative of the displacement by time that an importer may give for the next step.
@@ -43,7 +43,7 @@ struct Standing {
 struct SavedState {
   std::uint64_t fingerprint = 0;  ///< of the FMU
   Standing standing;
-  double component_displacement = 0.0;  ///< where the component stands [m]
+  double component_displacement = 0.0;  ///< displacement of the component [m]
   std::vector<double> memory;           ///< of the component
 };
 
@@ -53,7 +53,7 @@ std::string serialise(const SavedState& state);
 /// Throws std::exception where the bytes are no state.
 SavedState deserialise(const char* bytes, std::size_t size);
 
-/// A number that tells FMUs apart by their GUID (FNV-1a).
+/// Hash of a GUID, which distinguishes FMUs (FNV-1a).
 std::uint64_t fingerprintOf(const std::string& guid);
 
 }  // namespace rubber_suspension::fmi

@@ -29,7 +29,7 @@ enum class Causality {
   calculated_parameter,  ///< of an element that the model estimates from the specification
 };
 
-/// Where in the data of a component the value of a parameter stands.
+/// Place of the value of a parameter in the data of a component.
 struct Place {
   Elements ComponentData::* list = nullptr;  ///< nullptr: the specification
   std::size_t entry = 0;                     ///< of the list
