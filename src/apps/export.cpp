@@ -64,8 +64,7 @@ struct Options {
         Option("--largest-rotation", Quantity{&about.largest, "rad"}, "RADIANS",
                "the curves of moments go as far to both sides, such as '10 deg' (5 amplitudes by themselves)")
             .rare(),
-        Option("--axis", axis, "AXIS",
-               "axis of the bushing that a component of one direction is along: x, y or z (z by itself)")
+        Option("--axis", axis, "AXIS", "axis of the bushing for a component of one direction, by default z")
             .rare()
             .oneOf({"x", "y", "z"}),
         Option("--points", bushing.points, "COUNT", "points of the curves, an odd number").rare().within(3, 100001),

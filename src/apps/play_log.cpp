@@ -57,8 +57,8 @@ OptionTable Options::recordTable() {
       plotOption(plot, "forces over time and displacement"),
       Option("--folder", folder, "FOLDER",
              "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a "
-             "folder that holds such records stays as it is: the run goes into the next, RUN_2 behind RUN_1, NAME_2 "
-             "behind NAME")};
+             "folder with such records is kept, and the run goes into the next one: RUN_2 after RUN_1, NAME_2 after "
+             "NAME")};
 }
 
 OptionTable Options::table() {
