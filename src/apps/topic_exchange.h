@@ -12,7 +12,7 @@
 
 namespace rubber_suspension::vehicle {
 
-/// Of either kind of bundle. It waits for the node that serves the components, and calls its service `reset` unless
+/// Exchange over either kind of bundle. It waits for the node of the components, and calls its service `reset` unless
 /// that is empty. Throws BundleError.
 template <class Client>
 class TopicExchange : public Exchange {

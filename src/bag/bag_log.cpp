@@ -387,7 +387,7 @@ SixSeries readWrenchTopic(const rosbag::Bag& bag, const std::string& path, const
   return wrench;
 }
 
-// Each direction is matched as a log of its own; the stamps decide, so that all have their forces at the same samples.
+// Matches each direction as a log of its own by the stamps, so that all have forces at the same samples.
 log::PoseLog readOpenPoses(const rosbag::Bag& bag, const std::string& path, const std::string& component,
                            component::RotationMeasure measure) {
   const std::string topic = topicOf(kPose, bag, path, component);

@@ -198,7 +198,7 @@ class Pool {
       return;
     }
     if (isOverdue(worker)) {
-      // Equal limits give equal texts, because the table shows them.
+      // The text states the limit, not the time taken, so that tables of equal campaigns are equal.
       callbacks_.ended(*worker.job, JobEnd::died,
                        fmt::format("took longer than the limit of {:.6g} min and was ended; accepted: `campaign run "
                                    "--retry-failed` with another --job-minutes",

@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::command {
 
-/// Which program reads the file.
+/// Program that reads the file.
 enum class BushingFormat { adams, altair };
 
 /// The data of a direction that the file is to have.

@@ -109,7 +109,7 @@ const std::vector<TableQuantity>& tableQuantities() {
   return table;
 }
 
-// How laboratories write what an amplitude is, behind its name or its unit: times, to the amplitude of a sine.
+// Words of laboratories behind the name or unit of an amplitude, with the factor to the amplitude of a sine.
 struct AmplitudeWord {
   const char* word;
   double factor;

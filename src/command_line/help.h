@@ -32,7 +32,7 @@ enum class HelpSize {
 /// meaning, examples.
 std::string helpText(const Command& command, const OptionTable& table, HelpSize size);
 
-/// How many decimal places a number of a help or an error takes: 100000 and 0.01, not 1e+05.
+/// Number as text of a help or an error: 100000 and 0.01, not 1e+05.
 std::string numberText(double number);
 
 }  // namespace rubber_suspension::command_line

@@ -108,8 +108,8 @@ struct Option {
   std::function<Files()> files;
 };
 
-/// Which options go with which. A condition is an option that is given, as "--plan", or an option and its value, as
-/// "--forces topics".
+/// Rule for combinations of options. A condition is a given option, such as "--plan", or an option and its value, such
+/// as "--forces topics".
 struct Rule {
   enum class Kind {
     needs,     ///< the options have no effect unless one of the conditions holds

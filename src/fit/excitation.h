@@ -23,7 +23,7 @@ struct Excitation {
   double longest_duration = 0.0;      ///< [s]
   double slowest_loop = 0.0;          ///< longest time that half the range of a log takes at its largest |dz/dt| [s]
   double dt = 0.0;                    ///< [s]
-  /// Of laws that small reversals would change for good: noise of a displacement that is held does not leave it [m].
+  /// Dead band [m] of laws that small reversals change permanently: larger than the noise of a constant displacement.
   double dead_band = 0.0;
   std::size_t whole_logs = 0;        ///< none of them an excerpt; 0 where there are excerpts
   gap::OwnErrors own;                ///< errors of the rig that any of them has for itself

@@ -13,7 +13,7 @@
 namespace rubber_suspension::fit {
 namespace {
 
-// Whether a component gives another force, but for its mean, where its motion is about another place.
+// True if the force of a component, except for its mean, depends on the centre of its motion.
 bool dependsOnPlace(const std::vector<element::ElementDescription>& elements, const log::Record& record) {
   constexpr Eigen::Index kSamples = 400;
   constexpr double kAside = 0.2;  // of the amplitude

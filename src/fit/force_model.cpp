@@ -75,7 +75,7 @@ LogScales scalesOf(const std::vector<log::Log>& logs) {
   return scales;
 }
 
-// Of a value of this unit, by what the logs can show.
+// Range of a value of this unit that the logs can show.
 Reach reachOf(const std::string& unit, double given, const LogScales& scales) {
   const auto& [rate, duration, amplitude] = scales;
   if (unit == "Hz") {
@@ -193,7 +193,7 @@ void ForceModel::addElement(std::size_t position, const std::vector<Unknown>& un
   }
 }
 
-// Those of the rig are the same at all times.
+// Columns of the rig do not depend on the parameters.
 void ForceModel::makeColumns(const std::vector<Eigen::MatrixXd>& rig) {
   Eigen::Index column = static_cast<Eigen::Index>(linear_.size()) + 1;
   const Eigen::Index end =

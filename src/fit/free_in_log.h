@@ -18,11 +18,11 @@ using ForceColumn = std::shared_ptr<const gap::Forces>;
 
 inline ForceColumn columnOf(gap::Forces forces) { return std::make_shared<const gap::Forces>(std::move(forces)); }
 
-/// Of the slow trend of a log, a drift of its own: a ramp and eight half cosines, all about a mean of 0.
+/// Number of unknowns of the slow trend of a log: a ramp and eight half cosines, all with a mean of 0.
 constexpr Eigen::Index kTrendsPerLog = 9;
 
-/// Which of them belong to a hypothesis. Unknowns of each log, in this order: the trend's, the zero of the
-/// displacement, the factor on friction, the zero of the force, the gain.
+/// Per-log nuisance parameters of a hypothesis, in this order: trend, offset of the displacement, factor on friction,
+/// offset of the force, gain.
 struct FreeInLog {
   bool trend = false;   ///< a slow trend
   bool offset = false;  ///< a zero of the force, over its standard deviation
@@ -51,7 +51,7 @@ struct FreeInLog {
 
   /// Places of its unknowns among those of one that has them all, and maybe more.
   std::vector<Eigen::Index> placesIn(const FreeInLog& all) const;
-  /// Of its unknowns; only where it is one of them.
+  /// Index of the factor among its unknowns, if it is one of them.
   Eigen::Index placeOfFactor() const { return count() - (gain ? 1 : 0) - (offset ? 1 : 0) - 1; }
   Eigen::Index placeOfOffset() const { return count() - (gain ? 2 : 1); }
   Eigen::Index placeOfGain() const { return count() - 1; }

@@ -45,7 +45,7 @@ gap::Forces softenedShare(const BasisTerm& term, const std::vector<gap::Prepared
 
 bool isAmong(const std::vector<int>& list, int one) { return std::find(list.begin(), list.end(), one) != list.end(); }
 
-// Those that the hypothesis does not have yet, along the curve where that is asked for.
+// Adds the terms that the hypothesis lacks, along the curve if requested.
 void addTerms(const std::vector<Candidate>& candidates, int candidate, const std::vector<int>& curved,
               Hypothesis& hypothesis) {
   const Candidate& of = candidates[static_cast<std::size_t>(candidate)];
@@ -63,7 +63,7 @@ void addTerms(const std::vector<Candidate>& candidates, int candidate, const std
   }
 }
 
-// Of the laws that a candidate contains the one that it is beyond, which no other member is: the first of `preferred`.
+// The contained law that a candidate extends and no other member does, preferably the first of `preferred`.
 std::optional<int> heldBy(const std::vector<Candidate>& candidates, int larger, const std::vector<int>& preferred,
                           const std::vector<int>& by_others) {
   const std::vector<int> contained = containedBy(candidates, candidates[static_cast<std::size_t>(larger)]);

@@ -39,7 +39,7 @@ struct BasisTerm {
   /// that it takes [-]. Set by findUnitEffects for additive and softening terms.
   ForceColumn unit_effect;
 
-  /// Whether the displacement alone decides what the term adds or takes at scale 1.
+  /// True if the effect of the term at scale 1 depends on the displacement alone.
   bool hasUnitEffect() const { return additive || softening; }
 };
 
@@ -82,7 +82,7 @@ struct Candidate {
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }
 
-  /// Whether it competes with others: it applies, and may do what parameters do not.
+  /// True if it competes with others: it applies, and has an effect that parameters do not have.
   bool competes() const { return applies() && (!like_parameters || free_in_log.gain); }
 };
 
@@ -115,10 +115,10 @@ struct Hypothesis {
   std::function<std::vector<element::ElementDescription>(const Eigen::VectorXd& scales)> law;
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
 
-  /// Whether it competes with others: it has terms, and may do what parameters do not.
+  /// True if it competes with others: it has terms, and an effect that parameters do not have.
   bool competes() const { return !terms.empty() && (!like_parameters || free_in_log.gain); }
 
-  /// Whether model parameters stay as configured: it says that they are right, and its terms do what others would.
+  /// True if model parameters are those configured, because its terms replace their changes.
   bool keepsParameters() const { return !terms.empty() && like_parameters && !free_in_log.gain; }
 
   /// True if the force is that of the model plus those of the terms.
@@ -131,14 +131,13 @@ struct Hypothesis {
 Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members,
                           const std::vector<int>& preferred = {}, const std::vector<int>& curved = {});
 
-/// Whether a candidate contains another one.
+/// True if a candidate contains another one.
 bool contains(const Candidate& larger, const Candidate& smaller);
 
-/// Those that a candidate contains.
+/// Indices of the candidates that a candidate contains.
 std::vector<int> containedBy(const std::vector<Candidate>& candidates, const Candidate& larger);
 
-/// Whether a set of candidates can do all that another one can: for each of these it has a member that is the same or
-/// contains it.
+/// True if a set of candidates contains another one: for each of its members it has the same or one that contains it.
 bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& larger, const std::vector<int>& smaller);
 
 /// The numbers at these scales that are not at their limits and that the members have beyond the laws that they
@@ -162,7 +161,8 @@ gap::Forces effectOfEntry(const BasisTerm& term, const std::vector<gap::Prepared
 /// Find the unit effects of additive and softening terms on these records once, so that fits need not simulate them.
 void findUnitEffects(std::vector<Candidate>& candidates, const std::vector<gap::PreparedRecord>& records, int threads);
 
-/// The same hypothesis about other records: terms whose force the records tell have it, all others are to be simulated.
+/// Returns the hypothesis for other records, with the force of terms that follows from the records; all others are to
+/// be simulated.
 Hypothesis aboutOtherRecords(const Hypothesis& hypothesis, const std::vector<gap::PreparedRecord>& records);
 
 }  // namespace rubber_suspension::fit

@@ -33,7 +33,7 @@ struct Fit {
 /// The longest step of the logarithm of a model parameter: the force is far from linear in it beyond.
 constexpr double kLongestStep = 0.4;
 
-/// How far a fit goes.
+/// Termination of a fit.
 struct FitLimits {
   int iterations = 0;
   /// A step that promises to leave more than this, as a gap, is the last.
@@ -69,7 +69,7 @@ class HypothesisFitter {
     return linearise(hypothesis, startAt(hypothesis, parameters), active, threads);
   }
 
-  /// The same by folds alone, with each of these free in each log.
+  /// Linearises by folds alone, with each of these free in each log.
   std::vector<BlockGrams> lineariseFolds(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                          const std::vector<FreeInLog>& free, int threads) const {
     return linearise(hypothesis, startAt(hypothesis, parameters), {{}, free, Kept::folds, threads});
@@ -134,7 +134,7 @@ class HypothesisFitter {
   }
   std::vector<BlockGrams> linearise(const Hypothesis& hypothesis, const Place& place, const Linearised& how) const;
   Place placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const;
-  /// The same; throws std::invalid_argument where there is no model.
+  /// Starts at a vector; throws std::invalid_argument if there is no model.
   Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;
   /// Move on by a step, or by part of it; false where none leads on by much.
   bool improve(const Hypothesis& hypothesis, const Eigen::VectorXd& step, Place& place) const;

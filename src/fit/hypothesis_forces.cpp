@@ -273,7 +273,7 @@ std::vector<ForceColumn> HypothesisForces::columnsBehind(std::vector<element::El
     if (!isKnownBehind(t)) {
       columns[size + t] = termColumn(place, t);
     } else {
-      // What adds up is of no more use to others, and takes memory.
+      // An additive effect is not needed for others, and would only use memory.
       ForceColumn effect = !atWork(t)       ? columnOf(effectOfEntry(term, behind))
                            : term.softening ? term.unit_effect
                                             : std::move(term.unit_effect);

@@ -15,8 +15,8 @@
 
 namespace rubber_suspension::fit {
 
-/// Elements of a model with the effects of a hypothesis; nothing where the model parameters have no solution, or a law
-/// none of these numbers.
+/// Elements of a model with the effects of a hypothesis; nullopt if the model parameters have no solution, or a law
+/// refuses its numbers.
 std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelParameters& model,
                                                                    const Hypothesis& hypothesis,
                                                                    const ParameterVector& parameters);

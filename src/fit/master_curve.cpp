@@ -140,7 +140,7 @@ std::vector<Group> groupsOf(const std::vector<TablePoint>& points) {
   return element::each(rows, [&](const auto& group) { return Group(points, group.second); });
 }
 
-// Of each row: log10 a_T, ln b_T.
+// log10 a_T and ln b_T of each row.
 using Moves = Eigen::MatrixX2d;
 
 // A way to shift rows by a few unknowns. Throws std::invalid_argument where there is none.
@@ -278,8 +278,8 @@ class Superposition {
     return {rows.low - kBeyond, rows.high + kBeyond};
   }
 
-  // Of neighbours in frequency, at one temperature and of one kind of part: variance of a sum over that of white
-  // residuals, for an autoregression of the first order.
+  // Correlation of neighbours in frequency at one temperature: variance of their sum over that of white residuals, for
+  // an autoregression of the first order.
   double correlationOf(const VectorXd& residual) const {
     double products = 0.0;
     Eigen::Index first = 0;

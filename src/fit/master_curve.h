@@ -13,10 +13,10 @@ namespace rubber_suspension::fit {
 /// The tolerance of a thermocouple of class 1 (IEC 60584-1) [K]: what differs by less is one temperature.
 constexpr double kLeastTemperatureRange = 1.5;
 
-/// Whether the rows have temperatures that differ by more than that.
+/// True if the rows have temperatures that differ by more than that.
 bool hasTemperatures(const std::vector<TablePoint>& points);
 
-/// How far the rows of about one temperature are moved along the axis of frequency, by themselves.
+/// Shift of the rows of about one temperature along the axis of frequency, found without a law.
 struct FoundShift {
   double temperature = 0.0;  ///< mean of the rows [degC]
   double decades = 0.0;      ///< log10 a_T: their frequencies times a_T are those at the reference

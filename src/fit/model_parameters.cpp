@@ -14,7 +14,7 @@
 namespace rubber_suspension::fit {
 namespace {
 
-// Of ratios to what was configured.
+// Largest ratios to the configured values.
 constexpr double kLargestRatio = 3.0;
 constexpr double kLargestOfElement = 10.0;
 constexpr double kLargestOfLadder = 100.0;
@@ -122,7 +122,7 @@ void ModelParameters::addElements(std::vector<element::ElementDescription> Point
   }
 }
 
-// A model takes these: no working point, and of model maxwell no frequency at which a stiffness is told.
+// Adds the known numbers of the model: all that a sheet states, except inputs that the model does not use.
 void ModelParameters::addKnown() {
   using estimation::Model;
   const Point point = configured_;

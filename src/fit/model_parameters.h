@@ -14,7 +14,7 @@
 
 namespace rubber_suspension::fit {
 
-/// Which numbers count as the model's own.
+/// Numbers that are the parameters of the model.
 enum class Level {
   specification,  ///< those that the user wrote: K_st, K_n, K_max, f_h, ...; of a list of elements, all parameters
   elements,       ///< those of the estimated elements: every stiffness, every break frequency
@@ -48,8 +48,8 @@ class ModelParameters {
   /// numbers.
   const Eigen::VectorXd& bounds() const { return bounds_; }
 
-  /// How far a number of the sheet may be off: two deviations of the least known one, and no less than of any
-  /// component.
+  /// Largest ratio by which a number of the sheet may be wrong: two deviations of the least certain one, and no less
+  /// than for any component.
   double largestRatio() const;
 
   /// Numbers that are known beforehand: those of the sheet, then values of single elements.
@@ -66,7 +66,7 @@ class ModelParameters {
   /// where the sheet leaves next to nothing of it, with a usual relaxing stiffness.
   std::vector<Eigen::VectorXd> starts() const;
 
-  /// Whether nothing but the order of magnitude is known of any number of the sheet.
+  /// True if only the order of magnitude is known of all numbers of the sheet.
   bool isGuess() const;
 
   /// The configured value of a parameter of an element, at the level of elements [SI].
@@ -121,7 +121,7 @@ class ModelParameters {
   /// A number of the sheet, whether or not a component has the numbers of the point.
   double sheetNumber(const Point& point, const std::string& key) const;
   Point movedBy(const Eigen::VectorXd& logarithms) const;
-  /// The same with its specification.
+  /// Point with its specification.
   Point pointAt(const Eigen::VectorXd& logarithms) const;
   void specify(Point& point) const;
   double sheetDeviation(const std::string& key) const { return configured_.specification.tolerance().of(key); }

@@ -25,7 +25,7 @@ constexpr double kBlocksOfOne = 2.0;    // one tells the log's own unknowns, the
 
 using Places = std::vector<Eigen::Index>;
 
-// Nothing added up yet.
+// Initialises sums with zeros.
 void prepare(Eigen::Index width, Kept kept, const FreeInLog& free, BlockGrams& result) {
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(width, width);
   result.prior = result.sum = none;
@@ -177,7 +177,7 @@ Eigen::MatrixXd LogBlocks::ownOf(const Request& request, std::size_t r) const {
   return columns;
 }
 
-// Of the blocks of one log: columns, residual, what is free in it, what the rig may have added.
+// Products in the blocks of one log of columns, residual, unknowns of the log and errors of the rig.
 std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request& request) const {
   const Eigen::Index rig = records_[r].rig.columns.cols();
   const Eigen::MatrixXd of_log = ownOf(request, r);

@@ -43,7 +43,7 @@ struct BlockGrams {
   /// Fill in the sums by the blocks in sample, which stand for those held out, for kFolds folds at least.
   void sumUp();
 
-  /// Those of some of the unknowns alone.
+  /// Returns the products of a selection of unknowns.
   BlockGrams of(const std::vector<Eigen::Index>& unknowns) const;
 };
 

@@ -11,7 +11,7 @@ namespace rubber_suspension::fit {
 /// below it.
 inline const double kUndetermined = std::log(2.0) / 1.96;
 
-/// Of estimates in the coordinates of a Jacobian.
+/// Covariance of estimates in the coordinates of a Jacobian.
 struct Covariance {
   Eigen::MatrixXd matrix;
   std::vector<Eigen::VectorXd> unseen;  ///< directions that the measurement does not show at all
@@ -23,8 +23,8 @@ struct Covariance {
 /// (J'J)^-1 J'OJ (J'J)^-1 from the products J'J and J'OJ of the Jacobian J, O being the covariance of the residuals.
 Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& noise_products);
 
-/// The same of the Jacobian itself where the residuals, whose sum of squares this is, are white but for a variance of
-/// sums that is `correlation` times theirs.
+/// Covariance for residuals with this sum of squares that are white, except that the variance of sums is `correlation`
+/// times that of white ones.
 Covariance covarianceOf(const Eigen::MatrixXd& jacobian, double squares, double correlation = 1.0);
 
 /// An autoregressive model of residuals: r_t + sum a_i r_(t-i) = e_t, e of variance innovation.

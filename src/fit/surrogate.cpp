@@ -189,7 +189,7 @@ Choice chooseFunctions(const RidgeRegression& regression, const ResidualBasis& b
   return best;
 }
 
-// The same functions without the resonators, where these have no weight.
+// Describes the functions, without resonators if these have no weight.
 element::ElementDescription describeElement(const ResidualBasis& basis, const Eigen::VectorXd& weights,
                                             const std::vector<Eigen::MatrixXd>& functions) {
   double lowest = 0.0;

@@ -57,7 +57,7 @@ gap::PreparedRecord recordOf(const TablePoint& point) {
   return record;
 }
 
-// Of the cycle that counts.
+// Stiffness of the last cycle.
 std::complex<double> stiffnessOfLoop(const TablePoint& point, const Eigen::VectorXd& force) {
   response::SettledLoop loop;
   loop.frequency = point.frequency;
@@ -145,7 +145,7 @@ double TableFitter::gapOf(const Hypothesis& /*hypothesis*/, const gap::Forces& f
   return std::isfinite(gap) ? gap : std::numeric_limits<double>::infinity();
 }
 
-// Nothing is free in a row: one result stands for all.
+// Rows have no unknowns of their own, so one result applies to all.
 std::vector<BlockGrams> TableFitter::normalEquationsAbout(const Hypothesis& hypothesis,
                                                           const ParameterVector& parameters, const gap::Forces& base,
                                                           const Linearised& how) const {

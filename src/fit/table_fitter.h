@@ -31,7 +31,7 @@ class TableLoops {
   /// K* of each row [N/m] by the forces on the records [N].
   std::vector<std::complex<double>> stiffness(const gap::Forces& forces) const;
 
-  /// The same of a component.
+  /// Stiffness of a component.
   std::vector<std::complex<double>> stiffnessOf(const std::vector<element::ElementDescription>& elements) const;
 
   /// Derivative of K* of a row where its force has the derivative `column`.

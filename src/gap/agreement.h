@@ -1,4 +1,4 @@
-// How well a simulated force agrees with a measured one over a log, by the figures that test laboratories use.
+// Agreement of a simulated with a measured force over a log, by the figures that test laboratories use.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::gap {
 
-/// Of a moment, N m and rad stand for N and m.
+/// Agreement of two forces; for a moment, N and m mean N m and rad.
 struct Agreement {
   double gap = 0.0;        ///< RMS of the difference over the standard deviation of the measured force [-]
   double rms = 0.0;        ///< of the difference [N]

@@ -192,7 +192,7 @@ class Warping {
     }
   }
 
-  // Of the first cell of a diagonal; costs from the place before it.
+  // Pointers at the first cell of a diagonal: the signals, and the costs one and two diagonals before.
   struct Before {
     const double* simulated;
     const double* measured;
@@ -251,7 +251,7 @@ Eigen::VectorXd slopes(const Signal& signal) {
 
 double rating(double error, double worst) { return std::max(0.0, (worst - error) / worst); }
 
-// How much a signal resembles itself a quarter to a half of its length later, over all its squares: 1 for a sine.
+// Largest autocorrelation of a signal at a lag of a quarter to a half of its length: 1 for a sine.
 double resemblance(const Signal& signal) {
   const Index size = signal.size();
   const std::vector<double> values = centred(signal);

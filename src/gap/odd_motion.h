@@ -21,7 +21,7 @@ std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& sca
 /// component's for the same displacements [N]; else the amplitude. Nothing where neither is.
 std::optional<std::string> oddMotion(const log::Log& log, const std::vector<double>& force, const MotionScale& scale);
 
-/// The same before a simulation, by the component's static force at the ends of the log's displacement.
+/// Detects it before a simulation, by the component's static force at the ends of the log's displacement.
 std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDescription& description);
 
 /// The part of a log beyond the displacements for which a component is valid; nothing where all is within, or where it

@@ -42,8 +42,8 @@ std::uint64_t leftOfGroup(const std::string& folder, const GroupFiles& files) {
   return limit && usage ? lessOrNothing(*limit, lessOrNothing(*usage, reclaimable)) : kUnlimitedMemory;
 }
 
-// Of a group and all above it. In a container the path may be that of the machine, which is not there: its own group is
-// then the top.
+// Memory left by a group and all above it. In a container the path may be that of the host, which does not exist; then
+// its own group is the top.
 std::uint64_t leftOfGroups(const std::string& mount, std::string path, const GroupFiles& files) {
   std::uint64_t left = leftOfGroup(mount, files);
   for (; path.size() > 1; path.erase(path.rfind('/'))) {

@@ -8,7 +8,7 @@ namespace rubber_suspension::io {
 
 constexpr std::size_t kMaximumNameLength = 100;
 
-/// How the key `temperature` calls a law.
+/// Name of a law in the key `temperature`.
 struct ShiftLaw {
   std::string name;
   std::string type;  ///< of the element

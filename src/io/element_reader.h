@@ -9,7 +9,7 @@ namespace rubber_suspension::io {
 /// In the order of estimation::Model.
 std::vector<std::string> modelNames();
 
-/// What is accepted for a parameter: "a number > 0, in N/m, or text with such a unit".
+/// Accepted values of a parameter: "a number > 0, in N/m, or text with such a unit".
 std::string accepted(const element::ParameterInfo& parameter);
 
 /// A number of this unit, or a list of such, without a row in a table.
@@ -32,7 +32,7 @@ class ElementReader : public YamlReader {
 
   element::ElementDescription loadTemperature(const Entry& entry);
 
-  /// Whether something is to scale with the static curve.
+  /// True if the entry scales with the static curve.
   bool loadScale(const Entry& entry) const { return loadWord(entry, {"static_curve", "none"}) == 0; }
 
   std::map<std::string, std::string> units_;  ///< of the component's numbers, by the SI unit

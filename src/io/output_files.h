@@ -18,7 +18,7 @@ struct FileKind {
   std::array<std::string_view, 3> parts = {{}};       ///< one of which is in its first 64 KiB; none: they hold anything
 };
 
-/// Those that this package writes. Part of a kind of JSON is its schema.
+/// Kinds of files that this package writes. The schema is part of a kind of JSON.
 namespace file_kind {
 
 inline constexpr FileKind force_csv = {"a log as this command writes it (time_s,displacement_m,force_N)",

@@ -1,4 +1,4 @@
-// How far work is that takes long, on a terminal.
+// Progress of long work on a terminal.
 #include "io/progress.h"
 
 #include <fmt/format.h>

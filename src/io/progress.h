@@ -1,4 +1,4 @@
-// How far work is that takes long, on a terminal.
+// Progress of long work on a terminal.
 #pragma once
 
 #include <atomic>

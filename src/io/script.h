@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::io {
 
-/// What a script printed.
+/// Output of a script.
 struct ScriptResult {
   bool succeeded = false;
   std::string last_error;  ///< the last line on its standard error

@@ -1,4 +1,4 @@
-// How deep a YAML text may be nested, and how much it may hold.
+// Limits of the nesting and size of a YAML text.
 #include "io/yaml_bounds.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// How deep a YAML text may be nested, and how much it may hold: to be asked before it is loaded.
+// Limits of the nesting and size of a YAML text, to be checked before it is loaded.
 #pragma once
 
 #include <optional>

@@ -28,7 +28,7 @@ struct Entry {
   Entry operator[](std::size_t i) const;           ///< of a list
 };
 
-/// What stands there, for an error: the quoted text, "a list", "nothing".
+/// Describes a node for an error: the quoted text, "a list", "nothing".
 std::string kindOf(const YAML::Node& node);
 
 /// ", did you mean ...?" where the text is nearly one of these names.

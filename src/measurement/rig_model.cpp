@@ -302,7 +302,7 @@ std::vector<Index> columnsOf(const RigFit& fit, Nuisance nuisance) {
   return columns;
 }
 
-// The force that is left at the log's first sample.
+// Finding on the initial state: its force at the first sample of the log.
 RigFinding initialStateFinding(const std::string& name, const RigFit& fit, const std::vector<Index>& columns,
                                double prior) {
   double value = 0.0;

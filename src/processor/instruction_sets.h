@@ -1,7 +1,6 @@
 // Compiles the file that RUBBER_SUSPENSION_KERNELS names once for each kind of processor, each time in a namespace of
-// its own within that of RUBBER_SUSPENSION_LAYER. The portable binary holds all of them and chooses when it runs.
-// Nothing in such a file may depend on inline functions from elsewhere to be fast: those are compiled for any
-// processor.
+// its own within that of RUBBER_SUSPENSION_LAYER. The portable binary holds all of them and chooses when it runs. Do
+// not use inline functions from elsewhere in fast parts of such a file: those are compiled for any processor.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

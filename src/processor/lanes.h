@@ -14,7 +14,7 @@ inline Lanes load(const double* numbers) {
 
 inline void store(const Lanes& lanes, double* numbers) { std::memcpy(numbers, &lanes, sizeof lanes); }
 
-/// The same number in each lane.
+/// Copies a number to each lane.
 inline Lanes spread(double number) { return number - Lanes{}; }
 
 /// Each number in the lane before its own, and in the last lane the first one of what follows.

@@ -62,7 +62,7 @@ class AnsweringTopics {
   std::uint64_t undelivered() const { return publisher_.undelivered(); }  ///< answers; see AnswerPublisher
 
  protected:
-  /// What comes on the topic to `take`, without delay (TCP_NODELAY).
+  /// Passes messages of the topic to `take`, without delay (TCP_NODELAY).
   template <class Message>
   void subscribe(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size, MessageCheck check,
                  const boost::function<void(const ros::MessageEvent<const Message>&)>& take) {

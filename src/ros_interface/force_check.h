@@ -48,8 +48,8 @@ ForceReference simulatedReference(const component::Component& component, const l
 /// Checks that every sample of the log had exactly one force.
 TestCase checkAnswers(const std::string& component, const log::Log& log, const PlayResult& result);
 
-/// How far the bench's forces are from the reference, leaving out the first `skip` seconds of the log; nothing where a
-/// force is missing. Throws std::invalid_argument where nothing is left or the reference is constant there.
+/// Compares the bench's forces with the reference, without the first `skip` seconds of the log; nullopt if a force is
+/// missing. Throws std::invalid_argument if no samples remain or the reference is constant there.
 std::optional<gap::Agreement> compareForces(const log::Log& log, const ForceReference& reference,
                                             const PlayResult& result, double skip);
 

@@ -73,8 +73,8 @@ class LogPlayer {
 
   /// Play a log that checkLog accepts, its first sample at `start`, without one at once. Samples that stay without
   /// answer are in the result; it ends early where ROS is shut down. Unless more logs follow, wait for what may come
-  /// after the last answer: a force too many, and the gap up to the last sample. Throws PlayError.
-  /// Of poses the log has stamps and temperatures, and `poses` the rest.
+  /// after the last answer: a force too many, and the gap up to the last sample. Throws PlayError. Plays a log; for
+  /// poses it has stamps and temperatures, and `poses` the rest.
   PlayResult play(const log::Log& log, Steady::time_point start = {}, bool more_follow = false,
                   const log::PoseLog* poses = nullptr);
 

@@ -70,8 +70,7 @@ void tell(const std::string& refusal, const std::string& success) {
   }
 }
 
-// Nothing of this process is left at a master that answers. Where it has heard it all, or nothing, roscpp's own words,
-// one after the other, are not needed.
+// Unregisters this process in one call; skips roscpp's own calls if that worked or the master is gone.
 void leave(RosCommandLine& line) {
   constexpr double kMasterLimit = 0.5;  // [s]
   constexpr double kLeaveLimit = 3.0;   // [s]

@@ -21,7 +21,7 @@ struct PreloadTable {
   std::vector<Preload> preload;  ///< points, increasing
   std::vector<double> factor;    ///< at the points; linear between, constant beyond
 
-  /// At a preload of the kind of its points [N, N m, m, rad].
+  /// Factor at a preload of the kind of its points [N, N m, m, rad].
   double factorAt(double value) const;
 };
 

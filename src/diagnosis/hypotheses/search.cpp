@@ -400,9 +400,10 @@ class Searcher {
     return chosen;
   }
 
-  // Sets of so many effects, the likeliest first: of all pairs about the model, and of those with one less about what
-  // they arrived at. None where it is not worth a fit, nor those that were fitted before. What the rig costs the best
-  // so far may be one more effect: the floor is no higher than what one of them leaves.
+  // Plans fits of sets of so many effects, the likeliest first: pairs are screened about the model, larger sets about
+  // the optimum of the sets with one effect less. Sets that are not worth a fit or were fitted before are omitted.
+  // Because an effect may explain what the best fit so far attributes to the rig, the floor is at most the least error
+  // of the sets.
   Plan planFits(const Screening& about_model, std::size_t effects) const {
     Plan plan{{}, result_.noise.floor};
     if (!isWorthMore(effects, plan.floor)) {

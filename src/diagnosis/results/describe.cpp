@@ -252,7 +252,7 @@ class Describer {
 
   Left leftByModels() const { return {gapOfModels(), law_.gap_of_full, gapsAlone(), scoresOfTheFile()}; }
 
-  // With some of the values and effects. In sample where there are no unseen logs.
+  // Errors of the model with a selection of values and effects; in sample if there are no unseen logs.
   std::vector<gap::PartError> errorsWith(const std::vector<std::string>& effects, const std::vector<bool>& in) const {
     const auto elements = withSome(prepared_.component, law_, effects, in).allElements();
     const std::vector<gap::PreparedRecord>& records = recordsOfGap();

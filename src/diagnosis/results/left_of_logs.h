@@ -16,12 +16,12 @@ struct RigOfLog {
   double delay = 0.0;  ///< of the recorded force behind the displacement, likewise [s]
 };
 
-/// What the findings say of each record.
+/// Gain and delay of each record by the findings.
 std::vector<RigOfLog> rigOfLogs(const std::vector<gap::PreparedRecord>& records,
                                 const std::vector<measurement::RigFinding>& findings);
 
-/// What each of two components leaves of each record: without its gain and delay, and without an offset and, of a log
-/// that starts in motion, an initial state, which are fitted to each component alike.
+/// Residual of each of two components on each record, without the gain and delay of the record, and with an offset and,
+/// for a log that starts in motion, an initial state fitted to each component.
 std::vector<LeftOfLog> leftOfLogs(const std::vector<gap::PreparedRecord>& records, const std::vector<RigOfLog>& rig,
                                   const gap::Forces& configured, const gap::Forces& written);
 

@@ -255,7 +255,7 @@ class TableDescriber {
 
   std::vector<Complex> of(Complex DiagnosedRow::* model) const { return element::each(rows_, model); }
 
-  // On rows that took no part in the fit.
+  // Gaps on rows that took no part in the fit.
   results::Left leftOfRows() const {
     Gap gap = {search_.configured_gap, gap::gapOfParts(search_.re_estimated.fit.blocks),
                gap::gapOfParts(judged_.fit.blocks), search_.noise.floor};

@@ -14,8 +14,7 @@ namespace rubber_suspension::diagnosis::hypotheses::candidate {
 double longestRelaxationTime(const fit::Excitation& excitation);
 
 /// Gives a candidate a branch for each of these break frequencies [Hz], whose stiffness is of a typical size [N/m].
-/// They may follow one curve, all the same: a curve for each would be a nonlinear spring beside linear branches as
-/// well.
+/// They may follow one curve in common: separate curves would also represent a nonlinear spring beside linear branches.
 void addBranches(const std::vector<double>& frequencies, double typical, const fit::Excitation& excitation,
                  fit::Candidate& candidate);
 
