@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::apps {
 
-/// A node that is kept to the loopback interface gets a client that is; where that is refused, say so.
+/// Keeps the client to the loopback interface, like the node, and reports if that is refused.
 inline void noteOpenness(const std::string& command) {
   const std::string refusal = ros_interface::keepSlaveApiToLoopback();
   if (!refusal.empty()) {

@@ -101,7 +101,7 @@ int publishAgreement(const Options& options, const std::string& component,
   return status;
 }
 
-// Writes the forces, or wrenches, by `write`, and says what they come to.
+// Writes the forces, or wrenches, by `write`, and prints a summary.
 template <class Log, class Loads, class Replay>
 int publish(const Options& options, const std::string& component, const Log& log, const Loads& loads,
             const Replay& replay, void (*write)(const std::string&, const Log&, const Loads&),

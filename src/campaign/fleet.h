@@ -29,12 +29,12 @@ class Fleet {
   /// Jobs that failed, and replays, add nothing.
   void add(const Job& job, const Record& record);
 
-  /// By the names of types and rigs, as fleet.json has them. Of a type: `verdicts` and named `effects`, most frequent
-  /// first, each with the share of the diagnosed components and its interval_95, by Jeffreys' prior; `parameters`, the
+  /// Returns types and rigs by name, as in fleet.json. A type has `verdicts` and named `effects`, most frequent first,
+  /// each with the share of the diagnosed components and its interval_95, by Jeffreys' prior; `parameters`, the
   /// distributions of logarithms of re-estimated over configured values; `far_out`, values farther from the quartiles
   /// than four times their distance, and from the median by more than a bench holds; `listed`, its first components.
-  /// `rigs` has the same distributions by rig, type and parameter, where a rig had several types: one that gives way
-  /// takes more of a stiff type than of a soft one, a wrong gain takes the same of all.
+  /// `rigs` has the same distributions by rig, type and parameter, if a rig had several types: a compliant rig reduces
+  /// the stiffness of a stiff type more than of a soft one, a wrong gain scales all alike.
   nlohmann::ordered_json analyse() const;
 
  private:

@@ -33,12 +33,11 @@ struct PoolCallbacks {
 
 /// Executes these jobs in order with `workers` processes; returns false, after the workers have ended, if SIGINT,
 /// SIGTERM or SIGHUP interrupted it. To be called where this process has no other thread. A worker killed from outside
-/// (SIGKILL, SIGTERM, ...) speaks against its machine, not against the job, which is tried once more; killed twice
-/// (memory, most likely), it is left undone.
+/// (SIGKILL, SIGTERM, ...) is a fault of the machine, not of the job, which is tried once more; killed twice (probably
+/// for memory), it remains undone.
 ///
-/// A job that takes longer than `longest` [s] is ended with its worker and counts as died of it, at once; 0: there is
-/// no limit. Time in which this process itself did not run (suspended with its workers, as a cluster does for more
-/// urgent work) does not count.
+/// A job that takes longer than `longest` [s] is ended with its worker and counts as died; 0: no limit. Time in which
+/// this process itself did not run (suspended with its workers, as by a cluster for more urgent work) does not count.
 ///
 /// Throws std::runtime_error where no process can be made, or a worker reports an exception.
 bool workOff(const std::vector<std::size_t>& jobs, int workers, const PoolCallbacks& callbacks, double longest = 0.0);

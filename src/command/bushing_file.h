@@ -37,8 +37,7 @@ struct Bushing {
   std::vector<std::string> left_out;  ///< of the component file: keys whose content has no place in a property file
 };
 
-/// The bushing of a component of six directions. Of directions that are coupled, one that is given alone stands for
-/// all.
+/// The bushing of a component of six directions. If only one of several coupled directions is given, it applies to all.
 Bushing bushingOf(const component::SixDirections& component);
 
 /// One of one direction, along an axis.

@@ -1,4 +1,4 @@
-// The table of a component, and what it leaves out.
+// The table of a component, and what it lacks.
 #include "command/characteristic_table.h"
 
 #include <fmt/format.h>

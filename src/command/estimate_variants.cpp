@@ -109,7 +109,7 @@ double breakFrequencyByLoss(Specification from) {
       "break_frequency is missing; accepted: a number, as M2 along a curve has none of its own");
 }
 
-// "M1,M2" are two.
+// Splits entries such as "M1,M2".
 std::vector<std::string> eachOf(const std::vector<std::string>& models) {
   std::vector<std::string> result;
   for (const std::string& text : models) {

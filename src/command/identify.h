@@ -11,11 +11,11 @@
 
 namespace rubber_suspension::command {
 
-/// Identify the elements of a component, estimated ones and those added, from logs that all have a measured force.
-/// The break frequencies of multi_maxwell are kept: they spread the elements over the range, and with them kept the
-/// stiffnesses have a unique best fit. What the rig did to the logs is found along and told in the notes: spikes and
-/// values held, zeros of the force that differ from log to log, starts in motion. Throws std::invalid_argument,
-/// LogError for a log without force.
+/// Identify the elements of a component, estimated ones and those added, from logs that all have a measured force. The
+/// break frequencies of multi_maxwell are kept: they spread the elements over the range, and with them kept the
+/// stiffnesses have a unique best fit. Errors of the rig are found as well and reported in the notes: spikes and held
+/// values, force offsets that differ between logs, starts in motion. Throws std::invalid_argument, LogError for a log
+/// without force.
 fit::Identification identifyFromLogs(const io::ComponentDescription& description, const std::vector<log::Log>& logs,
                                      fit::IdentificationOptions options);
 

@@ -43,7 +43,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return result;
 }
 
-// A number that is not admissible, or text that is empty, stands for "not given".
+// An inadmissible number or an empty text means "not given".
 std::string defaultOf(const Option& option) {
   return std::visit(
       [&](const auto& target) -> std::string {

@@ -17,8 +17,8 @@ struct Example {
 /// The name and purpose of a command.
 struct Command {
   std::string name;
-  /// Begins with a sentence "Simulates ..."; lines that begin with blanks stay as they are. What follows the first
-  /// empty line is for --help-all.
+  /// Begins with a sentence "Simulates ..."; lines that begin with blanks stay as they are. Text after the first empty
+  /// line is for --help-all.
   std::string description;
   std::vector<Example> examples = {};
 };

@@ -43,8 +43,8 @@ struct Option {
   /// A flag.
   Option(std::string name, bool& given, std::string help);
 
-  /// An option with a value, or several where the target is a list. The placeholder says what it takes ("SECONDS");
-  /// the help has neither capital nor full stop. What the target holds is the default, shown where it is admissible.
+  /// An option with a value, or several where the target is a list. The placeholder says what it takes ("SECONDS"); the
+  /// help has neither capital nor full stop. The value of the target is the default, shown if it is admissible.
   template <class T>
   Option(std::string name_, T& target_, std::string placeholder_, std::string help_)
       : Option(std::move(name_), Target(&target_), std::move(placeholder_), std::move(help_)) {}
@@ -55,7 +55,7 @@ struct Option {
   /// Left out of --help, which is one screen; in --help-all.
   Option& rare() { return is_rare = true, *this; }
 
-  /// Accepted, and not in any help.
+  /// Makes the option accepted but not shown in any help.
   Option& hidden() { return is_hidden = true, *this; }
 
   /// A number from `lowest` to `highest`.

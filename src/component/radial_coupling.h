@@ -55,7 +55,7 @@ class RadialLaw {
 };
 
 /// Two directions (cylindrical) or three (spherical) with coordinates d, r = |d|. Of these laws
-///   - spring, Maxwell element, dashpot and springpot act along each direction by itself, as vectors do anyhow;
+///   - spring, Maxwell element, dashpot and springpot act along each direction by itself, as vectors do;
 ///   - static curve, stop and radial_stiffness have the potential U = sum c_i^2 U_i(r), c = d/r, with U_i that of
 ///     direction i: the radial force is the elliptic interpolation sum c_i^2 F_i(r), and a tangential one makes it do
 ///     no work over closed loops; F = F(r) c where the directions have one law. What a radial_stiffness has along one

@@ -23,7 +23,7 @@ std::size_t editDistance(const std::string& one, const std::string& other);
 
 /// The known word that is nearest by editDistance(), at most one letter in three apart (of two letters only the case
 /// may differ); else the only known one that has the word as a whole part, as "static_stiffness" has "static" and
-/// "sampling-rate" has "rate". Nothing where no word is near, or where the word is known.
+/// "sampling-rate" has "rate". Returns nullopt if no word is near, or the word is known.
 std::optional<std::string> nearestWord(const std::string& word, const std::vector<std::string>& known);
 
 /// " (did you mean 'NAME'?)", to be put behind what is wrong; empty without a near word.

@@ -31,8 +31,8 @@ class Fitter final : public HypothesisFitter {
   /// need not find again. Not while fits run.
   void prepare(std::vector<Candidate>& candidates, int threads);
 
-  /// The effect of zeros of the displacement on the force of a hypothesis; frees them where that matters. None where
-  /// nothing is known of the rig.
+  /// The effect of zeros of the displacement on the force of a hypothesis; frees them where that matters. Empty without
+  /// knowledge of the rig.
   void freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis) const override;
 
   void freeFactors(const ParameterVector& parameters, Hypothesis& hypothesis) const override;

@@ -60,9 +60,9 @@ struct FreeInLog {
   /// gain changes.
   Eigen::MatrixXd columns(const log::Record& record, std::size_t place, const Eigen::VectorXd& simulated) const;
 
-  /// The error that each column counts as where it is as large as the force; 0 where it has no prior. Half cosines are
-  /// those of a random walk, which is as wide as zeros are on a bench of which nothing is known: free ones predict
-  /// nothing between the samples that they are fitted to.
+  /// Prior cost of each column as an error, at the size of the force; 0 without a prior. Half cosines have the prior of
+  /// a random walk with the default tolerance of offsets, because free ones would predict nothing between the samples
+  /// of the fit.
   Eigen::VectorXd costs(const gap::PreparedRecord& record) const;
 
   /// Both, the error as a penalty [N^2].

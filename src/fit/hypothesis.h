@@ -126,7 +126,7 @@ struct Hypothesis {
 };
 
 /// The hypothesis that these candidates are at work. A member that contains several laws is beyond one of them at a
-/// time, the first of `preferred`: beyond all of them it would be beyond a set, and no simpler than that. Those of
+/// time, the first of `preferred`: beyond all of them it would be beyond a set, and no simpler than that. Candidates of
 /// `curved` follow the curve.
 Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members,
                           const std::vector<int>& preferred = {}, const std::vector<int>& curved = {});

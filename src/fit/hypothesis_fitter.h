@@ -44,9 +44,8 @@ struct FitLimits {
   int threads = 1;
 };
 
-/// Fits hypotheses to measurements: Gauss-Newton steps within bounds, and cross validation by blocks. What was
-/// measured, and so what a residual is, a derived class says. Thread-safe once constructed; the model has to outlive
-/// it.
+/// Fits hypotheses to measurements: Gauss-Newton steps within bounds, and cross validation by blocks. A derived class
+/// defines the measurement and the residual. Thread-safe once constructed; the model has to outlive it.
 ///
 /// Model parameters are free, but what is known of the component beforehand is a measurement like any other: a
 /// departure by one standard deviation costs as much as a certain gap, whatever the noise of the measurement. So what

@@ -58,7 +58,7 @@ std::optional<std::vector<element::ElementDescription>> lawOf(const Hypothesis& 
   }
 }
 
-// Records with the displacement that is left behind elements that act on it alone: what a spring of 1 N/m feels.
+// Records with the displacement behind elements that change it alone, which is the force of a spring of 1 N/m there.
 std::vector<gap::PreparedRecord> displacedBy(std::vector<element::ElementDescription> path,
                                              const std::vector<gap::PreparedRecord>& records) {
   path.push_back({"spring", {{"stiffness", {1.0}}}});

@@ -295,8 +295,8 @@ void describeFit(Identification& result, ForceModel& model, const ModelFit& fit,
   Covariance covariance = covarianceOf(
       products, ForceModel::ofParameters(fit, projectedCovariance(model.takeColumns(), compared.runs, noise)));
   result.independent_samples = count / std::max(1.0, correlationFactor(noise, residual.squaredNorm() / count));
-  // The fit takes as many independent samples out of the residuals as it has unknowns, and their variance is an
-  // estimate itself: Student's distribution with the samples that are left.
+  // Each unknown uses up one independent sample, and the variance is itself estimated: Student's distribution with the
+  // remaining samples as degrees of freedom.
   const double left = std::max(1.0, result.independent_samples - static_cast<double>(products.cols()));
   covariance.matrix *= result.independent_samples / left;
   const double quantile = boost::math::quantile(boost::math::complement(boost::math::students_t(left), kTail));

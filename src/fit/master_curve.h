@@ -59,8 +59,8 @@ struct SuperpositionRest {
   int free = 0;          ///< complex numbers of the rows, less those that shifts and series take
 };
 
-/// With a_T and b_T free at each temperature: what the rows differ by from any one curve. Nothing where the table has
-/// no temperatures or nothing tells the shifts.
+/// With a_T and b_T free at each temperature: what the rows differ by from any one curve. Returns nullopt if the table
+/// has no temperatures or does not determine the shifts.
 std::optional<SuperpositionRest> leftBySuperposition(const std::vector<TablePoint>& points);
 
 /// A temperature to refer to: the whole number nearest to the middle of the table.

@@ -56,7 +56,7 @@ class ModelParameters {
   const std::vector<KnownNumber>& known() const { return known_; }
 
   /// How far each known number is from what is known, in standard deviations of its logarithm: the squares add up to
-  /// chi^2. Whether or not a component has such numbers.
+  /// chi^2. Defined for any point, even without a component.
   Eigen::VectorXd departures(const Eigen::VectorXd& logarithms) const;
 
   /// Their derivatives by the logarithms, a row for each known number.
@@ -79,8 +79,8 @@ class ModelParameters {
   std::optional<std::vector<element::ElementDescription>> elements(const Eigen::VectorXd& logarithms) const;
 
   /// The changes that the user would have to write: new over old value of every number of the specification, or of
-  /// every parameter of the elements, that is not equal. Of any point, also of one that no component has, as the values
-  /// that a single log asks for can be.
+  /// every parameter of the elements, that is not equal. Defined for any point, even without a component, as may result
+  /// from a fit to a single log.
   std::vector<std::pair<std::string, double>> ratios(const Eigen::VectorXd& logarithms) const;
 
  private:

@@ -47,7 +47,7 @@ struct BlockGrams {
   BlockGrams of(const std::vector<Eigen::Index>& unknowns) const;
 };
 
-/// Sums kept of each block, or of each fold. Of many columns the latter are enough, and small.
+/// Sums kept of each block, or of each fold. For many columns the latter suffice, and are small.
 enum class Kept { blocks, folds };
 
 /// The logs cut into blocks, and the products with each other of columns that no fit changes, found once for all fits.

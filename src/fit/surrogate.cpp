@@ -48,8 +48,8 @@ Eigen::Index strideOf(const std::vector<gap::PreparedRecord>& records) {
   return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::ceil(samples / kMostRows)));
 }
 
-// Every so many samples of a record. What the rig may have added is as probable as before, in units of the error of
-// so many samples.
+// Every so many samples of a record. The prior of errors of the rig is the same as before, in units of the error of so
+// many samples.
 gap::PreparedRecord thinned(const gap::PreparedRecord& record, Eigen::Index stride) {
   const auto kept = Eigen::seq(0, Eigen::last, stride);
   gap::PreparedRecord result = record;

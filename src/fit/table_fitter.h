@@ -15,9 +15,9 @@
 
 namespace rubber_suspension::fit {
 
-/// Each row as a record: a sine that grows from rest over some cycles and settles, then one cycle that counts. Of that
-/// cycle stiffness and loss angle are those of the whole loop, by peaks and area, as `estimate --from-table` takes
-/// them.
+/// Each row as a record: a sine that grows from rest over some cycles and settles, then one cycle that counts.
+/// Stiffness and loss angle of that cycle are those of the whole loop, by peaks and area, as in `estimate
+/// --from-table`.
 class TableLoops {
  public:
   /// Throws std::invalid_argument as checkPoints() does.

@@ -110,8 +110,8 @@ Correlations correlate(const Signal& first, const Signal& second, Index most) {
   return result;
 }
 
-// The shift of the simulated signal, to the left above 0, with the largest correlation. The smallest of equal ones,
-// where what differs by no more than transforms round is equal; the left one of two.
+// The shift of the simulated signal (positive: to the left) with the largest correlation. Of those that are equal
+// within the rounding of transforms, the smallest, preferably to the left.
 Index bestShift(const Signal& measured, const Signal& simulated) {
   constexpr double kRounding = 1e-9;
   const auto most = static_cast<Index>(std::floor(kLargestShift * static_cast<double>(measured.size())));
@@ -134,8 +134,8 @@ struct Sums {
   }
 };
 
-// The cheapest path through the squared differences, by steps of one in either signal or in both, and what it comes to.
-// Cells of one diagonal, on which the places in both signals add up to the same, need nothing of each other.
+// The cheapest path through the squared differences, by steps of one in either signal or in both, and its cost. Cells
+// of one antidiagonal, with equal sums of indices, are independent of each other.
 class Warping {
  public:
   Warping(const Signal& measured, const Signal& simulated)

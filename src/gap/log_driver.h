@@ -30,8 +30,8 @@ class LogDriver {
   /// as `replay` and the node take it.
   void drive(const log::EvenBlocks::Piece& piece, double dt, double* force);
 
-  /// Force over all of a record [N], driven by this displacement [m]. What is longer than the record has a motion
-  /// before it; temperature and displacement across hold their first value then.
+  /// Force over all of a record [N], driven by this displacement [m]. Signals longer than the record have a motion
+  /// before it, with the first value of temperature and of the displacement across.
   Eigen::VectorXd over(const log::Record& record, const Eigen::VectorXd& displacement, Before before);
 
  private:

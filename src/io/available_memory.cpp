@@ -14,8 +14,8 @@ namespace {
 
 std::uint64_t lessOrNothing(std::uint64_t whole, std::uint64_t part) { return whole - std::min(whole, part); }
 
-// The number behind a word of a file, or the first one where the word is empty. None where there is no number, as where
-// a limit says "max".
+// The number behind a word of a file, or the first one where the word is empty. Returns nullopt without a number, as
+// for the limit "max".
 std::optional<std::uint64_t> numberIn(const std::string& path, const std::string& word = "") {
   std::ifstream file(path);
   std::string read;

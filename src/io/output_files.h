@@ -64,7 +64,7 @@ struct InputFile {
   std::string path;
 };
 
-/// A file that a command writes. Where it lies in a folder that the command makes, the option names the folder.
+/// A file that a command writes. For a file in a folder that the command makes, the option names the folder.
 struct OutputFile {
   std::string option;
   std::string path;

@@ -118,8 +118,8 @@ class ComponentChannel::Promotion {
             double weight)
       : description(std::move(of)), model(makeModel(description, max_gap)), fade(settings, stage, weight) {}
 
-  // Take a sample that the configured model answered; returns the published force, and in `beside` the total of the
-  // model that does not give it.
+  // Processes a sample that the configured model answered; returns the published force, and in `beside` the total force
+  // of the other model.
   element::ComponentForce push(std::int64_t stamp, double displacement, const element::ComponentForce& configured,
                                double& beside) {
     fade.advance(stamp);

@@ -160,7 +160,7 @@ class ComponentChannel {
   /// The configured component; another object after exchange().
   std::shared_ptr<const io::ComponentDescription> configured() const;
 
-  /// Measured forces go here; what is accepted and answered is already there. Of six directions one each.
+  /// Measured forces go here; what is accepted and answered is already there. For six directions there is one each.
   GapMonitor& gap(std::size_t direction = 0) { return gaps_[direction]; }
 
   /// The counts so far; starts a new interval of the latency.

@@ -34,7 +34,7 @@ void GapMonitor::match(std::uint64_t number, double force) {
   }
 }
 
-// Measured forces that came before their sample. Those older than it will find none any more.
+// Measured forces that came before their sample. Older ones cannot be matched any more.
 void GapMonitor::takeWaiting(std::uint64_t number) {
   const std::int64_t stamp = at(number).stamp;
   const auto is_past = [&](const Waiting& waiting) {

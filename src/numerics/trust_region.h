@@ -56,7 +56,7 @@ struct Limits {
   Eigen::VectorXd inside(const Eigen::VectorXd& x) const { return x.cwiseMax(lower).cwiseMin(upper); }
 };
 
-/// When a search is done.
+/// Convergence criteria of a search.
 struct SearchTolerances {
   int most_steps = 60;
   double cost = 1e-10;  ///< relative change

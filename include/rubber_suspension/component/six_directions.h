@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::component {
 
-/// In the order of wrenches and of coordinates.
+/// Directions in the order of wrenches and coordinates.
 enum Direction : std::size_t { kX, kY, kZ, kRx, kRy, kRz, kDirections };
 
 /// The key in a component file: "x" to "rz".

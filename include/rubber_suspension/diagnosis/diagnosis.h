@@ -190,7 +190,7 @@ struct GapShare {
   double squares_at_least = kNotComputed;
 };
 
-/// A number of the data sheet, as the logs have it.
+/// Deviation of a number of the data sheet in the logs.
 struct SheetDeviation {
   std::string name;         ///< a key of the specification
   double tolerances = 0.0;  ///< by which the logs' value is above that of the sheet
@@ -343,7 +343,7 @@ struct Samples {
   std::size_t recorded = 0;  ///< that the logs have; more than `searched` where it took excerpts
 };
 
-/// The result of a diagnosis: what each of its steps found. Of the verdicts check_bench and defect numbers are
+/// The result of a diagnosis: what each of its steps found. For the verdicts check_bench and defect, numbers are
 /// kNotComputed and lists are empty.
 struct Diagnosis {
   std::string component;
@@ -407,7 +407,7 @@ std::vector<std::string> reportFiles();
 
 /// Writes the report into a folder, which is made: report.json, augmented.yaml, augmented_full.yaml where it was asked
 /// for, next_experiment.csv, surrogate.yaml and missing_force.csv where there is a surrogate, evidence.json where it
-/// was asked for, and the numbers of its figures. None takes its name before all are written. Before that the page of
+/// was asked for, and the numbers of its figures. All are written before the first is renamed. Before that the page of
 /// an earlier report is removed, with whatever else that report left there and this one lacks. Throws
 /// std::runtime_error.
 void writeReportData(const Diagnosis& diagnosis, const std::string& folder);

@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Limits of a proposed experiment. What is not given is what the logs themselves reached.
+/// Limits of a proposed experiment. By default they are what the logs reached.
 struct ExperimentLimits {
   std::optional<double> stroke;     ///< largest displacement to either side of 0 [m]
   std::optional<double> speed;      ///< largest rate of the displacement [m/s]

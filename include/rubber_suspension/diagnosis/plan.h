@@ -48,8 +48,8 @@ std::string toJson(const Plan& plan);
 /// Names of the files of a plan.
 std::vector<std::string> planFiles();
 
-/// Writes plan.json and then plan.html, a page that needs no network, into a folder, which is made. Returns the reason
-/// in one line where no page is drawn; empty where one is. Throws std::runtime_error.
+/// Writes plan.json and then plan.html, a page that needs no network, into a new or existing folder. Returns an empty
+/// string, or one line with the reason if there is no page. Throws std::runtime_error.
 std::string writePlan(const Plan& plan, const std::string& folder);
 
 }  // namespace rubber_suspension::diagnosis

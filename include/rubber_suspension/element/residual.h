@@ -43,7 +43,7 @@ class ResidualBasis {
 
   const Layout& layout() const { return layout_; }
 
-  /// Layout of the memory. What depends on the length of a step is kept until a step has another.
+  /// Layout of the memory. Coefficients of a step length are kept until it changes.
   enum Slot : std::size_t {
     kStop,
     kRelaxed = kStop + kStops,

@@ -26,8 +26,8 @@ struct Resolved {
 /// describes: component: the numbers for which the model, its static curve and what is added have K_n, the loss angle
 /// and the high-frequency stiffness asked for on the settled loop at (f_n, A_n) about the nominal displacement (Eqs. 1
 /// and 2), to 1e-9. K_st and K_max are those of the linear part and of the curve, with the springs and Maxwell elements
-/// that are added and without friction. What never settles (drift, heating, softening) is left out of the target and
-/// named in the notes.
+/// that are added and without friction. Effects that never settle (drift, heating, softening) are ignored and named in
+/// the notes.
 ///
 /// points: those with the least sum of weight |d ln K + i d delta|^2 over the points.
 ///

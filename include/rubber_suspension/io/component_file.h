@@ -23,8 +23,8 @@ namespace rubber_suspension::io {
 
 struct SixDirectionsDescription;
 
-/// One component as a file describes it. What its model estimates is found once, when the specification is given; that
-/// can only be changed as a whole, so that the elements are always those of the specification.
+/// One component as a file describes it. The elements are estimated when the specification is set, which can only be
+/// changed as a whole, so that they always belong together.
 class ComponentDescription {
  public:
   /// Makes a component of the model `elements` without any.

@@ -19,9 +19,9 @@ struct PreparedLog {
 };
 
 /// Makes a log, to which a motion led, ready: samples that a channel did not measure are bridged and do not count, nor
-/// does the first cycle of a log that starts in motion, in which friction remembers what came before. Of a log with a
-/// channel that does not change the record is raw: checkBench() names it. Throws LogError as makeRecord() does, and
-/// where fewer than half of the samples are left.
+/// does the first cycle of a log that starts in motion, in which friction remembers what came before. The record of a
+/// log with a constant channel is raw: checkBench() reports it. Throws LogError as makeRecord() does, and where fewer
+/// than half of the samples are left.
 PreparedLog prepareLog(const log::Log& log, log::LeadIn lead_in = {});
 
 /// Prepares a piece of a longer log, which the component has moved through: its first cycle counts.

@@ -62,8 +62,8 @@ struct RigFit {
 using Simulate = std::function<std::vector<Eigen::VectorXd>(const std::vector<Eigen::VectorXd>&)>;
 
 /// True where a record may start while the machine runs: at speed or at a turning point, by how the way grows at first.
-/// Not where it starts at 0 without force, as a ramp from rest does. Of what is left from before, the force at the
-/// first samples is the bound.
+/// Not where it starts at 0 without force, as a ramp from rest does. The force at the first samples bounds the initial
+/// state.
 bool startsInMotion(const log::Record& record);
 
 /// The nuisances of a set of logs, and how wide each may be.

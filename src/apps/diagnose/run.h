@@ -59,11 +59,11 @@ std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis);
 
 std::optional<diagnosis::report::EarlierReport> earlierReport(const DiagnoseOptions& options);
 
-/// Warns where a report has no page, by the problem that writing it returned. The path of the page, or without one that
-/// of the report's data.
+/// Warns if a report has no page, with the problem that writing it returned. Returns the path of the page, or else of
+/// the report's data.
 std::string writtenReport(const std::string& folder, const std::string& name, const std::string& problem);
 
-/// Writes the report of a diagnosis, and says on the terminal what it comes to.
+/// Writes the report of a diagnosis and prints its summary.
 int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::report::EarlierReport>& earlier,
             const DiagnoseOptions& options);
 

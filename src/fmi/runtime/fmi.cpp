@@ -42,7 +42,7 @@ std::string embeddedText() {
   return text;
 }
 
-// Call `body` with the instance behind a handle. What it throws becomes a message and a status.
+// Call `body` with the instance behind a handle. Exceptions become a message and a status.
 template <class Body>
 Status guarded(void* handle, Body body) noexcept {
   if (handle == nullptr) {

@@ -51,8 +51,8 @@ struct Variable {
   Place place = {};                  ///< of parameters
 };
 
-/// All variables of one component. Those of its parameters come in the order: specification, elements of the model
-/// where they are listed, elements added, shifts with temperature; then the calculated ones.
+/// All variables of one component. Parameters are in the order: specification, elements of the model if they are
+/// listed, added elements, shifts with temperature; then the calculated ones.
 class VariableTable {
  public:
   /// Throws std::invalid_argument where the specification has no solution.
