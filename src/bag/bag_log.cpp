@@ -78,7 +78,7 @@ double valueOf(const Displacement& message) { return message.displacement; }
 double valueOf(const MeasuredForce& message) { return message.force; }
 double valueOf(const sensor_msgs::Temperature& message) { return message.temperature; }
 
-// Of a message [ns].
+// Times of a message [ns].
 struct Times {
   std::int64_t stamp;
   std::int64_t receipt;
@@ -275,7 +275,7 @@ void mergeSignals(const Channel& displacement, const Channel& force, log::LogFor
   }
 }
 
-// Those that the node would have taken.
+// Samples that the node would have accepted.
 Series finiteOnes(const Series& series) {
   Series finite;
   for (std::size_t i = 0; i < series.stamp.size(); ++i) {

@@ -37,7 +37,7 @@ log::Log readAnyLog(const std::string& path, const std::string& component = "", 
 /// The logs of a file of any kind: that of a bag, else as log::readLogs().
 std::vector<log::Log> readAnyLogs(const std::string& path, const std::string& component, const log::LogFormat& format);
 
-/// The same to be read block by block: a bag is kept, else as log::openLogs().
+/// Opens logs to be read block by block, as log::openLogs(); a bag is kept in memory.
 log::LogSources openAnyLogs(const std::string& path, const std::string& component, const log::LogFormat& format);
 
 /// Write displacement and, if the log has them, measured force and temperature, where that changes. Throws LogError.

@@ -59,7 +59,7 @@ class Definition {
 
   const MessageType& root() const { return types_.at(""); }
 
-  /// Nothing for a builtin type. A type without its package is of the same one as the message, or Header.
+  /// Returns nullptr for a builtin type. A type without its package is of that of the message, or Header.
   const MessageType* find(const std::string& type) const {
     for (const auto& [name, fields] : types_) {
       if (!name.empty() && (name == type || name.substr(name.find('/') + 1) == type)) {
@@ -113,7 +113,7 @@ class MessageWalk {
   MessageWalk(const Definition& definition, const std::vector<std::uint8_t>& bytes)
       : definition_(definition), bytes_(bytes) {}
 
-  /// Nothing where an array has no such element.
+  /// Returns nullopt if an array has no such element.
   std::optional<double> number(const std::vector<PathStep>& steps) {
     at_ = 0;
     return within(definition_.root(), steps, 0);

@@ -21,7 +21,7 @@ struct HeadlineValue {
   bool is_scale = false;  ///< the effect is gone at 0
 };
 
-/// Whether the settled loops under single sines, which a table has, show an effect; and if not, why.
+/// Visibility of an effect in the settled loops of a table, or the reason for none.
 enum class InSettledLoops {
   shown,
   over_before,      ///< softening and heat are over before a loop has settled
@@ -81,7 +81,7 @@ std::vector<fit::Candidate> candidates(const fit::Excitation& excitation);
 /// movedOf().
 std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDescription>& entries);
 
-/// The same by name, as report.json has them.
+/// Headline numbers by name, as in report.json.
 std::map<std::string, double> headlineOf(const std::vector<element::ElementDescription>& entries);
 
 /// The numbers that a fit moves of an entry; of several of one type the sum of the first parameter of their law, as

@@ -93,7 +93,7 @@ bool floorIsLeast(const Diagnosis& d) {
          all(d.candidates, [&](const CandidateResult& c) { return d.gaps.unseen.noise_floor <= c.gap + kRounding; });
 }
 
-// What is named explains more than other values do, or as much with values nearer to the data sheet.
+// Named effects explain more than other values do, or as much with values nearer to the data sheet.
 bool whatIsNamedCloses(const Diagnosis& d) {
   if (d.answer.effects.empty() || !d.law.withheld.empty()) {
     return true;
@@ -211,7 +211,7 @@ bool fileLeavesNoMore(const Diagnosis& d) {
          all(d.law.withheld, [&](const Withheld& one) { return !isWritten(d, one.effect); });
 }
 
-// What is told of a named effect is of the law as written; of all others of their full laws.
+// The numbers of a named effect are those of the written law, those of all others of their full laws.
 bool numbersAreOfTheFile(const Diagnosis& d) {
   return d.table || all(d.candidates, [&](const CandidateResult& c) {
            const bool named = std::count(d.answer.effects.begin(), d.answer.effects.end(), c.effect) > 0;

@@ -1,4 +1,4 @@
-// What every report has to hold, whatever it found: one that does not tells nothing.
+// Invariants of every report; one that violates them states no result.
 #pragma once
 
 #include <string>

@@ -21,7 +21,7 @@ namespace {
 using component::Direction;
 using SixLogs = std::array<log::Log, component::kDirections>;
 
-// Whether others share its force, by their radius.
+// True if the direction is coupled with others by their radius.
 bool isCoupled(const component::SixDirectionsLaws& laws, Direction direction) {
   const component::Coupling coupling = component::isRotation(direction) ? laws.rotation : laws.translation;
   return coupling == component::Coupling::spherical ||
@@ -38,7 +38,7 @@ std::optional<Direction> partnerOf(const io::SixDirectionsDescription& six, Dire
   return shares ? std::optional(other) : std::nullopt;
 }
 
-// Those that can be diagnosed by themselves.
+// Directions that can be diagnosed by themselves.
 std::string acceptedDirections(const io::SixDirectionsDescription& six) {
   std::string list;
   for (std::size_t i = 0; i < component::kDirections; ++i) {
@@ -124,7 +124,7 @@ DiagnosisOptions shareOf(const DiagnosisOptions& options, Direction direction, s
   return share;
 }
 
-// What two directions have by their radius stands in both: one that has nothing takes it from the other.
+// Radial laws belong to two directions: copies them to the one that has none.
 void completeRadius(io::SixDirectionsDescription& six, Direction direction) {
   const std::optional<Direction> partner = partnerOf(six, direction);
   const auto elements = six.directions[direction]->allElements();

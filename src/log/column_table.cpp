@@ -54,7 +54,7 @@ class Cursor {
     }
   }
 
-  /// Of the next element; nothing where it is not measured. Throws RowError.
+  /// Stamp of the next element; nullopt if it was not measured. Throws RowError.
   std::optional<std::int64_t> stamp(std::string& reason) const {
     if (times_.empty() || !isNumber(times_[next_ - begin_], time_, reason)) {
       return std::nullopt;

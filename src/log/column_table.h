@@ -13,15 +13,15 @@
 
 namespace rubber_suspension::log {
 
-/// How to read the columns of a file by their places; names are for errors. Both throw std::runtime_error where a
+/// Access to the columns of a file by their places; names are for errors. The functions throw std::runtime_error if a
 /// column cannot be read.
 struct ColumnFile {
-  /// How many numbers a column has.
+  /// Returns the number of values of a column.
   std::function<std::size_t(std::size_t place, const std::string& name)> length;
   /// The numbers [first, first + count) of a column, as the file has them.
   std::function<std::vector<double>(std::size_t place, const std::string& name, std::size_t first, std::size_t count)>
       read;
-  /// The same of a column of time, which may be nanoseconds since 1970; empty: as `read`.
+  /// Reads a column of time, which may be nanoseconds since 1970; empty: as `read`.
   std::function<std::vector<long double>(std::size_t place, const std::string& name, std::size_t first,
                                          std::size_t count)>
       read_time = {};
@@ -42,7 +42,7 @@ struct ColumnTable {
 std::vector<std::string> blocksFromColumns(const ColumnTable& table, const LogFormat& format, const std::string& name,
                                            std::size_t block, const LogSource::Take& take);
 
-/// The same as logs: one, or each segment. Groups that each hold a log are segments.
+/// Makes logs: one, or each segment. Groups that each contain a log are segments.
 std::vector<Log> logsFromColumns(const ColumnTable& table, const LogFormat& format, const std::string& name);
 
 }  // namespace rubber_suspension::log

@@ -1,4 +1,4 @@
-// How a text file lays out its numbers: separator, decimal mark, preamble, header, row of units.
+// Dialect of a text file: separator, decimal mark, preamble, header, row of units.
 #include "log/csv_dialect.h"
 
 #include <fmt/format.h>
@@ -122,7 +122,7 @@ bool isRowOfTypes(std::string_view line) {
          });
 }
 
-// Of a header whose first cell is a number that names the test piece, above a row of units that has none for it.
+// True for a header whose first cell is a number of the test piece, above a row of units without one for it.
 bool isBeneathCorner(const std::vector<Field>& fields, const std::vector<std::string>& units) {
   return !units.empty() && units[0].empty() && !anyNumber({fields.begin() + 1, fields.end()});
 }

@@ -1,4 +1,4 @@
-// How a text file lays out its numbers: separator, decimal mark, preamble, header, row of units.
+// Dialect of a text file: separator, decimal mark, preamble, header, row of units.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ enum class Separator { comma, semicolon, tab, blanks };
 
 std::string toString(Separator separator);
 
-/// That of a line of names: by rank, for where there is a tab or a semicolon, commas and blanks are within the fields.
+/// Separator of a line of names, by rank: beside a tab or a semicolon, commas and blanks are within fields.
 Separator separatorOf(std::string_view line);
 
 /// A field of a line: its text without blanks and quotes around it.
@@ -55,10 +55,10 @@ class HeaderFinder {
  public:
   using LooksLikeHeader = std::function<bool(const std::vector<ColumnName>&)>;
 
-  /// Of a log.
+  /// Finds the header of a log.
   explicit HeaderFinder(const LogFormat& format);
 
-  /// Of a text whose names of columns are to look like that; `accepted`: what they are, for errors.
+  /// Finds a header whose names look like that; `accepted`: their description for errors.
   HeaderFinder(LooksLikeHeader looks, std::string accepted)
       : looks_like_header_(std::move(looks)), accepted_(std::move(accepted)) {}
 

@@ -95,7 +95,7 @@ class CsvLogReader {
     return ended_ ? std::vector<std::string>() : std::move(logs_.front().notes);
   }
 
-  /// Of what an error is about.
+  /// Line of an error.
   std::size_t line() const { return line_; }
 
   bool hasHandedOut() const { return handed_out_ > 0; }
@@ -147,7 +147,7 @@ class CsvLogReader {
 
   bool isPastChosen() const { return format_.segment > 0 && segments_.size() >= format_.segment; }
 
-  // Whether the segment that is read is one that is wanted.
+  // True if the present segment is requested.
   bool isWanted() const {
     return format_.segment == kAllSegments || segments_.size() + 1 == std::max<std::size_t>(format_.segment, 1);
   }
@@ -196,7 +196,7 @@ class CsvLogReader {
     read_ahead_.insert(read_ahead_.begin(), rows, head.end());
   }
 
-  // Whether a header repeats the present one while time continues, as instruments write it for each buffer.
+  // True if a header repeats the present one while time continues, as instruments write it for each buffer.
   bool isContinued(const CsvHeader& header, const std::vector<TextLine>& head) {
     const auto row = firstRow(head, header.next_line);
     if (!columns_.time.found() || header.separator != header_.separator || header.names != header_.names ||

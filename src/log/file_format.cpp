@@ -82,7 +82,7 @@ struct Look {
 
 bool isZip(std::string_view head) { return head.substr(0, 4) == "PK\x03\x04"sv; }
 
-// Of the first file in an archive.
+// Name of the first file in an archive.
 std::string_view nameInZip(std::string_view head) {
   constexpr std::size_t kHeader = 30;  // bytes
   if (!isZip(head) || head.size() < kHeader) {

@@ -12,24 +12,24 @@ namespace rubber_suspension::log {
 /// repeats or another one, or a blank line. Throws LogError.
 std::vector<Log> readCsvLogs(const std::string& path, const LogFormat& format);
 
-/// Those of a MATLAB file (level 4 to 7.3). Its columns are real vectors of numbers: variables, named as NAME, and
-/// fields of structs, named as STRUCT.NAME; where the file holds one struct and nothing else, its name may be left out.
-/// A matrix has a column for each of its columns (rows where it is wider than long), named NAME(:,1), or 1 where the
-/// file holds nothing else. Structs that each hold a log are segments. Throws LogError.
+/// Reads the logs of a MATLAB file (level 4 to 7.3). Its columns are real vectors of numbers: variables, named as NAME,
+/// and fields of structs, named as STRUCT.NAME; where the file holds one struct and nothing else, its name may be left
+/// out. A matrix has a column for each of its columns (rows where it is wider than long), named NAME(:,1), or 1 where
+/// the file holds nothing else. Structs that each hold a log are segments. Throws LogError.
 std::vector<Log> readMatLogs(const std::string& path, const LogFormat& format);
 
-/// Those of an HDF5 file. Its columns are one-dimensional datasets of numbers and members of compound ones, named by
-/// their path without the first slash, or by their own name where all lie in one group; those of a matrix are named
-/// NAME[:,1] and so on. An attribute `unit`, `units`, `Unit` or `Units` tells the unit. Groups that each hold a log are
-/// segments. Throws LogError.
+/// Reads the logs of an HDF5 file. Its columns are one-dimensional datasets of numbers and members of compound ones,
+/// named by their path without the first slash, or by their own name where all lie in one group; those of a matrix are
+/// named NAME[:,1] and so on. An attribute `unit`, `units`, `Unit` or `Units` tells the unit. Groups that each hold a
+/// log are segments. Throws LogError.
 std::vector<Log> readHdf5Logs(const std::string& path, const LogFormat& format);
 
-/// Those of a file of RPC III: its channels, named by DESC with the unit of UNITS, at steps of DELTA_T. Integers are
-/// multiplied by SCALE. Throws LogError.
+/// Reads the log of a file of RPC III: its channels, named by DESC with the unit of UNITS, at steps of DELTA_T.
+/// Integers are multiplied by SCALE. Throws LogError.
 std::vector<Log> readRpcLogs(const std::string& path, const LogFormat& format);
 
-/// The same of one log, of any number of samples, handing out blocks of kLogBlock; the notes. Throws LogError, and what
-/// `take` throws. Of HDF5, no other thread reads a file meanwhile, and `take` must not.
+/// Reads one log of any length in blocks of kLogBlock; returns the notes. Throws LogError, and what `take` throws. For
+/// HDF5, other threads and `take` must not read a file meanwhile.
 std::vector<std::string> readCsvBlocks(const std::string& path, const LogFormat& format, const LogSource::Take& take);
 std::vector<std::string> readHdf5Blocks(const std::string& path, const LogFormat& format, const LogSource::Take& take);
 std::vector<std::string> readRpcBlocks(const std::string& path, const LogFormat& format, const LogSource::Take& take);

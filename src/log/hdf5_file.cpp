@@ -15,7 +15,7 @@
 namespace rubber_suspension::log {
 namespace {
 
-// Whether all of a dataset has a place in the file.
+// True if the file has space for all of a dataset.
 bool isWritten(hid_t dataset, hid_t properties) {
   const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
   if (H5Sget_simple_extent_npoints(space.get()) <= 0) {

@@ -43,7 +43,7 @@ hid_t openHdf5(const std::string& path);
 /// may be any file of the machine, or were never written, which libhdf5 takes for zeros.
 void requireOwnData(hid_t dataset, const std::string& name);
 
-/// The same for all datasets of a file; nothing for one that is no HDF5.
+/// Checks all datasets of a file; does nothing for one that is no HDF5.
 void requireOwnData(const std::string& path);
 
 /// Calls `visit` with the path of each object of a file, and the object where it is a dataset, until it returns false.

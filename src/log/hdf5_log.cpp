@@ -76,7 +76,7 @@ bool isNumber(H5T_class_t kind) { return kind == H5T_INTEGER || kind == H5T_FLOA
 
 bool isLong(hid_t type) { return H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) == sizeof(std::int64_t); }
 
-// Those of a dataset of structures that are numbers.
+// Names of the numeric members of a dataset of structures.
 std::vector<std::string> memberNames(hid_t type) {
   std::vector<std::string> names;
   const int count = H5Tget_nmembers(type);

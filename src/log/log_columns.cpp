@@ -1,4 +1,4 @@
-// Which columns of a file are read, and how their numbers become SI.
+// Finds the columns of a file and converts their numbers to SI.
 #include "log/log_columns.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Which columns of a file are time, displacement, force and temperature, and how their numbers become SI.
+// Finds time, displacement, force and temperature among the columns of a file, and converts their numbers to SI.
 #pragma once
 
 #include <array>
@@ -61,7 +61,7 @@ bool looksLikeHeader(const std::vector<ColumnName>& header, const LogFormat& for
 /// True where displacement and time, or the format's rate, are there.
 bool holdsLog(const std::vector<ColumnName>& header, const LogFormat& format);
 
-/// How sure the units of these columns are.
+/// Origin of the units of these columns.
 UnitsAre unitsOf(const Columns& columns, const LogFormat& format);
 
 /// A note for every column, and every unit of the format, that is not used.
@@ -71,7 +71,7 @@ std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, c
 /// True where all columns that are read have the names that this package writes.
 bool areCanonical(const Columns& columns);
 
-/// How many samples a log has, and from when to when [ns].
+/// Number of samples of a log, with first and last stamp [ns].
 struct LogExtent {
   std::size_t samples;
   std::int64_t first_stamp;

@@ -50,7 +50,7 @@ class SampleRules {
   LogExtent extent() const { return signals_.extent(); }
   const Signals& signals() const { return signals_; }
 
-  /// Of the stamps so far [Hz]; 0 where they do not tell it.
+  /// Rate of the stamps so far [Hz]; 0 if unknown.
   double rate() const;
 
  private:

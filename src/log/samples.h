@@ -14,7 +14,7 @@ namespace rubber_suspension::log {
 inline constexpr std::array<std::vector<double> Log::*, 4> kChannels = {&Log::displacement, &Log::force,
                                                                         &Log::temperature, &Log::across};
 
-/// Whether the force of a sample was measured.
+/// True if the force of a sample was measured.
 inline bool isCounted(const Log& log, std::size_t i) { return log.counts.empty() || log.counts[i] > 0.0; }
 
 /// Appends samples [first, first + count) of a log to those of another with the same columns, or with none.

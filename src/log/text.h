@@ -60,7 +60,7 @@ void refuseNamedPipe(const std::string& path);
 /// The content of a file of at most that many bytes. Throws std::runtime_error with the reason.
 std::string readFile(const std::string& path, std::size_t maximum_size);
 
-/// The same; the error is one line, begins with the path and has what is accepted behind it.
+/// Reads a file; the error is one line, from the path to what is accepted.
 std::string readInput(const std::string& path, std::size_t maximum_size, const std::string& accepted = "");
 
 }  // namespace rubber_suspension::log

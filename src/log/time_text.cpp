@@ -36,7 +36,7 @@ class TimeText {
 
   void skipBlanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }
 
-  // Of that many digits at most; -1 where there is none, or more.
+  // Number of at most that many digits; -1 without digits, or with more.
   int number(std::size_t most) {
     std::size_t digits = 0;
     int value = 0;
@@ -47,7 +47,7 @@ class TimeText {
     return digits == 0 || digits > most ? -1 : value;
   }
 
-  // Of a second [ns], nearest; whatever the number of digits.
+  // Fraction of a second [ns], rounded, with any number of digits.
   std::int64_t fraction() {
     std::int64_t value = 0;
     std::int64_t unit = kNanoseconds / 10;

@@ -177,7 +177,7 @@ std::string spellingHint(const std::string& text, const ut_unit* wanted) {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-// Whether three digits stand behind each separator from the first on.
+// True if three digits follow each separator, from the first on.
 bool endsInGroups(const std::string& digits, std::size_t first, char separator) {
   for (std::size_t i = first; i < digits.size(); ++i) {
     if ((digits[i] == separator) != ((i - first) % 4 == 0)) {

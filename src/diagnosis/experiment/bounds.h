@@ -15,7 +15,8 @@ struct Stroke {
   double half = 0.0;
 };
 
-/// Of displacements from `low` to `high`. Where that is nearly symmetric, the centre is 0 and the smaller side counts.
+/// Stroke of displacements from `low` to `high`. If that is nearly symmetric, the centre is 0 and the smaller side
+/// counts.
 Stroke strokeOf(double low, double high);
 
 /// The bounds of an experiment.

@@ -52,7 +52,7 @@ Outcome outcomeOf(const Answer& answer, int effect) {
   return listed ? Outcome::confounded : Outcome::taken_for;
 }
 
-// Of outcomes with their shares the commonest. Where half is found, alone or among others, it is one of these two.
+// Most frequent outcome. If half is found, alone or in a set, it is one of these two.
 Outcome commonest(std::map<Outcome, double> outcomes) {
   if (outcomes[Outcome::found] + outcomes[Outcome::confounded] >= 0.5) {
     return outcomes[Outcome::found] < outcomes[Outcome::confounded] ? Outcome::confounded : Outcome::found;
@@ -134,7 +134,7 @@ class EffectRow {
     return others;
   }
 
-  // Those of a fifth of the shapes at least, most first.
+  // Effects of at least a fifth of the shapes, most frequent first.
   std::vector<std::string> byShare(const std::map<int, double>& shares) const {
     constexpr double kToTell = 0.2;
     std::vector<std::pair<double, int>> order;

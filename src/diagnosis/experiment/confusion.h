@@ -1,4 +1,4 @@
-// Which effect would be taken for which: implanted effects before the judge.
+// Confusion of effects: implanted effects before the judge.
 #pragma once
 
 #include "diagnosis/hypotheses/implant.h"
@@ -14,7 +14,7 @@ judge::Evidence evidenceOf(const hypotheses::Search& search, const hypotheses::I
 /// The table of all implants of a search at a size (a gap), judged as logs are.
 CouldShow couldShow(const hypotheses::Search& search, double size, const std::string& why);
 
-/// The same at a third of the gap above the noise; where there is none, at 10 % of the force.
+/// Judges effects at a third of the gap above the noise; without a gap, at 10 % of the force.
 CouldShow couldShow(const hypotheses::Search& search);
 
 }  // namespace rubber_suspension::diagnosis::experiment

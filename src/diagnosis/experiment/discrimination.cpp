@@ -80,7 +80,7 @@ std::vector<std::size_t> Discriminator::playable() const {
   return motions;
 }
 
-// Of a new log of this force beyond that of the logs, as the judgement takes it.
+// Additional noise of a new log with this force, in the units of the judgement.
 double Discriminator::moreNoise(const Eigen::VectorXd& force) const {
   const double ratio = force_ / gap::standardDeviation(force);
   return std::pow(judge::fittedNumbers().floor_known * noise_, 2) * std::max(0.0, ratio * ratio - 1.0);
@@ -137,7 +137,7 @@ bool Discriminator::addsUp(std::size_t explanation) const {
   return explanations_[explanation].fitted->hypothesis.isAdditive() && fitter_.forces().isAdditive();
 }
 
-// Whether the force of a term is the same beside all others.
+// True if the force of a term does not depend on the others.
 bool Discriminator::isPlayedAlone(std::size_t explanation, Eigen::Index term) const {
   const fit::Hypothesis& hypothesis = explanations_[explanation].fitted->hypothesis;
   return hypothesis.terms[static_cast<std::size_t>(term)].on_rig || addsUp(explanation);
@@ -187,7 +187,7 @@ std::vector<Eigen::MatrixXd> Discriminator::derivatives(std::size_t explanation,
   return derivatives;
 }
 
-// What an explanation, were it wrong, would be fitted to: the columns themselves are too many to be kept.
+// Projects the forces to which a wrong explanation would be fitted; the columns themselves need too much memory.
 void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& motions) {
   Predictions& of_wrong = predictions_[wrong];
   const auto whole = element::each(motions, [&](std::size_t motion) { return of_wrong.force[motion]; });
@@ -203,7 +203,7 @@ void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& m
   }
 }
 
-// Of the members of an explanation, whose terms have these products [squares of the force's deviation].
+// Prior of the sizes of an explanation's members, whose terms have these products [squares of the force's deviation].
 double Discriminator::priorOfSizes(std::size_t explanation, const Eigen::MatrixXd& gram,
                                    const Eigen::VectorXd& scales) const {
   std::vector<double> sizes;

@@ -1,4 +1,4 @@
-// How far explanations of the same logs differ over a motion, once the wrong ones have been fitted to it.
+// Differences of explanations of the same logs over a motion, after the wrong ones have been fitted to it.
 #pragma once
 
 #include <limits>
@@ -36,7 +36,7 @@ class Discriminator {
 
   void setForceLimit(double force_limit) { force_limit_ = force_limit; }
 
-  /// Of a menu, the motion that leaves least open; without experiment where none can be played.
+  /// Returns the motion of a menu with the least expected entropy; without an experiment if none can be played.
   Discrimination best(const std::vector<Experiment>& menu);
 
  private:

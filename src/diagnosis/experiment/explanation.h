@@ -23,7 +23,7 @@ struct Refitted {
   double prior = 0.0;  ///< logarithm: what the sizes of its members cost more than before
 };
 
-/// What is expected once one log more is among those diagnosed.
+/// Expectation for a diagnosis with one more log.
 struct Outlook {
   double alone = 0.0;  ///< probability that the right explanation stands alone
   double open = 0.0;   ///< entropy of the names: of each effect, whether it is at work [bit]

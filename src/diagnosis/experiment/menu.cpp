@@ -141,8 +141,8 @@ class Menu {
     }
   }
 
-  // Of full stroke at a quarter of its fastest sine and then at that: what depends on the displacement alone does the
-  // same in both.
+  // Two sines of full stroke, the second at the highest frequency, the first at a quarter of it: effects of the
+  // displacement alone are the same in both.
   void addTwoSines() {
     constexpr double kApart = 4.0;
     const double slow = full_ / kApart;

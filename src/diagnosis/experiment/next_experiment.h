@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::diagnosis::experiment {
 
-/// Whether an experiment is proposed, or why not.
+/// Outcome of the search for an experiment, with the reason for none.
 enum class Proposal {
   agrees,        ///< none: the model agrees with the measurement
   sure,          ///< none: the verdict is

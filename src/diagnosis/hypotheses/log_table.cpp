@@ -20,7 +20,7 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// Of what the rig may not have added, in units of the variance of the force.
+// Mean square of a force without possible errors of the rig, in units of the variance of the force.
 double meanSquare(const gap::PreparedRecord& record, const Eigen::VectorXd& force) {
   return record.withoutRig(force).squaredNorm() / record.counted() / std::pow(record.force_deviation, 2);
 }
@@ -33,7 +33,7 @@ double takenInLog(const fit::FreeInLog& free, const fit::FreeInLog& others, cons
   return std::max(0.0, left(others) - left(free | others));
 }
 
-// Of a force, without its mean in the log where it belongs to the rubber: a zero of the force takes that.
+// Size of a force; for the rubber the mean is removed, because a sensor offset would absorb it.
 double sizeOf(const log::Record& record, const Eigen::VectorXd& force, bool on_rig) {
   const Eigen::VectorXd counts = record.counts.size() > 0 ? record.counts : Eigen::VectorXd::Ones(record.size());
   const double mean = on_rig ? 0.0 : force.dot(counts) / record.counted();
@@ -64,8 +64,7 @@ const FittedHypothesis& bestOf(const Search& search) {
   return *best;
 }
 
-// How far the logarithm of the floor of a record may be off: three parts of the record each have a floor, and their
-// mean is off by its standard error. Samples of other parts do not count.
+// Standard error of the logarithm of a record's floor, from the floors of three parts of the record.
 double floorUncertainty(const gap::PreparedRecord& record, const Eigen::VectorXd& residual) {
   constexpr Eigen::Index kParts = 3;
   const Eigen::VectorXd left = record.withoutRig(residual);
@@ -105,7 +104,7 @@ std::vector<double> octavesOf(const Eigen::VectorXd& modelled, const std::vector
   return octaves;
 }
 
-// Of values by octave those where an octave counts: one that counts less does not move the score.
+// Selects values of the octaves that count; others do not affect the score.
 std::vector<double> whereCounted(const std::vector<double>& values, const std::vector<double>& octaves) {
   constexpr double kLeast = 1e-3;
   std::vector<double> counted;
@@ -182,7 +181,7 @@ class LogTable {
     }
   }
 
-  // Nothing is fitted there: no block has to be left out.
+  // Without a fit no block has to be held out.
   std::vector<gap::PartError> partsAsConfigured() const {
     const FittedHypothesis& model = search_.as_configured;
     return gap::partErrors(prepared_.training, *prepared_.fitter.forces().at(model.hypothesis, model.fit.parameters));

@@ -22,7 +22,7 @@ class Measured {
   /// Fits with the numbers of the specification free.
   virtual const fit::HypothesisFitter& fitter() const = 0;
 
-  /// What the unit effects of terms are found on (fit::findUnitEffects()).
+  /// Records for the unit effects of terms (fit::findUnitEffects()).
   virtual const std::vector<gap::PreparedRecord>& records() const = 0;
 
   virtual fit::Excitation excitation() const = 0;

@@ -1,4 +1,4 @@
-// How much likelier one hypothesis is than another by what it leaves of all logs, as far as a search needs to know.
+// Approximate odds of hypotheses by their error on all logs, for the search.
 #pragma once
 
 #include <Eigen/Core>

@@ -13,7 +13,7 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// Whether a typical effect shows in logs: so much of its force re-estimation leaves, in parts of it and of the noise.
+// A typical effect is visible if re-estimation leaves at least these shares of its force and of the noise.
 constexpr double kVisibleShare = 0.05;
 constexpr double kVisibleSize = 0.2;
 

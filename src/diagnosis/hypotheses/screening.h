@@ -71,7 +71,7 @@ class Screening {
   /// The columns of the terms of a hypothesis.
   std::vector<Eigen::Index> columnsOf(const fit::Hypothesis& hypothesis) const;
   void preferLawsAtWork(const fit::Hypothesis& about);
-  /// Whether a candidate makes a further set: neither does what the other can.
+  /// True if a candidate and a set make a larger set: neither contains the other.
   bool joins(int candidate, const std::vector<int>& members) const;
   std::vector<Screened> screenAll(const std::vector<std::vector<int>>& sets) const;
 

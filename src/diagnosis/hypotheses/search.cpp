@@ -70,7 +70,7 @@ struct OtherLaw {
 
 class Searcher {
  public:
-  // What is fitted is added to `result`; effects that are excluded do not compete.
+  // Adds fits to `result`; excluded effects do not compete.
   Searcher(const Measured& measured, const std::vector<std::string>& excluded, int threads,
            const ProgressCallback& progress, Search& result)
       : measured_(measured),
@@ -272,7 +272,7 @@ class Searcher {
     }
   }
 
-  // Whether friction could gain as much by factors as these cost.
+  // True if factors on friction could gain as much as they cost.
   bool mayHaveFactors(const FittedHypothesis& fitted) const {
     const std::vector<int>& members = fitted.hypothesis.members;
     const bool friction = std::any_of(members.begin(), members.end(), [&](int member) {
@@ -285,7 +285,7 @@ class Searcher {
            odds().of(with, fitted.fit.parameters.scales, result_.noise.floor) > oddsOf(fitted);
   }
 
-  // Whether the law of a member could gain as much by a curve as that costs.
+  // True if a curve could gain the law of a member as much as it costs.
   bool mayFollowCurve(const FittedHypothesis& fitted, int member) const {
     const std::vector<int>& curved = fitted.hypothesis.curved;
     const fit::Candidate& candidate = result_.candidates[static_cast<std::size_t>(member)];
@@ -294,7 +294,7 @@ class Searcher {
            oddsWithCurve(fitted, result_.noise.floor) > oddsOf(fitted);
   }
 
-  // Of the same members with one number more that leave this.
+  // Odds of the same members with one more number and this error.
   double oddsWithCurve(const FittedHypothesis& fitted, double left) const {
     fit::Hypothesis with = fitted.hypothesis;
     with.curved.push_back(0);
@@ -332,13 +332,13 @@ class Searcher {
     return true;
   }
 
-  // Whether candidates have terms along one.
+  // True if any candidate has terms along a curve.
   bool hasCurve() const {
     return std::any_of(result_.candidates.begin(), result_.candidates.end(),
                        [](const fit::Candidate& candidate) { return !candidate.curved.empty(); });
   }
 
-  // Of the sets that this one holds the fit that leaves least of the logs; null: it holds none.
+  // Fit with the least error among the sets that this one contains; nullptr if there is none.
   const FittedHypothesis* leastHeldBy(const std::vector<int>& members) const {
     const FittedHypothesis* least = nullptr;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
@@ -358,7 +358,7 @@ class Searcher {
     return oddsAt(result_, floor).of(fitted.hypothesis, fitted.fit.parameters.scales, fitted.fit.score());
   }
 
-  // Of those that compete.
+  // Best of the competing fits.
   const FittedHypothesis* bestOfAll() const {
     const FittedHypothesis* best = &result_.re_estimated;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
@@ -375,7 +375,7 @@ class Searcher {
     return best;
   }
 
-  // Whether a set of so many effects can come near the best of fewer.
+  // True if a set of so many effects can come near the best of fewer.
   bool isWorthMore(std::size_t effects, double floor) const {
     return oddsAt(result_, floor).mostOf(effects) > bestOdds(floor) - kWorthAFit;
   }
@@ -535,8 +535,8 @@ class Searcher {
     fitAll(parts, result_.pairs);
   }
 
-  // What would be fitted with nothing excluded: only so is what an excluded effect would be otherwise a fair
-  // comparison, and only so is the noise that of the measurement.
+  // Fits as if nothing were excluded, so that the probability of an excluded effect is fair, and the noise is that of
+  // the measurement.
   void fitOtherwise(const Screening& screening) {
     estimateNoise();
     tryOtherLaws(result_.singles);

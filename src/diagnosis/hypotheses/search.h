@@ -21,7 +21,7 @@ struct FittedHypothesis {
   fit::Fit fit;
 };
 
-/// How small an error may be, in units of the force's standard deviation.
+/// Noise floors, in units of the force's standard deviation.
 struct Noise {
   double floor = 0.0;           ///< of all logs
   double floor_with_rig = 0.0;  ///< the same with the errors of the rig, which any model leaves
@@ -32,7 +32,7 @@ struct Noise {
   std::string source;
 };
 
-/// Whether logs would show a candidate.
+/// Visibility of a candidate in the logs.
 struct Visibility {
   double share = 0.0;     ///< part of its force that re-estimation does not hide [-]
   bool testable = false;  ///< a typical size of it would show in these logs
@@ -64,7 +64,7 @@ struct Search {
   /// Singles, pairs and triples, in the order of the evidence.
   std::vector<const FittedHypothesis*> withEffects() const;
 
-  /// Whether a hypothesis competes with others: it does by itself, and has no member that is one of these effects.
+  /// True if a hypothesis competes with others: it does by itself, and has none of these effects.
   bool competes(const fit::Hypothesis& hypothesis, const std::vector<std::string>& without) const;
 
   /// The likeliest besides one, by what it leaves of all logs: with effects, or the model alone.
@@ -75,7 +75,7 @@ struct Search {
 /// logs tell (evidenceOfLogs()), or the rows of a table.
 judge::Evidence evidenceOf(const Search& search);
 
-/// The same without any hypothesis, and with nothing excluded.
+/// Evidence without any hypothesis, and with nothing excluded.
 judge::Evidence evidenceOfNone(const Search& search);
 
 /// Called with the stage's name and the fraction done.

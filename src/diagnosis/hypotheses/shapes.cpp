@@ -67,7 +67,7 @@ FittedHypothesis without(const FittedHypothesis& fitted, int member) {
   return rest;
 }
 
-// What is left with each of some laws beside a hypothesis.
+// Error with each of some laws in addition to a hypothesis.
 std::vector<double> leftByLaws(const fit::HypothesisFitter& fitter, const FittedHypothesis& rest,
                                const std::vector<fit::Candidate>& laws, int threads) {
   auto [all, fit] = rest;

@@ -80,7 +80,7 @@ std::vector<bool> mayMove(const FittedHypothesis& from, const fit::Hypothesis& h
   return active;
 }
 
-// The same model parameters and scales, for those terms that are of both.
+// Start with the same model parameters, and the scales of common terms.
 fit::ParameterVector taken(const fit::HypothesisFitter& fitter, const FittedHypothesis& from,
                            const fit::Hypothesis& hypothesis) {
   fit::ParameterVector start = fitter.configured(hypothesis);

@@ -22,11 +22,11 @@ using UnseenErrors = std::vector<gap::PartError>;
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                     const std::vector<gap::PreparedRecord>& records);
 
-/// Of a fitted hypothesis over records, each of them recorded on a new component.
+/// Errors of a fitted hypothesis on records, each from a new component.
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<gap::PreparedRecord>& records);
 
-/// Of forces that elements predict, under a hypothesis that says what is free in each log.
+/// Errors of forces predicted by elements, with the per-log unknowns of a hypothesis.
 UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
                           const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records);
 

@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::diagnosis::judge {
 
-/// Of all, that lists are to hold the right one with: an explanation that has as much stands alone.
+/// Probability that lists have to cover; an explanation that has as much stands alone.
 constexpr double kListed = 0.9;
 
 /// One explanation of the logs: a set of effects (`named`), wrong values, no gap, or something that is not in the list.

@@ -14,16 +14,16 @@ namespace rubber_suspension::diagnosis::judge {
 struct HypothesisEvidence {
   std::vector<int> members;  ///< effects at work, ascending
   std::size_t terms = 0;     ///< numbers that they add to the model; 0: the logs lack what they need
-  /// Of these the ones beyond the laws that the members contain (fit::numbersBeyond()) that are not at their limits.
+  /// Numbers beyond the laws that the members contain (fit::numbersBeyond()) that are not at their limits.
   std::size_t beyond = 0;
   fit::FreeInLog free_in_log;      ///< is free in each log, too
   bool idle = false;               ///< a member removes nothing beyond chance: it is no answer
   bool keeps_values = false;       ///< model parameters are as configured: its member does what other ones would
   double chi_squared = 0.0;        ///< of the numbers of the data sheet, each over its tolerance
   std::vector<double> log_errors;  ///< error on each log, on blocks that took no part in the fit
-  /// Of each member the size of the force that it adds to each log.
+  /// Size of the force that each member adds to each log.
   std::vector<std::vector<double>> sizes;
-  /// Of each log the shares of its octaves in what is left; none: spread as they count.
+  /// Shares of the octaves in the residual of each log; empty: as their weights.
   std::vector<std::vector<double>> shares;
 };
 
@@ -34,7 +34,7 @@ struct LogEvidence {
   double weight = 1.0;             ///< of the log (Record::weight)
   bool unseen = false;             ///< took no part in the fit
   std::size_t blocks = 0;          ///< of which errors are known
-  /// What each octave of frequency counts, those of a log 1 together; one where they are not told apart.
+  /// Weights of the octaves of frequency, with a sum of 1 for a log; a single one if they are not distinguished.
   std::vector<double> octaves = {1.0};
 };
 
@@ -50,7 +50,7 @@ struct Evidence {
   std::vector<std::string> effects;  ///< names, by the numbers that members are
   std::vector<bool> one_form;        ///< of each effect: its law has one form, as that of a mass
   std::vector<bool> constant;        ///< of each effect: it adds a constant force, whose form is never wrong
-  /// Of each effect those that its law has as limits, so that it can do all that these do; none of most.
+  /// Effects that the law of each effect has as limits and so contains; empty for most.
   std::vector<std::vector<int>> contains;
   bool guess = false;               ///< the data sheet is a guess, so that the model as configured is no answer
   std::vector<bool> excluded = {};  ///< of each effect: it is ruled out, as all hypotheses with it; empty: none is

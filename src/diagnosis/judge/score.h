@@ -1,4 +1,4 @@
-// How well each hypothesis agrees with what it leaves of the logs, and how probable it is beforehand.
+// Score of each hypothesis by its errors on the logs, and its prior.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,7 +37,7 @@ struct ScoreTable {
   std::vector<bool> another_reading;  ///< of wrong values, by an effect beside those as configured
   /// Logarithm of the size of each member over all logs; of wrong values, of what they remove.
   std::vector<std::vector<double>> sizes;
-  /// The same of what each member whose law contains others removes beyond the best of these.
+  /// Sizes of what each member whose law contains others removes beyond the best of these.
   std::vector<std::vector<double>> sizes_beyond;
   double by_values = 0.0;            ///< square that is left beyond the floor without effects, by the better values
   bool guess = false;                ///< the model as configured is no answer

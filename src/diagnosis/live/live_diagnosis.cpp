@@ -59,7 +59,7 @@ log::Log logOf(const std::deque<LiveSample>& samples, std::size_t first, std::si
   return log;
 }
 
-// Of how many samples one is enough for the motion: at least so many to a period of the fastest that is no noise.
+// Largest thinning that keeps enough samples per period of the fastest motion above the noise.
 std::size_t largestStep(const log::Log& log) {
   const log::Record record = log::makeRecord(log::longestStretch(log));
   const double rate = kSamplesPerPeriod * std::max(record.highest_frequency, record.mean_frequency);

@@ -40,7 +40,7 @@ struct BenchEvidence {
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Of the first logs with a fatal finding that can be simulated.
+/// Evidence from the first logs with a fatal finding that can be simulated.
 BenchEvidence benchEvidence(const std::vector<element::ElementDescription>& elements,
                             const std::vector<log::Record>& records,
                             const std::vector<measurement::RigFinding>& findings);

@@ -40,7 +40,7 @@ struct RawChannels {
   Eigen::VectorXd counts;        ///< 0 where no force was measured; empty: it was everywhere
 };
 
-/// Of logs in their order. Throws as log::rawRecord().
+/// Channels of the logs in order. Throws as log::rawRecord().
 std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out);
 
 }  // namespace rubber_suspension::diagnosis::prepare

@@ -6,7 +6,8 @@
 namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
-// Of the variance: means over a tenth of a cycle lose 1.6 % of the amplitude of a sine, and 3.2 % of its variance.
+// Largest loss of variance: means over a tenth of a cycle lose 1.6 % of the amplitude of a sine, and 3.2 % of its
+// variance.
 constexpr double kMostLost = 0.032;
 
 double varianceOf(double sum, double squares, double count) { return squares / count - (sum / count) * (sum / count); }

@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// What a search takes: samples, in so many stretches of logs.
+/// Samples of a search, in so many stretches of logs.
 struct Searched {
   std::size_t samples = 0;
   std::size_t stretches = 0;

@@ -42,7 +42,7 @@ double deviationBy(const std::vector<double>& values) {
   return scatter * boost::math::quantile(boost::math::complement(distribution, kBeyond95)) / kNormal95;
 }
 
-// How far zeros [N] and lags [s] may go by what they are in all logs.
+// Limits of offsets [N] and lags [s] from their values in all logs.
 struct Limits {
   double zero = HUGE_VAL;
   double lag = HUGE_VAL;
@@ -63,7 +63,8 @@ double bergForce(const std::vector<element::ElementDescription>& elements) {
   return force;
 }
 
-// Whether a log tells anything of what adds this where it is one standard deviation: a slow one knows no lags.
+// True if a log can determine an error of the rig that adds this force at one standard deviation: a slow log does not
+// determine lags.
 bool shows(const log::Record& record, const Eigen::VectorXd& deviation) {
   constexpr double kLeast = 0.01;  // of the force
   return deviation.norm() > kLeast * record.force_deviation * std::sqrt(static_cast<double>(record.size()));

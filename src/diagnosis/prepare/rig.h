@@ -12,10 +12,10 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Whether zeros and lags of the logs tell how they scatter; those that are simulated do not.
+/// Source of the scatter of offsets and lags: the logs, or, for simulated logs, the tolerances.
 enum class RigScatter { as_found, as_tolerated };
 
-/// The logs of a diagnosis with what their rig may have added.
+/// The logs of a diagnosis with possible errors of their rig.
 struct LogsOfRig {
   std::vector<gap::PreparedRecord> training;
   std::vector<gap::PreparedRecord> held_out;

@@ -7,8 +7,7 @@
 
 namespace rubber_suspension::diagnosis::report {
 
-/// How WrittenLaw::augmented is written: each number as it was rounded, its interval as a comment. Refers to the
-/// diagnosis.
+/// Style of WrittenLaw::augmented: each number as rounded, with its interval as a comment. Refers to the diagnosis.
 io::YamlStyle augmentedStyle(const Diagnosis& diagnosis);
 
 /// Text of WrittenLaw::augmented, which reads back to it, with comments: origin, gaps, interval of each number.

@@ -36,7 +36,7 @@ double numberOf(const json& value) { return value.is_number() ? value.get<double
 
 std::array<double, 2> pairOf(const json& pair) { return {numberOf(pair.at(0)), numberOf(pair.at(1))}; }
 
-// Of an earlier report, what is compared.
+// Reads the compared values of an earlier report.
 std::vector<SizedValue> readSizes(const json& report, const char* list) {
   return element::each(report.value(list, json::array()), [](const json& entry) -> SizedValue {
     return {entry.at("owner"),

@@ -35,7 +35,7 @@ std::string outcomeText(const std::string& outcome) {
   return row->second;
 }
 
-// What `text` says of each outcome, by its name, and of the effects that have it; nothing of one that none has.
+// Joins `text` of each outcome, by its name and effects, except outcomes without effects.
 template <class Text>
 std::string eachOutcome(const CouldShow& could_show, const std::string& separator, const Text& text) {
   std::vector<std::string> texts;

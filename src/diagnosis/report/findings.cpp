@@ -1,4 +1,4 @@
-// What the rig did to the logs: the meaning of each finding, and how to mend it at the bench.
+// Findings about the rig: their meaning and remedy.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -35,7 +35,7 @@ std::vector<double> take(const Eigen::VectorXd& values, Eigen::Index first, Eige
   return result;
 }
 
-// What a component leaves of a record, in all figures: without what the rig may have added, as gaps are [N].
+// Residual of a component on a record for all figures [N], without possible errors of the rig, as in gaps.
 Eigen::VectorXd leftOf(const Workings& workings, std::size_t r, const gap::Forces& simulated) {
   const gap::PreparedRecord& record = workings.simulated.records[r];
   return record.withoutRig(record.force - simulated[r]);
@@ -106,8 +106,8 @@ io::Figure loops(const Diagnosis& diagnosis) {
     io::Axes axes{fmt::format("{}{}, {:.4g} to {:.4g} s", record.name, r >= w.simulated.training ? " (held out)" : "",
                               static_cast<double>(first) * record.dt, static_cast<double>(first + count) * record.dt),
                   "displacement [mm]", "force [kN]"};
-    // What the rig added is taken out of the measured force about the augmented component; from there, each simulated
-    // force is as far off as its gap says.
+    // The errors of the rig are removed from the measured force about the augmented component; from there, each
+    // simulated force differs by its gap.
     const Eigen::VectorXd& after = w.simulated.augmented[r];
     const Eigen::VectorXd measured = after + leftOf(w, r, w.simulated.augmented);
     const Eigen::VectorXd before = measured - leftOf(w, r, w.simulated.configured);
@@ -258,7 +258,7 @@ io::Axes missingAxes(const MissingForce& map, const std::vector<double>& force, 
   return axes;
 }
 
-// What is missing, and what the surrogate makes of it.
+// Missing force, and that of the surrogate.
 io::Figure missingForceFigure(const MissingForce& map) {
   io::Figure figure;
   figure.title = "Force that the model lacks, over displacement and velocity";

@@ -32,7 +32,7 @@ struct ReportFigure {
 /// correction that is proposed.
 std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis);
 
-/// Those of a report on a table: stiffness, where the gap lies, and loss angle, in this order.
+/// Figures of a report on a table: stiffness, place of the gap, and loss angle, in this order.
 std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis);
 
 /// Share of the squared gap over cells between these edges [Hz, m]: each is where the middle of its band lies. Without
@@ -54,13 +54,13 @@ io::Figure overviewFigure(const Diagnosis& diagnosis);
 /// curve, panel, the edges of the cell and its value. What a figure leaves blank is left out.
 std::string figureCsv(const io::Figure& figure);
 
-/// What is drawn of a figure but its numbers, which its file has.
+/// Returns the description of a figure without its numbers, which are in its file.
 nlohmann::ordered_json figureJson(const ReportFigure& figure);
 
 /// Name of the file with the numbers of a figure.
 std::string figureDataFile(const std::string& name);
 
-/// Those of all figures.
+/// Names of the files of all figures.
 std::vector<std::string> figureDataFiles();
 
 }  // namespace rubber_suspension::diagnosis::report

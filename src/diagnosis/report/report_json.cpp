@@ -217,7 +217,7 @@ ordered_json changeJson(const ReportChange& change) {
   return {{"what", change.what}, {"before", change.before}, {"after", change.after}, {"differs", change.differs}};
 }
 
-// What a reader does with the proposed log, and the command that plays it through the node.
+// Instructions for the proposed log, and the command that plays it through the node.
 ordered_json experimentJson(const Diagnosis& d) {
   const ProposedExperiment& experiment = d.next.proposed;
   const double duration = static_cast<double>(experiment.displacement.size() - 1) * experiment.dt;

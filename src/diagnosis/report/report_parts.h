@@ -14,7 +14,7 @@ namespace rubber_suspension::diagnosis::report {
 /// of the force reaches is null.
 nlohmann::ordered_json toJson(const CouldShow& could_show);
 
-/// What the rig did to the logs, each with its meaning, its remedy, and whether it is sure.
+/// Findings about the rig, each with its meaning, remedy and certainty.
 std::vector<nlohmann::ordered_json> findingsJson(const std::vector<measurement::RigFinding>& findings);
 
 /// The meaning of a finding about the rig, and how to mend it at the bench.

@@ -17,7 +17,7 @@ namespace rubber_suspension::diagnosis::report {
 RunRecord makeRunRecord(const std::string& version, const std::vector<std::string>& arguments,
                         const std::vector<std::pair<std::string, std::string>>& files);
 
-/// The same for programs, without the files that were read.
+/// Record of the run for programs, without the files that were read.
 nlohmann::ordered_json metaJson(const RunRecord& run);
 
 }  // namespace rubber_suspension::diagnosis::report

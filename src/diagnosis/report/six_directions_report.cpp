@@ -74,7 +74,7 @@ ordered_json directionJson(const DirectionDiagnosis& found) {
             {"noise_floor", d.gaps.unseen.noise_floor}}}};
 }
 
-// What is not a number is written as null.
+// NaN is written as null.
 ordered_json shareJson(const CrossShare& pair) {
   return {{"of", toString(pair.of)}, {"by", toString(pair.by)},
           {"share", pair.share},     {"share_text", shareText(pair)},

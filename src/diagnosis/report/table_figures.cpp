@@ -42,7 +42,7 @@ bool severalFrequencies(const Rows& rows) {
   });
 }
 
-// Those with the largest gap first, each in the order of its axis.
+// Panels by decreasing gap, each in the order of its axis.
 std::vector<Panel> panelsOf(const Rows& rows, bool along_frequency) {
   std::map<std::string, Panel> by_title;
   for (const DiagnosedRow& row : rows) {

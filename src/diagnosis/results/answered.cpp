@@ -52,14 +52,14 @@ CandidateResult candidateResult(std::size_t candidate, double left, const Gaps& 
   return result;
 }
 
-// Of all orders of so many parts, the share in which a certain one comes after these, and no other.
+// Share of all orders of so many parts in which a given one comes directly after `before` given others.
 double ordersWith(std::size_t before, std::size_t parts) {
   return boost::math::factorial<double>(static_cast<unsigned>(before)) *
          boost::math::factorial<double>(static_cast<unsigned>(parts - before - 1)) /
          boost::math::factorial<double>(static_cast<unsigned>(parts));
 }
 
-// The same judgement with nothing excluded.
+// Judges with nothing excluded.
 std::vector<ExcludedEffect> excludedOf(const judge::Evidence& evidence) {
   if (std::count(evidence.excluded.begin(), evidence.excluded.end(), true) == 0) {
     return {};

@@ -13,7 +13,7 @@ namespace rubber_suspension::diagnosis::results {
 /// The answer with the names of effects.
 Answered answered(const judge::Answer& answer, const judge::Evidence& evidence);
 
-/// What is left of the logs: by the models, by the law that was judged, and with each effect alone.
+/// Gaps of the models, of the judged law, and with each effect alone.
 struct Left {
   Gap gap;
   double full_law = 0.0;      ///< gap
@@ -36,7 +36,7 @@ void tellAsWritten(const WrittenLaw& law, const std::vector<std::string>& effect
 /// The gap with some of what an answer changes: first whether its values are in, then each of its effects.
 using GapWith = std::function<double(const std::vector<bool>& in)>;
 
-/// What values and each effect remove of the gap as configured.
+/// Shares of the gap as configured that values and each effect remove.
 std::vector<GapShare> sharesOf(const std::vector<std::string>& effects, const Gap& gap, const GapWith& gap_with,
                                int threads);
 
@@ -44,7 +44,7 @@ std::vector<GapShare> sharesOf(const std::vector<std::string>& effects, const Ga
 io::ComponentDescription withSome(const io::ComponentDescription& configured, const WrittenLaw& law,
                                   const std::vector<std::string>& effects, const std::vector<bool>& in);
 
-/// How far a model that was fitted, and one that was judged, are from the data sheet.
+/// Deviations of a fitted and of a judged model from the data sheet.
 OwnParameters ownParameters(const fit::ModelParameters& model, const Eigen::VectorXd& re_estimated,
                             const Eigen::VectorXd& judged);
 

@@ -1,4 +1,4 @@
-// Which displacement predicts what is left of the force of another direction.
+// Displacements that predict the residual of another direction's force.
 #pragma once
 
 #include <array>

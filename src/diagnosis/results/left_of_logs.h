@@ -1,5 +1,4 @@
-// What two components leave of each log beside what the rig did to it alike for both: the written file against the
-// configured one.
+// Gaps of the written and of the configured component on each log, with the same errors of the rig removed.
 #pragma once
 
 #include <vector>
@@ -10,7 +9,7 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// What a rig did to a log, with one value for all components.
+/// Errors of the rig in a log, equal for all components.
 struct RigOfLog {
   double gain = 0.0;   ///< of the recorded force, as a finding says [-]
   double delay = 0.0;  ///< of the recorded force behind the displacement, likewise [s]

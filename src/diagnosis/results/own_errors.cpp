@@ -1,4 +1,4 @@
-// Which logs read otherwise than most.
+// Logs that differ from most in gain or offset.
 #include "diagnosis/results/own_errors.h"
 
 #include <algorithm>

@@ -8,8 +8,8 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Of values of logs those that are not the value of most: farther from it than `alike`. All of them where no value is
-/// that of more than half; all but the middle one where all are alike.
+/// Marks values of logs that are farther than `alike` from that of most. Marks all if no value is that of more than
+/// half; all but the middle one if all are alike.
 std::vector<bool> unlikeMost(const std::vector<double>& values, double alike);
 
 /// What each log has for itself where a judged hypothesis gives each log another gain or another zero: the gain of logs

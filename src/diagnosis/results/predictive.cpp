@@ -25,7 +25,7 @@ class FurtherLogs {
         expected_(judge::expectedSquares(table, judge::fittedNumbers()).row(closing.hypothesis)),
         logs_(1.0 / table.weight.square().sum()) {}
 
-  // Nothing where this draw leaves no gap to close, or an effect that is at work does not close any of it.
+  // Returns nullopt if this draw has no gap to close, or an effect at work does not close any of it.
   std::optional<double> draw() {
     const ArrayXd floor = drawnFloors();
     const ArrayXd before = beyond(judge::Evidence::kReEstimated, floor);

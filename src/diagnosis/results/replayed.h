@@ -1,4 +1,4 @@
-// What a component leaves of logs as `replay` and the node have them: driven by the displacement as recorded.
+// Gaps of a component on logs as in `replay` and the node: driven by the displacement as recorded.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct Replayed {
   std::vector<gap::PartError> of_the_fit;  ///< on blocks that took no part in the fit
   std::vector<gap::PartError> held_out;    ///< of the logs held out; empty without any
 
-  /// Those that gaps are of.
+  /// Errors that gaps refer to.
   const std::vector<gap::PartError>& unseen() const { return held_out.empty() ? of_the_fit : held_out; }
 };
 
@@ -30,11 +30,11 @@ Entries elementsOf(const fit::ModelParameters& model, const FittedLaw& fitted);
 Replayed replayed(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
                   const std::vector<gap::PreparedRecord>& held_out);
 
-/// Of these the errors that gaps are of.
+/// Errors of elements that gaps refer to.
 std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
                                          const std::vector<gap::PreparedRecord>& held_out);
 
-/// Whether the logs were recorded on one component, which relaxes between them, or each on a new one.
+/// Logs of one component, which relaxes between them, or each of a new one.
 enum class Recorded { on_one_component, each_on_a_new_one };
 
 /// Gap of each of several lists of elements to whole logs as `replay` gives it, at even time steps: the root of the

@@ -39,8 +39,8 @@ struct Start {
   double square = std::numeric_limits<double>::infinity();
 };
 
-// Of each number of numbers, by the kind of the first term: linear equations about the full law do not tell which kind
-// comes nearer once it is fitted.
+// Starts by the number of numbers and the kind of the first term: linear equations about the full law do not show which
+// kind fits better.
 using Starts = std::map<std::size_t, std::map<std::string, Start>>;
 
 // Least squares over some of the terms of a member, all else being free.

@@ -167,7 +167,8 @@ class Resampling {
     }
   }
 
-  // What is known of the model beforehand is off by its own deviations: what no log tells is as uncertain as it was.
+  // Draws prior values of the model with their deviations, so that numbers that no log determines keep their prior
+  // uncertainty.
   void moveKnown(Eigen::MatrixXd& sum) {
     const Eigen::MatrixXd slopes = fitter_.model().departureSlopes(fitted_.fit.parameters.model);
     std::normal_distribution<double> normal;

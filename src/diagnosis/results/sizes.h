@@ -1,4 +1,4 @@
-// How large the named effects and the model's parameters are, with what the logs leave open.
+// Sizes of the named effects and of the model's parameters, with their uncertainty.
 #pragma once
 
 #include <vector>

@@ -24,12 +24,12 @@ struct SurrogateLogs {
 Surrogate fitSurrogate(const io::ComponentDescription& component, const SurrogateLogs& logs, double noise_floor,
                        int threads);
 
-/// Whether blocks that took no part in the fit show the rest to be a function of the motion, and the share of the
-/// squared rest beyond the noise that is. `count_logs`: blocks of one log count as one.
+/// Tests on held-out blocks if the residual is a function of the motion, and finds the share of the squared residual
+/// beyond the noise that is. `count_logs`: blocks of one log count as one.
 void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, bool count_logs, Surrogate& surrogate);
 
-/// Of records and the forces on each of them of the augmented component, and of that with a surrogate [N]. Samples that
-/// did not count in the fit do not count here.
+/// Mean missing force of records, from the forces [N] of the augmented component without and with a surrogate. Samples
+/// that did not count in the fit do not count here.
 MissingForce missingForce(const std::vector<gap::PreparedRecord>& records, const gap::Forces& augmented,
                           const gap::Forces& surrogate);
 

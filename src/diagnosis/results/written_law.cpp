@@ -63,7 +63,7 @@ io::ComponentDescription componentOf(const hypotheses::PreparedCase& prepared, c
   return result;
 }
 
-// Of the entries of a law, one after the other, the effects.
+// Effects of the entries of a law, in order.
 std::vector<std::string> ownersOf(const FittedLaw& fitted, const std::vector<fit::Candidate>& candidates) {
   std::vector<std::string> owners;
   const std::vector<Entries> of_members = fitted.law.at(fitted.fit.parameters.scales);

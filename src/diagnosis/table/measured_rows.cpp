@@ -111,7 +111,7 @@ Rest leftBy(const Points& points, int in_frequency, int in_amplitude) {
   return {left.values.squaredNorm(), static_cast<int>(rows - left.rank)};
 }
 
-// Of one preload and temperature, the surface that leaves least for each number that is free.
+// Surface with the least residual per free number, for one preload and temperature.
 Rest smoothRest(const Points& points) {
   const auto frequencies = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.frequency; }));
   const auto amplitudes = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.amplitude; }));

@@ -20,7 +20,7 @@ enum class Out {
 
 Out reasonOf(const Diagnosis& diagnosis, const CandidateResult& candidate);
 
-/// The same in half a sentence; empty for one that is named.
+/// Reason in half a sentence; empty for a named effect.
 std::string whyOut(const Diagnosis& diagnosis, const CandidateResult& candidate);
 
 /// "A typical creep would not show in these logs, so whether it is there stays open."

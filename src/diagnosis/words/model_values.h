@@ -14,8 +14,7 @@ bool isAtBound(const SizedValue& size);
 /// Distance of a value from the configured one, as the size of the logarithm of their ratio.
 double farOff(const SizedValue& size);
 
-/// Whether a value says something of the rubber: it is no band of frequencies, which whoever wrote the file chose, and
-/// no value at the bound of the fit.
+/// True for a value of the rubber: no band of frequencies, which is chosen, and no value at a bound of the fit.
 bool mayBeHeadline(const SizedValue& size);
 
 /// Values of the model that differ from the component file by 2 % or more with an interval that leaves the configured

@@ -34,7 +34,7 @@ std::string otherwise(const Diagnosis& diagnosis) {
   return texts.empty() ? "" : " It may also be " + enumerated(texts) + ".";
 }
 
-// How a gap changes, with as many decimals as tell both values apart, up to three; then the noise.
+// Texts of a change of the gap, with as many decimals as distinguish both values, up to three, and of the noise.
 struct ChangeTexts {
   ChangeTexts(double from, double to, double floor) {
     int decimals = 1;
@@ -144,8 +144,8 @@ std::string furtherText(const Diagnosis& diagnosis) {
   return std::isfinite(gap) ? ", " + percent(gap) + " on further logs" : "";
 }
 
-// What the model may lack, where no effect that is named has half of the probability: by the probabilities that the
-// report lists, the likeliest first; empty where one has it.
+// Effects that the model may lack if no named one has half of the probability, likeliest first, with the probabilities
+// of the report; otherwise empty.
 std::vector<std::string> openTexts(const Diagnosis& diagnosis, std::size_t most) {
   constexpr double kMajority = 0.5;
   constexpr double kWorthSaying = 0.05;
@@ -174,7 +174,7 @@ std::vector<std::string> openTexts(const Diagnosis& diagnosis, std::size_t most)
   return texts;
 }
 
-// Of the gap as configured: the first is that of the values.
+// Share of the gap as configured that values remove: the first one.
 double shareOfValues(const Diagnosis& diagnosis) {
   return diagnosis.shares.empty() ? 0.0 : diagnosis.shares.front().share;
 }
@@ -221,7 +221,7 @@ std::string deviationsText(const Diagnosis& diagnosis) {
              : fmt::format(" In tolerances of the data sheet: {}.", fmt::join(texts, ", "));
 }
 
-// What a fit would have moved on, and what a guess has become.
+// Parameters at a bound of the fit, and identified values of a guess.
 std::string identifiedText(const Diagnosis& diagnosis) {
   std::string text;
   if (diagnosis.parameters.guess) {
@@ -239,7 +239,7 @@ std::string identifiedText(const Diagnosis& diagnosis) {
   return text;
 }
 
-// What the effect that is named first has to say of itself.
+// Remark on the effect that is named first.
 std::string remarkText(const Diagnosis& diagnosis) {
   const std::string& first = diagnosis.answer.effects.front();
   const auto found = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),

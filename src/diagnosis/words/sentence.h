@@ -13,7 +13,7 @@ namespace rubber_suspension::diagnosis::words {
 /// The verdict for an engineer, from the numbers and names of a diagnosis.
 std::string sentence(const Diagnosis& diagnosis);
 
-/// The same in at most 25 words, for a headline: what the model lacks, and how far the gap falls.
+/// Headline of at most 25 words: what the model lacks, and the reduction of the gap.
 std::string headline(const Diagnosis& diagnosis);
 
 /// " Without a recorded temperature ...", for logs without one that name softening or heating; empty for all others.
@@ -28,8 +28,8 @@ std::string restNote(const Surrogate& surrogate);
 /// " Friction differs between the logs, ...", from the factor on it in each log; empty where there are none.
 std::string factorNote(const std::vector<double>& factors);
 
-/// What to play next and what it decides; or why nothing, and what it would take. The verdict of the diagnosis is
-/// known.
+/// Proposed experiment and its purpose; or the reason for none, and what would be needed. Needs the verdict of the
+/// diagnosis.
 std::string experimentText(const Diagnosis& diagnosis, const experiment::NextExperiment& next);
 
 }  // namespace rubber_suspension::diagnosis::words

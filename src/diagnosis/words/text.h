@@ -18,7 +18,7 @@ std::string percent(double value, int decimals = 1);
 /// "8" of 0.079, without a minus before 0.
 std::string wholePercent(double value);
 
-/// The same of a probability, which is never 0 nor certain: "below 1", "more than 99".
+/// Text of a probability, which is never 0 nor certain: "below 1", "more than 99".
 std::string chance(double probability);
 
 /// "a", "a and b", "a, b and c".
@@ -30,13 +30,13 @@ std::string capitalised(std::string text);
 /// A value in SI with the prefix that an engineer reads: "6 kN", "0.35 mm", "4.2 kN/mm".
 std::string quantity(double value, const std::string& unit);
 
-/// The same with its interval in the same unit: "6 kN (5.7 to 6.4 kN)".
+/// Value with its interval in the same unit: "6 kN (5.7 to 6.4 kN)".
 std::string quantity(const SizedValue& size);
 
 /// Its interval alone, in the unit of its value: "5.7 to 6.4 kN".
 std::string intervalText(const SizedValue& size);
 
-/// The same of ends that are text; the unit with its space, or empty.
+/// Interval with ends that are text; the unit with its space, or empty.
 std::string intervalText(const SizedValue& size, const std::string& least, const std::string& most,
                          const std::string& unit);
 
@@ -44,7 +44,7 @@ std::string intervalText(const SizedValue& size, const std::string& least, const
 /// kN m/mrad" for "4 kN/mm". Not for what has names of logs in it.
 std::string inRotationUnits(const std::string& text);
 
-/// The same where a diagnosis is of a rotation.
+/// Text with the units of a rotation if the diagnosis is of one.
 std::string inUnits(const Diagnosis& diagnosis, const std::string& text);
 
 /// The unit of what is in this one [SI] where a displacement is diagnosed.
@@ -56,7 +56,7 @@ std::string rangeText(const std::array<double, 2>& band, double factor);
 /// "dynamic stiffness" of dynamic_stiffness.
 std::string spoken(const std::string& name);
 
-/// The same in front of a value: "maximum force", but "gap in tension:" of one side.
+/// Label of a value: "maximum force", but "gap in tension:" of one side.
 std::string labelOf(const std::string& name);
 
 /// The name of a size in front of its value: that of its effect (Effect::labels), or else labelOf().

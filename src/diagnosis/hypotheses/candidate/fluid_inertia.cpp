@@ -7,7 +7,7 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// What a track has beside a resonance [rad/s].
+// Resonance [rad/s] and damping of a track.
 struct Track {
   double resonance;
   double damping;            // as a share of the critical one

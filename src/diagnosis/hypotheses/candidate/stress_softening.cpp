@@ -53,7 +53,7 @@ void addByDisplacement(double largest, std::vector<fit::BasisTerm>& terms) {
   }
 }
 
-// Of one direction alone, and one that is lost again at rest.
+// Adds softening of one direction alone, and softening that recovers at rest.
 void addOneSidedAndRecovering(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double side : {1.0, -1.0}) {
     terms.push_back(
@@ -66,7 +66,7 @@ void addOneSidedAndRecovering(const fit::Excitation& excitation, std::vector<fit
   }
 }
 
-// What the first loading carries more than a factor on the settled force can tell.
+// Adds the force of a first loading, which a factor on the settled force cannot represent.
 void addFirstLoading(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double share : {0.02, 0.1, 0.5}) {
     terms.push_back(fit::additiveTerm("first_loading", "stiffness", 0.1 * excitation.stiffness / share,

@@ -19,7 +19,7 @@ double decadesPerEnergy(const fit::Excitation& excitation) {
          (std::log(10.0) * element::kGasConstant);
 }
 
-// Of either sign: what the component's own shift has too much.
+// Largest energy of either sign, because the component's own shift may be too large.
 double largestEnergy(const fit::Excitation& excitation) {
   constexpr double kMost = 5e5;          // [J/mol]; the steepest, at the glass transition
   constexpr double kMostDecades = 16.0;  // between the ends; the law holds to 20 to the slow side
