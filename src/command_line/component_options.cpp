@@ -23,8 +23,9 @@ io::ComponentDescription ComponentOptions::read(const std::string& command) cons
   io::ComponentDescription description = readAny(command);
   element::refuseIf<io::ComponentFileError>(
       description.six != nullptr,
-      "{}: component '{}' has six directions, which {} does not take; accepted: a component of one direction", config,
-      description.name, command);
+      "{}: component '{}' has six directions, which {} does not take; accepted: a component of one direction, such as "
+      "one of its `directions` in a file of its own",
+      config, description.name, command);
   return description;
 }
 

@@ -127,7 +127,10 @@ class Parser {
                "; accepted: those of --help";
       }
     }
-    return "";
+    const bool takes_config = std::find(names.begin(), names.end(), "config") != names.end();
+    return takes_config && !app_.remaining().empty()
+               ? app_.remaining().front() + ": no option precedes it; accepted: --config " + app_.remaining().front()
+               : "";
   }
 
   bool isGiven(const std::string& option) const { return app_.count(option) > 0; }

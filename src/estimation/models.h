@@ -28,6 +28,9 @@ inline double lossAngle(const Specification& specification) { return specifiedLo
 /// The condition of all models on their stiffnesses: K_st < K_n < K_max, and none more than ten times K_st.
 std::optional<Obstacle> stiffnessObstacle(const Specification& specification);
 
+/// A dynamic stiffness that is more than ten times the static one, unless the specification describes a base.
+std::optional<Obstacle> ratioObstacle(const Specification& specification);
+
 /// The specification with the tangent of its curve at the working point in place of the curve.
 Specification tangentOf(Model model, const Specification& specification);
 

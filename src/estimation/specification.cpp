@@ -501,6 +501,21 @@ WrittenUnit Specification::writtenUnit(std::string_view name) const {
   return {parameter == nullptr ? "1" : parameter->unit, 1.0};
 }
 
+std::optional<Obstacle> ratioObstacle(const Specification& specification) {
+  const double k_st = specification.valueOr("static_stiffness", HUGE_VAL);
+  // A quantity derived for a base may be any part of a component.
+  if (specification.describes() == Describes::base) {
+    return std::nullopt;
+  }
+  for (const char* key : {"dynamic_stiffness", "maximum_stiffness", "high_frequency_stiffness"}) {
+    if (specification.valueOr(key, 0.0) > kLargestStiffnessRatio * k_st) {
+      return Obstacle{key, fmt::format("is more than {:g} times {}, which no rubber component reaches",
+                                       kLargestStiffnessRatio, inputText(specification, "static_stiffness"))};
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Obstacle> stiffnessObstacle(const Specification& specification) {
   const std::optional<double> k_st = specification.find("static_stiffness");
   const std::optional<double> k_n = specification.find("dynamic_stiffness");
@@ -515,16 +530,7 @@ std::optional<Obstacle> stiffnessObstacle(const Specification& specification) {
   if (orNone(k_max) <= orNone(k_n)) {
     return Obstacle{"maximum_stiffness", "is not above " + inputText(specification, "dynamic_stiffness")};
   }
-  const std::optional<double> k_h = specification.find("high_frequency_stiffness");
-  for (const auto& [key, value] :
-       {std::make_pair("dynamic_stiffness", k_n), {"maximum_stiffness", k_max}, {"high_frequency_stiffness", k_h}}) {
-    // A quantity derived for a base may be any part of a component.
-    if (specification.describes() != Describes::base && orNone(value) > kLargestStiffnessRatio * orNone(k_st)) {
-      return Obstacle{key, fmt::format("is more than {:g} times {}, which no rubber component reaches",
-                                       kLargestStiffnessRatio, inputText(specification, "static_stiffness"))};
-    }
-  }
-  return std::nullopt;
+  return ratioObstacle(specification);
 }
 
 }  // namespace rubber_suspension::estimation

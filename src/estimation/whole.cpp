@@ -92,6 +92,9 @@ class Whole {
 
   // Throws Unsolvable. `thorough`: also where the quick way does not find it.
   Specification solve(bool thorough) const {
+    if (const std::optional<Obstacle> obstacle = ratioObstacle(given_)) {
+      throw Unsolvable{*obstacle, {}};
+    }
     if (loss()) {
       return solveBoth(
           thorough, [&](Specification& base, double loss) { return solveLoss(base, loss); }, *loss() - lossOfAdded());

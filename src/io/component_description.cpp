@@ -84,12 +84,8 @@ std::vector<element::ElementDescription> ComponentDescription::allElements() con
 }
 
 std::optional<element::Range> ComponentDescription::validDisplacement() const {
-  constexpr double kAmplitudes = 3.0;
   if (valid_displacement || six) {
     return valid_displacement;
-  }
-  if (const std::optional<double> nominal = written().find("nominal_amplitude")) {
-    return element::Range::closed(-kAmplitudes * *nominal, kAmplitudes * *nominal);
   }
   std::optional<element::Range> common;
   for (const element::ElementDescription& element : allElements()) {

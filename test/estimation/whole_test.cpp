@@ -40,6 +40,13 @@ std::string refusal(estimation::Model model, const estimation::Specification& sp
   return messageOf<std::invalid_argument>([&] { estimation::resolve(model, specification, add); });
 }
 
+TEST(WholeComponent, OfTooLargeARatioIsRefusedAsABaseIs) {
+  const std::string text = refusal(estimation::Model::multi_maxwell,
+                                   specificationOf(with(fiveInputs(4.2e6, 2e-3), "static_stiffness", 0.3e6)), {});
+  EXPECT_THAT(text, testing::HasSubstr("dynamic_stiffness: 4.2e+06 N/m is more than 10 times static_stiffness"));
+  EXPECT_THAT(text, testing::HasSubstr("accepted: "));
+}
+
 // Computed by an independent program: docs/estimation.md. Tolerances are half of the last digit.
 TEST(WholeComponent, OfFiveInputsWithFriction) {
   const struct {

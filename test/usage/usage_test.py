@@ -44,6 +44,7 @@ REFUSED = (
     (f"replay --config {BUSH} --log {LOG} --output o --decimal ;", "accepted: , or . (comma or point)"),
     # What was meant.
     (f"replay --confg {BUSH} --log {LOG}", "no option --confg (did you mean --config?)"),
+    (f"estimate {BUSH}", f"accepted: --config {BUSH}"),
     (f"replay --config {BUSH} --log {LOG} --output o --rate 9", "no option --rate (did you mean --sampling-rate?)"),
     (f"play_log --component a --log {LOG} --rate 2", "no option --rate (did you mean --sampling-rate?)"),
     (f"play_log --component a --log {LOG} --speed 2", "no option --speed (did you mean --playback-speed?)"),

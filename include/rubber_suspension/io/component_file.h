@@ -79,9 +79,8 @@ class ComponentDescription {
   /// The component without what belongs to the rig that measured it (element::isOfRig()), of any number of directions.
   ComponentDescription withoutRig() const;
 
-  /// Displacements [m] beyond which its forces are no more than an extrapolation: `valid_displacement`, else three
-  /// times the specification's nominal amplitude to both sides, else what its tables of springs have in common, else
-  /// nothing.
+  /// Displacements [m] beyond which its forces are no more than an extrapolation: `valid_displacement`, else
+  /// what its tables of springs have in common, else nothing.
   std::optional<element::Range> validDisplacement() const;
 
   /// Throws as allElements() does.
