@@ -55,8 +55,8 @@ class ModelParameters {
   /// Numbers that are known beforehand: those of the sheet, then values of single elements.
   const std::vector<KnownNumber>& known() const { return known_; }
 
-  /// How far each known number is from what is known, in standard deviations of its logarithm: the squares add up to
-  /// chi^2. Defined for any point, even without a component.
+  /// Deviation of each known number in standard deviations of its logarithm; the squares add up to chi^2. Defined for
+  /// any point, even without a component.
   Eigen::VectorXd departures(const Eigen::VectorXd& logarithms) const;
 
   /// Their derivatives by the logarithms, a row for each known number.

@@ -81,7 +81,7 @@ bool isKnownUnit(const std::string& unit) {
          (isUnit(unit) || quantityOfUnit(unit).has_value() || spelledUnit(unit, "N m") != unit);
 }
 
-// Whether the unit in a name is one of a column in that other unit, or of a quantity of a log. "Position (A)" above
+// True if the unit in a name may be that of a column in the other unit, or of a quantity of a log. "Position (A)" above
 // "mm" is no current.
 bool mayMeasure(const std::string& unit, const std::string& other) {
   return quantityOfUnit(unit).has_value() || converts(unit, other);

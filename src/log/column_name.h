@@ -44,7 +44,7 @@ struct ColumnName {
 /// Take a name apart.
 ColumnName parseColumnName(const std::string& text);
 
-/// The same of a cell below the name as well: its unit, or a name that tells more. A bracket of the name that does not
+/// Parses a name with the cell below it, which is its unit or a more detailed name. A bracket of the name that does not
 /// measure what the unit below does is no unit but a part of the name, such as "Force (Ch 2)" above "kN".
 ColumnName parseColumnName(const std::string& text, const std::string& below);
 
@@ -61,7 +61,7 @@ std::optional<Quantity> quantityOfOtherName(const std::string& bare);
 /// stiffness or displacement until the shape is known.
 bool isOfMaterial(const std::string& bare);
 
-/// What errors say of such columns; empty without any.
+/// Hint on such columns for errors; empty without any.
 std::string materialHint(const std::vector<std::string>& columns);
 
 /// True for a name that begins with a word for a force: "force_raw", "Load 2".

@@ -379,7 +379,7 @@ class CsvLogReader {
     takeRow();
   }
 
-  // Nothing of it was measured: a line of text.
+  // True for a line of text, without any measured value.
   bool isNoRow() const {
     const bool time = format_.rate || !row_.stamp;
     return first_row_ != 0 && time && std::isnan(row_.value[kMotion]) && std::isnan(row_.value[kForce]) &&

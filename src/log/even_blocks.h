@@ -40,7 +40,7 @@ class TimeSteps {
   std::int64_t firstStamp() const { return first_; }  ///< [ns]
   std::int64_t lastStamp() const { return last_; }
 
-  /// Of two samples or more.
+  /// Returns the even steps of two samples or more.
   EvenSteps evenSteps() const;
 
  private:

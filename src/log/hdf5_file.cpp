@@ -82,7 +82,7 @@ void visitObjects(hid_t file, const std::function<bool(const std::string& path, 
     decltype(visit) object;
     std::exception_ptr error;  // goes past the library, which is of C
   };
-  // What the library calls this second form of the information differs between HDF5 1.10 and 1.14.
+  // The name of this second form of the information differs between HDF5 1.10 and 1.14.
   const auto call = [](hid_t root, const char* path, const auto* info, void* data) -> herr_t {
     auto& called = *static_cast<Visit*>(data);
     try {

@@ -170,7 +170,7 @@ std::vector<Number> readAs(hid_t number, hid_t file, const Hdf5Column& column, h
   requireOwnData(dataset.get(), column.path);
   const Hdf5Handle type(memoryType(column, number), H5Tclose);
   const Hdf5Handle space(dataset ? H5Dget_space(dataset.get()) : -1, H5Sclose);
-  // Of a vector the first number of each pair counts.
+  // For a vector only the first number of each pair is used.
   const bool samples_first = column.rank == 1 || !column.wide;
   const std::array<hsize_t, 2> from = {samples_first ? first : column.part, samples_first ? column.part : first};
   const std::array<hsize_t, 2> size = {samples_first ? count : 1, samples_first ? 1 : count};

@@ -220,7 +220,7 @@ Column foundColumn(const std::vector<ColumnName>& header, std::size_t place, con
   return column;
 }
 
-// Of times in several groups of a file, that in the displacement's.
+// Selects, of times in several groups of a file, that in the displacement's.
 Places besideDisplacement(const ColumnFinder& finder, const std::vector<ColumnName>& header, const Places& times) {
   const Places displacement = finder.find(Quantity::displacement);
   if (times.size() < 2 || displacement.size() != 1) {

@@ -220,7 +220,7 @@ class MatLogReader {
     }
   }
 
-  // Of a file of level 7.3 that MATLAB did not write.
+  // Lists the datasets of a file of level 7.3 that MATLAB did not write.
   std::string datasets() const {
     const std::string path = Mat_GetFilename(file_.get());
     if (H5Fis_hdf5(path.c_str()) <= 0) {

@@ -25,8 +25,8 @@ class RemovedBySignal {
 /// The content goes to a file in the same folder, by line(), by write() or by whoever is given writingPath(); commit()
 /// gives it the name wanted. Without commit() it is removed, also where a signal ends the process, so that an older
 /// file of that name stays whole whatever happens. A symbolic link is followed: the file that it points to is replaced.
-/// What is no regular file (/dev/stdout, a pipe) is written at once. Several threads may write files at once, each with
-/// an object of its own. All calls throw LogError that begins with the path.
+/// Other than regular files (/dev/stdout, a pipe) are written directly. Several threads may write files, each with its
+/// own object. All calls throw LogError that begins with the path.
 class NewFile {
  public:
   /// Throws also where an existing file may not be written.

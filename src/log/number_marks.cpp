@@ -220,7 +220,7 @@ void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_op
   }
 }
 
-// Of all columns, or of this alone where another has told its mark.
+// Option for all columns, or for this one if the mark of another is known.
 std::string NumberMarks::optionFor(const ColumnMarks& column, std::size_t channel) const {
   const char mark = column.text.find(',') == std::string::npos ? '.' : ',';
   const std::string of = decimal_ == '\0' ? "" : toString(static_cast<Quantity>(channel)) + "=";

@@ -44,7 +44,7 @@ class NumberMarks {
   const char* normalised(std::string_view field, std::size_t channel, const std::string& name, std::size_t line);
   const char* end() const { return end_; }
 
-  /// Of a field between commas, in which every mark is a point and nothing has to be normalised.
+  /// Notes a field between commas, in which every mark is a point and nothing has to be normalised.
   void seePlain(const char* field, const char* field_end, double value, std::size_t channel, std::size_t line) {
     const ColumnMarks& column = columns_[channel];
     if (!column.decimals && !column.large && !std::isnan(value)) {

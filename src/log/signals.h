@@ -133,7 +133,7 @@ class Signals {
   std::size_t gap_rows_ = 0;
   std::size_t gap_faults_ = 0;
   std::size_t gap_place_ = 0;
-  // Of gaps that are more than the displacement's clock.
+  // Gaps longer than those of the displacement's clock.
   std::size_t lost_rows_ = 0;
   std::size_t longest_place_ = 0;
   double longest_gap_ = 0.0;  // [s]

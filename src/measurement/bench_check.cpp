@@ -276,7 +276,7 @@ bool looksSwapped(gap::LogDriver& component, const log::Record& record, const Ev
   return e.work.forward <= 3.0 * e.work.deviation && unitsOfSwap(component, record, e.sheet);
 }
 
-// How far the measured phases are from those of the simulated force with the other sign.
+// Distance of the measured phases from those of the simulated force with the other sign.
 double distanceOfSign(const std::vector<Octave>& measured, const std::vector<Octave>& expected) {
   return phaseDistance(measured, expected, [](double phase, double) { return phase + element::kPi; });
 }
@@ -321,7 +321,8 @@ std::optional<Suspicion> energySuspicion(const Examined& log) {
   return Suspicion{sign < swap ? signFinding(record, e) : swapFinding(record, e), looks_like};
 }
 
-// Whether a mass that turns the stiffness at the log's mean frequency has its phases: slow motion it would not turn.
+// True if the phases are those of a mass that inverts the stiffness at the log's mean frequency, but not in slow
+// motion.
 bool isTurnedAsByMass(const log::Record& record, const VectorXd& simulated, const Evidence& e) {
   const std::vector<Octave> measured = CrossSpectrum(record.displacement, record.force).octaves();
   const std::vector<Octave> expected = CrossSpectrum(record.displacement, simulated).octaves();
@@ -385,8 +386,8 @@ Evidence evidenceOf(const log::Record& record, const VectorXd& simulated, const 
   return e;
 }
 
-// Whether the force while the displacement stands still is more than what follows no motion anyway: a hum of the mains
-// continues in a hold as it does in all of the log.
+// True if the force at a constant displacement exceeds its part that no motion causes, such as hum, which continues in
+// a hold.
 bool isOfAMotion(const log::Record& record, const DeadPart& dead) {
   constexpr double kMore = 1.25;  // two parts of a log tell a hum within a quarter
   const Index length = dead.end - dead.begin;
@@ -394,8 +395,8 @@ bool isOfAMotion(const log::Record& record, const DeadPart& dead) {
          kMore * deviationOfNoMotion(record.raw_displacement, record.force, dead);
 }
 
-// Whether a force that stands still is that of a slack contact: it has no less of that sign, and the displacement is
-// beyond all at which there is more.
+// True if a constant force is that of an open contact: it is the least of its sign, and the displacement is beyond all
+// with more force.
 bool isOfASlackContact(const log::Record& record, const DeadPart& dead) {
   constexpr double kStill = 0.01;  // of the range: twice what a part may have that stands still
   const auto part = [&](const VectorXd& column) { return column.segment(dead.begin, dead.end - dead.begin); };
@@ -676,7 +677,7 @@ void exchangeColumns(double units, log::Record& record) {
   record.displacement = record.raw_displacement = displacement;
 }
 
-// Whether an element yields to one sign of force alone, as a contact does that opens.
+// True if an element yields to one sign of force alone, such as a contact that opens.
 bool isContact(const element::ElementDescription& description) {
   const element::ElementPointer element = element::makeElement(description);
   const auto* const series = std::get_if<std::shared_ptr<const element::SeriesElement>>(&element);

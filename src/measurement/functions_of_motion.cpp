@@ -72,8 +72,8 @@ class Columns {
   Index each_;
 };
 
-// How many hats of each kind a log can tell: one for two cycles or 50 samples of it, so that they take some percent of
-// noise with them at most.
+// Number of hat functions of each kind that a log determines: one for two cycles or 50 samples, so that they absorb at
+// most some percent of the noise.
 Index tellable(const log::Record& record, const Mask& mask) {
   constexpr double kKinds = 3.0;
   constexpr double kMost = 12.0;

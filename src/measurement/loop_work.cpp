@@ -56,7 +56,7 @@ std::vector<Part> partsOf(const VectorXd& values, Index length) {
   return parts;
 }
 
-// How often a signal swings from beyond half of its deviation on one side of its trend to beyond it on the other.
+// Number of swings of a signal from beyond half of its deviation on one side of its trend to beyond it on the other.
 int swingsOf(const VectorXd& values, double deviation) {
   int swings = 0;
   double side = 0.0;

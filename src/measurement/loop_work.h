@@ -46,7 +46,7 @@ class CrossSpectrum {
   std::vector<std::vector<Octave>> windows_;
 };
 
-/// How far measured phases are from those of a hypothesis, 0 to 2, weighted by the force.
+/// Distance of measured phases from those of a hypothesis, 0 to 2, weighted by the force.
 template <class Phase>
 double phaseDistance(const std::vector<Octave>& measured, const std::vector<Octave>& simulated, Phase phase) {
   double distance = 0.0;

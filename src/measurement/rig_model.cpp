@@ -26,7 +26,7 @@ using Eigen::VectorXd;
 constexpr double kShift = 0.01;  // of the stroke, for the derivative by the displacement's zero
 // Relaxation times of the initial state: a sum of exponentials this far apart follows any other to 2 %.
 constexpr double kRelaxationRatio = 4.0;
-// Of the log: what relaxes more slowly is a drift in it, and nobody can tell from what it is left.
+// Longest relaxation as a share of the log: a slower one is a drift of unknown origin.
 constexpr double kSlowestRelaxation = 0.25;
 constexpr double kChance = 1e-3;  // of a finding where there is nothing to find, for each value of each log
 constexpr double kNormal95 = 1.96;
@@ -74,7 +74,7 @@ VectorXd delayed(const VectorXd& values, double delay, double clock) {
   return result;
 }
 
-// That of a record about the point where it is linearised, if there is one.
+// Displacement of a record relative to its linearisation point, if any.
 VectorXd displacementOf(const std::vector<gap::PreparedRecord>& records, const std::vector<RigPoint>& points,
                         std::size_t log) {
   return records[log].displacement.array() - (points.empty() ? 0.0 : points[log].displacement_zero);
@@ -89,8 +89,8 @@ enum class Before {
 };
 constexpr Before kMotionsBefore[] = {Before::same_motion, Before::from_above, Before::from_below, Before::from_rest};
 
-// Whether that may have left the component in another state than the rest that a simulation starts with: a log begins
-// while the machine runs, or with the component held under load.
+// True if the motion before may have left the component in another state than at rest: the log begins while the machine
+// runs, or under load.
 bool mayPrecede(Before kind, const log::Record& record) {
   constexpr double kDisplaced = 0.05;  // of the range: more than a zero that nobody set
   const bool displaced = record.lead_in.displacement.empty() &&
@@ -268,7 +268,7 @@ RigFinding told(const std::string& log, Nuisance nuisance, double value, double 
   return result;
 }
 
-// How unlikely values are if all of them were 0: a chi-square beyond its quantile.
+// True if values differ significantly from 0: their chi-square is beyond its quantile.
 bool significant(const VectorXd& values, const MatrixXd& covariance) {
   const double square = values.dot(numerics::Cholesky(covariance).solve(values));
   const boost::math::chi_squared distribution(static_cast<double>(values.size()));

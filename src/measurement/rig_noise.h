@@ -1,4 +1,4 @@
-// How loud the noise of one rig may be, by all of its logs together.
+// Limits of the noise of one rig, from all of its logs.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::measurement {
 
-/// How much a model may err without being wrong: numbers of the judgement (judge/numbers.h), handed over as values.
+/// Accepted errors of a model: numbers of the judgement (judge/numbers.h), passed as values.
 struct ErrorScale {
   double accepted = 0.0;     ///< error that is accepted, in units of the force's standard deviation
   double floor_known = 0.0;  ///< share of itself that a floor may be too low by
@@ -20,7 +20,7 @@ struct ErrorScale {
   /// force's standard deviation: the judgement takes it for as improbable as any number at its deviation.
   double oneDeviation(double floor, std::size_t logs) const;
 
-  /// The same of a departure from a data sheet by one standard deviation, over all logs: whatever their noise is.
+  /// Error of a deviation from the data sheet by one standard deviation, over all logs, independent of their noise.
   double oneOfSheet() const { return oneDeviation(0.0, 1); }
 };
 
@@ -42,7 +42,7 @@ NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<gap::P
 /// leaves it.
 double rigCost(const gap::PreparedRecord& record, const Eigen::VectorXd& residual);
 
-/// How much a log counts among others of its rig.
+/// Weight of a log among others of its rig.
 struct LogWeight {
   double weight = 1.0;  ///< about 1 on average (gap::PreparedRecord::weight)
   std::string note;     ///< empty where it counts no less than another

@@ -73,7 +73,7 @@ class AnsweringTopics {
     subscribers_.push_back(handle.subscribe(options));
   }
 
-  /// Of the server: countLost(samples that were sent and did not arrive); answer(sample, message to fill), false where
+  /// The server has countLost(samples that were sent and did not arrive); answer(sample, message to fill), false if
   /// there is none; countAnswered(message, latency [ns]).
   template <class Sample, class Answer, class Server>
   void serve(Server& server, ros::NodeHandle& handle, const std::string& in, std::uint32_t in_size, MessageCheck check,

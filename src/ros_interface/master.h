@@ -33,8 +33,8 @@ inline bool masterAnswers(double limit, const std::string& uri = ros::master::ge
 /// Names that are registered at the master, with the nodes of each.
 using Registered = std::map<std::string, std::vector<std::string>>;
 
-/// What is registered at the master: topics by who publishes and by who subscribes, and services. Nothing where it did
-/// not answer so within `limit` [s].
+/// Returns the names registered at the master: publishers and subscribers of topics, and services; nullopt without a
+/// valid answer within `limit` [s].
 std::optional<std::array<Registered, 3>> registeredNames(double limit);
 
 /// Unregisters all that the master knows of this process, as far as starting up has come. Returns false if the master

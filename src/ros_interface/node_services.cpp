@@ -97,7 +97,8 @@ NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_han
   advertisePromotions();
 }
 
-// Of each component that a model can be promoted for, or that has a promoted one from a state that was loaded.
+// Advertises services of each component for which a model can be promoted, or which has a promoted one from a loaded
+// state.
 void NodeServices::advertisePromotions() {
   using std_srvs::Trigger;
   for (node::ComponentChannel* channel : group_.channels()) {

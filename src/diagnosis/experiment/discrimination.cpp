@@ -218,8 +218,7 @@ double Discriminator::priorOfSizes(std::size_t explanation, const Eigen::MatrixX
   return judge::priorOfSizes(sizes, explanations_[explanation].usual_size, judge::fittedNumbers().share_spread);
 }
 
-// How far the wrong explanation is off, wherever it puts that: on the motion, or on the logs before; and what its
-// members are then.
+// Error of the wrong explanation after a refit, on the motion and on the logs before, and its members then.
 Refitted Discriminator::refitted(std::size_t right, std::size_t wrong, std::size_t motion) const {
   const Normal& normal = normal_[wrong];
   const OnMotion& on_motion = predictions_[wrong].on_motion[motion];

@@ -44,7 +44,7 @@ class Projected {
         gram.bottomRightCorner(size_ - model_, size_ - model_) - gram.bottomLeftCorner(size_ - model_, model_) * taken_;
   }
 
-  // Of what the rig may do to a log, too.
+  // Gap of a column, also of an error of the rig.
   double gapOf(Eigen::Index column) const { return std::sqrt(squares_[column]); }
 
   // The rest of `scale` times a column that the model parameters and the columns of a candidate leave.
@@ -77,7 +77,7 @@ class Projected {
     rest.head(model_) = -taken_ * rest.tail(size_ - model_);
     residuals.gap = std::sqrt(std::clamp(rest.dot(plain_ * rest), 0.0, 1.0));
     residuals.chi = (departures_ * rest.head(model_)).norm();
-    // What is free in a log takes its part beside the terms.
+    // Per-log unknowns contribute in addition to the terms.
     residuals.added = std::sqrt(std::max(0.0, added.dot(whole_ * added) + rest.dot((whole_ - plain_) * rest)));
     return residuals;
   }

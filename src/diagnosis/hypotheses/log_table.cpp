@@ -202,7 +202,7 @@ class LogTable {
     }
   }
 
-  // Of the logs of the fit; of unseen ones octaves are not told apart.
+  // Adds shares of the logs of the fit; octaves of unseen ones are not distinguished.
   void addSharesOf(int place, judge::HypothesisEvidence& hypothesis) const {
     const FittedHypothesis& fitted = search_.at(place);
     const auto forces = prepared_.fitter.forces().at(fitted.hypothesis, fitted.fit.parameters);

@@ -15,12 +15,12 @@ namespace rubber_suspension::diagnosis::prepare {
 /// cycles may be too few.
 class LeadInBuilder {
  public:
-  /// Of samples [first, last) of a log, `coarse` of them a step, but for what is left of them at the beginning. What
-  /// deviates by less than `standstill` [m] is noise, of which the means are kept. Steps of the log longer than
-  /// `longest_step` [ns] are time gaps, whose time is left out.
+  /// Builds the lead-in of samples [first, last) of a log, with `coarse` samples a step and the remainder at the
+  /// beginning. Deviations below `standstill` [m] are noise, which is averaged. Steps of the log longer than
+  /// `longest_step` [ns] are time gaps, whose time is omitted.
   LeadInBuilder(std::size_t first, std::size_t last, std::size_t coarse, double standstill, std::int64_t longest_step);
 
-  /// Sample by sample from the first on; those outside the stretch do nothing.
+  /// Adds a sample, in order from the first on; samples outside the stretch are ignored.
   void add(std::size_t sample, std::int64_t stamp, double displacement);
 
   log::LeadIn finish() const;

@@ -13,8 +13,8 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-// Of the mean frequency in a window: a window does not end where a cycle does, which a dozen make little of, and
-// amplitude and frequency do not change much meanwhile in most tests.
+// Cycles of the mean frequency in a window: enough that an incomplete cycle matters little, and few enough that
+// amplitude and frequency hardly change in most tests.
 constexpr double kCyclesOfWindow = 12.0;
 
 struct Loop {

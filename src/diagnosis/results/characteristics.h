@@ -14,10 +14,10 @@ namespace rubber_suspension::diagnosis::results {
 CharacteristicErrors characteristicErrors(const std::vector<gap::PreparedRecord>& records,
                                           const std::vector<Eigen::VectorXd>& simulated);
 
-/// Of the rubber, without what belongs to the rig. At the nominal frequency and amplitude of `before`. Without such a
-/// frequency it is the median of the mean frequencies of the logs; without such an amplitude the median amplitude of
-/// the logs within an octave of the frequency, or of all where there is none. The loop is that of cycle 20, or an
-/// earlier one on which it has settled.
+/// Stiffness of the rubber, without elements of the rig, at the nominal frequency and amplitude of `before`. Without
+/// such a frequency it is the median of the mean frequencies of the logs; without such an amplitude the median
+/// amplitude of the logs within an octave of the frequency, or of all where there is none. The loop is that of cycle
+/// 20, or an earlier one on which it has settled.
 std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& before,
                                              const io::ComponentDescription& after,
                                              const std::vector<gap::PreparedRecord>& logs);

@@ -12,9 +12,9 @@ namespace rubber_suspension::diagnosis::results {
 /// half; all but the middle one if all are alike.
 std::vector<bool> unlikeMost(const std::vector<double>& values, double alike);
 
-/// What each log has for itself where a judged hypothesis gives each log another gain or another zero: the gain of logs
-/// that read otherwise than most do, the zero of all. The logs of the fit, then those held out. Empty where it gives
-/// them none, or none that the logs do not have already: a search that is repeated with them ends.
+/// Errors of single logs if a judged hypothesis has a gain or offset of each log: the gain of logs that differ from
+/// most, the offset of all; first the logs of the fit, then those held out. Empty if it has none, or only those that
+/// the logs already have, so that the repeated search ends.
 std::vector<gap::OwnErrors> ownErrors(const hypotheses::PreparedCase& prepared,
                                       const hypotheses::FittedHypothesis& judged);
 
