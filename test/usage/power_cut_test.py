@@ -94,7 +94,7 @@ class PowerCut(unittest.TestCase):
         wrong, renamed = unsynced(trace)
         self.assertEqual(wrong, [])
         self.assertIn(state.name, renamed)
-        node.kill()
+        os.killpg(node.process.pid, signal.SIGKILL)  # strace and what it follows
 
     def test_a_kill_leaves_old_or_new(self):
         lines = (DIAGNOSE, REPLAY, CAMPAIGN)
