@@ -1,0 +1,205 @@
+#!/usr/bin/python3
+"""Runs a node of ten components with a live diagnosis for long: samples come at a fixed rate, a publisher goes and comes
+back every minute, and the master is killed twice. Each sample is accepted or counted as lost, each force comes or is
+counted, and the memory stays as it is.
+
+    long_run_test.py PROGRAMS [SECONDS [RATE]]    # 40 s and 100 samples/s of each component, if not given
+"""
+
+import collections
+import math
+import os
+import select
+import shutil
+import struct
+import sys
+import tempfile
+import threading
+import time
+
+import drive
+import tcpros
+
+NODE = drive.NODE
+COMPONENTS = 10
+TICK = 0.02  # [s] between two pieces of samples
+GROWTH = 1.05  # of the memory from the second eighth of the run to the last
+LONG = 1200.0  # [s] of a run in whose first eighth the diagnosis gets all samples that a look takes
+SAMPLE = struct.Struct("<IIIII1sd")  # a Displacement or a MeasuredForce with its length
+
+
+class Stream:
+    """The samples of a component and their forces; both know the time of a sample by its stamp."""
+
+    def __init__(self, network, name, rate):
+        self.name = name
+        self.step = round(drive.SECOND / rate)  # of the stamps [ns]
+        self.topic = f"/{name}/displacement"
+        self.output = network.publish(self.topic, "rubber_suspension/Displacement")
+        self.input = network.subscribe(NODE, f"/{name}/force")
+        self.sent = 0
+        self.forces = 0
+        self.first = 0  # sample of the present publisher
+        self.data = b""
+        self.waiting = collections.deque()  # pieces that were sent: the number behind them, and when
+
+    def samples(self, count, law):
+        """The next ones, or their measured forces, in the form of messages; each publisher counts from 0."""
+        pieces = bytearray()
+        for number in range(self.sent, self.sent + count):
+            stamp = 1000 * drive.SECOND + number * self.step
+            pieces += SAMPLE.pack(SAMPLE.size - 4, number - self.first, stamp // drive.SECOND, stamp % drive.SECOND, 1,
+                                  tcpros.FRAME, law(number * self.step / drive.SECOND))
+        return pieces
+
+    def take(self):
+        """Read forces; the time that the slowest of them took [s]."""
+        self.data += self.input.recv(1 << 18)
+        now = time.monotonic()
+        count = len(self.data) // tcpros.FORCE_SIZE
+        if count == 0:
+            return 0.0
+        seconds, nanoseconds = struct.unpack_from("<II", self.data, (count - 1) * tcpros.FORCE_SIZE + 8)
+        newest = ((seconds - 1000) * drive.SECOND + nanoseconds) // self.step
+        self.forces += count
+        self.data = self.data[count * tcpros.FORCE_SIZE:]
+        longest = 0.0
+        while self.waiting and self.waiting[0][0] <= newest + 1:
+            longest = max(longest, now - self.waiting.popleft()[1])
+        return longest
+
+
+class LongRun:
+    def __init__(self, programs, folder, duration, rate):
+        self.duration, self.rate = duration, rate
+        config = os.path.join(folder, "components.yaml")
+        names = [f"c{i}" for i in range(COMPONENTS)]
+        with open(config, "w") as file:
+            file.write("components:\n" + "".join(f"  {name}:\n    model: elements\n    elements:\n      {drive.LAWS[0]}"
+                                                 for name in names))
+        self.network = tcpros.Network(folder)
+        self.node = self.network.start([os.path.join(programs, "simulate"), f"_config_file:={config}", "_diagnose:=true"],
+                                       "simulate")
+        self.streams = [Stream(self.network, name, rate) for name in names]
+        self.measured = self.network.publish("/c0/measured_force", "rubber_suspension/MeasuredForce")
+        self.report = drive.Reports(self.network.subscribe(NODE, "/diagnostics"))
+        self.latest = None
+        self.lost = {}
+        self.longest = 0.0
+        self.restarts = 0
+        self.failure = None
+        self.memory = [math.inf] * 8  # [bytes] in each eighth the least: a look takes some for a while
+
+    @staticmethod
+    def displacement(t):
+        return 2e-3 * math.sin(13.0 * t) + 4e-4 * math.sin(101.0 * t)
+
+    def send(self, count):
+        for stream in self.streams:
+            if stream.output is None:
+                continue
+            if stream.name == "c0":
+                self.measured.sendall(stream.samples(count, lambda t: 3.3e6 * self.displacement(t)))
+            stream.output.sendall(stream.samples(count, self.displacement))
+            stream.sent += count
+            stream.waiting.append((stream.sent, time.monotonic()))
+
+    def take(self, until):
+        while (left := until - time.monotonic()) > 0:
+            inputs = [stream.input for stream in self.streams] + [self.report.input]
+            for ready in select.select(inputs, [], [], left)[0]:
+                if ready is self.report.input:
+                    self.latest = self.report.take() or self.latest
+                else:
+                    self.longest = max(self.longest, self.streams[inputs.index(ready)].take())
+
+    def restart_publisher(self, stream):
+        """Once all that it sent is answered, another comes in its place, which counts from 0."""
+        writer, stream.output = stream.output, None
+        time.sleep(1.0)  # a piece on its way
+        tcpros.until(lambda: stream.forces == stream.sent, f"the forces of {stream.name}")
+        writer.close()
+        self.network.master.unregisterPublisher(tcpros.CALLER, stream.topic, self.network.slave_uri)
+        api = self.network.node_api(NODE)
+        tcpros.until(lambda: stream.topic not in [link[4] for link in api.getBusInfo(tcpros.CALLER)[2]], "it to leave")
+        stream.first = stream.sent
+        stream.output = self.network.publish(stream.topic, "rubber_suspension/Displacement")
+        self.restarts += 1
+
+    def restart_master(self):
+        self.network.master_process.kill()
+        time.sleep(min(10.0, self.duration / 20))
+        self.network.master_process = self.network.start(["rosmaster", "--core", "-p", str(self.network.port)], "master")
+        tcpros.until(self.network.master_answers, "the master")
+        for stream in self.streams:
+            self.network.master.registerPublisher(tcpros.CALLER, stream.topic, "rubber_suspension/Displacement",
+                                                  self.network.slave_uri)
+        self.network.node_api(NODE)  # it has come back to it
+
+    def disturb(self, begin):
+        """A publisher restarts every minute, or so that six do; the master in the middle of each half."""
+        pause = min(60.0, self.duration / 8)
+        moments = [(pause * i, False) for i in range(1, int(self.duration / pause))]
+        moments += [(self.duration * share, True) for share in (0.27, 0.77)]
+        try:
+            for i, (moment, of_master) in enumerate(sorted(moments)):
+                time.sleep(max(0.0, begin + moment - time.monotonic()))
+                self.restart_master() if of_master else self.restart_publisher(self.streams[i % COMPONENTS])
+        except (OSError, tcpros.WireError) as error:
+            self.failure = f"wire: {error}"
+
+    def resident(self):
+        with open(f"/proc/{self.node.process.pid}/status") as status:
+            return next(int(line.split()[1]) * 1024 for line in status if line.startswith("VmRSS"))
+
+    def uncounted(self):
+        """The first component with a sample or a force that is neither there nor counted, and its numbers."""
+        report = tcpros.diagnostics(self.latest)
+        for stream in self.streams:
+            values = report[stream.name][2]
+            accepted, lost, missed = (int(values[key]) for key in ("accepted", "lost before arrival", "forces not delivered"))
+            self.lost[stream.name] = lost + missed
+            if accepted + lost != stream.sent or stream.forces + missed != accepted:
+                return f"{stream.name}: {stream.sent} sent, {accepted} accepted, {lost} lost, {stream.forces} forces, {missed} missed"
+        return None
+
+    def run(self):
+        begin = time.monotonic()
+        disturber = threading.Thread(target=self.disturb, args=(begin,), daemon=True)
+        disturber.start()
+        count = max(1, round(self.rate * TICK))
+        ticks = int(self.duration * self.rate / count)
+        for tick in range(1, ticks + 1):
+            self.send(count)
+            self.take(begin + tick * count / self.rate)
+            part = 8 * (tick - 1) // ticks
+            self.memory[part] = min(self.memory[part], self.resident())
+        disturber.join()
+        drive.require(self.failure is None, self.failure)
+        end = time.monotonic() + 15.0
+        while uncounted := self.uncounted():
+            drive.require(time.monotonic() < end, f"counter {uncounted}")
+            self.take(time.monotonic() + 1.0)
+        print(f"{sum(stream.sent for stream in self.streams)} samples in {self.duration:.0f} s, {sum(self.lost.values())} "
+              f"counted as lost, each other one with a force; {self.restarts} publishers and 2 masters restarted; longest "
+              f"answer {self.longest:.3f} s; memory {', '.join(f'{size / 2**20:.1f}' for size in self.memory)} MiB")
+        growth = self.memory[-1] / self.memory[1]
+        drive.require(self.duration < LONG or growth < GROWTH, f"memory: {growth:.3f} times that of the second eighth")
+        drive.require(self.node.end() == 0, "end: exit status is not 0")
+
+
+def main():
+    folder = tempfile.mkdtemp(prefix="long_run.")
+    run = LongRun(sys.argv[1], folder, *(float(word) for word in (sys.argv[2:] + ["40", "100"][len(sys.argv) - 2:])))
+    try:
+        run.run()
+    except (drive.Failure, tcpros.WireError, OSError) as error:
+        print(run.node.output()[-1000:], error, sep="\n", file=sys.stderr)
+        sys.exit(1)
+    finally:
+        run.network.close()
+        shutil.rmtree(folder)
+
+
+if __name__ == "__main__":
+    main()
