@@ -113,7 +113,7 @@ ros_interface::RecordPaths recordPaths(const Options& options, const std::string
   return paths;
 }
 
-// The log itself has what all players need of the poses.
+// The log itself has the stamps and temperatures of the poses, which all players need.
 ros_interface::BenchTrack poseTrack(const Options& options, const std::string& component, const std::string& path) {
   ros_interface::BenchTrack track;
   track.component = component;

@@ -135,7 +135,7 @@ class HypothesisFitter {
   Place placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const;
   /// Starts at a vector; throws std::invalid_argument if there is no model.
   Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;
-  /// Move on by a step, or by part of it; false where none leads on by much.
+  /// Moves by a step, or by part of it; returns false if none improves the fit noticeably.
   bool improve(const Hypothesis& hypothesis, const Eigen::VectorXd& step, Place& place) const;
   /// Gauss-Newton steps to where they end; normal equations there. `longest`: step of a logarithm.
   BlockGrams descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest, Place& place) const;

@@ -43,7 +43,7 @@ void soften(const Hypothesis& hypothesis, const ParameterVector& parameters, std
   }
 }
 
-// Entries of the law of a hypothesis. Numbers that move each by itself may leave what a law allows of them together.
+// Entries of the law of a hypothesis. Numbers that are fitted separately may form a combination that the law refuses.
 std::optional<std::vector<element::ElementDescription>> lawOf(const Hypothesis& hypothesis,
                                                               const ParameterVector& parameters) {
   std::vector<element::ElementDescription> entries;

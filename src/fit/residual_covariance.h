@@ -16,7 +16,7 @@ struct Covariance {
   Eigen::MatrixXd matrix;
   std::vector<Eigen::VectorXd> unseen;  ///< directions that the measurement does not show at all
 
-  /// Infinite where a direction that is not shown has a part in the estimate.
+  /// Infinite if an undetermined direction contributes to the estimate.
   double standardDeviation(Eigen::Index estimate) const;
 };
 

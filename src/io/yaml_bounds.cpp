@@ -120,7 +120,7 @@ std::optional<YamlProblem> beyondYamlBounds(const std::string& text) {
   return std::nullopt;
 }
 
-// YAML::LoadAll would tell, too, but never ends on a comma that belongs to nothing.
+// Not by YAML::LoadAll, which never returns for a stray comma.
 std::optional<int> lineOfSecondDocument(const std::string& text) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);

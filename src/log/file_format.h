@@ -20,8 +20,8 @@ bool isRegularFile(const std::string& path);
 /// .mat.
 FileFormat formatOfFile(const std::string& path);
 
-/// Throws std::runtime_error for a head that is neither text nor unknown: the format's name and the command that makes
-/// a file that can be read.
+/// Throws std::runtime_error for the head of a known foreign format, with its name and a command that makes a readable
+/// file.
 void refuseForeignFormat(const std::string& head);
 
 /// Refuses what claims far more memory or time than it has bytes itself, unless the user says that it is large. Throws

@@ -551,9 +551,8 @@ Examined examine(gap::LogDriver& component, const log::Record& record, const She
   return log;
 }
 
-// A sign that is reversed, columns that are exchanged or a unit are so in all logs of a bench. Where fewer than half of
-// them give energy, or are faster than all that are right and less stiff, a delay or a mass has done it: that is found
-// among the effects.
+// A reversed sign, exchanged columns or a wrong unit affect all logs of a bench. If fewer than half of them create
+// energy, or are faster than all right ones and less stiff, the cause is a delay or a mass, which are effects.
 void leaveFastLogsToEffects(std::vector<Examined>& logs) {
   double fastest_right = 0.0;  // [Hz]
   for (const Examined& log : logs) {

@@ -8,10 +8,10 @@
 
 namespace rubber_suspension::measurement {
 
-/// A residual [N] of a record without what is a function of displacement, in each direction apart, or of speed:
-/// piecewise linear ones, by least squares over the samples that count. Nonlinear stiffness and damping, stops, and
-/// most of friction are such functions. A log takes as many functions as it can tell, so that noise stays; one of a few
-/// cycles none.
+/// Removes from a residual [N] of a record piecewise linear functions of displacement, for each direction, and of
+/// speed, by least squares over the samples that count. Nonlinear stiffness and damping, stops, and most of friction
+/// are such functions. The number of functions depends on the length of the log, so that noise remains; for a few
+/// cycles there are none.
 Eigen::VectorXd withoutFunctionsOfMotion(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
 
 }  // namespace rubber_suspension::measurement

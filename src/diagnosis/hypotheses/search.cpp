@@ -307,7 +307,7 @@ class Searcher {
     return fit::makeHypothesis(result_.candidates, hypothesis.members, hypothesis.held, curved);
   }
 
-  // One curve for all laws that may follow one, where it is worth its number in this hypothesis; false: it is not.
+  // Finds one curve for all laws that may follow one; returns false if it is not worth its cost in this hypothesis.
   bool findCurve(const FittedHypothesis& about, int member) {
     if (hasCurve()) {
       return true;

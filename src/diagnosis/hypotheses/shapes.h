@@ -21,8 +21,8 @@ struct CurveLook {
   double left_straight = 0.0;  ///< with the law as it is
 };
 
-/// The curve along which the law of one of its members leaves least in a fitted hypothesis, by normal equations about
-/// that. Three terms stand for the law, with or without a curve: curves do not differ by their spectrum.
+/// Finds the curve with the least error for the law of a member of a fitted hypothesis, by normal equations about it.
+/// Three terms represent the law with and without a curve, because curves do not depend on its spectrum.
 CurveLook bestCurve(const fit::HypothesisFitter& fitter, const FittedHypothesis& about, const fit::Candidate& candidate,
                     int member, const std::vector<gap::PreparedRecord>& records, int threads);
 

@@ -69,7 +69,7 @@ struct LogSurvey {
 /// at which the component's shifts do not hold.
 LogSurvey surveyLog(std::shared_ptr<const log::LogSource> source, const component::Component& component);
 
-/// As surveyLog(), of each, several at a time.
+/// Surveys all logs, several at a time.
 std::vector<LogSurvey> surveyLogs(const log::LogSources& sources, const component::Component& component, int threads);
 
 /// Reads a surveyed log again. Throws LogError where it is no longer what it was.

@@ -130,7 +130,7 @@ std::string effectsOf(const Diagnosis& d) {
 // A place of the gap, over all logs: these have other names on another day.
 using Place = std::tuple<double, double, double, double, std::string>;
 
-// The part of the gap as configured in each place, of the force's standard deviation.
+// Part of the gap as configured in each place, relative to the force's standard deviation.
 std::map<Place, double> placesOf(const Diagnosis& d) {
   std::map<Place, double> squares;
   for (const gap::GapCell& cell : d.where.before) {

@@ -23,10 +23,9 @@ struct Replayed {
 /// The elements of a model with a law.
 Entries elementsOf(const fit::ModelParameters& model, const FittedLaw& fitted);
 
-/// Errors of a fitted law that is written as these elements, on the logs of the fit and on those held out. Of the logs
-/// of the fit they are the cross-validated errors of the fit and, log by log, what `replay` leaves there more than the
-/// forces that were fitted: the noise of the displacement's sensor, and samples to come that a simulation does not
-/// know.
+/// Errors of a fitted law that is written as these elements, on the logs of the fit and on those held out. For logs of
+/// the fit they are the cross-validated errors plus, log by log, the excess of `replay` over the fitted forces, which
+/// is due to noise of the displacement and to future samples that a simulation does not have.
 Replayed replayed(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
                   const std::vector<gap::PreparedRecord>& held_out);
 

@@ -33,7 +33,7 @@ void addSeriesCompliance(const fit::Excitation& excitation, fit::Candidate& cand
                      complianceTerm(excitation, closing_force, 0.0)};
 }
 
-// The common part of compliances of either side as one, and one for the rest of the softer side.
+// Merges compliances of either side into one for both, and one for the remainder of the softer side.
 void mergeSides(Effect::Entries& entries) {
   const auto ofSide = [&](double side) {
     return std::find_if(entries.begin(), entries.end(), [&](const element::ElementDescription& entry) {
