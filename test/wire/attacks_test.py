@@ -544,6 +544,19 @@ class Messages(Attack):
         self.assertIn("cannot be decoded", lines[0])
         self.assertLess(len(lines), 8)
 
+    def test_measured_forces_beyond_measure_are_said(self):
+        if SANITIZED:
+            self.skipTest("the diagnosis that the node loads is without sanitizers")
+        self.start(diagnose="true")
+        report = self.network.subscribe(NODE, "/diagnostics")
+        measured = self.network.publish("/left/measured_force", "rubber_suspension/MeasuredForce")
+        for i in range(100):
+            measured.sendall(sample(i, 2e30))
+        tcpros.until(lambda: "forces were dropped" in self.values(report, "diagnosis of left")["sentence"], "a sentence")
+        values = self.values(report, "diagnosis of left")
+        self.assertIn("at most 1e+30 N", values["sentence"])
+        self.assertEqual([key for key, value in values.items() if "nan" in value.lower()], [])
+
 
 class Files(Attack):
     def refused(self, config, *words):

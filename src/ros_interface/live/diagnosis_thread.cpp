@@ -12,8 +12,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "element/largest_number.h"
 #include "element/refuse.h"
 #include "io/cancellation.h"
+
 namespace rubber_suspension::ros_interface {
 namespace {
 
@@ -119,11 +121,17 @@ void DiagnosisThread::serve(Watched& watched) {
 }
 
 void DiagnosisThread::tell(Watched& watched) {
-  const diagnosis::live::LiveFindings findings = watched.live->findings();
+  diagnosis::live::LiveFindings findings = watched.live->findings();
+  if (findings.looks == 0 && watched.channel->gap().counters().not_finite > 0) {
+    findings.sentence += fmt::format("; measured forces were dropped; accepted: finite, at most {:g} N in size",
+                                     element::kLargestNumber);
+  }
   auto found = watched.live->found();
   const diagnosis::live::LiveVerdict& told = watched.findings.now;
   const bool other = told.verdict != findings.now.verdict || told.effects != findings.now.effects;
-  const bool news = other || told.since != findings.now.since || watched.findings.looks != findings.looks;
+  const bool reason =
+      findings.looks == 0 && watched.findings.sentence != findings.sentence;  // why there is no look yet
+  const bool news = other || reason || told.since != findings.now.since || watched.findings.looks != findings.looks;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     watched.findings = findings;
