@@ -1,6 +1,9 @@
 // The diagnosis from logs to a result: the bench, search, judgement, description.
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
+#include <fmt/format.h>
+
+#include <Eigen/Core>
 #include <algorithm>
 #include <iterator>
 #include <memory>
@@ -27,6 +30,7 @@
 #include "diagnosis/words/sentence.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
+#include "element/largest_number.h"
 #include "estimation/models.h"
 #include "fit/parallel.h"
 #include "io/available_memory.h"
@@ -188,6 +192,22 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
   return inWords(fitter, next, options.turns ? ofRotation(std::move(result)) : std::move(result));
 }
 
+double largestOf(const std::vector<double>& signal) {
+  return Eigen::Map<const Eigen::VectorXd>(signal.data(), static_cast<Eigen::Index>(signal.size()))
+      .lpNorm<Eigen::Infinity>();
+}
+
+// A fit to a log asks for a number that no law can have: the log whose force is the largest for its displacement.
+log::LogError beyondAllLaws(const std::vector<log::Log>& logs, const char* number) {
+  const auto stiffness = [](const log::Log& log) { return largestOf(log.force) / largestOf(log.displacement); };
+  const auto log = std::max_element(logs.begin(), logs.end(),
+                                    [&](const auto& a, const auto& b) { return stiffness(a) < stiffness(b); });
+  return log::LogError(
+      fmt::format("{}: forces up to {:.3g} at displacements up to {:.3g} [SI] ask for a number beyond "
+                  "all laws ({}): name the right units",
+                  log->name, largestOf(log->force), largestOf(log->displacement), number));
+}
+
 }  // namespace
 
 SurveyedLogs surveyed(const io::ComponentDescription& component, const log::LogSources& logs,
@@ -204,8 +224,12 @@ Diagnosis diagnose(const io::ComponentDescription& component, const SurveyedLogs
   const prepare::Excerpts excerpts = prepare::makeExcerpts(logs.logs, logs.hold_out, options.most_samples);
   prepare::requireMemory({excerpts.samples, excerpts.logs.size()}, excerpts.of, options.threads,
                          options.available_memory > 0 ? options.available_memory : io::availableMemory());
-  return heldToInvariants(
-      diagnoseExcerpts(component, excerpts, logs.hold_out.empty() ? logs.logs : logs.hold_out, options));
+  try {
+    return heldToInvariants(
+        diagnoseExcerpts(component, excerpts, logs.hold_out.empty() ? logs.logs : logs.hold_out, options));
+  } catch (const element::ValueOutOfRange& error) {
+    throw beyondAllLaws(excerpts.logs, error.what());
+  }
 }
 
 Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSources& logs,

@@ -68,8 +68,8 @@ bool isFree(const ParameterInfo& parameter, const std::vector<double>& values) {
 
 void refuseValue(const std::string& type, const std::string& parameter, double value, const std::string& unit,
                  const std::string& accepted) {
-  throw std::invalid_argument(fmt::format("{}.{}: {:g}{} is out of range; accepted: {}", type, parameter, value,
-                                          unit == "1" ? "" : " " + unit, accepted));
+  throw ValueOutOfRange(fmt::format("{}.{}: {:g}{} is out of range; accepted: {}", type, parameter, value,
+                                    unit == "1" ? "" : " " + unit, accepted));
 }
 
 int sideOf(const ElementDescription& description, const char* quantity, bool may_be_both) {
