@@ -101,10 +101,6 @@ class Attack(unittest.TestCase):
             if name in statuses:
                 return statuses[name][2]
 
-    def memory(self, node, field="VmRSS"):
-        with open(f"/proc/{node.process.pid}/status") as status:
-            return next(int(line.split()[1]) * 1024 for line in status if line.startswith(field))
-
     def registrations(self):
         state = self.network.master.getSystemState(tcpros.CALLER)[2]
         return [name for part in state for name, nodes in part if NODE in nodes]
@@ -282,7 +278,7 @@ class Answers(Attack):
         while size < 70000:  # what the node takes for a subscriber that reads
             self.feed(flood, size, 2000, frame)
             size += 2000
-        memory = [self.memory(node)]
+        memory = [node.memory()]
         links = []
         needed = 0  # forces until a queue is full: the sockets take some MiB before
         for caller in ("/first", "/second"):
@@ -296,7 +292,7 @@ class Answers(Attack):
                 self.assertLess(size, 2000000)
                 full = size - begin > needed if needed else self.loses()
             needed = size - begin
-            memory.append(self.memory(node))
+            memory.append(node.memory())
         for link in links:
             link.close()
         self.assertEqual(node.end(), 0)
@@ -322,10 +318,7 @@ class Answers(Attack):
         for visit in range(40):
             writer = self.network.publish("/left/displacement", "rubber_suspension/Displacement")
             for i in range(30):
-                # Each counts from a number of its own.
-                data = bytearray(sample(30 * visit + i))
-                struct.pack_into("<I", data, 4, 1000003 * visit + i)
-                writer.sendall(data)
+                writer.sendall(sample(30 * visit + i, sequence=1000003 * visit + i))  # each counts in its own way
             for i in range(30):
                 tcpros.next_message(answers)
             writer.close()
@@ -492,12 +485,12 @@ class Messages(Attack):
         report = self.network.subscribe(NODE, "/diagnostics")
         writer = self.network.publish("/displacements", "rubber_suspension/DisplacementArray")
         self.settled(report, 0)
-        before = self.memory(node, "VmHWM")
+        before = node.memory("VmHWM")
         for claim in (1 << 28, 1 << 31, (1 << 32) - 1):
             writer.sendall(self.bundle(0, claim))
             writer.sendall(self.bundle(claim, 0))
         self.settled(report, 6)
-        self.assertLess(self.memory(node, "VmHWM") - before, 8 * MEBIBYTE)
+        self.assertLess(node.memory("VmHWM") - before, 8 * MEBIBYTE)
 
     def test_large_messages_leave_no_memory_behind(self):
         if SANITIZED:
@@ -506,30 +499,30 @@ class Messages(Attack):
         report = self.network.subscribe(NODE, "/diagnostics")
         writer = self.network.publish("/displacements", "rubber_suspension/DisplacementArray")
         self.settled(report, 0)
-        before = self.memory(node)
+        before = node.memory()
         large = self.bundle(0, MEBIBYTE // 8, bytes(MEBIBYTE))
         for _ in range(100):
             writer.sendall(large)
         self.settled(report, 100)
         # Two messages at the most: one that is read, one that waits to be looked at.
-        tcpros.until(lambda: self.memory(node) - before < 4 * MEBIBYTE, "memory given back", 10.0)
+        tcpros.until(lambda: node.memory() - before < 4 * MEBIBYTE, "memory given back", 10.0)
 
     def test_locked_memory_is_what_was_touched(self):
         if SANITIZED:
             self.skipTest("the address sanitizer keeps memory that was freed, and locks none")
         node = self.start(lock_memory="true")
         self.network.node_api(NODE)
-        tcpros.until(lambda: self.memory(node, "VmLck") > 0 or "not locked" in node.output(), "locked memory")
+        tcpros.until(lambda: node.memory("VmLck") > 0 or "not locked" in node.output(), "locked memory")
         if "not locked" in node.output():
             self.skipTest("memory cannot be locked here")
         report = self.network.subscribe(NODE, "/diagnostics")
         writer = self.network.publish("/left/displacement", "rubber_suspension/Displacement")
         self.counts(report, "left", "accepted", 0)
-        before = self.memory(node)
+        before = node.memory()
         writer.sendall(struct.pack("<I", 999999999))
         for _ in range(2):
             tcpros.next_message(report)
-        self.assertLess(self.memory(node) - before, 8 * MEBIBYTE)
+        self.assertLess(node.memory() - before, 8 * MEBIBYTE)
 
     def test_what_cannot_be_decoded_is_counted_and_said_seldom(self):
         node = self.start()
@@ -727,7 +720,7 @@ class Limits(Attack):
             self.skipTest("the diagnosis that the node loads is without sanitizers")
         node = self.start([f"c{i}" for i in range(100)], diagnose="true")
         self.network.call(NODE + "/reset")
-        self.assertLess(self.memory(node, "VmHWM"), 100 * MEBIBYTE)
+        self.assertLess(node.memory("VmHWM"), 100 * MEBIBYTE)
         self.assertEqual(node.end(), 0)
 
 

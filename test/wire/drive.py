@@ -437,10 +437,6 @@ class Drive:
             [options.node or os.path.join(options.programs, "simulate"), f"_config_file:={self.config}",
              f"_state_file:={self.state}", f"_threads:={options.threads}"], "simulate", MUTANT=options.mutant)
 
-    def memory(self):
-        with open(f"/proc/{self.node.process.pid}/status") as status:
-            return next(int(line.split()[1]) * 1024 for line in status if line.startswith("VmRSS"))
-
     def serve(self):
         """Called again and again while samples flow: a saved state is one instant, a switch changes nothing."""
         done, message = tcpros.trigger(self.network.call(NODE + "/save_state"))
@@ -485,7 +481,7 @@ class Drive:
                 self.serve()
             answered = sum(link.answered for link in links if isinstance(link, Link))
             if answered > (len(memory) + 1) * total // 8:
-                memory.append((answered, self.memory()))
+                memory.append((answered, self.node.memory()))
         return memory
 
     def check(self):

@@ -10,7 +10,6 @@ import collections
 import math
 import os
 import select
-import shutil
 import struct
 import sys
 import tempfile
@@ -21,59 +20,54 @@ import drive
 import tcpros
 
 NODE = drive.NODE
-COMPONENTS = 10
 TICK = 0.02  # [s] between two pieces of samples
 GROWTH = 1.05  # of the memory from the second eighth of the run to the last
 LONG = 1200.0  # [s] of a run in whose first eighth the diagnosis gets all samples that a look takes
-SAMPLE = struct.Struct("<IIIII1sd")  # a Displacement or a MeasuredForce with its length
+
+
+def displacement(t):
+    return 2e-3 * math.sin(13.0 * t) + 4e-4 * math.sin(101.0 * t)
 
 
 class Stream:
-    """The samples of a component and their forces; both know the time of a sample by its stamp."""
+    """The samples of a component and their forces; a force is known by its stamp."""
 
     def __init__(self, network, name, rate):
         self.name = name
-        self.step = round(drive.SECOND / rate)  # of the stamps [ns]
         self.topic = f"/{name}/displacement"
+        self.step = round(drive.SECOND / rate)  # of the stamps [ns]
         self.output = network.publish(self.topic, "rubber_suspension/Displacement")
         self.input = network.subscribe(NODE, f"/{name}/force")
-        self.sent = 0
-        self.forces = 0
-        self.first = 0  # sample of the present publisher
+        self.sent = self.forces = 0
+        self.first = 0  # sample of the present publisher, which counts from 0
         self.data = b""
         self.waiting = collections.deque()  # pieces that were sent: the number behind them, and when
 
-    def samples(self, count, law):
-        """The next ones, or their measured forces, in the form of messages; each publisher counts from 0."""
-        pieces = bytearray()
-        for number in range(self.sent, self.sent + count):
-            stamp = 1000 * drive.SECOND + number * self.step
-            pieces += SAMPLE.pack(SAMPLE.size - 4, number - self.first, stamp // drive.SECOND, stamp % drive.SECOND, 1,
-                                  tcpros.FRAME, law(number * self.step / drive.SECOND))
-        return pieces
+    def samples(self, count, stiffness=1.0):
+        """The next ones, or measured forces in their place, which have the same form."""
+        return b"".join(tcpros.sample(i, stiffness * displacement(i * self.step / drive.SECOND), step=self.step,
+                                      sequence=i - self.first) for i in range(self.sent, self.sent + count))
 
     def take(self):
         """Read forces; the time that the slowest of them took [s]."""
         self.data += self.input.recv(1 << 18)
         now = time.monotonic()
-        count = len(self.data) // tcpros.FORCE_SIZE
-        if count == 0:
-            return 0.0
-        seconds, nanoseconds = struct.unpack_from("<II", self.data, (count - 1) * tcpros.FORCE_SIZE + 8)
-        newest = ((seconds - 1000) * drive.SECOND + nanoseconds) // self.step
-        self.forces += count
-        self.data = self.data[count * tcpros.FORCE_SIZE:]
-        longest = 0.0
-        while self.waiting and self.waiting[0][0] <= newest + 1:
-            longest = max(longest, now - self.waiting.popleft()[1])
+        count, longest = len(self.data) // tcpros.FORCE_SIZE, 0.0
+        if count:
+            seconds, nanoseconds = struct.unpack_from("<II", self.data, (count - 1) * tcpros.FORCE_SIZE + 8)
+            newest = ((seconds - 1000) * drive.SECOND + nanoseconds) // self.step
+            self.forces += count
+            self.data = self.data[count * tcpros.FORCE_SIZE:]
+            while self.waiting and self.waiting[0][0] <= newest + 1:
+                longest = max(longest, now - self.waiting.popleft()[1])
         return longest
 
 
 class LongRun:
-    def __init__(self, programs, folder, duration, rate):
+    def __init__(self, programs, folder, duration=40.0, rate=100.0):
         self.duration, self.rate = duration, rate
         config = os.path.join(folder, "components.yaml")
-        names = [f"c{i}" for i in range(COMPONENTS)]
+        names = [f"c{i}" for i in range(10)]
         with open(config, "w") as file:
             file.write("components:\n" + "".join(f"  {name}:\n    model: elements\n    elements:\n      {drive.LAWS[0]}"
                                                  for name in names))
@@ -90,34 +84,33 @@ class LongRun:
         self.failure = None
         self.memory = [math.inf] * 8  # [bytes] in each eighth the least: a look takes some for a while
 
-    @staticmethod
-    def displacement(t):
-        return 2e-3 * math.sin(13.0 * t) + 4e-4 * math.sin(101.0 * t)
-
     def send(self, count):
         for stream in self.streams:
             if stream.output is None:
                 continue
             if stream.name == "c0":
-                self.measured.sendall(stream.samples(count, lambda t: 3.3e6 * self.displacement(t)))
-            stream.output.sendall(stream.samples(count, self.displacement))
+                self.measured.sendall(stream.samples(count, 3.3e6))
+            stream.output.sendall(stream.samples(count))
             stream.sent += count
             stream.waiting.append((stream.sent, time.monotonic()))
 
     def take(self, until):
-        while (left := until - time.monotonic()) > 0:
-            inputs = [stream.input for stream in self.streams] + [self.report.input]
+        """Read until then; at least what is there, so that a driver that is late reads, too."""
+        inputs = [stream.input for stream in self.streams] + [self.report.input]
+        left = 0.0
+        while left >= 0.0:
             for ready in select.select(inputs, [], [], left)[0]:
                 if ready is self.report.input:
                     self.latest = self.report.take() or self.latest
                 else:
                     self.longest = max(self.longest, self.streams[inputs.index(ready)].take())
+            left = until - time.monotonic()
 
     def restart_publisher(self, stream):
-        """Once all that it sent is answered, another comes in its place, which counts from 0."""
+        """Once all that it sent is answered, another comes in its place."""
         writer, stream.output = stream.output, None
         time.sleep(1.0)  # a piece on its way
-        tcpros.until(lambda: stream.forces == stream.sent, f"the forces of {stream.name}")
+        tcpros.until(lambda: not self.uncounted(stream), f"what {stream.name} sent to be counted")
         writer.close()
         self.network.master.unregisterPublisher(tcpros.CALLER, stream.topic, self.network.slave_uri)
         api = self.network.node_api(NODE)
@@ -137,31 +130,24 @@ class LongRun:
         self.network.node_api(NODE)  # it has come back to it
 
     def disturb(self, begin):
-        """A publisher restarts every minute, or so that six do; the master in the middle of each half."""
+        """A publisher restarts every minute, or seven in a shorter run; the master in the middle of each half."""
         pause = min(60.0, self.duration / 8)
         moments = [(pause * i, False) for i in range(1, int(self.duration / pause))]
         moments += [(self.duration * share, True) for share in (0.27, 0.77)]
         try:
             for i, (moment, of_master) in enumerate(sorted(moments)):
                 time.sleep(max(0.0, begin + moment - time.monotonic()))
-                self.restart_master() if of_master else self.restart_publisher(self.streams[i % COMPONENTS])
+                self.restart_master() if of_master else self.restart_publisher(self.streams[i % len(self.streams)])
         except (OSError, tcpros.WireError) as error:
             self.failure = f"wire: {error}"
 
-    def resident(self):
-        with open(f"/proc/{self.node.process.pid}/status") as status:
-            return next(int(line.split()[1]) * 1024 for line in status if line.startswith("VmRSS"))
-
-    def uncounted(self):
-        """The first component with a sample or a force that is neither there nor counted, and its numbers."""
-        report = tcpros.diagnostics(self.latest)
-        for stream in self.streams:
-            values = report[stream.name][2]
-            accepted, lost, missed = (int(values[key]) for key in ("accepted", "lost before arrival", "forces not delivered"))
-            self.lost[stream.name] = lost + missed
-            if accepted + lost != stream.sent or stream.forces + missed != accepted:
-                return f"{stream.name}: {stream.sent} sent, {accepted} accepted, {lost} lost, {stream.forces} forces, {missed} missed"
-        return None
+    def uncounted(self, stream):
+        """The numbers of a component with a sample or a force that is neither there nor counted."""
+        values = tcpros.diagnostics(self.latest)[stream.name][2]
+        accepted, lost, missed = (int(values[key]) for key in ("accepted", "lost before arrival", "forces not delivered"))
+        self.lost[stream.name] = lost + missed
+        counted = accepted + lost == stream.sent and stream.forces + missed == accepted
+        return "" if counted else f"{stream.name}: {values}, {stream.sent} sent, {stream.forces} forces"
 
     def run(self):
         begin = time.monotonic()
@@ -169,15 +155,14 @@ class LongRun:
         disturber.start()
         count = max(1, round(self.rate * TICK))
         ticks = int(self.duration * self.rate / count)
-        for tick in range(1, ticks + 1):
+        for tick in range(ticks):
             self.send(count)
-            self.take(begin + tick * count / self.rate)
-            part = 8 * (tick - 1) // ticks
-            self.memory[part] = min(self.memory[part], self.resident())
+            self.take(begin + (tick + 1) * count / self.rate)
+            self.memory[8 * tick // ticks] = min(self.memory[8 * tick // ticks], self.node.memory())
         disturber.join()
         drive.require(self.failure is None, self.failure)
         end = time.monotonic() + 15.0
-        while uncounted := self.uncounted():
+        while uncounted := "".join(map(self.uncounted, self.streams)):
             drive.require(time.monotonic() < end, f"counter {uncounted}")
             self.take(time.monotonic() + 1.0)
         print(f"{sum(stream.sent for stream in self.streams)} samples in {self.duration:.0f} s, {sum(self.lost.values())} "
@@ -188,18 +173,10 @@ class LongRun:
         drive.require(self.node.end() == 0, "end: exit status is not 0")
 
 
-def main():
-    folder = tempfile.mkdtemp(prefix="long_run.")
-    run = LongRun(sys.argv[1], folder, *(float(word) for word in (sys.argv[2:] + ["40", "100"][len(sys.argv) - 2:])))
-    try:
-        run.run()
-    except (drive.Failure, tcpros.WireError, OSError) as error:
-        print(run.node.output()[-1000:], error, sep="\n", file=sys.stderr)
-        sys.exit(1)
-    finally:
-        run.network.close()
-        shutil.rmtree(folder)
-
-
 if __name__ == "__main__":
-    main()
+    with tempfile.TemporaryDirectory() as folder:
+        long_run = LongRun(sys.argv[1], folder, *map(float, sys.argv[2:]))
+        try:
+            long_run.run()
+        finally:
+            long_run.network.close()

@@ -54,11 +54,11 @@ def text(value):
     return struct.pack("<I", len(data)) + data
 
 
-def sample(number, displacement=1e-3, frame=FRAME):
-    """A Displacement with its length, one a millisecond from 1000 s on."""
-    stamp = 1000 * 1000 + number  # [ms]
-    return text(struct.pack("<III", number, stamp // 1000, stamp % 1000 * 1000000) + text(frame) +
-                struct.pack("<d", displacement))
+def sample(number, displacement=1e-3, frame=FRAME, step=1000000, sequence=None):
+    """A Displacement with its length, one in each step [ns] from 1000 s on."""
+    seconds, nanoseconds = divmod(number * step, 10**9)
+    return text(struct.pack("<III", number if sequence is None else sequence, 1000 + seconds, nanoseconds) +
+                text(frame) + struct.pack("<d", displacement))
 
 
 def receive(sock, size):
@@ -123,6 +123,11 @@ class Program:
             self.process.send_signal(signal.SIGCONT)
             self.process.kill()
             self.process.wait()
+
+    def memory(self, field="VmRSS"):
+        """What the process takes [bytes]."""
+        with open(f"/proc/{self.process.pid}/status") as status:
+            return next(int(line.split()[1]) * 1024 for line in status if line.startswith(field))
 
     def output(self):
         with open(self.log, errors="replace") as file:
