@@ -48,6 +48,9 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   return columns.cols() == 0 ? columns : numerics::orthonormalColumns(columns, kIndependent);
 }
 
+// Of faults of single samples, whose values are how many.
+bool excludesLess(const RigFinding& one, const RigFinding& other) { return one.value < other.value; }
+
 enum class Start { counts, counts_at_rest };
 
 PreparedLog prepare(const log::Log& log, log::LeadIn lead_in, Start start) {
@@ -72,9 +75,10 @@ PreparedLog prepare(const log::Log& log, log::LeadIn lead_in, Start start) {
   const auto all = static_cast<double>(record.size());
   if (counts.sum() < all) {
     if (counts.sum() < kFewestUsable * measured) {
+      const auto most = std::max_element(faults.findings.begin(), faults.findings.end(), excludesLess);
       throw log::LogError(fmt::format("{}: {:.0f} of {:.0f} samples are usable; needed is one half: {}", record.name,
                                       counts.sum(), measured,
-                                      faults.findings.empty() ? "too short" : faults.findings.front().text));
+                                      most == faults.findings.end() ? "too short" : most->text));
     }
     record.counts = counts;
     // Of the start, too: what follows it may be next to nothing, as a hold after a ramp.

@@ -4,6 +4,7 @@
 
 #include "measurement/examine.h"
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/measurement/prepared_log.h"
 #include "support/test.h"
 
 namespace rubber_suspension::measurement {
@@ -175,6 +176,19 @@ TEST(Faults, BridgesWhatIsLeftOut) {
   const log::Log result = repaired(log, faults);
   EXPECT_DOUBLE_EQ(result.displacement[2], 2.0);
   EXPECT_DOUBLE_EQ(result.force[4], 6.0);  // the last value that was measured
+}
+
+TEST(Faults, OfALogThatIsRefusedTheOneThatExcludesMostIsNamed) {
+  log::Log log;
+  for (int i = 0; i < 8000; ++i) {
+    const double z = std::sin(0.0157 * i);
+    log.stamp.push_back(static_cast<std::int64_t>(i) * 2000000);
+    log.displacement.push_back(1e-3 * z);
+    log.force.push_back(std::clamp(1e3 * z, -450.0, 450.0) + (i % 800 == 7 ? 200.0 : 0.0));  // of ten cycles one
+  }
+  const std::string text = messageOf<log::LogError>([&] { prepareLog(log); });
+  EXPECT_THAT(text, testing::HasSubstr("samples are usable"));
+  EXPECT_THAT(text, testing::HasSubstr("(clipped)"));
 }
 
 TEST(HuberWeights, FallBeyondTheBend) {
