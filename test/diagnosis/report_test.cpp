@@ -286,6 +286,9 @@ TEST(Sentence, SaysWhatIsWithheld) {
                               "where 2.40 % are left as configured."));
   EXPECT_THAT(said, Not(HasSubstr("Adding it removes")));
   EXPECT_THAT(said, Not(HasSubstr("friction removes")));
+  d.law.withheld.push_back({"values", "", 0.024, 0.026});
+  EXPECT_THAT(diagnosis::words::sentence(d),
+              HasSubstr(": the component file removes nothing of the gap as configured."));
 }
 
 TEST(Sentence, SaysWhichLogReadsOtherwise) {

@@ -191,7 +191,8 @@ std::string sharesText(const Diagnosis& diagnosis) {
                                 part->share < 0.0 ? "add" : "remove", values ? "" : "s",
                                 wholePercent(std::abs(part->share))));
   }
-  return "of the gap as configured, " + enumerated(texts);
+  return texts.empty() ? "the component file removes nothing of the gap as configured"
+                       : "of the gap as configured, " + enumerated(texts);
 }
 
 // The largest fact first: the model's own values, where these remove more of the gap than all effects; else the
@@ -333,7 +334,8 @@ std::string judgementText(const Diagnosis& diagnosis) {
       diagnosis.answer.effects.empty() ? std::vector<std::string>{} : openTexts(diagnosis, kMost);
   if (!open.empty()) {
     return fmt::format("What the model lacks stays open with {}: it may be {}. The component file has {}: {}.",
-                       sourceOf(diagnosis), enumerated(open), effectsText(diagnosis), sharesText(diagnosis)) +
+                       sourceOf(diagnosis), enumerated(open),
+                       writesAnEffect(diagnosis) ? effectsText(diagnosis) : "no such effect", sharesText(diagnosis)) +
            closes + values + remarkText(diagnosis);
   }
   switch (diagnosis.answer.verdict) {
