@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -126,17 +125,11 @@ bool HypothesisFitter::improve(const Hypothesis& hypothesis, const Eigen::Vector
   return false;
 }
 
-HypothesisFitter::Descent HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimits& limits,
-                                                    double longest, Place& place) const {
-  Descent at{linearise(hypothesis, place, limits.active, limits.threads), {}, true};
-  for (int iteration = 0;; ++iteration) {
-    at.bounds = stepBounds(hypothesis, place.parameters, at.blocks.unknowns());
-    if (iteration == limits.iterations) {
-      at.ended = false;
-      return at;
-    }
-    const BlockGrams& blocks = at.blocks;
-    const numerics::Limits& all = at.bounds;
+BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest,
+                                     Place& place) const {
+  BlockGrams blocks = linearise(hypothesis, place, limits.active, limits.threads);
+  for (int iteration = 0; iteration < limits.iterations; ++iteration) {
+    const numerics::Limits all = stepBounds(hypothesis, place.parameters, blocks.unknowns());
     numerics::Limits bounds = all;
     auto lower = bounds.lower.head(model().size());
     auto upper = bounds.upper.head(model().size());
@@ -144,7 +137,7 @@ HypothesisFitter::Descent HypothesisFitter::descend(const Hypothesis& hypothesis
     upper = upper.cwiseMin(longest);
     const Eigen::VectorXd step = solve(blocks.sum, bounds);
     if (!step.allFinite()) {
-      return at;
+      break;
     }
     // The cost that a step promises, were the force linear.
     const auto promiseOf = [&](const Eigen::VectorXd& taken) {
@@ -156,7 +149,7 @@ HypothesisFitter::Descent HypothesisFitter::descend(const Hypothesis& hypothesis
         iteration > 0 && promise > limits.reach && !(promiseOf(solve(blocks.sum, all)) <= limits.reach);
     const bool too_slow = place.cost - promise < kSlow * (place.cost - limits.needed);
     if (hopeless || too_slow || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
-      return at;
+      break;
     }
     // Terms that the first step leaves at nothing take no further part: their force would have to be simulated each
     // time.
@@ -164,8 +157,9 @@ HypothesisFitter::Descent HypothesisFitter::descend(const Hypothesis& hypothesis
     for (std::size_t t = 0; t < active.size(); ++t) {
       active[t] = hypothesis.terms[t].additive || place.parameters.scales[static_cast<Eigen::Index>(t)] != 0.0;
     }
-    at.blocks = linearise(hypothesis, place, active, limits.threads);
+    blocks = linearise(hypothesis, place, active, limits.threads);
   }
+  return blocks;
 }
 
 ParameterVector HypothesisFitter::scalesAlone(const Hypothesis& hypothesis, const ParameterVector& start,
@@ -184,30 +178,20 @@ ParameterVector HypothesisFitter::scalesAlone(const Hypothesis& hypothesis, cons
 Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& start, const FitLimits& limits) const {
   Fit result;
   Place place = startAt(hypothesis, start);
-  const Descent end = descend(hypothesis, limits, kLongestStep, place);
-  const BlockGrams& blocks = end.blocks;
-  const auto stepOf = [&](const Eigen::MatrixXd& gram) { return solve(gram, end.bounds); };
-  const Eigen::VectorXd step = stepOf(blocks.sum);
-  // Where the steps ran out, the solution that cross validation is about is taken as far as it leads down.
-  if (!end.ended && limits.iterations > 0 && step.allFinite()) {
-    improve(hypothesis, step, place);
-  }
+  const BlockGrams blocks = descend(hypothesis, limits, kLongestStep, place);
   result.gap = gapOf(hypothesis, place.forces);
   result.parameters = std::move(place.parameters);
+  const numerics::Limits bounds = stepBounds(hypothesis, result.parameters, blocks.unknowns());
+  const auto step = [&](const Eigen::MatrixXd& gram) { return solve(gram, bounds); };
   if (hypothesis.free_in_log.ofTerms()) {
-    takeCommon(hypothesis, blocks, step, result.parameters);
+    takeCommon(hypothesis, blocks, step(blocks.sum), result.parameters);
   }
-  const std::vector<double> errors = crossValidate(blocks, stepOf);
-  double held_out = std::inner_product(errors.begin(), errors.end(), blocks.weight.begin(), 0.0);
-  // The force is not linear: what it leaves in sample more than that solution promises is left of blocks that are held
-  // out, too, so that these are never predicted better than those of the fit.
-  const double promised = std::clamp(squaresLeft(blocks.sum - blocks.prior, step), 0.0, held_out);
-  const double not_kept = std::max(0.0, result.gap * result.gap - promised);
-  const double all = std::accumulate(blocks.weight.begin(), blocks.weight.end(), 0.0);
+  const std::vector<double> errors = crossValidate(blocks, step);
+  double held_out = 0.0;
   for (std::size_t b = 0; b < errors.size(); ++b) {
-    result.blocks.push_back({errors[b] + not_kept / all, blocks.weight[b], blocks.record[b]});
+    result.blocks.push_back({errors[b], blocks.weight[b], blocks.record[b]});
+    held_out += errors[b] * blocks.weight[b];
   }
-  held_out += not_kept;
   // A law that gives way under some log (a series compliance about a softening component) is no explanation of it.
   result.held_out = std::isfinite(held_out) ? std::sqrt(held_out) : std::numeric_limits<double>::infinity();
   result.chi_squared = model().departures(result.parameters.model).squaredNorm();

@@ -19,7 +19,7 @@ namespace rubber_suspension::fit {
 /// A fitted hypothesis. Gaps are RMS residuals in units of the standard deviation of the force.
 struct Fit {
   ParameterVector parameters;
-  double gap = std::numeric_limits<double>::infinity();  ///< in sample; never more than `held_out`
+  double gap = std::numeric_limits<double>::infinity();  ///< in sample
   double chi_squared = 0.0;  ///< departure of the model from what is known of it (ModelParameters::departures())
   double departure = 0.0;    ///< the same as a gap
   /// Gap on blocks that took no part in the fit, by cross validation.
@@ -137,14 +137,8 @@ class HypothesisFitter {
   Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;
   /// Moves by a step, or by part of it; returns false if none improves the fit noticeably.
   bool improve(const Hypothesis& hypothesis, const Eigen::VectorXd& step, Place& place) const;
-  /// Where Gauss-Newton steps ended.
-  struct Descent {
-    BlockGrams blocks;        ///< normal equations about the last place that was linearised
-    numerics::Limits bounds;  ///< on a step from there
-    bool ended;               ///< a further one gains next to nothing; false: no more were allowed
-  };
-  /// Gauss-Newton steps to where they end. `longest`: step of a logarithm.
-  Descent descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest, Place& place) const;
+  /// Gauss-Newton steps to where they end; normal equations there. `longest`: step of a logarithm.
+  BlockGrams descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest, Place& place) const;
   /// A step as far as it goes within the bounds; what it leaves of a term next to 0 is 0.
   static ParameterVector moved(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                const Eigen::VectorXd& step);
