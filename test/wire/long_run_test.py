@@ -86,11 +86,12 @@ class LongRun:
 
     def send(self, count):
         for stream in self.streams:
-            if stream.output is None:
+            output = stream.output  # another thread takes it away
+            if output is None:
                 continue
             if stream.name == "c0":
                 self.measured.sendall(stream.samples(count, 3.3e6))
-            stream.output.sendall(stream.samples(count))
+            output.sendall(stream.samples(count))
             stream.sent += count
             stream.waiting.append((stream.sent, time.monotonic()))
 
