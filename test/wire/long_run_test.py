@@ -21,8 +21,8 @@ import tcpros
 
 NODE = drive.NODE
 TICK = 0.02  # [s] between two pieces of samples
-GROWTH = 1.05  # of the memory from the second eighth of the run to the last
-LONG = 1200.0  # [s] of a run in whose first eighth the diagnosis gets all samples that a look takes
+GROWTH = 1.05  # of the memory in the second half of the run
+LONG = 1200.0  # [s] of a run in whose first half the looks of the diagnosis have taken what memory they need
 
 
 def displacement(t):
@@ -169,8 +169,8 @@ class LongRun:
         print(f"{sum(stream.sent for stream in self.streams)} samples in {self.duration:.0f} s, {sum(self.lost.values())} "
               f"counted as lost, each other one with a force; {self.restarts} publishers and 2 masters restarted; longest "
               f"answer {self.longest:.3f} s; memory {', '.join(f'{size / 2**20:.1f}' for size in self.memory)} MiB")
-        growth = self.memory[-1] / self.memory[1]
-        drive.require(self.duration < LONG or growth < GROWTH, f"memory: {growth:.3f} times that of the second eighth")
+        growth = self.memory[-1] / self.memory[4]
+        drive.require(self.duration < LONG or growth < GROWTH, f"memory: {growth:.3f} times that of the middle of the run")
         drive.require(self.node.end() == 0, "end: exit status is not 0")
 
 
