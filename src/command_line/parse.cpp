@@ -127,8 +127,8 @@ class Parser {
                "; accepted: those of --help";
       }
     }
-    const bool takes_config = std::find(names.begin(), names.end(), "config") != names.end();
-    return takes_config && !app_.remaining().empty()
+    const bool lacks_config = std::find(names.begin(), names.end(), "config") != names.end() && !isGiven("--config");
+    return lacks_config && !app_.remaining().empty()
                ? app_.remaining().front() + ": no option precedes it; accepted: --config " + app_.remaining().front()
                : "";
   }
