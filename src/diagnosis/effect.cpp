@@ -58,6 +58,10 @@ std::vector<fit::Candidate> candidates(const fit::Excitation& excitation) {
   return element::each(effects(), [&](const Effect& effect) {
     fit::Candidate candidate{effect.name, effect.documentation, effect.on_rig, {}};
     effect.add_terms(excitation, candidate);
+    // Tiny motion asks for coefficients of high powers that no law accepts.
+    std::vector<fit::BasisTerm>& terms = candidate.terms;
+    terms.erase(std::remove_if(terms.begin(), terms.end(), [](const auto& term) { return term.typical > term.upper; }),
+                terms.end());
     if (candidate.applies()) {
       candidate.contains = effect.contains;
     }

@@ -4,10 +4,10 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "element/largest_number.h"
 #include "fit/free_in_log.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/gap/prepared_record.h"
@@ -22,7 +22,7 @@ struct BasisTerm {
   double typical = 1.0;                                         ///< a scale of the order that a visible effect has
   double start = 0.0;  ///< a scale that fits may start from besides 0, where what was measured tells one
   double lower = 0.0;
-  double upper = std::numeric_limits<double>::infinity();
+  double upper = element::kLargestNumber;
   bool additive = true;    ///< the force is that of the component plus scale times that of the entry alone
   bool refines = false;    ///< much like its fellows, so that a fit far from its end would confuse them
   bool on_rig = false;     ///< additive whatever effects act on the component
