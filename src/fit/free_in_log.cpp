@@ -61,11 +61,17 @@ Eigen::MatrixXd FreeInLog::columns(const log::Record& record, std::size_t place,
 Eigen::VectorXd FreeInLog::costs(const gap::PreparedRecord& record) const {
   constexpr double kWalk = 0.1;  // standard deviation, of the force
   constexpr double kGain = 0.5;  // likewise: what laws and gains have in common is the laws'; so of friction's factor
+  constexpr double kBelowMotion = 0.5;  // of the lowest frequency of the motion: faster forces are the component's
+  constexpr double kNone = 1e6;         // the cost of what a trend does not have
   Eigen::VectorXd costs = Eigen::VectorXd::Zero(count());
   if (trend) {
     costs[0] = record.rig.one_deviation / kWalk;
     costs.segment(1, kTrendsPerLog - 1) =
         costs[0] * Eigen::VectorXd::LinSpaced(kTrendsPerLog - 1, 1.0, static_cast<double>(kTrendsPerLog - 1));
+    const double half_cosines = 2.0 * record.duration() * kBelowMotion * record.lowest_frequency;
+    for (Eigen::Index k = 1; k < kTrendsPerLog; ++k) {
+      costs[k] = static_cast<double>(k) > half_cosines ? kNone : costs[k];
+    }
   }
   if (by_zero) {
     costs[trend ? kTrendsPerLog : 0] = 1.0;

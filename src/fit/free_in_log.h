@@ -62,7 +62,7 @@ struct FreeInLog {
 
   /// Prior cost of each column as an error, at the size of the force; 0 without a prior. Half cosines have the prior of
   /// a random walk with the default tolerance of offsets, because free ones would predict nothing between the samples
-  /// of the fit.
+  /// of the fit; those within an octave of the motion, or faster, are left out.
   Eigen::VectorXd costs(const gap::PreparedRecord& record) const;
 
   /// Both, the error as a penalty [N^2].

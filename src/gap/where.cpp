@@ -37,28 +37,9 @@ constexpr double kFewestCycles = 8.0;   // of the mean frequency
 
 Spectrum transform(const Eigen::VectorXd& values) { return numerics::paddedSpectrum({values.begin(), values.end()}); }
 
-// The frequency below which 2 % of the displacement's power lies.
-double slowestMotion(const log::Record& record) {
-  const Eigen::VectorXd centred = record.displacement.array() - record.displacement.mean();
-  const Spectrum spectrum = transform(centred);
-  double total = 0.0;
-  const std::size_t half = spectrum.size() - 1;
-  for (std::size_t i = 1; i < half; ++i) {
-    total += std::norm(spectrum[i]);
-  }
-  double sum = 0.0;
-  for (std::size_t i = 1; i < half; ++i) {
-    sum += std::norm(spectrum[i]);
-    if (sum > 0.02 * total) {
-      return static_cast<double>(i) / (static_cast<double>(2 * half) * record.dt);
-    }
-  }
-  return 1.0 / record.duration();
-}
-
 // Long enough for the slowest motion, and for some lines in the octaves of most of it [s].
 double shortestWindow(const log::Record& record) {
-  const double slowest = kFewestPeriods / slowestMotion(record);
+  const double slowest = kFewestPeriods / record.lowest_frequency;
   return record.mean_frequency > 0.0 ? std::max(slowest, kFewestCycles / record.mean_frequency) : slowest;
 }
 

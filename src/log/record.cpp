@@ -158,15 +158,22 @@ double visibleUpTo(const Spectrum& spectrum, double floor) {
   return spectrum.frequency(last);
 }
 
-// The frequency below which there is next to no power: a ten-thousandth of all.
-double excitedFrom(const Spectrum& spectrum) {
-  const double least = 1e-4 * spectrum.density.sum();
-  double sum = 0.0;
-  Eigen::Index i = 0;
-  while (i + 1 < spectrum.density.size() && (sum += spectrum.density[i]) < least) {
-    ++i;
+// The frequency below which 2 % of the displacement's power lies, by a transform of the whole log: its slowest motion
+// may last as long as the log.
+double slowestMotion(const Record& record) {
+  const Eigen::VectorXd centred = record.displacement.array() - record.displacement.mean();
+  const auto spectrum = numerics::paddedSpectrum({centred.begin(), centred.end()});
+  const std::size_t half = spectrum.size() - 1;
+  double total = 0.0;
+  for (std::size_t i = 1; i < half; ++i) {
+    total += std::norm(spectrum[i]);
   }
-  return spectrum.frequency(i);
+  std::size_t line = 1;
+  for (double sum = std::norm(spectrum[line]); line + 1 < half && sum <= 0.02 * total;
+       sum += std::norm(spectrum[line])) {
+    ++line;
+  }
+  return static_cast<double>(line) / (static_cast<double>(2 * half) * record.dt);
 }
 
 double meanFrequency(const Eigen::VectorXd& displacement, double dt) {
@@ -299,7 +306,7 @@ Record evenRecord(const Log& log, LeadIn lead_in) {
 Record makeRecord(const Log& log, LeadIn lead_in) {
   Record record = evenRecord(log, std::move(lead_in));
   smoothDisplacement(record);
-  record.lowest_frequency = excitedFrom({record.displacement, record.dt});
+  record.lowest_frequency = slowestMotion(record);
   record.mean_frequency = meanFrequency(record.displacement, record.dt);
   noteSaturation(record);
   return record;

@@ -17,7 +17,7 @@ log::Record twoSines(double dt) {
   log::Record record;
   record.name = "sines";
   record.dt = dt;
-  record.mean_frequency = 3e-3 / dt;
+  record.lowest_frequency = record.mean_frequency = 3e-3 / dt;
   record.highest_frequency = 9e-3 / dt;
   record.displacement.resize(kSize);
   for (Eigen::Index i = 0; i < kSize; ++i) {
