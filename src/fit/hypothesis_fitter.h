@@ -137,8 +137,10 @@ class HypothesisFitter {
   Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;
   /// Moves by a step, or by part of it; returns false if none improves the fit noticeably.
   bool improve(const Hypothesis& hypothesis, const Eigen::VectorXd& step, Place& place) const;
-  /// Gauss-Newton steps to where they end; normal equations there. `longest`: step of a logarithm.
-  BlockGrams descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest, Place& place) const;
+  /// Gauss-Newton steps. Returns the normal equations where they end, and whether a further step would not lead down;
+  /// false: their number ran out. `longest`: step of a logarithm.
+  std::pair<BlockGrams, bool> descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest,
+                                      Place& place) const;
   /// A step as far as it goes within the bounds; what it leaves of a term next to 0 is 0.
   static ParameterVector moved(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                const Eigen::VectorXd& step);

@@ -101,6 +101,9 @@ class Searcher {
     if (!excluded_.empty()) {
       Searcher(measured_, {}, threads_, progress_, result_).fitOtherwise(screening);
     }
+    endFits();
+    settle(result_.singles);
+    settle(result_.pairs);
     settle(result_.triples);
   }
 
@@ -209,6 +212,21 @@ class Searcher {
     if (better) {  // what holds these may do better, too
       settle(list);
     }
+  }
+
+  // Fits whose steps ran out before they came to what they promise go on to their ends.
+  void endFits() {
+    std::vector<FittedHypothesis*> begun;
+    for (std::vector<FittedHypothesis>* list : {&result_.singles, &result_.pairs, &result_.triples}) {
+      for (FittedHypothesis& fitted : *list) {
+        if (fitted.fit.gap > fitted.fit.held_out) {
+          begun.push_back(&fitted);
+        }
+      }
+    }
+    fit::parallelFor(begun.size(), threads_, [&](std::size_t i) {
+      begun[i]->fit = fitter_.fit(begun[i]->hypothesis, begun[i]->fit.parameters, {kBaseIterations});
+    });
   }
 
   void tryOtherLaws(std::vector<FittedHypothesis>& list) {
