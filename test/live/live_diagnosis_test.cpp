@@ -194,12 +194,12 @@ TEST(LiveDiagnosis, ALookCanBeCancelledAndOneThatCannotBeSaysWhy) {
   }
   EXPECT_EQ(still.findings().now.verdict, std::nullopt);
   EXPECT_FALSE(still.findings().sentence.empty());
-  LiveDiagnosis tiny(configured());  // motion of 0.1 um asks for a coefficient of z^5 beyond all laws
+  LiveDiagnosis tiny(configured());  // motion of 0.1 um would ask for a coefficient of z^5 beyond all laws
   for (int i = 0; i < 6000; ++i) {
     const double z = std::sin(0.05 * i);
     feed(tiny, {kStart + i * 5000000LL, 1e-7 * z, 0.33 * z + 0.1 * z * z * z});
   }
-  EXPECT_THAT(tiny.findings().sentence, testing::MatchesRegex("live_1: forces up to .*quintic.*accepted.*units"));
+  EXPECT_NE(tiny.findings().now.verdict, std::nullopt) << tiny.findings().sentence;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "diagnosis/effect.h"
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/words/model_values.h"
 #include "diagnosis/words/text.h"
 #include "element/each.h"
@@ -136,6 +137,24 @@ std::string gainsNote(const Diagnosis& diagnosis) {
   return fmt::format(" {} {} {} {} % more than {}; the logs do not tell which of them {} right.", one ? "Log" : "Logs",
                      names(middle, gains.end()), one ? "reads" : "read", wholePercent(more), names(begin, middle),
                      gains.size() == 2 ? "is" : "are");
+}
+
+// " All displacements are negative: ...", of logs whose motion stays on one side of zero.
+std::string oneSideNote(const Diagnosis& diagnosis) {
+  constexpr double kSensorOffset = 0.05;  // of the largest displacement: no motion to the other side
+  double above = 0.0;
+  double below = 0.0;
+  if (diagnosis.workings) {
+    for (const log::Record& record : diagnosis.workings->simulated.records) {
+      above = std::max(above, record.displacement.maxCoeff());
+      below = std::max(below, -record.displacement.minCoeff());
+    }
+  }
+  if (std::min(above, below) >= kSensorOffset * std::max(above, below)) {
+    return "";
+  }
+  return fmt::format(" All displacements are {}: these logs do not determine the force at {} ones.",
+                     below > above ? "negative" : "positive", below > above ? "positive" : "negative");
 }
 
 // ", 3.1 % on further logs", where logs left out tell it.
@@ -365,7 +384,7 @@ std::string judgementText(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::string sentence(const Diagnosis& diagnosis) {
-  return judgementText(diagnosis) + withheldNote(diagnosis) + gainsNote(diagnosis);
+  return judgementText(diagnosis) + withheldNote(diagnosis) + gainsNote(diagnosis) + oneSideNote(diagnosis);
 }
 
 std::string headline(const Diagnosis& diagnosis) {
