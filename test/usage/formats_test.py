@@ -106,7 +106,7 @@ class Formats(unittest.TestCase):
         counts = np.round(3000 * np.sin(0.05 * np.arange(1024))).astype(int)
         load = np.round(2000 * np.cos(0.05 * np.arange(1024))).astype(int)
         text = "time_s,displacement_mm,force_kN\n" + "".join(
-            f"{i * 0.001953125!r},{z * 0.001!r},{f * 0.002!r}\n" for i, (z, f) in enumerate(zip(counts, load)))
+            f"{i * 0.001953125!r},{z * 0.001!r},{f * 0.002!r}\n" for i, (z, f) in enumerate(zip(counts.tolist(), load.tolist())))
         reference, said = self.forces(self.path("log.csv", text))
         gap = said.split("gap to the measured force ")[1].split()[0]
         for big_end in (False, True):
@@ -209,7 +209,7 @@ class Formats(unittest.TestCase):
     def test_agreement_as_a_program_reads_it(self):
         time = np.arange(2000) * 1e-3
         z = 1e-3 * np.exp(-((time - 1) / 0.3) ** 2)
-        text = "time_s,displacement_m,force_N\n" + "".join(f"{t:.3f},{d!r},{1.8e6 * d!r}\n" for t, d in zip(time, z))
+        text = "time_s,displacement_m,force_N\n" + "".join(f"{t:.3f},{d!r},{1.8e6 * d!r}\n" for t, d in zip(time.tolist(), z.tolist()))
         log = self.path("pulse.csv", text)
         forces, said = self.forces(log, "--compare", "--json", self.path("a.json"))
         agreement = json.loads(self.path("a.json").read_text(encoding="utf-8"))

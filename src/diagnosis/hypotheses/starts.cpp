@@ -13,7 +13,6 @@ namespace {
 constexpr int kLeastIterations = 6;
 constexpr int kToldIterations = 20;  // far from the configured values
 constexpr int kFurtherIterations = 3;
-constexpr int kBeyondIterations = 40;  // to the end
 constexpr int kAloneIterations = 4;
 constexpr int kZeroIterations = 2;
 constexpr double kClearlyBetter = 0.99;  // of a score
@@ -169,7 +168,7 @@ void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from
   const fit::ParameterVector start = taken(fitter, from, larger.hypothesis);
   larger.fit =
       fitter.fit(larger.hypothesis, start,
-                 {kBeyondIterations, std::numeric_limits<double>::infinity(), mayMove(from, larger.hypothesis, start)});
+                 {kFurtherIterations, std::numeric_limits<double>::infinity(), mayMove(from, larger.hypothesis, start)});
 }
 
 FittedHypothesis withFactors(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach) {
