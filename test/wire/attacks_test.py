@@ -301,7 +301,7 @@ class Answers(Attack):
     def test_memory_of_subscribers_that_stall(self):
         if SANITIZED:
             self.skipTest("the address sanitizer takes memory of its own")
-        # Bounds to what docs/network_and_real_time.md gives: 7.5 and 2.8 MiB, with the longest frame_id 17.4 and 2.5. A
+        # Bounds to what docs/performance.md gives: 7.5 and 2.8 MiB, with the longest frame_id 17.4 and 2.5. A
         # force that waits is the message, two blocks of the allocator, and an entry in each queue that holds it.
         for frame, first, further in ((FRAME, 10, 4), (b"x" * 255, 20, 4)):
             with self.subTest(len(frame)):
