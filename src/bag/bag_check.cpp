@@ -63,11 +63,11 @@ class BagChecker {
       checkRecord();
     }
     if (records_.count(index_) == 0 && index_ != size_) {
-      fail("the index does not begin where the bag says");
+      fail("the index does not begin where the header of the bag states");
     }
     for (const std::uint32_t connection : used_connections_) {
       if (connections_.count(connection) == 0) {
-        fail(fmt::format("connection {} is used and nowhere described", connection));
+        fail(fmt::format("connection {} is used, but no record describes it", connection));
       }
     }
   }
@@ -80,8 +80,8 @@ class BagChecker {
   std::string take(std::uint64_t count) {
     if (count > size_ - position_) {
       throw log::LogError(
-          fmt::format("{}: the bag is cut at byte {}: {} bytes are to follow at byte {}, {} do; rosbag "
-                      "reindex saves what is whole",
+          fmt::format("{}: the bag is cut off at byte {}: {} bytes should follow byte {}, and {} do; rosbag reindex "
+                      "recovers the complete part",
                       path_, size_, count, position_, size_ - position_));
     }
     std::string bytes(count, '\0');
@@ -201,8 +201,9 @@ class BagChecker {
     if (kind == "lz4") {
       return decompressBy<rosbag::LZ4Stream>(data);
     }
-    fail(fmt::format("a chunk of {} bytes says that it has {}; accepted: as many, or compressed by bz2 or lz4",
-                     data.size(), chunk_size_));
+    fail(fmt::format(
+        "a chunk of {} bytes states a size of {}; accepted: its own size, or a chunk compressed by bz2 or lz4",
+        data.size(), chunk_size_));
   }
 
   template <class Stream>
@@ -233,7 +234,7 @@ class BagChecker {
   void checkIndex(const Fields& fields, const std::string& data) {
     used_connections_.insert(field<std::uint32_t>(fields, "conn"));
     if (data.size() != kIndexEntry * static_cast<std::uint64_t>(field<std::uint32_t>(fields, "count"))) {
-      fail("an index is not as long as it says");
+      fail("the length of an index does not match its count of messages");
     }
     for (std::size_t at = 0; at < data.size(); at += kIndexEntry) {
       const auto offset = numberAt<std::uint32_t>(&data[at + 8]);
@@ -245,10 +246,10 @@ class BagChecker {
 
   void checkChunkInfo(const Fields& fields, const std::string& data) {
     if (chunks_.count(field<std::uint64_t>(fields, "chunk_pos")) == 0) {
-      fail("the index points at a chunk that is not there");
+      fail("the index points at a chunk that does not exist");
     }
     if (data.size() != kChunkInfoEntry * static_cast<std::uint64_t>(field<std::uint32_t>(fields, "count"))) {
-      fail("the index of a chunk is not as long as it says");
+      fail("the length of the index of a chunk does not match its count of connections");
     }
     for (std::size_t at = 0; at < data.size(); at += kChunkInfoEntry) {
       used_connections_.insert(numberAt<std::uint32_t>(&data[at]));

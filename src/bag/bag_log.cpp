@@ -168,8 +168,8 @@ void orderByStamps(Channel& channel, const std::string& path, bool may_have_rate
   Series& series = channel.series;
   const std::size_t all = series.stamp.size();
   if (all > 1 && std::all_of(series.stamp.begin(), series.stamp.end(), [](std::int64_t stamp) { return stamp == 0; })) {
-    throw log::LogError(fmt::format("{}: {}: header.stamp is 0 in each of {} messages: nobody filled it{}", path,
-                                    channel.topic, all, cureOf(series, may_have_rate)));
+    throw log::LogError(fmt::format("{}: {}: header.stamp is 0 in each of {} messages: the publisher does not set it{}",
+                                    path, channel.topic, all, cureOf(series, may_have_rate)));
   }
   std::vector<std::size_t> stamped;
   for (std::size_t i = 0; i < all; ++i) {

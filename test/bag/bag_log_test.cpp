@@ -61,8 +61,8 @@ TEST_F(BagLog, ABagThatIsCutSaysWhereAndWhatSavesIt) {
   bag::writeBagLog(file, "bush", log());
   const auto size = std::filesystem::file_size(file);
   std::filesystem::resize_file(file, size - 5);
-  EXPECT_THAT(refusal(file), HasSubstr("the bag is cut at byte " + std::to_string(size - 5)));
-  EXPECT_THAT(refusal(file), HasSubstr("rosbag reindex saves what is whole"));
+  EXPECT_THAT(refusal(file), HasSubstr("the bag is cut off at byte " + std::to_string(size - 5)));
+  EXPECT_THAT(refusal(file), HasSubstr("rosbag reindex recovers the complete part"));
 }
 
 TEST_F(BagLog, TemperatureHoldsUntilTheNext) {
@@ -248,7 +248,7 @@ class BagStamps : public BagLog {
 TEST_F(BagStamps, NobodyFilledAreRefusedWithTheOptionsThatReadThem) {
   const std::string file = write(std::vector<double>(200, 0.0));
   EXPECT_THAT(refusal(file),
-              AllOf(HasSubstr("header.stamp is 0 in each of 200 messages: nobody filled it"),
+              AllOf(HasSubstr("header.stamp is 0 in each of 200 messages: the publisher does not set it"),
                     HasSubstr("--clock receipt (1000 Hz, steps of 1 to 1 ms)"), HasSubstr("--sampling-rate 1000")));
   const auto by = [](double rate, const std::string& clock) {
     return log::makeLogFormat({}, "", rate, "", "", -1.0, "", clock);
