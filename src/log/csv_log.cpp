@@ -276,7 +276,7 @@ class CsvLogReader {
   // Rows behind a blank line, without a header of their own.
   void endSegmentAtBlank() {
     endSegment(true);
-    border_ = fmt::format(", where rows behind blank line {} begin another specimen", blank_line_);
+    border_ = fmt::format(", where rows behind blank line {} begin another log", blank_line_);
     beginRows();
   }
 
@@ -314,7 +314,7 @@ class CsvLogReader {
     const bool whole = text.find_first_not_of("0123456789") == std::string::npos;
     if (whole && text.size() >= kSince1970 && !format_.rate) {
       throw std::runtime_error(fmt::format(
-          "column {} tells no unit, and {} are nanoseconds since 1970, where they are a time; accepted: --unit time=ns",
+          "column {} has no unit; if {} is a time, it is in nanoseconds since 1970; accepted: --unit time=ns",
           quoted(columns_.time.name), text));
     }
     std::string point = text;

@@ -206,7 +206,7 @@ Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& form
 }
 
 [[noreturn]] void refuseNoUnit(const Column& column, Quantity quantity) {
-  throw std::runtime_error(fmt::format("column {} tells no unit; accepted: --unit {}=UNIT, or '{} [UNIT]', or {}",
+  throw std::runtime_error(fmt::format("column {} has no unit; accepted: --unit {}=UNIT, or '{} [UNIT]', or {}",
                                        quoted(column.name), toString(quantity), column.name, accepted(quantity)));
 }
 
@@ -270,7 +270,7 @@ void refuseTwoOfOne(const Columns& columns, const std::vector<ColumnName>& heade
   for (const Column* one : columns.all()) {
     for (const Column* other : columns.all()) {
       if (one != other && other->isAt(one->index)) {
-        throw std::runtime_error(fmt::format("column {} is to be two quantities; accepted: a column for each",
+        throw std::runtime_error(fmt::format("column {} is named for two quantities; accepted: a column for each",
                                              quoted(header[one->index].withUnit())));
       }
     }

@@ -213,9 +213,11 @@ void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_op
     // Another column may have told the mark, unless that makes jumps of a smooth channel.
     if (either && (decimal_ == '\0' || column.as_thousands < column.as_decimals)) {
       const std::string option = by_option ? optionFor(column, i) : "a file without marks between thousands";
-      throw RowError(column.line, fmt::format("{}: '{}' may have decimals or thousands, for others have no mark; "
-                                              "accepted: {}",
-                                              names[i], column.text, option));
+      throw RowError(
+          column.line,
+          fmt::format(
+              "{}: the mark in '{}' may be decimal or between thousands, as other numbers have none; accepted: {}",
+              names[i], column.text, option));
     }
   }
 }

@@ -263,8 +263,8 @@ void Signals::watchRange(std::size_t signal, const SignalRow& row) {
     return;
   }
   throw RowError(row.place,
-                 fmt::format("{}: {:g}, as in {} {}, amid {:g} to {:g}; accepted: --sentinel {}, where it "
-                             "stands for no measurement, or --sentinel none, where it is one",
+                 fmt::format("{}: {:g}, as in {} {}, is far outside {:g} to {:g}, the range of all others; accepted: "
+                             "--sentinel {} if it is a code for a missing value, or --sentinel none if it is measured",
                              columnOf(signal).name, value, word_, same->places.front(), state.low, state.high, value));
 }
 
@@ -284,9 +284,10 @@ void Signals::merge(SignalRow row, Log& to) {
     if (rows_ > kLookAhead) {
       watchRange(s, row);
       if (!state.there && columnOf(s).found() && isMeasured(row.value[s])) {
-        throw RowError(row.place, fmt::format("{}: the first number behind {} rows without one; accepted: a log that "
-                                              "begins where all is measured",
-                                              columnOf(s).name, kLookAhead));
+        throw RowError(
+            row.place,
+            fmt::format("{}: no number in the first {} rows; accepted: a log that begins with numbers in each column",
+                        columnOf(s).name, kLookAhead));
       }
     }
   }
@@ -445,10 +446,11 @@ std::string Signals::advice() const {
 }
 
 std::string Signals::sentinelText(std::size_t signal, const Sentinel& sentinel) const {
-  return fmt::format(
-      "{}: {} cell{} of {:g}{}, in {} {}{}", columnOf(signal).name, sentinel.cells, pluralOf(sentinel.cells),
-      sentinel.value, format_.sentinel ? "" : fmt::format(" amid {:g} to {:g}", sentinel.low, sentinel.high), word_,
-      fmt::format("{}", fmt::join(sentinel.places, ", ")), sentinel.cells > sentinel.places.size() ? ", ..." : "");
+  return fmt::format("{}: {} cell{} of {:g}{}, in {} {}{}", columnOf(signal).name, sentinel.cells,
+                     pluralOf(sentinel.cells), sentinel.value,
+                     format_.sentinel ? "" : fmt::format(", far outside {:g} to {:g}", sentinel.low, sentinel.high),
+                     word_, fmt::format("{}", fmt::join(sentinel.places, ", ")),
+                     sentinel.cells > sentinel.places.size() ? ", ..." : "");
 }
 
 void Signals::noteSignal(std::size_t signal, std::vector<std::string>& notes) const {
@@ -456,7 +458,7 @@ void Signals::noteSignal(std::size_t signal, std::vector<std::string>& notes) co
   const Column& column = columnOf(signal);
   for (const Sentinel& sentinel : state.sentinels) {
     if (sentinel.cells > 0) {
-      notes.push_back(fmt::format("{}: taken as not measured{}", sentinelText(signal, sentinel),
+      notes.push_back(fmt::format("{}: read as missing values{}", sentinelText(signal, sentinel),
                                   format_.sentinel ? "" : "; --sentinel none keeps them"));
     }
   }
@@ -464,7 +466,7 @@ void Signals::noteSignal(std::size_t signal, std::vector<std::string>& notes) co
     return;
   }
   if (!state.there) {
-    notes.push_back(fmt::format("column {} holds no number: left out", quoted(column.label)));
+    notes.push_back(fmt::format("column {} has no number: left out", quoted(column.label)));
     return;
   }
   const std::string rate = state.step > 0 ? fmt::format(" at {:.4g} Hz", 1e9 / static_cast<double>(state.step)) : "";

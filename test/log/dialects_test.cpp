@@ -251,7 +251,7 @@ TEST(Dialects, SayWhatTheirWriterWrote) {
 TEST(Advice, SettlesWhetherMarksAreThousands) {
   const std::string text = "Time [ms];Travel [um];Force [N]\n0;1;998\n5;2;999\n10;3;1.000\n15;4;1.001\n";
   const std::string error = refusalOf(text);
-  EXPECT_THAT(error, HasSubstr(":4: Force [N]: '1.000' may have decimals or thousands"));
+  EXPECT_THAT(error, HasSubstr(":4: Force [N]: the mark in '1.000' may be decimal or between thousands"));
   EXPECT_EQ(readText(text, advised(error, "--decimal")).force[2], 1.0);
   EXPECT_EQ(readText(text, byOption("--decimal", ",")).force[2], 1000.0);
 }
@@ -358,7 +358,7 @@ TEST(Advice, ALongRowOfGroupsIsNoNumber) {
 
 TEST(Units, BehindNumbersMakeNoHeader) {
   EXPECT_THAT(refusalOf("time;displacement;force\n0.0 s;1.5 mm;8 N\n0.1 s;1.6 mm;9 N\n0.2 s;1.7 mm;9 N\n"),
-              HasSubstr(":1: column 'displacement' tells no unit; accepted: --unit displacement=UNIT"));
+              HasSubstr(":1: column 'displacement' has no unit; accepted: --unit displacement=UNIT"));
 }
 
 TEST(Units, AreUnderstoodOrRefusedByName) {

@@ -73,7 +73,7 @@ TEST(Signals, AColumnWithoutANumberIsNotThere) {
                                       {displacementCells(), forceCells(), [](int) { return std::string("NaN"); }}));
   expectAllSamples(log, kRows);
   EXPECT_TRUE(log.temperature.empty());
-  EXPECT_THAT(log.notes, Contains("column 'temperature_degC' holds no number: left out"));
+  EXPECT_THAT(log.notes, Contains("column 'temperature_degC' has no number: left out"));
   const log::Log without = readText(table(kHeader, {displacementCells(), [](int) { return std::string(); }}));
   EXPECT_TRUE(without.force.empty());
 }
@@ -160,7 +160,7 @@ TEST(Sentinels, OfManyRowsAreRefusedWithAnOption) {
   }
   const std::string text = table(kHeader, {insteadAt(rows, "-9999", displacementCells()), forceCells()});
   const std::string error = refusalOf(text);
-  EXPECT_THAT(error, HasSubstr("40 cells of -9999 amid -2 to 2"));
+  EXPECT_THAT(error, HasSubstr("40 cells of -9999, far outside -2 to 2"));
   EXPECT_EQ(readText(text, advised(error, "--bridge")).size(), static_cast<std::size_t>(kRows - 40));
   EXPECT_EQ(readText(text, advised(error, "--sentinel")).size(), static_cast<std::size_t>(kRows));
 }
@@ -181,7 +181,7 @@ TEST(Sentinels, AreNoPeaksOrSteps) {
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const log::Log log = readText(table(kHeader, {measured[i], forceCells()}));
     EXPECT_EQ(log.size(), static_cast<std::size_t>(kRows)) << i;
-    EXPECT_THAT(log.notes, Not(Contains(HasSubstr("not measured")))) << i;
+    EXPECT_THAT(log.notes, Not(Contains(HasSubstr("missing values")))) << i;
   }
 }
 
