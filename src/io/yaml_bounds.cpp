@@ -113,9 +113,8 @@ std::optional<YamlProblem> beyondYamlBounds(const std::string& text) {
   } catch (const ExpandedTooFar& found) {
     return YamlProblem{
         found.line,
-        fmt::format(
-            "holds too much; accepted: at most {} values, where each alias (*name) counts as all that it stands for",
-            kMaximumValues)};
+        fmt::format("too many values; accepted: at most {}, where each alias (*name) counts as all that it stands for",
+                    kMaximumValues)};
   }
   return std::nullopt;
 }

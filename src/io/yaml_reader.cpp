@@ -96,7 +96,7 @@ void YamlReader::checkUnique(const Entry& map) {
       refuse({entry.first, map.path}, fmt::format("{} as a key; accepted: a name", kindOf(entry.first)));
     }
     if (!seen.insert(entry.first.Scalar()).second) {
-      refuse(keyOf(map, entry.first), "stands twice; accepted: once");
+      refuse(keyOf(map, entry.first), "given twice; accepted: once");
     }
   }
   merge(map, 0);

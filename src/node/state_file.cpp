@@ -143,7 +143,7 @@ std::vector<SavedState> parse(const std::string& text) {
   for (const json& entry : document.at("states")) {
     states.push_back(stateOf(entry));
     if (!names.insert(states.back().component).second) {
-      throw std::invalid_argument(fmt::format("component {} stands there twice", entry.at("component").dump()));
+      throw std::invalid_argument(fmt::format("component {} is given twice", entry.at("component").dump()));
     }
   }
   return states;
