@@ -230,7 +230,7 @@ class JobsReader : public io::YamlReader {
       }
     }
     if (options.evidence && options.reports == Reports::none) {
-      refuse(entry, "evidence: true leaves a file, and reports: none leaves none; accepted: reports: data, full");
+      refuse(entry, "evidence: true writes a file, and reports: none writes none; accepted: reports: data, full");
     }
     try {
       logFormat(options);

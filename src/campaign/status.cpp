@@ -108,8 +108,8 @@ Status statusOf(const Manifest& manifest, const std::string& folder) {
   std::set<std::string> running;
   for (const auto& [where, run] : findRuns(folderOf(folder))) {
     if (run.silent > kSilentForLong) {
-      status.silent_runs.push_back(
-          fmt::format("{}: silent for {:.0f} s, with {} jobs in its hands", where, run.silent, run.ids.size()));
+      status.silent_runs.push_back(fmt::format("{}: no sign of life for {:.0f} s, with {} jobs not finished", where,
+                                               run.silent, run.ids.size()));
     } else {
       running.insert(run.ids.begin(), run.ids.end());
     }
