@@ -18,7 +18,8 @@ namespace {
 constexpr double kWidest = 1.0;  // [m]; no component of a suspension moves so far
 
 std::vector<std::string> notesOnTable(const component::Component& component) {
-  const char* const kPath = "friction depends on the path; for two sines at once the table cannot say its force";
+  const char* const kPath =
+      "friction depends on the path: the table does not determine its force under two sines at once";
   // The limits of settled loops under sines, by law: effects that they do not show, or do not tell apart.
   static const std::map<std::string, std::string> losses = {
       {"stress_softening", "softening goes on over the first cycles; the table has the state after them"},

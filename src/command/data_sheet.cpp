@@ -79,7 +79,7 @@ std::string convert(const Sheet& sheet) {
   std::string file = "# Component file from a data sheet.\n";
   std::vector<std::string> notes = result.notes;
   if (!sheet.model) {
-    notes.push_back(fmt::format("model {}, the simplest that takes all of these numbers; say model to choose another",
+    notes.push_back(fmt::format("model {}, the simplest that uses all of these numbers; the key model chooses another",
                                 estimation::toString(result.model)));
   }
   const std::vector<std::string> of_estimation = estimation::estimationNotes(result.model, result.specification);

@@ -86,12 +86,12 @@ void addWholeNote(EstimateReport& report, const component::Component& component)
     return;
   }
   const auto angle = estimation::specifiedLossAngle(specification);
-  report.notes.push_back(fmt::format(
-      "the specification is that of the base: the whole has K {:.6g} N/m ({:.6g} specified) and a loss angle of {:.4g} "
-      "deg{} at {:g} Hz and {:g} mm; with `describes: component` the whole meets it, with `describes: base` this note "
-      "goes",
-      whole.stiffness, *stiffness, whole.loss_angle * kDegrees,
-      angle ? fmt::format(" ({:.4g} specified)", *angle * kDegrees) : "", *frequency, 1e3 * amplitude));
+  report.notes.push_back(
+      fmt::format("the specification describes the base: the whole component has K {:.6g} N/m ({:.6g} specified) and a "
+                  "loss angle of {:.4g} deg{} at {:g} Hz and {:g} mm; `describes: component` makes the whole component "
+                  "meet it, `describes: base` confirms the base and omits this note",
+                  whole.stiffness, *stiffness, whole.loss_angle * kDegrees,
+                  angle ? fmt::format(" ({:.4g} specified)", *angle * kDegrees) : "", *frequency, 1e3 * amplitude));
 }
 
 bool allSettled(const EstimateReport& report) {

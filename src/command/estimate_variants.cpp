@@ -224,9 +224,10 @@ std::string csvRow(const std::string& component, const std::string& sweep, const
 std::vector<io::ComponentDescription> inModels(const io::ComponentDescription& description,
                                                const std::vector<std::string>& models,
                                                std::vector<std::string>& notes) {
-  element::refuseIf(description.model() == Model::elements,
-                    "{}: a list of elements says nothing to other models; accepted: a component with a specification",
-                    description.name);
+  element::refuseIf(
+      description.model() == Model::elements,
+      "{}: other models cannot be estimated from a list of elements; accepted: a component with a specification",
+      description.name);
   std::vector<io::ComponentDescription> result;
   for (const std::string& text : eachOf(models)) {
     const WantedModel wanted = wantedModel(text);

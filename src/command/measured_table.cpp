@@ -241,7 +241,7 @@ class TableReader {
     refuseMatrix();
     columns_ = element::each(names_, [&](const std::string& name) { return columnOf(name); });
     for (std::size_t i = 0; i < tableQuantities().size(); ++i) {
-      refuseIf(countOf(i) > 1, "{}: stands twice; accepted: one column", tableQuantities()[i].name);
+      refuseIf(countOf(i) > 1, "{}: given in two columns; accepted: one column", tableQuantities()[i].name);
     }
     require(has(kFrequency) || has(kOmega), kFrequency, "");
     require(has(kAmplitude) || has(kPeakToPeak), kAmplitude, "");

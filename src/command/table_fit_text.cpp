@@ -70,7 +70,7 @@ std::string toText(const fit::MasterCurve& curve) {
   for (const fit::ShiftConstant& constant : curve.constants) {
     text += constantText(constant, curve.law);
   }
-  return text + fmt::format("  the curve leaves {:.3g} % of K* with this law, {:.3g} % with shifts by themselves\n",
+  return text + fmt::format("  residual of the curve: {:.3g} % of K* with this law, {:.3g} % with free shifts\n",
                             100.0 * curve.misfit, 100.0 * curve.misfit_of_shifts);
 }
 

@@ -62,7 +62,7 @@ void addStaticStiffness(const Values& values, LoadDirection direction, DataSheet
   if (values.count("shore_a") == 0) {
     for (const char* key : {"loaded_area", "layer_thickness", "shape_factor", "layers"}) {
       element::refuseIf(values.count(key) != 0,
-                        "{}: given without shore_a; a shape says nothing about the rubber's modulus", key);
+                        "{}: given without shore_a; the shape alone does not determine a stiffness", key);
     }
     return;
   }
@@ -132,7 +132,7 @@ void addSecondAngle(const Values& values, DataSheetResult& result) {
   requireAll(values, {"second_frequency", "second_loss_angle"}, "a second loss angle");
   if (result.model != Model::maxwell_dashpot) {
     throw std::invalid_argument("second_loss_angle: model " + toString(result.model) +
-                                " has no number left to meet it; accepted: model maxwell_dashpot");
+                                " has no parameter to meet it; accepted: model maxwell_dashpot");
   }
   refuseBoth(values, "second_loss_angle", "break_frequency");
   Specification& specification = result.specification;

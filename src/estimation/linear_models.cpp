@@ -99,8 +99,8 @@ std::optional<Obstacle> maxwellDashpotObstacle(const Specification& specificatio
     return std::nullopt;
   }
   return Obstacle{"break_frequency",
-                  fmt::format("makes the Maxwell element alone lose more than the loss angle allows, which leaves no "
-                              "dashpot; its limit is {:.6g} Hz",
+                  fmt::format("gives the Maxwell element alone a larger loss than the loss angle allows, so that the "
+                              "dashpot would be negative; its limit is {:.6g} Hz",
                               limit)};
 }
 

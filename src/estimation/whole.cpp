@@ -73,8 +73,8 @@ class Whole {
   Whole(Model model, const Specification& given, const Entries& add) : model_(model), given_(given), base_(given) {
     base_.describe(Describes::base);
     element::refuseIf(model == Model::kelvin_voigt && given.curve() != nullptr,
-                      "describes: component: the spring of model kelvin_voigt is static_curve, which leaves no number "
-                      "to meet a stiffness; accepted: base, or another model");
+                      "describes: component: the spring of model kelvin_voigt is static_curve, so that it has no "
+                      "parameter to meet a stiffness; accepted: base, or another model");
     mean_ = nominalDisplacement(given);
     std::copy_if(add.begin(), add.end(), std::back_inserter(add_), settles);
     element::refuseIf(!given.has("nominal_amplitude") && !isLinear(),

@@ -262,7 +262,7 @@ void dropElementsWithoutForce(Identification& result) {
     });
     if (zero) {
       result.notes.push_back(
-          fmt::format("{} {} was left without force and out of the elements", result.elements[i].type, i + 1));
+          fmt::format("{} {} has no force in the fit: removed from the elements", result.elements[i].type, i + 1));
     } else {
       new_index[i] = static_cast<int>(kept.size());
       kept.push_back(result.elements[i]);
@@ -322,7 +322,8 @@ Identification identify(const std::vector<element::ElementDescription>& elements
   addDeadBands(completed, logs, result.notes);
   checkRig(options.rig, logs);
   ForceModel model(completed, logs, compared, options.held, options.rig);
-  refuseIf(model.nonlinear().empty() && model.linear().empty(), "no parameter is left to be found; all are held");
+  refuseIf(model.nonlinear().empty() && model.linear().empty(),
+           "no parameter is free, as all are held; accepted: at least one that is not");
   const ModelFit best = model.fitAt(searchAll(model, options, result));
   result.force_offset = best.coefficients[static_cast<Eigen::Index>(model.linear().size())];
   describeFit(result, model, best, compared);

@@ -178,7 +178,7 @@ TEST(MeasuredTable, RefusesWithLineAndReason) {
   };
   refuses("", "no header");
   refuses("frequency_Hz,amplitude_m,stiffness_N_per_m\n", "lab.csv:1: loss angle: missing");
-  refuses("frequency_Hz,frequency_Hz,amplitude_m,stiffness_N_per_m,loss_angle_rad\n", "stands twice");
+  refuses("frequency_Hz,frequency_Hz,amplitude_m,stiffness_N_per_m,loss_angle_rad\n", "given in two columns");
   refuses("frequency_m,amplitude_m,stiffness_N_per_m,loss_angle_rad\n", "frequency_m");
   refuses(header + "1,1e-3,3e6,0.1\n", "lab.csv:2: 4 fields; accepted: 5");
   refuses(header + "1,1e-3,stiff,0.1,0\n", "'stiff' is no number");
