@@ -30,12 +30,12 @@ constexpr double kSameToRounding = 1e-9;
     force += slider.stiffness * std::min(amplitude, slider.yield_displacement);
     loss += 4.0 * slider.maximumForce() * beyond;
   }
-  throw std::invalid_argument(fmt::format(
-      "friction (Berg) has no form by the radius; accepted: {{type: iwan, maximum_force: {:g}, displacement: {:g}}}, "
-      "of whose settled loop at an amplitude of {:g} the stiffness of friction is {:.3g} times and the loss {:.3g} "
-      "times as much",
-      berg.maximumForce(), berg.displacement(), amplitude, force / berg.settledForce(amplitude),
-      loss / berg.settledLoss(amplitude)));
+  throw std::invalid_argument(
+      fmt::format("friction (Berg) has no form by the radius; accepted: {{type: iwan, maximum_force: {:g}, "
+                  "displacement: {:g}}}, whose settled loop at an amplitude of {:g} has {:.3g} times the stiffness of "
+                  "this friction and {:.3g} times its loss",
+                  berg.maximumForce(), berg.displacement(), amplitude, force / berg.settledForce(amplitude),
+                  loss / berg.settledLoss(amplitude)));
 }
 
 constexpr const char* kStopType = "bump_stop";
@@ -102,7 +102,7 @@ std::vector<element::JenkinsSlider> slidersOf(const element::ElementDescription&
 
 void RadialLaw::addCurve(const element::ElementDescription& table) {
   if (hasCurve()) {
-    throw std::invalid_argument("a second static curve or spring_table; accepted: one by the radius");
+    throw std::invalid_argument("a second static curve or spring_table; accepted: one for all coupled directions");
   }
   const std::vector<double>& displacement = table.list("displacement");
   const element::ElementPointer law = element::makeElement(
@@ -114,10 +114,10 @@ void RadialLaw::addCurve(const element::ElementDescription& table) {
   const bool both_sides = displacement.front() < 0.0;
   for (const double z : displacement) {
     if (both_sides && std::abs(forceAt(law, z) + forceAt(law, -z)) > kSameToRounding * largest) {
-      throw std::invalid_argument(fmt::format(
-          "the static curve has {:g} at {:g} and {:g} at {:g}, which no radius can tell apart; accepted: a curve that "
-          "is odd, or points at displacements from 0 on",
-          forceAt(law, z), z, forceAt(law, -z), -z));
+      throw std::invalid_argument(
+          fmt::format("the static curve has {:g} at {:g} and {:g} at {:g}, two forces at one radius; accepted: a curve "
+                      "that is odd, or points at displacements from 0 on",
+                      forceAt(law, z), z, forceAt(law, -z), -z));
     }
   }
   if (std::abs(forceAt(law, 0.0)) > kSameToRounding * largest) {

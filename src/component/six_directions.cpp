@@ -134,8 +134,8 @@ void SixDirections::couple(std::vector<Direction> directions, SixElements& eleme
   for (const Direction direction : directions) {
     if (elements[direction].empty() && given > 1) {
       throw std::invalid_argument(
-          fmt::format("{}: is missing beside others that it is coupled with; accepted: all of "
-                      "them, or one that stands for all",
+          fmt::format("{}: missing, though other coupled directions are given; accepted: all of them, or one, which "
+                      "then applies to all",
                       toString(direction)));
     }
     if (elements[direction].empty()) {
@@ -165,8 +165,8 @@ void SixDirections::coupleRadial(Direction first, SixElements& elements) {
     const bool shares = any && direction != first + laws_.axis;
     if (radial[direction].empty() == shares) {
       throw std::invalid_argument(
-          fmt::format("{}: radial_stiffness is of a radius; accepted: in both {} and {}, across coupling.axis, or in "
-                      "neither",
+          fmt::format("{}: radial_stiffness acts in two directions; accepted: in both {} and {}, across coupling.axis, "
+                      "or in neither",
                       kDirectionNames[direction], toString(across[0]), toString(across[1])));
     }
   }
