@@ -203,8 +203,8 @@ log::LogError beyondAllLaws(const std::vector<log::Log>& logs, const char* numbe
   const auto log = std::max_element(logs.begin(), logs.end(),
                                     [&](const auto& a, const auto& b) { return stiffness(a) < stiffness(b); });
   return log::LogError(
-      fmt::format("{}: forces up to {:.3g} at displacements up to {:.3g} [SI] ask for a number beyond "
-                  "all laws ({}): name the right units",
+      fmt::format("{}: forces up to {:.3g} at displacements up to {:.3g} [SI] need a parameter beyond the range of "
+                  "every law ({}): check the units of the columns",
                   log->name, largestOf(log->force), largestOf(log->displacement), number));
 }
 

@@ -217,12 +217,13 @@ RigFinding componentFinding(const std::string& log, double ratio, const SheetFac
 }
 
 RigFinding peakToPeakFinding(const std::string& log, double ratio, const std::string& remedy) {
-  return fatal(log, finding::kPeakToPeak, ratio,
-               fmt::format("the measured stiffness is {:.3g} times the configured one throughout, and like it in all "
-                           "else: the {} was taken from peak to peak, or {} components are clamped: {}; if it is "
-                           "right, --accept-units",
-                           ratio, ratio > 1.0 ? "force" : "displacement",
-                           ratio > 1.0 ? "two parallel" : "two such in a row of", remedy));
+  return fatal(
+      log, finding::kPeakToPeak, ratio,
+      fmt::format(
+          "the measured stiffness is {:.3g} times the configured one in all motions, and nothing else differs: the {} "
+          "is a value from peak to peak, or {} components are clamped: {}; if it is right, --accept-units",
+          ratio, ratio > 1.0 ? "force" : "displacement", ratio > 1.0 ? "two parallel" : "two such in a row of",
+          remedy));
 }
 
 RigFinding signFinding(const log::Record& record, const Evidence& e) {

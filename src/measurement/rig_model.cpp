@@ -250,8 +250,8 @@ std::string sentence(Nuisance nuisance, double value) {
                          std::abs(value) * 100.0, value > 0.0 ? "too large" : "too small");
     default:
       return fmt::format(
-          "the log starts while the machine runs; {:.3g} N are left from before and decay: taken out; "
-          "start the log at rest",
+          "the log starts while the machine runs; {:.3g} N of relaxing force come from the motion before it: taken "
+          "out; start the log at rest",
           value);
   }
 }
@@ -527,7 +527,7 @@ std::vector<RigFinding> RigModel::findings(std::size_t log, const RigFit& fit) c
     RigFinding zeros = told(name, Nuisance::force_zero, fit.zeros_as_force, fit.zeros_as_force_deviation,
                             tolerance(Nuisance::force_zero, records_[log]));
     zeros.text = fmt::format(
-        "zeros of force and displacement together are too high by {:.3g} N; how much is each, this log cannot tell: "
+        "offsets of force and displacement together are {:.3g} N too high; this log does not determine each of them: "
         "taken out; zero both before the log",
         fit.zeros_as_force);
     found.insert(found.begin(), zeros);

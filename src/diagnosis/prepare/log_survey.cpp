@@ -56,9 +56,9 @@ void readAgain(const LogSurvey& survey, const log::LogSource::Take& take) {
     return false;
   });
   if (!ended) {
-    throw log::LogError(
-        fmt::format("{}: {} samples, and {} a moment ago; accepted: a file that nobody changes meanwhile",
-                    survey.source->name(), seen, survey.samples()));
+    throw log::LogError(fmt::format(
+        "{}: the file changed during the reading: {} samples, {} before; accepted: a file that does not change",
+        survey.source->name(), seen, survey.samples()));
   }
 }
 

@@ -152,7 +152,7 @@ std::string nextRow(const MeasuredRows& measured, const Workings& workings) {
           best.size / search.noise.floor);
     }
   }
-  return fmt::format("No row up to twice the range of the table tells {} from {}. {}", names,
+  return fmt::format("No row up to twice the range of the table distinguishes {} from {}. {}", names,
                      experiment::nameOf(search, *explanations[1].fitted), recordALog());
 }
 
