@@ -269,7 +269,7 @@ TEST_F(Rivals, ProposeNothingThatSettlesNextToNothing) {
   EXPECT_TRUE(none.proposed.displacement.empty());
   const std::string text = diagnosis::words::experimentText({}, none);
   EXPECT_THAT(text, testing::StartsWith("None within the limits"));
-  EXPECT_THAT(text, testing::HasSubstr("would not do"));
+  EXPECT_THAT(text, testing::HasSubstr("would not be enough"));
 
   single("viscous_damping").fit.parameters.scales[0] = 2e3;
   const auto proposed = diagnosis::experiment::nextExperiment(fitter_, workings_, limits, 1);

@@ -183,7 +183,7 @@ TEST(Candidates, AreOutForAReason) {
   creep.gap = 0.11;
   creep.interval = {0.05, 0.1};
   creep.testable = true;
-  EXPECT_EQ(diagnosis::words::whyOut(d, creep), "its full law leaves 11.0 %, where what is named leaves 2.0 %");
+  EXPECT_EQ(diagnosis::words::whyOut(d, creep), "the gap with its full law is 11.0 %, and 2.0 % with what is named");
   creep.interval = {-0.1, 0.1};
   EXPECT_THAT(diagnosis::words::whyOut(d, creep), HasSubstr("may remove nothing"));
   creep.testable = false;
@@ -282,8 +282,9 @@ TEST(Sentence, SaysWhatIsWithheld) {
   d.shares = {{"values", 0.2}, {"friction", 0.0}};
   d.law.withheld = {{"friction", "sweep", 0.024, 0.031}};
   const std::string said = diagnosis::words::sentence(d);
-  EXPECT_THAT(said, HasSubstr("Friction is not written: with it, the component file would leave 3.10 % of log sweep, "
-                              "where 2.40 % are left as configured."));
+  EXPECT_THAT(said,
+              HasSubstr("Friction is not written: with it, the gap of the component file would be 3.10 % on log sweep, "
+                        "and as configured it is 2.40 %."));
   EXPECT_THAT(said, Not(HasSubstr("Adding it removes")));
   EXPECT_THAT(said, Not(HasSubstr("friction removes")));
   d.law.withheld.push_back({"values", "", 0.024, 0.026});
@@ -308,7 +309,7 @@ TEST(Sentence, SaysWhichLogReadsOtherwise) {
   EXPECT_THAT(diagnosis::words::sentence(d), HasSubstr("Log b reads 5 % less than the others."));
   d.rig_findings = {gain("a", 0.15), gain("b", 0.045), gain("c", 0.155)};
   EXPECT_THAT(diagnosis::words::sentence(d),
-              HasSubstr("Logs a and c read 10 % more than b; the logs do not tell which of them are right."));
+              HasSubstr("Logs a and c read 10 % more than b; the logs do not determine which of them are right."));
 }
 
 // Below one half no effect leads.

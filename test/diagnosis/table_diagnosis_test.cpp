@@ -124,7 +124,7 @@ TEST(TableDiagnosis, NamesTemperatureWhereOneCurveHoldsAllRows) {
   const Diagnosis found = checkedTable(model, table);
   EXPECT_THAT(found.answer.verdict, testing::AnyOf(Verdict::named, Verdict::partly));
   EXPECT_THAT(found.answer.effects, testing::ElementsAre("temperature"));
-  EXPECT_THAT(found.gaps.noise_source, HasSubstr("what one curve leaves of the table"));
+  EXPECT_THAT(found.gaps.noise_source, HasSubstr("the residual of one curve through the table"));
 }
 
 TEST(TableDiagnosis, ProposesARowThatIsNew) {

@@ -230,15 +230,16 @@ Scatter scatterOf(const Points& points, std::optional<double> stated) {
   }
   if (const auto left = fit::leftBySuperposition(points); left && left->free >= kFewestFree) {
     return {std::min(upperEnd({left->squares, left->free}), kMostRough),
-            fmt::format("what one curve leaves of the table, its temperatures shifted, {:g} % at most",
+            fmt::format("the residual of one curve through the table with shifted temperatures, {:g} % at most",
                         100.0 * kMostRough)};
   }
   if (const Rest rest = smoothness(points); rest.free >= kFewestFree) {
     return {std::min(upperEnd(rest), kMostRough),
-            fmt::format("what a smooth surface over frequency and amplitude leaves of the table, {:g} % at most",
+            fmt::format("the residual of a smooth surface over frequency and amplitude, {:g} % at most",
                         100.0 * kMostRough)};
   }
-  return {kAssumed, fmt::format("assumed, since the table has too few rows to tell ({:g} %)", 100.0 * kAssumed)};
+  return {kAssumed,
+          fmt::format("assumed, since the table has too few rows for an estimate ({:g} %)", 100.0 * kAssumed)};
 }
 
 }  // namespace rubber_suspension::diagnosis::table

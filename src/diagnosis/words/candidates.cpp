@@ -46,18 +46,20 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
     case Out::of_no_table:
       return "no table of settled loops shows it: record a log";
     case Out::not_testable:
-      return fmt::format("not testable with {}: other parameter values leave {} % of a typical one, too little to see",
-                         sourceOf(d), wholePercent(c.visible_share));
+      return fmt::format(
+          "not testable with {}: other parameter values absorb all but {} % of a typical one, too little to see",
+          sourceOf(d), wholePercent(c.visible_share));
     case Out::removes_nothing:
       return "on further logs it may remove nothing";
     case Out::gap_remains:
-      return fmt::format("its full law leaves {} of the {} that re-estimation leaves", percent(c.gap),
+      return fmt::format("the gap with its full law is {}, and {} with other values alone", percent(c.gap),
                          percent(d.gaps.unseen.re_estimated));
     case Out::more_than_named:
-      return fmt::format("its full law leaves {}, where what is named leaves {}", percent(c.gap),
+      return fmt::format("the gap with its full law is {}, and {} with what is named", percent(c.gap),
                          percent(d.gaps.unseen.augmented));
     default:
-      return fmt::format("its full law leaves {}, no more than what is named, and is less probable", percent(c.gap));
+      return fmt::format("the gap with its full law is {}, no larger than with what is named, but it is less probable",
+                         percent(c.gap));
   }
 }
 

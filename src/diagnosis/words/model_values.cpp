@@ -22,7 +22,7 @@ bool isChanged(const SizedValue& size) {
 }
 
 std::string boundText(const SizedValue& size) {
-  return isAtBound(size) ? ", a bound of the fit: these logs do not tell it" : "";
+  return isAtBound(size) ? ", a bound of the fit: these logs do not determine it" : "";
 }
 
 // Where the effects follow the temperature, all values hold at their reference.

@@ -89,14 +89,14 @@ bool isWithheld(const Diagnosis& diagnosis, const std::string& effect) {
 
 bool writesAnEffect(const Diagnosis& diagnosis) { return !diagnosis.law.added_for.empty() || diagnosis.table; }
 
-// " Friction is not written: with it, the component file would leave 3.1 % of log sweep, where 2.4 % are left as
-// configured."
+// " Friction is not written: with it, the gap of the component file would be 3.1 % on log sweep, and as configured it is
+// 2.4 %."
 std::string withheldNote(const Diagnosis& diagnosis) {
   std::string note;
   for (const Withheld& one : diagnosis.law.withheld) {
     const bool values = one.effect == "values";
     note += fmt::format(
-        " {} not written: with {}, the component file would leave {} of {}, where {} are left as configured.",
+        " {} not written: with {}, the gap of the component file would be {} on {}, and as configured it is {}.",
         values ? "Other values are" : capitalised(spoken(one.effect)) + " is", values ? "them" : "it",
         percent(one.after, 2), one.log == "all logs" ? one.log : "log " + one.log, percent(one.before, 2));
   }
@@ -134,9 +134,9 @@ std::string gainsNote(const Diagnosis& diagnosis) {
   const auto middle = begin + static_cast<std::ptrdiff_t>(split);
   const double more = (1.0 + (*middle)->value) / (1.0 + (*(middle - 1))->value) - 1.0;
   const bool one = middle + 1 == gains.end();
-  return fmt::format(" {} {} {} {} % more than {}; the logs do not tell which of them {} right.", one ? "Log" : "Logs",
-                     names(middle, gains.end()), one ? "reads" : "read", wholePercent(more), names(begin, middle),
-                     gains.size() == 2 ? "is" : "are");
+  return fmt::format(" {} {} {} {} % more than {}; the logs do not determine which of them {} right.",
+                     one ? "Log" : "Logs", names(middle, gains.end()), one ? "reads" : "read", wholePercent(more),
+                     names(begin, middle), gains.size() == 2 ? "is" : "are");
 }
 
 // " All displacements are negative: ...", of logs whose motion stays on one side of zero.
@@ -254,7 +254,7 @@ std::string identifiedText(const Diagnosis& diagnosis) {
     text += fmt::format(" Values identified: {}.", fmt::join(values, ", "));
   }
   for (const std::string& name : diagnosis.parameters.at_bounds) {
-    text += fmt::format(" {} is at a bound of the fit: these logs do not tell it.", capitalised(spoken(name)));
+    text += fmt::format(" {} is at a bound of the fit: these logs do not determine it.", capitalised(spoken(name)));
   }
   return text;
 }
@@ -314,24 +314,24 @@ std::string proposedText(const Diagnosis& d, const NextExperiment& next) {
   const std::string nearest =
       next.nearest.empty()
           ? ""
-          : fmt::format("If {} is right, {}, fitted anew, would be off by {} there. ", next.names.front(), next.nearest,
+          : fmt::format("If {} is right, {} would be off by {} there after a refit. ", next.names.front(), next.nearest,
                         quantity(next.proposed.difference, unitOf(d, "N")));
   return fmt::format(
-      "{}. It is to decide between {}. {}Of what is open about the names, {} are expected to remain. The right one "
-      "alone remains in {} % of cases.",
+      "{}. It decides between {}. {}The entropy of the names is expected to fall to {}. The right one alone remains in "
+      "{} % of cases.",
       inUnits(d, next.motion), enumerated(next.names), nearest, openText(next.open_after, next),
       chance(next.proposed.probability));
 }
 
 std::string noneText(const Diagnosis& d, const NextExperiment& next) {
   return fmt::format(
-             "None within the limits: of what is open about the names of {}, {} would remain. The motion that tells "
-             "most is this: {}. ",
+             "None within the limits: the entropy of the names of {} would fall to {} only. The best motion is this: "
+             "{}. ",
              enumerated(next.names), openText(next.open_after, next), inUnits(d, next.motion)) +
          (next.proposal == Proposal::beyond_limits
-              ? fmt::format("It would take {}: {}, after which {} remain.", limitText(d, next),
+              ? fmt::format("A better one needs {}: {}, after which {} remain.", limitText(d, next),
                             inUnits(d, next.wider_motion), openText(next.wider_open_after, next))
-              : "Twice the stroke, twice the speed or five times the time would not do.");
+              : "Twice the stroke, twice the speed or five times the time would not be enough.");
 }
 
 std::string judgementText(const Diagnosis& diagnosis) {
