@@ -23,12 +23,11 @@ void addSensorGain(const fit::Excitation& excitation, fit::Candidate& candidate)
 
 std::string gainOrValues(const std::map<std::string, double>& numbers) {
   const auto gain = numbers.find("gain");
-  return gain == numbers.end()
-             ? ""
-             : fmt::format(
-                   " The force channel reads {:.1f} % too {}, or all stiffnesses and damping of the model are off by "
-                   "as much: a known weight on the load cell tells.",
-                   100.0 * std::abs(gain->second), gain->second > 0.0 ? "much" : "little");
+  return gain == numbers.end() ? ""
+                               : fmt::format(
+                                     " The force channel reads {:.1f} % too {}, or all stiffnesses and damping of the "
+                                     "model are off by as much: a known weight on the load cell decides.",
+                                     100.0 * std::abs(gain->second), gain->second > 0.0 ? "much" : "little");
 }
 
 // One factor on all logs is what wrong values are. Where an amplifier's range was changed between logs, their gains
@@ -39,7 +38,7 @@ Effect sensorGain() {
                 "damping that are all off by it, or another one in each log",
                 true, addSensorGain};
   effect.remark = gainOrValues;
-  effect.beside_values = " A known weight on the load cell tells.";
+  effect.beside_values = " A known weight on the load cell decides.";
   return effect;
 }
 
