@@ -89,8 +89,8 @@ bool isWithheld(const Diagnosis& diagnosis, const std::string& effect) {
 
 bool writesAnEffect(const Diagnosis& diagnosis) { return !diagnosis.law.added_for.empty() || diagnosis.table; }
 
-// " Friction is not written: with it, the gap of the component file would be 3.1 % on log sweep, and as configured it is
-// 2.4 %."
+// " Friction is not written: with it, the gap of the component file would be 3.1 % on log sweep, and as configured it
+// is 2.4 %."
 std::string withheldNote(const Diagnosis& diagnosis) {
   std::string note;
   for (const Withheld& one : diagnosis.law.withheld) {
