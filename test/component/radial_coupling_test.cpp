@@ -261,8 +261,8 @@ TEST(RadialCoupling, NamesTheIwanOfBergsNumbers) {
   };
   const double ratio =
       peak(entry("iwan maximum_force=5000 displacement=2.2e-3")) / peak(laws.elements[component::kZ][0]);
-  const std::string words = "the stiffness of friction is ";
-  EXPECT_NEAR(std::stod(message.substr(message.find(words) + words.size())), ratio, 5e-3);
+  const std::string words = " has ";
+  EXPECT_NEAR(std::stod(message.substr(message.rfind(words) + words.size())), ratio, 5e-3);
 }
 
 TEST(RadialCoupling, RefusesLawsThatDoNotGoTogether) {
