@@ -188,7 +188,7 @@ TEST(Candidates, AreOutForAReason) {
   EXPECT_THAT(diagnosis::words::whyOut(d, creep), HasSubstr("may remove nothing"));
   creep.testable = false;
   creep.visible_share = 0.03;
-  EXPECT_THAT(diagnosis::words::whyOut(d, creep), HasSubstr("leave 3 %"));
+  EXPECT_THAT(diagnosis::words::whyOut(d, creep), HasSubstr("all but 3 %"));
   creep.effect = "friction";
   EXPECT_EQ(diagnosis::words::whyOut(d, creep), "");
 }
