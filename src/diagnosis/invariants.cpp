@@ -54,6 +54,16 @@ bool verdictIsTheLikeliest(const Diagnosis& d) {
   return said >= std::max({p.none, p.parameter_error, p.effects, p.none_of_these}) - kRounding;
 }
 
+bool nothingHalvesTheUnknown(const Diagnosis& d) {
+  const judge::ScoreTable& table = d.workings->table;
+  for (Eigen::Index row = judge::Evidence::kFirstSingle; row < table.errors.rows(); ++row) {
+    if (d.answer.verdict == Verdict::unknown && halvesWhatIsLeft(table, row)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool alternativesFollow(const Diagnosis& d) {
   const bool falling = std::is_sorted(d.answer.alternatives.begin(), d.answer.alternatives.end(),
                                       [](const auto& a, const auto& b) { return a.probability > b.probability; });
@@ -239,6 +249,7 @@ constexpr Invariant kInvariants[] = {
     {"effects if and only if the verdict names any", verdictHasItsEffects},
     {"the posterior adds up to 1", posteriorIsOne},
     {"the verdict is the likeliest", verdictIsTheLikeliest},
+    {"unknown: no set halves what is left", nothingHalvesTheUnknown},
     {"effects are as probable as their sets", candidatesAreOfTheSets},
     {"the first set is the one named", firstSetIsNamed},
     {"no set holds an improbable effect", setsAreProbable},

@@ -1,6 +1,8 @@
 // Properties of the judgement by posterior that hold on any evidence: RapidCheck draws it. Needs RapidCheck.
 #include <rapidcheck/gtest.h>
 
+#include <numeric>
+
 #include "diagnosis/judge/answer.h"
 #include "judge/made_evidence.h"
 #include "support/test.h"
@@ -59,7 +61,7 @@ double probabilityOf(const SetPosterior& posterior, const std::vector<int>& memb
 
 RC_GTEST_PROP(AnyEvidence, HasProbabilitiesThatAddUpToOne, ()) {
   const Evidence evidence = anyEvidence();
-  const SetPosterior posterior = posteriorOf(evidence);
+  const SetPosterior posterior = toldByHalving(posteriorOf(evidence));
   RC_ASSERT(std::abs(posterior.none + posterior.parameter_error + posterior.unknown + posterior.ofSets() - 1.0) < 1e-9);
   const Answer answer = diagnosis::judge::answer(posterior, evidence.effects.size());
   for (const double probability : answer.candidates) {
@@ -70,7 +72,7 @@ RC_GTEST_PROP(AnyEvidence, HasProbabilitiesThatAddUpToOne, ()) {
 // The sets that cannot be told apart are as few as hold 90 % of all, and the one that is evidence is among them.
 RC_GTEST_PROP(AnyEvidence, ListsTheFewestSets, ()) {
   const Evidence evidence = anyEvidence();
-  const SetPosterior posterior = posteriorOf(evidence);
+  const SetPosterior posterior = toldByHalving(posteriorOf(evidence));
   const Answer answer = diagnosis::judge::answer(posterior, evidence.effects.size());
   RC_PRE(namesEffects(answer.verdict));
   const auto improbable = [&](int effect) { return answer.candidates[static_cast<std::size_t>(effect)] < 0.02; };
@@ -143,6 +145,19 @@ RC_GTEST_PROP(AnyEvidence, NeverNamesWhatCannotBeSimulated, ()) {
   HypothesisEvidence& first = evidence.hypotheses[Evidence::kFirstSingle];
   first.log_errors.back() = std::numeric_limits<double>::infinity();
   RC_ASSERT(probabilityOf(posteriorOf(evidence), {0}) == 0.0);
+}
+
+// Nothing that was fitted removes half of what is told as unknown.
+RC_GTEST_PROP(AnyEvidence, IsUnknownOnlyWhereNoSetHalvesIt, ()) {
+  const Evidence evidence = anyEvidence();
+  RC_PRE(diagnosis::judge::answer(evidence).verdict == Verdict::unknown);
+  const auto squareOf = [](const HypothesisEvidence& hypothesis) {
+    return std::accumulate(hypothesis.log_errors.begin(), hypothesis.log_errors.end(), 0.0);
+  };
+  const double left = squareOf(evidence.at(Evidence::kReEstimated));
+  for (std::size_t h = Evidence::kFirstSingle; h < evidence.hypotheses.size(); ++h) {
+    RC_ASSERT(squareOf(evidence.hypotheses[h]) > 0.5 * left * (1.0 - 1e-12));
+  }
 }
 
 // One more on the list, which the logs lack something for: a temperature, another displacement.

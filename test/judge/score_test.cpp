@@ -11,7 +11,9 @@ namespace rubber_suspension::test {
 namespace {
 
 using diagnosis::judge::Evidence;
+using diagnosis::judge::HypothesisEvidence;
 using diagnosis::judge::JudgeNumbers;
+using diagnosis::judge::ScoreTable;
 
 TEST(ScoreTable, RefusesEvidenceWithoutLogs) {
   Evidence evidence = unexplained(3, 2, 0.1);
@@ -174,6 +176,41 @@ TEST(Answer, NamesNothingThatIsExcluded) {
   EXPECT_EQ(without.effects, std::vector<int>{1});
   EXPECT_EQ(without.candidates[0], 0.0);
   evidence.excluded = {true, true};
+  EXPECT_EQ(diagnosis::judge::answer(evidence).verdict, diagnosis::Verdict::unknown);
+}
+
+// An effect that takes a model's value far from the data sheet and is as large as all of the force, as friction that
+// replaces a dashpot: a rest that no effect causes is likelier, but an effect that halves what is left is told beside
+// it, and three that do so alike are told as such.
+TEST(Answer, TellsAnEffectThatHalvesTheRestBesideIt) {
+  Evidence evidence = unexplained(1, 3, 0.25, 8);
+  const double before = 0.25 * 0.25;
+  const auto leave = [&](std::size_t effect, double square) {
+    HypothesisEvidence& single = evidence.hypotheses[Evidence::kFirstSingle + effect];
+    single = fitted({static_cast<int>(effect)}, {square}, {{0.8}});
+    single.chi_squared = 60.0;
+  };
+  leave(0, 0.51 * before);
+  const diagnosis::judge::Answer unknown = diagnosis::judge::answer(evidence);
+  EXPECT_EQ(unknown.verdict, diagnosis::Verdict::unknown);
+  EXPECT_GT(unknown.posterior.none_of_these, 0.5);
+
+  leave(0, 0.2 * before);
+  const ScoreTable table = scoreTable(evidence);
+  EXPECT_GT(setPosterior(table, diagnosis::judge::fittedNumbers()).unknown, 0.5);
+  const diagnosis::judge::Answer partly = diagnosis::judge::answer(table);
+  EXPECT_EQ(partly.verdict, diagnosis::Verdict::partly);
+  EXPECT_EQ(partly.effects, std::vector<int>{0});
+  EXPECT_EQ(partly.posterior.none_of_these, 0.0);
+
+  leave(1, 0.2 * before);
+  leave(2, 0.2 * before);
+  const diagnosis::judge::Answer either = diagnosis::judge::answer(evidence);
+  EXPECT_EQ(either.verdict, diagnosis::Verdict::confounded);
+  EXPECT_THAT(either.confounded,
+              testing::UnorderedElementsAre(std::vector<int>{0}, std::vector<int>{1}, std::vector<int>{2}));
+
+  evidence.excluded = {true, true, true};
   EXPECT_EQ(diagnosis::judge::answer(evidence).verdict, diagnosis::Verdict::unknown);
 }
 

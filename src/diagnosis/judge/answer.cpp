@@ -121,7 +121,9 @@ class Answering {
 
 }  // namespace
 
-Answer answer(const SetPosterior& posterior, std::size_t effects) { return Answering(posterior, effects).run(); }
+Answer answer(const SetPosterior& posterior, std::size_t effects) {
+  return Answering(toldByHalving(posterior), effects).run();
+}
 
 Answer answer(const ScoreTable& table, const JudgeNumbers& numbers) {
   return answer(setPosterior(table, numbers), table.effects.size());

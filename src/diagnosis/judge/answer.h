@@ -35,7 +35,8 @@ struct Answer {
 
 /// Something is named where all sets together are likelier than any other answer: the likeliest set. It is `confounded`
 /// where that has less than half of the probability of all sets, `partly` where it is likelier beside a rest. No set is
-/// listed that holds an effect of less than 2 %, but for the one that is named.
+/// listed that holds an effect of less than 2 %, but for the one that is named. Nothing is `unknown` where a set halves
+/// what is left (toldByHalving()).
 Answer answer(const SetPosterior& posterior, std::size_t effects);
 
 /// The answer to the table of scores of all evidence.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace rubber_suspension::diagnosis::judge {
 
@@ -25,7 +26,33 @@ std::vector<double> sizesInMotion(const ScoreTable& table, std::size_t hypothesi
   return sizes;
 }
 
+void sortByProbability(std::vector<SetProbability>& sets) {
+  std::stable_sort(sets.begin(), sets.end(),
+                   [](const SetProbability& a, const SetProbability& b) { return a.sum() > b.sum(); });
+}
+
 }  // namespace
+
+bool halvesWhatIsLeft(const ScoreTable& table, Eigen::Index hypothesis) {
+  const auto square = [&](Eigen::Index row) { return (table.errors.row(row).transpose() * table.weight).sum(); };
+  return table.left.row(hypothesis).isFinite().all() && square(hypothesis) <= 0.5 * square(Evidence::kReEstimated);
+}
+
+SetPosterior toldByHalving(SetPosterior posterior) {
+  const auto share = [](const SetProbability& set) {
+    return set.halves ? std::max(set.sum(), std::numeric_limits<double>::min()) : 0.0;
+  };
+  const double all = std::accumulate(posterior.sets.begin(), posterior.sets.end(), 0.0,
+                                     [&](double sum, const SetProbability& set) { return sum + share(set); });
+  if (all > 0.0) {
+    const double rest = std::exchange(posterior.unknown, 0.0);
+    for (SetProbability& set : posterior.sets) {
+      set.beside += rest * (share(set) / all);
+    }
+    sortByProbability(posterior.sets);
+  }
+  return posterior;
+}
 
 SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers) {
   LogWeights weights = logWeights(table, numbers);
@@ -43,11 +70,10 @@ SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers) 
                          {}};
   for (std::size_t h = Evidence::kFirstSingle; h < table.members.size(); ++h) {
     const auto row = static_cast<Eigen::Index>(h);
-    posterior.sets.push_back(
-        {table.members[h], static_cast<int>(h), weights.alone[row], weights.beside[row], sizesInMotion(table, h)});
+    posterior.sets.push_back({table.members[h], static_cast<int>(h), weights.alone[row], weights.beside[row],
+                              sizesInMotion(table, h), halvesWhatIsLeft(table, row)});
   }
-  std::stable_sort(posterior.sets.begin(), posterior.sets.end(),
-                   [](const SetProbability& a, const SetProbability& b) { return a.sum() > b.sum(); });
+  sortByProbability(posterior.sets);
   return posterior;
 }
 

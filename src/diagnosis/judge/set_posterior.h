@@ -15,6 +15,7 @@ struct SetProbability {
   double beside = 0.0;  ///< beside a rest
   /// Logarithm of the size of each member, minus infinity for constants: those are no part of the motion.
   std::vector<double> sizes = {};
+  bool halves = false;  ///< halvesWhatIsLeft()
 
   double sum() const { return alone + beside; }
 };
@@ -28,6 +29,14 @@ struct SetPosterior {
 
   double ofSets() const;
 };
+
+/// True if a hypothesis leaves no more than half of the square that re-estimated values leave of all logs. What is no
+/// answer, as with an excluded effect or one that removes nothing, does not count.
+bool halvesWhatIsLeft(const ScoreTable& table, Eigen::Index hypothesis);
+
+/// The same, where some sets halve what re-estimated values leave, with the probability of `unknown` given to these as
+/// they are probable, beside a rest: a rest that a set halves is not of unlisted causes alone.
+SetPosterior toldByHalving(SetPosterior posterior);
 
 SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers);
 
