@@ -277,7 +277,11 @@ double Component::solveSeries(Force force, double path, double before, double gu
     return closed;
   }
   const double there = force(closed);
-  return series_.opensUnder(there) ? solveFreeLength(force, closed, there, before) : closed;
+  if (!series_.opensUnder(there)) {
+    return closed;
+  }
+  const double kept = series_.keptBy(there);
+  return solveFreeLength([&](double z) { return force(z) - kept; }, closed, there - kept, before);
 }
 
 double Component::balanceAtStart(ComponentState& state, double displacement, Start kind) const {

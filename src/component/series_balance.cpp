@@ -1,6 +1,7 @@
 // Compliances and contacts in series with the test piece, and its remaining displacement.
 #include "rubber_suspension/component/series_balance.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "component/series_root.h"
@@ -8,11 +9,11 @@
 namespace rubber_suspension::component {
 namespace {
 
-// Adds a compliance, or notes that there is no end to it.
-void addSide(double compliance, double& sum, bool& opens) {
+// Adds a compliance, or notes from which force on there is no end to it.
+void addSide(double compliance, double preload, double& sum, double& opens) {
   const bool finite = std::isfinite(compliance);
   sum += finite ? compliance : 0.0;
-  opens = opens || !finite;
+  opens = finite ? opens : std::min(opens, preload);
 }
 
 }  // namespace
@@ -20,8 +21,8 @@ void addSide(double compliance, double& sum, bool& opens) {
 void SeriesBalance::add(const std::shared_ptr<const element::SeriesElement>& element) {
   empty_ = false;
   if (const auto compliance = element->compliance()) {
-    addSide(compliance->tension, sides_.tension, opens_in_tension_);
-    addSide(compliance->compression, sides_.compression, opens_in_compression_);
+    addSide(compliance->tension, compliance->preload, sides_.tension, tension_opens_);
+    addSide(compliance->compression, compliance->preload, sides_.compression, compression_opens_);
   } else {
     hardening_.push_back(element);
   }

@@ -66,8 +66,8 @@ double solveSeriesBalance(Mismatch mismatch, double guess, double least_slope = 
   return rootBetween(mismatch, {guess, at_guess}, {other, at_other});
 }
 
-/// Displacement of a free test piece with this force, next to one at which its force has the wrong sign: the root of
-/// force(z). `before`, the displacement at the begin of the step, is near the root.
+/// Displacement of a free test piece with this force beyond what an open contact keeps, next to one at which it has the
+/// wrong sign: the root of force(z). `before`, the displacement at the begin of the step, is near the root.
 template <class Force>
 double solveFreeLength(Force force, double wrong, double force_there, double before) {
   constexpr double kLeast = 1e-12;  // [m]

@@ -246,6 +246,42 @@ TEST(LiftOff, CarriesOneSignOfForce) {
   EXPECT_FALSE(strap.linear());
 }
 
+TEST(LiftOff, BeyondItsPreloadIsOpenOrHeld) {
+  constexpr double kRounding = 1e-9;  // [N], of forces of kN
+  for (const double side : {1.0, -1.0}) {
+    const element::ElementDescription contact{"lift_off", {{"side", {side}}, {"preload", {600.0}}}};
+    element::ElementDescription bolted = contact;
+    bolted.values["slack_stiffness"] = {1e6};
+    WithState open({kSpring, contact});
+    WithState held({kSpring, bolted});
+    for (const double z : {1e-3, -1.9e-4, -1e-3, 2e-3, -5e-3}) {
+      const double beyond = (z + 2e-4) / (1.0 / 3e6 + 1.0 / 1e6);  // specimen and holder share what is beyond
+      EXPECT_NEAR(side * open.step(1e-3, side * z), std::max(-600.0, 3e6 * z), kRounding) << z;
+      EXPECT_NEAR(side * held.step(1e-3, side * z), z > -2e-4 ? 3e6 * z : -600.0 + beyond, kRounding) << z;
+      EXPECT_NEAR(side * open.initialise(side * z), std::max(-600.0, 3e6 * z), kRounding) << z;
+    }
+    EXPECT_FALSE(open.linear() || held.linear());
+  }
+}
+
+// A linear test piece that was preloaded long ago, measured from there.
+TEST(LiftOff, WithAPreloadIsOneWithoutAboutAnotherZero) {
+  constexpr double kPreload = 1500.0;
+  const double preloaded = kPreload / kSpring.value("stiffness");
+  const component::Component strap({kSpring, kMaxwell, kStrap});
+  component::ComponentState state = strap.makeState();
+  ASSERT_NEAR(strap.relax(state, preloaded).total, kPreload, 1e-9);
+  WithState from_there({kSpring, kMaxwell, entry("lift_off side=1 preload=1500")});
+  int open = 0;
+  for (int i = 1; i <= 400; ++i) {
+    const double z = sineAt(i, 100, 2e-3);
+    const double force = from_there.step(1e-3, z);
+    ASSERT_NEAR(force, strap.step(state, 1e-3, preloaded + z).total - kPreload, 1e-8) << i;
+    open += force < 1e-8 - kPreload ? 1 : 0;
+  }
+  EXPECT_GT(open, 100);
+}
+
 // Held until the Maxwell element is relaxed, then let go: the strap is too long by z_0 k_m/(k + k_m), and recovers at
 // the rate k/(tau (k + k_m)). Contact returns at the length that it has by then.
 TEST(LiftOff, RecoversWhileSlack) {
@@ -299,9 +335,13 @@ TEST(LiftOff, ChangesNothingWhileClosed) {
 TEST(LiftOff, WithBranchesNeverGivesMoreEnergyThanItGot) {
   constexpr int kParts = 200;
   constexpr double kRounding = 1e-9;  // [N], of the root where the contact is open
-  for (const double side : {1.0, -1.0}) {
-    const component::Component held(
-        {kSpring, kMaxwell, kFastMaxwell, kFriction, kSeriesCompliance, {"lift_off", {{"side", {side}}}}});
+  for (const auto& [side, preload] : {std::pair(1.0, 0.0), std::pair(-1.0, 0.0), std::pair(1.0, 2e3)}) {
+    const component::Component held({kSpring,
+                                     kMaxwell,
+                                     kFastMaxwell,
+                                     kFriction,
+                                     kSeriesCompliance,
+                                     {"lift_off", {{"side", {side}}, {"preload", {preload}}}}});
     component::ComponentState state = held.makeState();
     std::mt19937 generator(side > 0.0 ? 1 : 2);
     std::uniform_real_distribution<double> place(-4e-3, 4e-3);
@@ -320,11 +360,11 @@ TEST(LiftOff, WithBranchesNeverGivesMoreEnergyThanItGot) {
         const double z = start + (end - start) * part / kParts;
         const double increment = z - state.displacement();
         const double force = held.step(state, dt, z).total;
-        ASSERT_GE(side * force, -kRounding) << "move " << move;
+        ASSERT_GE(side * force, -preload - kRounding) << "move " << move;
         work += 0.5 * (before + force) * increment;
         uncertainty += (0.5 * std::abs(force - before) + kRounding) * std::abs(increment);
         ASSERT_GE(work, -uncertainty) << "move " << move;
-        ++(side * force < 1.0 ? open : closed);
+        ++(side * force < 1.0 - preload ? open : closed);
         before = force;
       }
     }

@@ -214,10 +214,11 @@ TEST(Candidates, RadialCouplingNeedsAnotherDisplacement) {
   EXPECT_FALSE(offered(0.0, 0.01));
 }
 
-// Forces of one sign, or little of the other: then it has the terms of a compliance, too.
+// Forces of one sign, or less of the other: then it has the terms of a compliance, too, and where there is more than a
+// zero leaves, a contact with a preload.
 TEST(Candidates, LiftOffNeedsForcesOfOneSign) {
   for (const double side : {1.0, -1.0}) {
-    for (const double share : {0.0, 0.25, 0.9}) {
+    for (const double share : {0.0, 0.05, 0.25, 0.5, 0.9}) {
       log::Log log = noisyLog(0.0);
       for (double& force : log.force) {
         force *= side * force > 0.0 ? 1.0 : share;
@@ -226,10 +227,11 @@ TEST(Candidates, LiftOffNeedsForcesOfOneSign) {
       const auto found = std::find_if(all.begin(), all.end(), [](const auto& c) { return c.effect == "lift_off"; });
       ASSERT_NE(found, all.end());
       const fit::Hypothesis alone = fit::makeHypothesis(all, {static_cast<int>(found - all.begin())});
-      EXPECT_EQ(found->applies(), share < 0.5) << side << " " << share;
-      EXPECT_EQ(alone.held.size(), found->terms.size()) << side << " " << share;
+      EXPECT_EQ(found->terms.size(), share > 0.7 ? 0U : share > 0.1 ? 4U : 1U) << side << " " << share;
+      EXPECT_EQ(alone.held.size(), found->applies() ? 1U : 0U) << side << " " << share;
       for (const fit::BasisTerm& term : found->terms) {
         EXPECT_EQ(term.at(1.0).value("side"), side);
+        EXPECT_EQ(term.at(1.0).values.count("preload"), &term == &found->terms.front() ? 0U : 1U);
       }
     }
   }

@@ -141,6 +141,22 @@ TEST(Headline, IsShortForPeople) {
   EXPECT_DOUBLE_EQ(named(stop, "gap"), 0.002);
 }
 
+// Contacts in series: the first one that opens, and what holds all of them.
+TEST(Headline, OfContactsAreTheirPreloadAndWhatHoldsThem) {
+  const element::ElementDescription strap{"lift_off", {{"side", {1.0}}}};
+  element::ElementDescription bolted = strap;
+  bolted.values = {{"side", {1.0}}, {"preload", {800.0}}, {"slack_stiffness", {2e6}}};
+  element::ElementDescription later = bolted;
+  later.values["preload"] = {900.0};
+  const auto both = headlineValuesOf({later, bolted});
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_DOUBLE_EQ(named(both, "slack_stiffness_in_compression"), 1e6);
+  EXPECT_DOUBLE_EQ(named(both, "preload"), 800.0);
+  const auto alone = headlineValuesOf({strap});
+  ASSERT_EQ(alone.size(), 1U);
+  EXPECT_EQ(named(alone, "slack_stiffness_in_compression"), 0.0);
+}
+
 TEST(ReportText, NamesTheSideInFrontOfItsValue) {
   using diagnosis::words::sizeName;
   EXPECT_EQ(sizeName({"bump_stop", "gap_in_tension", "m", 0.0, 2.4e-3, {}}), "gap in tension:");

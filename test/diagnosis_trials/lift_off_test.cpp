@@ -32,6 +32,21 @@ log::Log unglued(log::Log log, double side) {
   return log;
 }
 
+/// The same from where a preload holds it: displacement and force are measured from there.
+log::Log preloaded(log::Log log, double side, double preload) {
+  const double zero = side * preload / rigComponent().allElements()[0].value("stiffness");
+  const std::vector<double> displacement = log.displacement;
+  for (double& z : log.displacement) {
+    z += zero;
+  }
+  log = unglued(std::move(log), side);
+  log.displacement = displacement;
+  for (double& force : log.force) {
+    force -= side * preload;
+  }
+  return log;
+}
+
 /// Ramps at three rates to 2 mm of one side and back, a log for each rate.
 std::vector<log::Log> rampLogs(double side, const RigEffect& effect) {
   constexpr double kReach = 2e-3;
@@ -57,6 +72,21 @@ TEST(LiftOff, OfAStrapIsTold) {
   EXPECT_EQ(result.law.augmented.add.front().type, "lift_off");
   EXPECT_EQ(result.law.augmented.add.front().value("side"), 1.0);
   EXPECT_LT(result.gaps.unseen.augmented, 1.2 * result.gaps.unseen.noise_floor);
+}
+
+TEST(LiftOff, BeyondAPreloadIsToldWithIt) {
+  constexpr double kPreload = 800.0;
+  std::vector<log::Log> logs;
+  for (const unsigned seed : {1U, 2U}) {
+    logs.push_back(preloaded(runRig("log " + std::to_string(seed), seed, nothing), -1.0, kPreload));
+  }
+  const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), logs, {});
+  ASSERT_THAT(result.answer.effects, testing::ElementsAre("lift_off")) << result.sentence;
+  ASSERT_EQ(result.law.augmented.add.size(), 1U);
+  // A zero of the displacement, which each log may have, does nearly the same on a linear test piece.
+  EXPECT_NEAR(result.law.augmented.add.front().value("preload"), kPreload, 0.06 * kPreload);
+  EXPECT_THAT(result.sentence, testing::HasSubstr("opens in tension beyond its preload, preload "));
+  EXPECT_LT(result.gaps.unseen.augmented, 1.2 * result.gaps.unseen.noise_floor) << result.sentence;
 }
 
 TEST(LiftOff, OnRampsIsToldWithTheSideThatItCarries) {

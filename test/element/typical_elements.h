@@ -122,6 +122,8 @@ inline std::vector<element::ElementDescription> typicalElements() {
       entry("series_compliance stiffness=1e7 closing_force=2e3"),
       entry("lift_off side=1"),
       entry("lift_off side=-1 slack_stiffness=1e6"),
+      entry("lift_off side=1 preload=800"),
+      entry("lift_off side=-1 slack_stiffness=1e6 preload=800"),
       entry("time_delay delay=3.3e-3"),
       entry("time_delay delay=-2.5e-4"),
       entry("inertia mass=12"),

@@ -1,6 +1,7 @@
 // Compliances and contacts in series with the test piece, and its remaining displacement. Throws nothing.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -21,12 +22,13 @@ class SeriesBalance {
   bool linear() const { return hardening_.empty() && sides_.tension == sides_.compression && !hasContact(); }
 
   /// True if a contact opens under a force of some sign.
-  bool hasContact() const { return opens_in_tension_ || opens_in_compression_; }
+  bool hasContact() const { return tension_opens_ < kNever || compression_opens_ < kNever; }
 
   /// True if it opens under this force [N].
-  bool opensUnder(double force) const {
-    return (force > 0.0 && opens_in_tension_) || (force < 0.0 && opens_in_compression_);
-  }
+  bool opensUnder(double force) const { return force > tension_opens_ || -force > compression_opens_; }
+
+  /// The force [N] that an open contact keeps, by the sign of the one that opens it.
+  double keptBy(double force) const { return force > tension_opens_ ? tension_opens_ : -compression_opens_; }
 
   /// 1/K_s [m/N] of a linear balance; 0 without elements.
   double compliance() const { return sides_.tension; }
@@ -74,9 +76,11 @@ class SeriesBalance {
 
   double sideCompliance(double force) const { return force > 0.0 ? sides_.tension : sides_.compression; }
 
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
   bool empty_ = true;
-  bool opens_in_tension_ = false;
-  bool opens_in_compression_ = false;
+  double tension_opens_ = kNever;                       // a contact, beyond this force [N]
+  double compression_opens_ = kNever;                   // likewise, beyond this magnitude
   element::SeriesElement::Compliance sides_{0.0, 0.0};  // sums over the elements that are linear to either side
   std::vector<std::shared_ptr<const element::SeriesElement>> hardening_;  // the others
 };

@@ -148,8 +148,9 @@ class SeriesElement : public Element {
  public:
   /// Deflection per force [m/N]; infinite for a contact that opens.
   struct Compliance {
-    double tension;      ///< for F > 0
-    double compression;  ///< for F < 0
+    double tension;        ///< for F > 0
+    double compression;    ///< for F < 0
+    double preload = 0.0;  ///< magnitude of the force that an open contact keeps [N]
   };
 
   /// Deflection under a force [m]: of the force's sign, and nowhere decreasing with it.

@@ -1,17 +1,21 @@
 // Candidate effect: a contact that opens.
 #include <algorithm>
+#include <iterator>
+#include <limits>
 
 #include "diagnosis/effect.h"
-#include "element/each.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 // The share of its force that a spring as stiff as the logs loses where the contact is open: all of it at 1.
-fit::BasisTerm contactTerm(const fit::Excitation& excitation, double side) {
+fit::BasisTerm contactTerm(const fit::Excitation& excitation, double side, double preload) {
   fit::BasisTerm term;
   term.at = [=, stiffness = excitation.stiffness](double share) {
     element::ElementDescription entry{"lift_off", {{"side", {side}}}};
+    if (preload > 0.0) {
+      entry.values["preload"] = {preload};
+    }
     if (share < 1.0) {
       entry.values["slack_stiffness"] = {stiffness * (1.0 - share) / share};
     }
@@ -23,44 +27,82 @@ fit::BasisTerm contactTerm(const fit::Excitation& excitation, double side) {
   return term;
 }
 
-// The sign of the force that a contact may carry in these logs; 0: they have much of both, so that none opens.
-double sideOf(const fit::Excitation& excitation) {
-  constexpr double kMost = 0.5;  // of the force of the other sign: what a zero, and what still holds, leave of it
-  return -excitation.lowest_force < kMost * excitation.highest_force   ? 1.0
-         : excitation.highest_force < -kMost * excitation.lowest_force ? -1.0
-                                                                       : 0.0;
+// What the logs show of a contact that opens.
+struct Opening {
+  double side;     // sign of the force that it may carry
+  double largest;  // magnitude of the force of the other sign [N]
+  double share;    // of that in the force of its own sign
+};
+
+Opening openingOf(const fit::Excitation& excitation) {
+  const double tension = std::max(0.0, excitation.highest_force);
+  const double compression = std::max(0.0, -excitation.lowest_force);
+  return compression < tension ? Opening{1.0, compression, compression / tension}
+                               : Opening{-1.0, tension, tension / compression};
 }
 
+// A contact without a preload, and where there is more of the other sign than a zero leaves, some with a preload. One
+// that nothing holds shows its preload by the largest force of that sign, so that fits may start from there.
 void addLiftOff(const fit::Excitation& excitation, fit::Candidate& candidate) {
-  const double side = sideOf(excitation);
-  if (side != 0.0) {
-    candidate.terms = {contactTerm(excitation, side)};
+  constexpr double kMost = 0.7;    // share beyond which too little of the motion is left for a contact to open in
+  constexpr double kOfZero = 0.1;  // share that a zero of the force leaves of the other sign
+  const Opening opening = openingOf(excitation);
+  if (!(opening.share < kMost)) {
+    return;
+  }
+  candidate.terms = {contactTerm(excitation, opening.side, 0.0)};
+  if (opening.share > kOfZero) {
+    for (const double part : {0.5, 0.9, 1.0}) {
+      candidate.terms.push_back(contactTerm(excitation, opening.side, part * opening.largest));
+    }
+    candidate.terms.back().start = 1.0;
   }
 }
 
-// The side on which a contact is slack says as much as what holds it there, mostly nothing.
+double leastPreload(const Effect::Entries& contacts) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const element::ElementDescription& entry : contacts) {
+    least = std::min(least, valueOr(entry, "preload", 0.0));
+  }
+  return least;
+}
+
+// The side on which contacts are slack says as much as what holds them there once all are open, mostly nothing; and the
+// force at which the first one opens.
 std::vector<HeadlineValue> whatHoldsIt(const Effect::Entries& contacts) {
-  return element::each(contacts, [](const element::ElementDescription& entry) -> HeadlineValue {
-    return {entry.value("side") > 0.0 ? "slack_stiffness_in_compression" : "slack_stiffness_in_tension", "N/m",
-            valueOr(entry, "slack_stiffness", 0.0), false};
-  });
+  double compliance = 0.0;
+  for (const element::ElementDescription& entry : contacts) {
+    compliance += 1.0 / valueOr(entry, "slack_stiffness", 0.0);
+  }
+  const bool tension = contacts.front().value("side") > 0.0;
+  std::vector<HeadlineValue> result = {
+      {tension ? "slack_stiffness_in_compression" : "slack_stiffness_in_tension", "N/m", 1.0 / compliance, false}};
+  if (const double preload = leastPreload(contacts); preload > 0.0) {
+    result.push_back({"preload", "N", preload, false});
+  }
+  return result;
 }
 
 // The sign of force that it carries.
 std::vector<std::string> carried(const Effect::Entries& augmented) {
-  const auto contact = std::find_if(augmented.begin(), augmented.end(),
-                                    [](const element::ElementDescription& entry) { return entry.type == "lift_off"; });
-  if (contact == augmented.end()) {
+  Effect::Entries contacts;
+  std::copy_if(augmented.begin(), augmented.end(), std::back_inserter(contacts),
+               [](const element::ElementDescription& entry) { return entry.type == "lift_off"; });
+  if (contacts.empty()) {
     return {};
   }
-  return {contact->value("side") > 0.0 ? "carries tension alone" : "carries compression alone"};
+  const bool tension = contacts.front().value("side") > 0.0;
+  if (leastPreload(contacts) > 0.0) {
+    return {tension ? "opens in compression beyond its preload" : "opens in tension beyond its preload"};
+  }
+  return {tension ? "carries tension alone" : "carries compression alone"};
 }
 
 // A contact that something holds is a compliance of one side.
 Effect liftOff() {
   Effect effect{115, "lift_off",
                 "contact that carries one sign of force, as of a chevron, strap or spring that is not glued: slack on "
-                "the way back, no force beyond",
+                "the way back, no force beyond; with a preload, the force of the other sign stays at that",
                 false, addLiftOff};
   effect.contains = {"series_compliance"};
   effect.headline = whatHoldsIt;
