@@ -21,6 +21,7 @@
 #include "diagnosis/judge/answer.h"
 #include "diagnosis/prepare/bench_evidence.h"
 #include "diagnosis/prepare/excerpts.h"
+#include "diagnosis/prepare/lines.h"
 #include "diagnosis/prepare/log_survey.h"
 #include "diagnosis/prepare/memory.h"
 #include "diagnosis/prepare/rig.h"
@@ -33,6 +34,7 @@
 #include "element/largest_number.h"
 #include "estimation/models.h"
 #include "fit/parallel.h"
+#include "gap/simulate.h"
 #include "io/available_memory.h"
 #include "io/rotational_unit.h"
 #include "rubber_suspension/measurement/bench_check.h"
@@ -158,6 +160,20 @@ Diagnosis inWords(const fit::Fitter& fitter, const experiment::NextExperiment& n
   return result;
 }
 
+// Removes from the force of each log what mains or a pump add.
+std::vector<RigFinding> removeLines(const io::ComponentDescription& component, std::vector<log::Record>& records,
+                                    std::vector<prepare::RawChannels>& raw) {
+  prepare::RigLines lines =
+      prepare::linesOfRig(records, gap::simulateEach(component.allElements(), Records(records.begin(), records.end())));
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    if (lines.forces[r].size() > 0) {
+      records[r].force -= lines.forces[r];
+      raw[r].line = std::move(lines.forces[r]);
+    }
+  }
+  return std::move(lines.findings);
+}
+
 // `recorded`: the whole logs that the gap as recorded is of.
 Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prepare::Excerpts& excerpts,
                            const std::vector<prepare::LogSurvey>& recorded, const DiagnosisOptions& options) {
@@ -177,7 +193,9 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prep
     result.samples = {excerpts.samples, excerpts.of};
     return result;
   }
-  const std::vector<prepare::RawChannels> raw = prepare::rawChannels(excerpts.logs, excerpts.hold_out);
+  std::vector<prepare::RawChannels> raw = prepare::rawChannels(excerpts.logs, excerpts.hold_out);
+  const std::vector<RigFinding> lines = removeLines(component, training, raw);
+  findings.insert(findings.end(), lines.begin(), lines.end());
   const std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
   JudgedCase judged =
       searchedAndJudged(component, {training.begin(), training.end()}, {held_out.begin(), held_out.end()}, options);

@@ -47,7 +47,7 @@ TEST(Diagnosis, NamesAStopAndClosesTheGapOnAnUnseenLog) {
   EXPECT_GE(result.gaps.closed_interval[1], result.gaps.closed);
 }
 
-TEST(Diagnosis, RefusesMainsHum) {
+TEST(Diagnosis, RefusesHumOfADriveThatStartsAndStops) {
   const diagnosis::Diagnosis& result = ofHum();
   EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::unknown);
   EXPECT_TRUE(result.answer.effects.empty());

@@ -18,8 +18,10 @@ inline double linearStop(double /*time*/, double z, double /*rate*/) {
   return std::copysign(2e6 * std::max(0.0, std::abs(z) - 0.0012), z);
 }
 
-/// Mains hum: in the force, but no function of the motion.
-inline double hum(double time, double /*displacement*/, double /*rate*/) { return 120.0 * std::sin(314.159 * time); }
+/// Hum of a drive that starts and stops: in the force, but no function of the motion, and no steady line.
+inline double hum(double time, double /*displacement*/, double /*rate*/) {
+  return std::sin(1.3 * time) > 0.0 ? 170.0 * std::sin(314.159 * time) : 0.0;
+}
 
 /// Three logs and an unseen one.
 inline diagnosis::Diagnosis diagnoseRig(const RigEffect& effect,

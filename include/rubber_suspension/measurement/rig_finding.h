@@ -19,6 +19,7 @@ inline constexpr const char* kSpikes = "spikes";
 inline constexpr const char* kHeldValues = "held_values";
 inline constexpr const char* kSaturation = "saturation";
 inline constexpr const char* kColouredNoise = "coloured_noise";
+inline constexpr const char* kLine = "line";
 inline constexpr const char* kSign = "sign";
 inline constexpr const char* kUnitFactor = "unit_factor";
 inline constexpr const char* kSwappedColumns = "swapped_columns";
@@ -41,6 +42,7 @@ struct RigFinding {
   bool fatal = false;             ///< a wrong sign, unit, column or component: verdict check_bench, no effect is named
   bool beyond_tolerance = false;  ///< more than 2 standard deviations of what the rig's tolerances allow
   std::string text;               ///< one sentence: evidence and correction
+  double frequency = 0.0;         ///< of a line [Hz]; 0 for others
 };
 
 /// True if one of the findings is fatal.

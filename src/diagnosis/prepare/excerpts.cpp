@@ -300,7 +300,7 @@ std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const st
   for (const auto* list : {&logs, &hold_out}) {
     for (const log::Log& log : *list) {
       log::Record raw = log::rawRecord(log);
-      channels.push_back({std::move(raw.raw_displacement), std::move(raw.force), std::move(raw.counts)});
+      channels.push_back({std::move(raw.raw_displacement), std::move(raw.force), std::move(raw.counts), {}});
     }
   }
   return channels;

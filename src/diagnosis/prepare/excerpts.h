@@ -38,6 +38,7 @@ struct RawChannels {
   Eigen::VectorXd displacement;  ///< [m]
   Eigen::VectorXd force;         ///< [N]
   Eigen::VectorXd counts;        ///< 0 where no force was measured; empty: it was everywhere
+  Eigen::VectorXd line;          ///< part of the force that is of mains or a pump [N]; empty: none
 };
 
 /// Channels of the logs in order. Throws as log::rawRecord().

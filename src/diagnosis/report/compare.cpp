@@ -55,6 +55,7 @@ measurement::RigFinding readFinding(const json& entry) {
   finding.value = numberOf(entry.at("value"));
   finding.interval_95 = pairOf(entry.at("interval_95"));
   finding.unit = entry.at("unit");
+  finding.frequency = entry.value("frequency_Hz", 0.0);
   return finding;
 }
 
@@ -118,7 +119,9 @@ Values sizesOf(const Diagnosis& d) {
 Values findingsOf(const Diagnosis& d) {
   Values values;
   for (const measurement::RigFinding& finding : d.rig_findings) {
-    values[words::spoken(finding.finding) + " of " + finding.log] = {finding.value, finding.interval_95, finding.unit};
+    const std::string at = finding.frequency > 0.0 ? fmt::format(" at {:.0f} Hz", finding.frequency) : "";
+    values[words::spoken(finding.finding) + at + " of " + finding.log] = {finding.value, finding.interval_95,
+                                                                          finding.unit};
   }
   return values;
 }

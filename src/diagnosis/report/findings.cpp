@@ -46,12 +46,16 @@ std::string valueText(const RigFinding& finding) {
 std::vector<nlohmann::ordered_json> findingsJson(const std::vector<RigFinding>& findings) {
   return element::each(findings, [&](const RigFinding& finding) -> nlohmann::ordered_json {
     const FindingAdvice& advice = adviceOn(finding.finding);
-    return {{"log", finding.log},        {"finding", finding.finding},
-            {"value", finding.value},    {"interval_95", finding.interval_95},
-            {"unit", finding.unit},      {"beyond_tolerance", finding.beyond_tolerance},
-            {"text", finding.text},      {"value_text", valueText(finding)},
-            {"fatal", finding.fatal},    {"sure", isSure(finding, findings)},
-            {"meaning", advice.meaning}, {"remedy", advice.remedy}};
+    nlohmann::ordered_json json = {{"log", finding.log},        {"finding", finding.finding},
+                                   {"value", finding.value},    {"interval_95", finding.interval_95},
+                                   {"unit", finding.unit},      {"beyond_tolerance", finding.beyond_tolerance},
+                                   {"text", finding.text},      {"value_text", valueText(finding)},
+                                   {"fatal", finding.fatal},    {"sure", isSure(finding, findings)},
+                                   {"meaning", advice.meaning}, {"remedy", advice.remedy}};
+    if (finding.frequency > 0.0) {
+      json["frequency_Hz"] = finding.frequency;
+    }
+    return json;
   });
 }
 
@@ -91,6 +95,9 @@ const FindingAdvice& adviceOn(const std::string& finding) {
       {f::kDrift,
        {"The force goes off slowly, without the displacement.",
         "Let the amplifier and the component warm up before the log; note the zero before and after it."}},
+      {f::kLine,
+       {"The force oscillates at a frequency of the mains or of a machine, whatever the displacement does.",
+        "Shield and earth the cable of the load cell, keep it away from drives, and mount pumps softly."}},
       {f::kSign,
        {"Force and displacement have opposite signs.",
         "Swap the sign of one channel, as by --columns force=-NAME: a positive displacement has to need a positive "

@@ -139,7 +139,12 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
   LogAccount account(record.name, recorded * recorded);
   const VectorXd counts = countsOf(record);
   const VectorXd residual = record.force - forces.bridged[r];
-  account.takeOut(taken_out::kSpikes, meanSquare(residual, withStart(counts, raw.counts)) / variance);
+  const VectorXd measured = withStart(counts, raw.counts);
+  if (raw.line.size() > 0) {
+    account.takeOut(taken_out::kSpikes, meanSquare(residual + raw.line, measured) / variance);
+    account.takeOut(taken_out::kLine, meanSquare(residual, measured) / variance);
+  }
+  account.takeOut(taken_out::kSpikes, meanSquare(residual, measured) / variance);
   account.takeOut(taken_out::kInitialState, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, forces.bridged[r], account);
   // As gaps are: each part of the log without what the others tell of the rig. What is not of a kind above is of the

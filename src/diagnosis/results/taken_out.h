@@ -17,6 +17,7 @@ namespace rubber_suspension::diagnosis::results {
 /// Kinds, as reports write them.
 namespace taken_out {
 inline constexpr const char* kSpikes = "spikes";  ///< samples that a channel did not measure
+inline constexpr const char* kLine = "line";      ///< of mains or a pump
 inline constexpr const char* kZero = "zero";      ///< of the force
 inline constexpr const char* kDisplacement = "displacement_zero";
 inline constexpr const char* kInitialState = "initial_state";

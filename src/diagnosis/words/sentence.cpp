@@ -103,6 +103,19 @@ std::string withheldNote(const Diagnosis& diagnosis) {
   return note;
 }
 
+// " A line that the motion does not cause is removed: 50.0 Hz, 50 N: mains or a pump.", by the first log that has it.
+std::string linesNote(const Diagnosis& diagnosis) {
+  std::string note;
+  std::string log;
+  for (const measurement::RigFinding& finding : diagnosis.rig_findings) {
+    if (finding.finding == measurement::finding::kLine && (log.empty() || finding.log == log)) {
+      log = finding.log;
+      note += fmt::format(" A line that the motion does not cause is removed: {}.", finding.text);
+    }
+  }
+  return note;
+}
+
 // " Log b reads 10 % more than the others.", of a gain that is beyond the rig's tolerance. Where all logs have one, the
 // logs are told in two groups, since nothing tells which of them is right.
 std::string gainsNote(const Diagnosis& diagnosis) {
@@ -384,7 +397,8 @@ std::string judgementText(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::string sentence(const Diagnosis& diagnosis) {
-  return judgementText(diagnosis) + withheldNote(diagnosis) + gainsNote(diagnosis) + oneSideNote(diagnosis);
+  return judgementText(diagnosis) + withheldNote(diagnosis) + gainsNote(diagnosis) + linesNote(diagnosis) +
+         oneSideNote(diagnosis);
 }
 
 std::string headline(const Diagnosis& diagnosis) {

@@ -1,0 +1,131 @@
+// Lines of mains and pumps in the force of all logs, and what is told apart from them.
+#include "diagnosis/prepare/lines.h"
+
+#include "diagnosis/checked_diagnosis.h"
+#include "diagnosis/results/taken_out.h"
+#include "diagnosis/rig.h"
+#include "rubber_suspension/measurement/prepared_log.h"
+
+namespace rubber_suspension {
+namespace {
+
+using diagnosis::prepare::RigLines;
+
+// An oscillation [N] whose phase is a random walk of 0.3 rad in a second.
+RigEffect line(double frequency, double amplitude) {
+  return [=, generator = std::mt19937(7), phase = 0.0, before = 0.0](double time, double, double) mutable {
+    phase += std::normal_distribution<double>(0.0, 0.3 * std::sqrt(std::max(time - before, 0.0)))(generator);
+    before = time;
+    return amplitude * std::sin(2.0 * element::kPi * frequency * time + phase);
+  };
+}
+
+RigEffect both(RigEffect a, RigEffect b) {
+  return [a = std::move(a), b = std::move(b)](double time, double z, double rate) mutable {
+    return a(time, z, rate) + b(time, z, rate);
+  };
+}
+
+RigLines linesOf(const std::vector<log::Log>& logs) {
+  std::vector<log::Record> records;
+  for (const log::Log& log : logs) {
+    records.push_back(measurement::prepareLog(log).record);
+  }
+  return linesOfRig(records, gap::simulateEach(rigComponent().allElements(), {records.begin(), records.end()}));
+}
+
+// Logs of 20 s of a sine [Hz] at several amplitudes.
+std::vector<log::Log> sines(double frequency, const RigEffect& effect) {
+  std::vector<log::Log> logs;
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    std::mt19937 generator(seed);
+    const double omega = 2.0 * element::kPi * frequency;
+    const double amplitude = 4e-4 * seed;
+    logs.push_back(runMotion(
+        "sine " + std::to_string(seed), generator,
+        [=](double time) {
+          return std::make_pair(amplitude * std::sin(omega * time), amplitude * omega * std::cos(omega * time));
+        },
+        effect, 5.0, 0.004));
+  }
+  return logs;
+}
+
+TEST(Lines, AreFoundWithFrequencyAmplitudeAndPhase) {
+  RigEffect same = line(50.0, 60.0);
+  const RigEffect mains = same;
+  const RigLines lines = linesOf(runRigs({1, 2, 4}, mains));
+  ASSERT_THAT(lines.findings, SizeIs(3));
+  for (const measurement::RigFinding& finding : lines.findings) {
+    EXPECT_EQ(finding.finding, "line");
+    EXPECT_EQ(finding.unit, "N");
+    EXPECT_NEAR(finding.frequency, 50.0, 0.05);
+    EXPECT_NEAR(finding.value, 60.0, 2.0);
+    EXPECT_LT(finding.interval_95[0], finding.value);
+    EXPECT_LT(finding.interval_95[1], 65.0);
+    EXPECT_EQ(finding.text.substr(0, 9), "50.0 Hz, ");
+    EXPECT_THAT(finding.text, HasSubstr(" N: mains or a pump"));
+  }
+  double left = 0.0;
+  for (Eigen::Index i = 0; i < lines.forces[0].size(); ++i) {
+    left += std::pow(lines.forces[0][i] - same(0.004 * static_cast<double>(i), 0.0, 0.0), 2);
+  }
+  EXPECT_LT(std::sqrt(left / static_cast<double>(lines.forces[0].size())), 8.0);  // of 42 N
+}
+
+TEST(Lines, AreNamedAsHarmonicsAndAliases) {
+  // At 250 samples per second, 180 Hz are at 70 Hz.
+  const RigLines lines = linesOf(runRigs({1, 2}, both(both(line(37.0, 60.0), line(74.0, 50.0)), line(180.0, 70.0))));
+  ASSERT_THAT(lines.findings, SizeIs(6));
+  EXPECT_THAT(lines.findings[0].text, HasSubstr("37.0 Hz, "));
+  EXPECT_THAT(lines.findings[1].text, HasSubstr("perhaps 180 Hz, which 250 samples per second show there"));
+  EXPECT_THAT(lines.findings[2].text, HasSubstr("mains or a pump, harmonic 2 of 37.0 Hz"));
+}
+
+TEST(Lines, AreInAllLogs) {
+  std::vector<log::Log> logs = runRigs({1, 2}, line(50.0, 60.0));
+  EXPECT_THAT(linesOf(logs).findings, SizeIs(2));
+  logs.push_back(runRig("without", 4, nothing));
+  EXPECT_THAT(linesOf(logs).findings, SizeIs(0));
+}
+
+// Friction makes multiples of the frequency of a sine, and aliases of these, as steady as any line.
+TEST(Lines, AreNoMultiplesOfTheMotion) {
+  for (const double frequency : {1.0, 2.3, 5.0, 8.7, 16.7}) {
+    EXPECT_THAT(linesOf(sines(frequency, rigFriction())).findings, SizeIs(0)) << frequency;
+  }
+  const RigLines beside = linesOf(sines(5.0, both(rigFriction(), line(48.3, 40.0))));
+  ASSERT_THAT(beside.findings, SizeIs(3));
+  EXPECT_NEAR(beside.findings[0].frequency, 48.3, 0.1);
+}
+
+// A mode of high quality that noise excites is narrow, too, but its size varies.
+TEST(Lines, AreSteady) {
+  const double omega = 2.0 * element::kPi * 30.0 * 0.004;
+  const double decay = std::exp(-omega / 200.0);
+  const auto mode = [=, generator = std::mt19937(3), x = 0.0, before = 0.0](double, double, double) mutable {
+    const double next = 2.0 * decay * std::cos(omega) * x - decay * decay * before +
+                        std::normal_distribution<double>(0.0, 5.0)(generator);
+    before = x;
+    return x = next;
+  };
+  EXPECT_THAT(linesOf(runRigs({1, 2, 4}, mode)).findings, SizeIs(0));
+}
+
+TEST(Lines, AreRemovedBeforeALogIsJudged) {
+  const RigEffect mains = line(50.0, 120.0);
+  const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), runRigs({1, 2, 4}, mains), runRigs({3}, mains));
+  EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::none) << result.sentence;
+  EXPECT_THAT(result.sentence, HasSubstr("A line that the motion does not cause is removed: 50.0 Hz, "));
+  const auto lines = std::count_if(result.rig_findings.begin(), result.rig_findings.end(),
+                                   [](const auto& finding) { return finding.finding == "line"; });
+  EXPECT_EQ(lines, 4);
+  const auto share = std::find_if(result.logs.taken_out.begin(), result.logs.taken_out.end(),
+                                  [](const auto& part) { return part.kind == diagnosis::results::taken_out::kLine; });
+  ASSERT_NE(share, result.logs.taken_out.end());
+  EXPECT_NEAR(share->share, 120.0 / std::sqrt(2.0) / result.workings->simulated.records[0].force_deviation, 0.01);
+  EXPECT_GT(result.gap_as_recorded.as_configured, 2.0 * result.gaps.unseen.as_configured);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
