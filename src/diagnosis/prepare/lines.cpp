@@ -25,15 +25,17 @@ using Eigen::VectorXd;
 
 constexpr double kLongestBlock = 2.0;  // [s], in which the phase of mains hardly drifts
 constexpr double kFewestBlocks = 12.0;
-constexpr Index kMainLobe = 2;     // frequencies to each side that a Hann window joins to a line
-constexpr Index kNeighbours = 6;   // frequencies to each side that a line is compared with, beyond the main lobe
-constexpr double kSteady = 0.15;   // standard deviation of a steady amplitude, as a share of it
-constexpr double kDrift = 0.3;     // standard deviation of the drift of the phase from block to block [rad]
-constexpr double kLikely = 3.0;    // evidence in one log: ln 20
-constexpr double kRare = 4.6;      // -ln of the probability of a line, 1 %
-constexpr double kLoud = 3.0;      // a line is seen beside neighbours that are smaller by this factor
-constexpr int kMultiples = 60;     // of a frequency of the motion, which a force may hold
-constexpr double kResolved = 2.0;  // distance of two frequencies, over the inverse of the duration
+constexpr Index kMainLobe = 2;            // frequencies to each side that a Hann window joins to a line
+constexpr Index kNeighbours = 6;          // frequencies to each side that a line is compared with, beyond the main lobe
+constexpr double kSteady = 0.15;          // standard deviation of a steady amplitude, as a share of it
+constexpr double kDrift = 0.3;            // standard deviation of the drift of the phase from block to block [rad]
+constexpr double kFewestCycles = 8.0;     // in a window that tells the phase of a line
+constexpr double kShortestWindow = 0.25;  // blocks
+constexpr double kLikely = 3.0;           // evidence in one log: ln 20
+constexpr double kRare = 4.6;             // -ln of the probability of a line, 1 %
+constexpr double kLoud = 3.0;             // a line is seen beside neighbours that are smaller by this factor
+constexpr int kMultiples = 60;            // of a frequency of the motion, which a force may hold
+constexpr double kResolved = 2.0;         // distance of two frequencies, over the inverse of the duration
 
 // Oscillation of steady amplitude whose phase drifts slowly.
 struct Line {
@@ -267,9 +269,11 @@ std::string originOf(double frequency, double step, const std::vector<Line>& lin
   return "";
 }
 
-// Makes a line of the phase that a signal has near a frequency, in windows of two lengths of `hop` samples to each
-// side, and of the amplitude that it has with this phase, which the finding tells.
-VectorXd lineIn(const VectorXd& signal, double step, double frequency, Index hop, measurement::RigFinding& finding) {
+// Makes a line of the phase that a signal has near a frequency in windows of a given width [s], and of the amplitude
+// that it has with this phase, which the finding tells.
+VectorXd lineIn(const VectorXd& signal, double step, double frequency, double window,
+                measurement::RigFinding& finding) {
+  const auto hop = static_cast<Index>(std::ceil(0.25 * window / step));
   const Index samples = signal.size();
   const ArrayXd weights = hannWindow(4 * hop);
   const ArrayXd phase =
@@ -327,8 +331,8 @@ RigLines linesOfRig(const std::vector<log::Record>& records, const gap::Forces& 
         continue;
       }
       measurement::RigFinding finding;
-      const auto hop = static_cast<Index>(std::max(1.0, std::round(0.125 / (log.spectra.width() * step))));
-      const VectorXd of_line = lineIn(log.residual, step, shown->frequency, hop, finding);
+      const double window = std::max(kFewestCycles / shown->frequency, kShortestWindow / log.spectra.width());
+      const VectorXd of_line = lineIn(log.residual, step, shown->frequency, window, finding);
       force = force.size() == 0 ? of_line : VectorXd(force + of_line);
       finding.log = log.record.name;
       finding.finding = measurement::finding::kLine;
