@@ -113,6 +113,14 @@ TEST(Lines, AreSteady) {
   EXPECT_THAT(linesOf(runRigs({1, 2, 4}, mode)).findings, SizeIs(0));
 }
 
+TEST(Lines, AreNoneInASlowLog) {
+  std::mt19937 generator(1);
+  const auto motion = [](double time) {
+    return std::make_pair(1e-3 * std::sin(0.01 * time), 1e-5 * std::cos(0.01 * time));
+  };
+  EXPECT_THAT(linesOf({runMotion("slow", generator, motion, nothing, 20.0, 5.0)}).findings, SizeIs(0));
+}
+
 TEST(Lines, AreRemovedBeforeALogIsJudged) {
   const RigEffect mains = line(50.0, 120.0);
   const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), runRigs({1, 2, 4}, mains), runRigs({3}, mains));

@@ -65,6 +65,9 @@ class BlockSpectra {
       length *= 2;
     }
     width_ = 1.0 / (step * static_cast<double>(length));
+    if (length <= 2 * kNeighbours) {
+      return;  // too few samples in a block for any line
+    }
     ArrayXd window = hannWindow(length);
     window *= 2.0 / window.sum();
     numerics::Fourier fourier;

@@ -16,11 +16,13 @@ struct RigLines {
   std::vector<Eigen::VectorXd> forces;  ///< of all lines of each log [N]; empty where it has none
 };
 
-/// The lines of the force beside the simulated one that are the rig's: at one frequency, of steady amplitude, in every
-/// log that could show them. A log cannot where the frequency is a multiple of one that its displacement holds, or an
-/// alias of a multiple, since friction and stops make these; where the displacement holds several frequencies; where
-/// its residual is as large beside the line; and beyond its spectrum. All frequencies are equally likely, and a line at
-/// any of them has a probability of 1 %.
+/// Finds the lines in the difference to the simulated force that are the rig's: oscillations at one frequency and of
+/// steady amplitude, in every log that could show them. A log could not show a line
+///   - at a multiple, or an alias of a multiple, of a steady frequency of its displacement, because friction and stops
+///     cause these, or beside several such frequencies;
+///   - where the residual beside the line is as large, or beyond the spectrum.
+/// The prior probability of a line is 1 %, spread evenly over all frequencies. Of lines closer than six frequencies of
+/// a block's spectrum, the larger one is found.
 RigLines linesOfRig(const std::vector<log::Record>& records, const gap::Forces& simulated);
 
 }  // namespace rubber_suspension::diagnosis::prepare
