@@ -125,8 +125,8 @@ bool HypothesisFitter::improve(const Hypothesis& hypothesis, const Eigen::Vector
   return false;
 }
 
-std::pair<BlockGrams, bool> HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimits& limits,
-                                                      double longest, Place& place) const {
+BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest,
+                                     Place& place) const {
   BlockGrams blocks = linearise(hypothesis, place, limits.active, limits.threads);
   for (int iteration = 0; iteration < limits.iterations; ++iteration) {
     const numerics::Limits all = stepBounds(hypothesis, place.parameters, blocks.unknowns());
@@ -137,7 +137,7 @@ std::pair<BlockGrams, bool> HypothesisFitter::descend(const Hypothesis& hypothes
     upper = upper.cwiseMin(longest);
     const Eigen::VectorXd step = solve(blocks.sum, bounds);
     if (!step.allFinite()) {
-      return {std::move(blocks), true};
+      break;
     }
     // The cost that a step promises, were the force linear.
     const auto promiseOf = [&](const Eigen::VectorXd& taken) {
@@ -149,7 +149,7 @@ std::pair<BlockGrams, bool> HypothesisFitter::descend(const Hypothesis& hypothes
         iteration > 0 && promise > limits.reach && !(promiseOf(solve(blocks.sum, all)) <= limits.reach);
     const bool too_slow = place.cost - promise < kSlow * (place.cost - limits.needed);
     if (hopeless || too_slow || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
-      return {std::move(blocks), true};
+      break;
     }
     // Terms that the first step leaves at nothing take no further part: their force would have to be simulated each
     // time.
@@ -159,7 +159,7 @@ std::pair<BlockGrams, bool> HypothesisFitter::descend(const Hypothesis& hypothes
     }
     blocks = linearise(hypothesis, place, active, limits.threads);
   }
-  return {std::move(blocks), false};
+  return blocks;
 }
 
 ParameterVector HypothesisFitter::scalesAlone(const Hypothesis& hypothesis, const ParameterVector& start,
@@ -178,7 +178,7 @@ ParameterVector HypothesisFitter::scalesAlone(const Hypothesis& hypothesis, cons
 Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& start, const FitLimits& limits) const {
   Fit result;
   Place place = startAt(hypothesis, start);
-  const auto [blocks, ended] = descend(hypothesis, limits, kLongestStep, place);
+  const BlockGrams blocks = descend(hypothesis, limits, kLongestStep, place);
   result.gap = gapOf(hypothesis, place.forces);
   result.parameters = std::move(place.parameters);
   const numerics::Limits bounds = stepBounds(hypothesis, result.parameters, blocks.unknowns());
@@ -187,9 +187,8 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
   if (hypothesis.free_in_log.ofTerms()) {
     takeCommon(hypothesis, blocks, further, result.parameters);
   }
-  // A further step that does not lead down promises what the law cannot do: held-out blocks are predicted about where
-  // the fit ended. Where steps ran out, its promise is the best estimate of where they lead.
-  const Eigen::VectorXd not_taken = ended ? further : Eigen::VectorXd::Zero(further.size());
+  // A further step that does not lead down promises what the law cannot do.
+  const Eigen::VectorXd not_taken = limits.about_its_end ? further : Eigen::VectorXd::Zero(further.size());
   const std::vector<double> errors =
       crossValidate(blocks, [&](const Eigen::MatrixXd& gram) { return Eigen::VectorXd(step(gram) - not_taken); });
   double held_out = 0.0;

@@ -42,6 +42,9 @@ struct FitLimits {
   /// A fit that gains too little to come down to this, as a gap, ends.
   double needed = std::numeric_limits<double>::infinity();
   int threads = 1;
+  /// Held-out blocks are predicted about where the fit ends; else about where a further step promises to lead, which
+  /// estimates the end of a fit whose steps ran out.
+  bool about_its_end = false;
 };
 
 /// Fits hypotheses to measurements: Gauss-Newton steps within bounds, and cross validation by blocks. A derived class
@@ -137,10 +140,8 @@ class HypothesisFitter {
   Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;
   /// Moves by a step, or by part of it; returns false if none improves the fit noticeably.
   bool improve(const Hypothesis& hypothesis, const Eigen::VectorXd& step, Place& place) const;
-  /// Gauss-Newton steps. Returns the normal equations where they end, and whether a further step would not lead down;
-  /// false: their number ran out. `longest`: step of a logarithm.
-  std::pair<BlockGrams, bool> descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest,
-                                      Place& place) const;
+  /// Gauss-Newton steps to where they end; normal equations there. `longest`: step of a logarithm.
+  BlockGrams descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest, Place& place) const;
   /// A step as far as it goes within the bounds; what it leaves of a term next to 0 is 0.
   static ParameterVector moved(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                const Eigen::VectorXd& step);

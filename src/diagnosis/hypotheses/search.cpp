@@ -214,7 +214,8 @@ class Searcher {
     }
   }
 
-  // Fits whose steps ran out before they came to what they promise go on to their ends.
+  // Fits that would predict held-out blocks better than those of the fit, because their steps ended before they came to
+  // what they promise, go on to their ends.
   void endFits() {
     std::vector<FittedHypothesis*> begun;
     for (std::vector<FittedHypothesis>* list : {&result_.singles, &result_.pairs, &result_.triples}) {
@@ -225,7 +226,9 @@ class Searcher {
       }
     }
     fit::parallelFor(begun.size(), threads_, [&](std::size_t i) {
-      begun[i]->fit = fitter_.fit(begun[i]->hypothesis, begun[i]->fit.parameters, {kBaseIterations});
+      fit::FitLimits limits{kBaseIterations};
+      limits.about_its_end = true;
+      begun[i]->fit = fitter_.fit(begun[i]->hypothesis, begun[i]->fit.parameters, limits);
     });
   }
 

@@ -166,9 +166,9 @@ void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from
   larger.hypothesis.free_in_log.by_zero = from.hypothesis.free_in_log.by_zero;
   larger.hypothesis.free_in_log.by_factor = from.hypothesis.free_in_log.by_factor;
   const fit::ParameterVector start = taken(fitter, from, larger.hypothesis);
-  larger.fit =
-      fitter.fit(larger.hypothesis, start,
-                 {kFurtherIterations, std::numeric_limits<double>::infinity(), mayMove(from, larger.hypothesis, start)});
+  larger.fit = fitter.fit(
+      larger.hypothesis, start,
+      {kFurtherIterations, std::numeric_limits<double>::infinity(), mayMove(from, larger.hypothesis, start)});
 }
 
 FittedHypothesis withFactors(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach) {
