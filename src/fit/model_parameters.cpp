@@ -26,6 +26,7 @@ io::ComponentDescription asElements(const io::ComponentDescription& description)
   unshifted.temperature.reset();
   io::ComponentDescription result(description.name, unshifted.allElements());
   result.temperature = description.temperature;
+  result.tolerance = description.tolerance;
   return result;
 }
 
@@ -80,7 +81,7 @@ void ModelParameters::addRelaxation() {
   }
   const auto addFree = [&](bool free, const char* name, double Relaxation::* number, double largest) {
     if (free) {
-      add(name, {[=](Point& point, double ratio) { point.relaxation.*number *= ratio; }, false, 0.0}, largest);
+      add(name, {[=](Point& point, double ratio) { point.relaxation.*number *= ratio; }, false, 0.0, 0.0}, largest);
     }
   };
   const double usual = largestRatio();
@@ -102,7 +103,7 @@ void ModelParameters::addSpecification() {
       const auto move = [key = key](Point& point, double ratio) {
         point.specification.set(key, point.specification.at(key) * ratio);
       };
-      add(key, {move, false, 0.0}, largestRatio());
+      add(key, {move, false, 0.0, 0.0}, largestRatio());
     }
   }
 }
@@ -111,12 +112,18 @@ void ModelParameters::addElements(std::vector<element::ElementDescription> Point
   for (std::size_t entry = 0; entry < (configured_.*list).size(); ++entry) {
     const element::ElementDescription completed = element::complete((configured_.*list)[entry]);
     const auto& table = element::findElementType(completed.type)->parameters;
+    const std::string name = fmt::format("{}[{}]", completed.type, entry);
+    const estimation::SheetTolerance& given = description_.tolerance;
+    const double deviation = list == &Point::elements && given.by_key.count(name) + (given.of_all ? 1 : 0) > 0
+                                 ? given.of(name)
+                                 : kOwnDeviation;
     for (const auto& [key, values] : completed.values) {
       if (element::isFree(*element::findParameter(table, key), values)) {
         const auto move = [=, key = key, value = values.front()](Point& point, double ratio) {
           (point.*list)[entry].values[key] = {value * ratio};
         };
-        add(fmt::format("{}[{}].{}", completed.type, entry, key), {move, true, values.front()}, kLargestOfElement);
+        add(name + "." + key, {move, true, values.front(), deviation},
+            std::max(kLargestOfElement, std::exp(2.0 * deviation)));
       }
     }
   }
@@ -135,7 +142,7 @@ void ModelParameters::addKnown() {
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (slots_[i].of_element) {
-      known_.push_back({names_[i], 0.0, kOwnDeviation, false});
+      known_.push_back({names_[i], 0.0, slots_[i].deviation, false});
     }
   }
 }
@@ -145,9 +152,10 @@ double ModelParameters::largestRatio() const {
 }
 
 bool ModelParameters::isGuess() const {
-  return !known_.empty() && known_.front().of_sheet &&
-         std::all_of(known_.begin(), known_.end(), [](const KnownNumber& number) {
-           return !number.of_sheet || number.deviation >= estimation::SheetTolerance::kGuess;
+  const bool listed = description_.tolerance.given();
+  return !known_.empty() && (listed || known_.front().of_sheet) &&
+         std::all_of(known_.begin(), known_.end(), [&](const KnownNumber& number) {
+           return !(listed || number.of_sheet) || number.deviation >= estimation::SheetTolerance::kGuess;
          });
 }
 

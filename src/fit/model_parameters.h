@@ -111,6 +111,7 @@ class ModelParameters {
     std::function<void(Point& point, double ratio)> move;
     bool of_element;    // else of the specification
     double configured;  // of an element: the value, given or by default
+    double deviation;   // of its logarithm, of an element
   };
 
   void addRelaxation();

@@ -95,7 +95,7 @@ class Loader : public SpecificationReader {
     const estimation::Model model = loadModel(entry);
     const bool listed = model == estimation::Model::elements;
     using One = ComponentDescription;
-    const std::vector<Key<One>> keys = {
+    std::vector<Key<One>> keys = {
         {"model"},
         {listed ? "elements" : "specification", {}, listed ? "a list of elements" : "a map"},
         {"add"},
@@ -104,9 +104,13 @@ class Loader : public SpecificationReader {
         into("valid_displacement", &One::valid_displacement, by(&Loader::loadValidDisplacement)),
         into("excluded_effects", &One::excluded_effects, by(&Loader::loadExcludedEffects)),
         into("holds_fluid", &One::holds_fluid, by(&Loader::loadFlag))};
+    if (listed) {
+      keys.push_back({"tolerance"});
+    }
     checkKeys(entry, namesOf(keys));
     const Entry base = require(entry, keys[1].name, keys[1].needed);
-    One description = listed ? loadListed(base, entry["add"]) : loadSpecification(base, model, entry["add"]);
+    One description =
+        listed ? loadListed(base, entry["add"], entry["tolerance"]) : loadSpecification(base, model, entry["add"]);
     read(entry, keys, description);
     description.units = units_;
     try {
@@ -330,13 +334,18 @@ class Loader : public SpecificationReader {
     return static_cast<estimation::Model>(loadWord(model, modelNames(), "a model"));
   }
 
-  ComponentDescription loadListed(const Entry& list, const Entry& add) {
-    std::vector<element::ElementDescription> elements = loadElements(list);
+  ComponentDescription loadListed(const Entry& list, const Entry& add, const Entry& tolerance) {
+    estimation::SheetTolerance tolerances;
+    if (tolerance) {
+      tolerances.of_all = loadTolerance(tolerance);
+    }
+    std::vector<element::ElementDescription> elements = loadElements(list, nullptr, &tolerances.by_key);
     if (elements.empty()) {
       refuse(list, "an empty list; accepted: at least one element");
     }
     ComponentDescription description(component_, std::move(elements));
     description.add = loadAdded(add, {});
+    description.tolerance = std::move(tolerances);
     return description;
   }
 

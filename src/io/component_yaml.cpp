@@ -25,7 +25,12 @@ std::string styled(const YamlStyle& style, const std::string& place, double valu
   return style.number ? style.number(place, value) : number(value);
 }
 
-std::string entryYaml(const std::string& place, const element::ElementDescription& entry, const YamlStyle& style) {
+std::string shareYaml(double tolerance) {
+  return tolerance == estimation::SheetTolerance::kGuess ? kGuess : number(tolerance);
+}
+
+std::string entryYaml(const std::string& place, const element::ElementDescription& entry, const YamlStyle& style,
+                      const std::optional<double>& tolerance) {
   std::string text = fmt::format("{{type: {}", entry.type);
   std::string notes;
   for (const auto& [name, values] : entry.values) {
@@ -38,14 +43,17 @@ std::string entryYaml(const std::string& place, const element::ElementDescriptio
     }
     text += fmt::format(", {}: {}", name, values.size() == 1 ? numbers[0] : fmt::format("[{}]", log::join(numbers)));
   }
+  text += tolerance ? ", tolerance: " + shareYaml(*tolerance) : "";
   return fmt::format("{}      - {}{}}}\n", notes, text, element::isOfRig(entry) ? ", of_rig: true" : "");
 }
 
 std::string entriesYaml(const std::string& key, const std::vector<element::ElementDescription>& entries,
-                        const YamlStyle& style) {
+                        const YamlStyle& style, const estimation::SheetTolerance& tolerance = {}) {
   std::string text = entries.empty() ? "" : fmt::format("    {}:\n", key);
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    text += entryYaml(fmt::format("{}[{}]", key, i), entries[i], style);
+    const auto own = tolerance.by_key.find(fmt::format("{}[{}]", entries[i].type, i));
+    text += entryYaml(fmt::format("{}[{}]", key, i), entries[i], style,
+                      own == tolerance.by_key.end() ? std::nullopt : std::optional(own->second));
   }
   return text;
 }
@@ -77,13 +85,12 @@ std::string curveYaml(const estimation::StaticCurve& curve, bool turns) {
 }
 
 std::string toleranceYaml(const estimation::SheetTolerance& tolerance) {
-  const auto share = [](double value) { return value == estimation::SheetTolerance::kGuess ? kGuess : number(value); };
   std::vector<std::string> by_key;
   for (const auto& [key, value] : tolerance.by_key) {
-    by_key.push_back(fmt::format("{}: {}", key, share(value)));
+    by_key.push_back(fmt::format("{}: {}", key, shareYaml(value)));
   }
   return fmt::format("      tolerance: {}\n",
-                     tolerance.of_all ? share(*tolerance.of_all) : fmt::format("{{{}}}", log::join(by_key)));
+                     tolerance.of_all ? shareYaml(*tolerance.of_all) : fmt::format("{{{}}}", log::join(by_key)));
 }
 
 // `added`: then it has to say that it describes the base. `turns`: it is that of a rotation.
@@ -124,8 +131,9 @@ std::string specificationYaml(const estimation::Specification& specification, bo
 // Model and what belongs to it, of a component of one direction; `turns`: a rotation.
 std::string oneDirectionYaml(const ComponentDescription& component, bool turns, const YamlStyle& style) {
   std::string text = fmt::format("    model: {}\n", estimation::toString(component.model()));
+  text += component.tolerance.of_all ? fmt::format("    tolerance: {}\n", shareYaml(*component.tolerance.of_all)) : "";
   text += component.model() == estimation::Model::elements
-              ? entriesYaml("elements", component.elements(), style)
+              ? entriesYaml("elements", component.elements(), style, component.tolerance)
               : specificationYaml(component.specification(), !component.add.empty(), turns, style);
   text += entriesYaml("add", component.add, style);
   text += component.temperature ? temperatureYaml(*component.temperature) : "";

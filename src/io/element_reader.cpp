@@ -119,8 +119,20 @@ std::vector<double> ElementReader::loadNumbers(const Entry& entry, const element
   return values;
 }
 
+double ElementReader::loadTolerance(const Entry& entry, const std::string& also) {
+  if (entry.isText() && entry.text() == kGuess) {
+    return estimation::SheetTolerance::kGuess;
+  }
+  if (!entry.startsAsNumber()) {
+    refuse(entry, fmt::format("{} is not a tolerance{}; accepted: a share such as 10 %, {}{}", kindOf(entry.node),
+                              hintOf(entry.node, {kGuess}), kGuess, also));
+  }
+  return loadNumber(entry, anyNumber("1", element::Range::openBelow(0.0, 1.0)));
+}
+
 std::vector<element::ElementDescription> ElementReader::loadElements(const Entry& list,
-                                                                     const estimation::Specification* specification) {
+                                                                     const estimation::Specification* specification,
+                                                                     Tolerances* tolerances) {
   if (!list.node.IsSequence()) {
     refuseContent(list, "a list of elements");
   }
@@ -129,7 +141,10 @@ std::vector<element::ElementDescription> ElementReader::loadElements(const Entry
   }
   std::vector<element::ElementDescription> elements;
   for (std::size_t i = 0; i < list.node.size(); ++i) {
-    elements.push_back(loadElement(list[i], specification));
+    elements.push_back(loadElement(list[i], specification, tolerances != nullptr));
+    if (const Entry own = tolerances == nullptr ? Entry{} : list[i]["tolerance"]) {
+      (*tolerances)[fmt::format("{}[{}]", elements.back().type, i)] = loadTolerance(own);
+    }
   }
   return elements;
 }
@@ -164,12 +179,16 @@ const element::ElementType& ElementReader::loadType(const Entry& entry) {
 }
 
 element::ElementDescription ElementReader::loadElement(const Entry& entry,
-                                                       const estimation::Specification* specification) {
+                                                       const estimation::Specification* specification,
+                                                       bool with_tolerance) {
   checkCancelled();
   const element::ElementType& type = loadType(entry);
   std::vector<std::string> keys = namesOf(type.parameters);
   keys.insert(keys.begin(), "type");
   keys.insert(keys.end(), {"scale_with", "of_rig"});
+  if (with_tolerance) {
+    keys.emplace_back("tolerance");
+  }
   checkKeys(entry, keys);
   element::ElementDescription description;
   description.type = type.name;

@@ -26,9 +26,16 @@ class ElementReader : public YamlReader {
   double loadNumber(const Entry& entry, const element::ParameterInfo& row);
   std::vector<double> loadNumbers(const Entry& entry, const element::ParameterInfo& parameter);
 
-  /// They may scale along the curve of a specification, where there is one.
+  /// A share, or `guess`; `also`: what else is accepted.
+  double loadTolerance(const Entry& entry, const std::string& also = "");
+
+  using Tolerances = std::map<std::string, double, std::less<>>;
+
+  /// They may scale along the curve of a specification, where there is one. `tolerances`: of their values, by entries
+  /// such as "spring[0]"; nullptr where entries have none.
   std::vector<element::ElementDescription> loadElements(const Entry& list,
-                                                        const estimation::Specification* specification = nullptr);
+                                                        const estimation::Specification* specification = nullptr,
+                                                        Tolerances* tolerances = nullptr);
 
   element::ElementDescription loadTemperature(const Entry& entry);
 
@@ -40,7 +47,8 @@ class ElementReader : public YamlReader {
 
  private:
   const element::ElementType& loadType(const Entry& entry);
-  element::ElementDescription loadElement(const Entry& entry, const estimation::Specification* specification);
+  element::ElementDescription loadElement(const Entry& entry, const estimation::Specification* specification,
+                                          bool with_tolerance);
   element::ElementDescription scaled(const element::ElementDescription& description, const Entry& scale,
                                      const estimation::Specification* specification) const;
   const ShiftLaw& loadShift(const Entry& entry) const;

@@ -162,7 +162,8 @@ std::string parameterReference() {
       "belongs to the rig that measured the component.\nCommands, node, exports and campaigns take it along; "
       "`--without-rig` (`~without_rig`, `without_rig: true`,\n`Component.without_rig()`) leaves it out. `time_delay`, "
       "`sensor_gain`, `force_offset` and `force_drift` always do.\nStiffness and loss angle of the whole component are "
-      "those without the rig.\n";
+      "those without the rig.\n\nEntries of `elements` may have a `tolerance`, and the component may have one beside "
+      "`elements` for all others: how far\ntheir values may be off, as a share or `guess`; 30 % by default.\n";
   for (const element::ElementType& type : element::elementTypes()) {
     text += elementSection(type);
   }

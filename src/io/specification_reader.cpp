@@ -107,7 +107,7 @@ void SpecificationReader::loadDescribed(const Entry& entry, estimation::Specific
 estimation::SheetTolerance SpecificationReader::loadSheetTolerance(const Entry& entry,
                                                                    const estimation::Specification& specification) {
   if (!entry.node.IsMap()) {
-    return {loadSheetShare(entry)};
+    return {loadTolerance(entry, ", or a map of such by key")};
   }
   std::vector<std::string> keys = namesOf(estimation::specificationParameters());
   keys.erase(std::remove_if(keys.begin(), keys.end(),
@@ -123,20 +123,9 @@ estimation::SheetTolerance SpecificationReader::loadSheetTolerance(const Entry& 
   }
   estimation::SheetTolerance tolerance;
   for (const auto& of_key : entry.node) {
-    tolerance.by_key[of_key.first.Scalar()] = loadSheetShare(entry[of_key.first.Scalar()]);
+    tolerance.by_key[of_key.first.Scalar()] = loadTolerance(entry[of_key.first.Scalar()], ", or a map of such by key");
   }
   return tolerance;
-}
-
-double SpecificationReader::loadSheetShare(const Entry& entry) {
-  if (entry.isText() && entry.text() == kGuess) {
-    return estimation::SheetTolerance::kGuess;
-  }
-  if (!entry.startsAsNumber()) {
-    refuse(entry, fmt::format("{} is not a tolerance{}; accepted: a share such as 10 %, {}, or a map of such by key",
-                              kindOf(entry.node), hintOf(entry.node, {kGuess}), kGuess));
-  }
-  return loadNumber(entry, anyNumber("1", element::Range::openBelow(0.0, 1.0)));
 }
 
 estimation::StaticCurve SpecificationReader::loadCurve(const Entry& entry, const Entry& scale) {

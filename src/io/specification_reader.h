@@ -22,7 +22,6 @@ class SpecificationReader : public ElementReader {
   estimation::Specification loadValues(const Entry& entry, const std::vector<std::string>& others);
   void loadDescribed(const Entry& entry, estimation::Specification& specification);
   estimation::SheetTolerance loadSheetTolerance(const Entry& entry, const estimation::Specification& specification);
-  double loadSheetShare(const Entry& entry);
   estimation::StaticCurve loadCurve(const Entry& entry, const Entry& scale);
   estimation::SpecifiedPoint loadPoint(const Entry& entry);
   [[noreturn]] void refuseSpecification(const Entry& map, const std::string& message) const;

@@ -74,6 +74,23 @@ TEST(ModelParameters, DepartFromTheSheetInTolerances) {
   EXPECT_TRUE((departures + model.departureSlopes(near) * step).isApprox(model.departures(near + step), 1e-5));
 }
 
+TEST(ModelParameters, OfElementsHaveTheirTolerances) {
+  io::ComponentDescription component("damper", {{"spring", {{"stiffness", {1e6}}}}, {"dashpot", {{"damping", {2e3}}}}});
+  const auto deviations = [](const ModelParameters& model) {
+    return std::vector<double>{model.known()[0].deviation, model.known()[1].deviation};
+  };
+  const ModelParameters usual(component, Level::elements);
+  EXPECT_EQ(deviations(usual), std::vector<double>(2, 0.3));
+  component.tolerance.by_key["dashpot[1]"] = 0.05;
+  EXPECT_EQ(deviations({component, Level::elements}), (std::vector<double>{0.3, 0.05}));
+  component.tolerance = {estimation::SheetTolerance::kGuess};
+  const ModelParameters guess(component, Level::specification);
+  EXPECT_TRUE(guess.isGuess());
+  EXPECT_FALSE(usual.isGuess());
+  EXPECT_NEAR(guess.bounds()[0], 2.0 * std::log(10.0), 1e-12) << "two deviations";
+  EXPECT_NEAR(usual.bounds()[0], std::log(10.0), 1e-12);
+}
+
 // Some sheets state one stiffness by another: of one Maxwell element, K at f_h.
 TEST(ModelParameters, DepartFromEveryNumberThatASheetMayState) {
   for (const auto& [key, value] : std::map<std::string, double>{

@@ -98,6 +98,25 @@ TEST(ComponentFile, ToleranceOfTheSheetReadsBack) {
   EXPECT_EQ(io::toYaml(parse(kExample)).find("tolerance"), std::string::npos) << "nobody gave one";
 }
 
+TEST(ComponentFile, TolerancesOfElementsReadBack) {
+  const double guess = estimation::SheetTolerance::kGuess;
+  const auto components = parse(
+      "components:\n  a:\n    model: elements\n    tolerance: guess\n    elements:\n"
+      "      - {type: spring, stiffness: 1 kN/mm, tolerance: 5 %}\n      - {type: dashpot, damping: 2e3}\n");
+  for (const auto& read : {components, parse(io::toYaml(components))}) {
+    EXPECT_DOUBLE_EQ(read[0].tolerance.of("spring[0]"), 0.05);
+    EXPECT_DOUBLE_EQ(read[0].tolerance.of("dashpot[1]"), guess);
+  }
+  const std::string listed =
+      "components:\n  a:\n    model: elements\n    elements:\n      - {type: spring, stiffness: 1";
+  EXPECT_THAT(
+      errorOf(listed + ", tolerance: geuss}\n"),
+      HasSubstr("elements[0].tolerance: 'geuss' is not a tolerance (did you mean 'guess'?); accepted: a share"));
+  EXPECT_THAT(errorOf(listed + "}\n    add:\n      - {type: spring, stiffness: 1, tolerance: 5 %}\n"),
+              HasSubstr("add[0].tolerance: unknown key"));
+  EXPECT_THAT(errorOf(withTolerance("5 %") + "    tolerance: 5 %\n"), HasSubstr("tolerance: unknown key"));
+}
+
 TEST(ComponentFile, RefusesATolerance) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"geuss", "'geuss' is not a tolerance (did you mean 'guess'?); accepted: a share such as 10 %"},

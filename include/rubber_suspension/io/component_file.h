@@ -46,6 +46,8 @@ class ComponentDescription {
   std::optional<element::ElementDescription> temperature;
   std::optional<element::Range> valid_displacement;  ///< where the component is valid [m], where given
   std::vector<std::string> excluded_effects;  ///< that its construction rules out, which a diagnosis knows by name
+  /// Of the values of `elements`; by an entry such as "spring[0]" where that has one of its own.
+  estimation::SheetTolerance tolerance;
   bool holds_fluid = false;  ///< so a resonance in its force is one of a column of fluid, not of the fixture
   /// Units of the numbers in its file, by the SI unit; of several the first.
   std::map<std::string, std::string> units;

@@ -50,6 +50,7 @@ Rounded roundTo(const io::ComponentDescription& exact, const std::vector<gap::Pr
 void copyProperties(const io::ComponentDescription& from, io::ComponentDescription& to) {
   to.valid_displacement = from.valid_displacement;
   to.excluded_effects = from.excluded_effects;
+  to.tolerance = from.tolerance;
   to.holds_fluid = from.holds_fluid;
   to.units = from.units;
 }
