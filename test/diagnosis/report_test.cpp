@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "diagnosis/effect.h"
+#include "diagnosis/hypotheses/workings.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/report/report_parts.h"
 #include "diagnosis/report/run_record.h"
@@ -326,6 +327,19 @@ TEST(Sentence, SaysWhichLogReadsOtherwise) {
   d.rig_findings = {gain("a", 0.15), gain("b", 0.045), gain("c", 0.155)};
   EXPECT_THAT(diagnosis::words::sentence(d),
               HasSubstr("Logs a and c read 10 % more than b; the logs do not determine which of them are right."));
+}
+
+TEST(Sentence, SaysThatAllDisplacementsHaveOneSign) {
+  diagnosis::Diagnosis d;
+  auto workings = std::make_shared<diagnosis::Workings>();
+  d.workings = workings;
+  workings->simulated.records.resize(2);
+  workings->simulated.records[0].displacement = Eigen::ArrayXd::LinSpaced(9, -2e-3, 1e-5);
+  workings->simulated.records[1].displacement = Eigen::ArrayXd::LinSpaced(9, -1e-3, -5e-4);
+  EXPECT_THAT(diagnosis::words::sentence(d), HasSubstr(" All displacements are negative: these logs do not determine "
+                                                       "the force at positive ones."));
+  workings->simulated.records[1].displacement *= -1.0;
+  EXPECT_THAT(diagnosis::words::sentence(d), Not(HasSubstr("All displacements")));
 }
 
 // Below one half no effect leads.
