@@ -96,6 +96,18 @@ bool setsAreProbable(const Diagnosis& d) {
                                                     [&](const auto& set) { return all(set, listed); });
 }
 
+// No fit predicts blocks that took no part in it better than it describes those of the fit, but by chance. A law
+// without a model on some log has no finite error.
+bool noFitPredictsBetter(const Diagnosis& d) {
+  const auto holds = [](const hypotheses::FittedHypothesis& fitted) {
+    const fit::Fit& fit = fitted.fit;
+    return !std::isfinite(fit.gap) ||
+           fit.gap <= hypotheses::kBetterByChance * fit.held_out * (1.0 + kRounding) + kRounding;
+  };
+  const hypotheses::Search& search = d.workings->search;
+  return holds(search.re_estimated) && all(search.withEffects(), [&](const auto* fitted) { return holds(*fitted); });
+}
+
 bool floorIsLeast(const Diagnosis& d) {
   const double most =
       std::min({d.gaps.unseen.as_configured, d.gaps.unseen.re_estimated, d.gaps.unseen.augmented}) + kRounding;
@@ -254,6 +266,7 @@ constexpr Invariant kInvariants[] = {
     {"the first set is the one named", firstSetIsNamed},
     {"no set holds an improbable effect", setsAreProbable},
     {"alternatives follow by probability", alternativesFollow},
+    {"no fit leaves less of what took no part in it", noFitPredictsBetter},
     {"the floor is no more than any gap", floorIsLeast},
     {"named: the gap falls and the interval excludes 0, or the data sheet holds", whatIsNamedCloses},
     {"closed is of the gaps", closedIsOfTheGaps},

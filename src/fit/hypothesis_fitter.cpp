@@ -196,6 +196,13 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
     result.blocks.push_back({errors[b], blocks.weight[b], blocks.record[b]});
     held_out += errors[b] * blocks.weight[b];
   }
+  // Nothing is predicted better than it is fitted: what does so by chance counts as it is fitted.
+  if (const double fitted = result.gap * result.gap; limits.about_its_end && held_out < fitted) {
+    for (gap::PartError& block : result.blocks) {
+      block.error *= fitted / held_out;
+    }
+    held_out = fitted;
+  }
   // A law that gives way under some log (a series compliance about a softening component) is no explanation of it.
   result.held_out = std::isfinite(held_out) ? std::sqrt(held_out) : std::numeric_limits<double>::infinity();
   result.chi_squared = model().departures(result.parameters.model).squaredNorm();

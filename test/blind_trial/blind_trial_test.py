@@ -307,6 +307,8 @@ class InvariantsTest(unittest.TestCase):
                 ("an interval that ends at a bound says so", {
                     "effect_sizes": [{"value": 2.0, "interval_95": [0.0, 3.0], "at_bound": [False, False]}]}),
                 ("closed is of the gaps", {"gap": dict(gap, augmented=0.06)}),
+                ("no fit leaves less of what took no part in it", {
+                    "trials": [{"effects": [], "in_sample": 0.07, "held_out": 0.02, "chi_squared": 0.0}]}),
                 ("the floor is no more than any gap", {"gap": dict(gap, noise_floor=0.05)}),
                 ("effects if and only if the verdict names any", {"effects": []}),
                 ("the verdict is the likeliest", {"posterior": {"none": 0.6, "parameter_error": 0.0, "effects": 0.4,

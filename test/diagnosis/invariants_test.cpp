@@ -1,6 +1,7 @@
 // A report that contradicts itself is found out, and tells nothing.
 #include "diagnosis/invariants.h"
 
+#include "diagnosis/hypotheses/workings.h"
 #include "shared_runs.h"
 #include "support/test.h"
 
@@ -25,6 +26,12 @@ TEST(Invariants, AreEachFoundBroken) {
       {"the first set is the one named", [](Diagnosis& d) { d.answer.confounded.front() = {"friction"}; }},
       {"no set holds an improbable effect", [](Diagnosis& d) { d.answer.confounded.push_back({"no effect"}); }},
       {"alternatives follow by probability", [](Diagnosis& d) { d.answer.alternatives.assign(3, {{}, {}, 0.5}); }},
+      {"no fit leaves less of what took no part in it",
+       [](Diagnosis& d) {
+         auto workings = std::make_shared<diagnosis::Workings>(*d.workings);
+         workings->search.singles.front().fit.gap = 1.03 * workings->search.singles.front().fit.held_out;
+         d.workings = workings;
+       }},
       {"the floor is no more than any gap",
        [](Diagnosis& d) { d.gaps.unseen.noise_floor = 1.01 * d.gaps.unseen.augmented; }},
       {"named: the gap falls and the interval excludes 0, or the data sheet holds",

@@ -37,7 +37,6 @@ constexpr double kScreeningKnown = 2.3;
 constexpr double kWorthAFit = 2.3;  // sets with one more effect that could be a tenth as likely as the best
 // Fits that promise no less than so many times the error of the best of their size end: that, too, is by screening.
 constexpr double kHopeless = 2.0;
-constexpr double kAsGood = 1.005;  // gaps whose ratio is less are equal
 
 // A set of effects that may be worth a fit, and where that starts.
 struct Planned {
@@ -190,6 +189,7 @@ class Searcher {
   // A law can do what one that it contains can, and a set what its parts can: where its own starts led to more, it is
   // fitted from there.
   void settle(std::vector<FittedHypothesis>& list) const {
+    constexpr double kAsGood = 1.005;
     std::vector<std::optional<FittedHypothesis>> again(list.size());
     fit::parallelFor(list.size(), threads_, [&](std::size_t i) {
       const FittedHypothesis* held = leastHeldBy(list[i].hypothesis.members);
@@ -214,17 +214,19 @@ class Searcher {
     }
   }
 
-  // Fits that would predict held-out blocks better than those of the fit, because their steps ended before they came to
-  // what they promise, go on to their ends.
+  // Fits that predict held-out blocks better than those of the fit, because their steps ended before they came to what
+  // they promise, go on to their ends.
   void endFits() {
-    std::vector<FittedHypothesis*> begun;
+    std::vector<FittedHypothesis*> begun = {&result_.re_estimated};
     for (std::vector<FittedHypothesis>* list : {&result_.singles, &result_.pairs, &result_.triples}) {
       for (FittedHypothesis& fitted : *list) {
-        if (fitted.fit.gap > kAsGood * fitted.fit.held_out) {
-          begun.push_back(&fitted);
-        }
+        begun.push_back(&fitted);
       }
     }
+    begun.erase(
+        std::remove_if(begun.begin(), begun.end(),
+                       [](const auto* fitted) { return fitted->fit.gap <= kBetterByChance * fitted->fit.held_out; }),
+        begun.end());
     fit::parallelFor(begun.size(), threads_, [&](std::size_t i) {
       fit::FitLimits limits{kBaseIterations};
       limits.about_its_end = true;

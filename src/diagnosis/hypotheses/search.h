@@ -21,6 +21,9 @@ struct FittedHypothesis {
   fit::Fit fit;
 };
 
+/// By this ratio at most, a fit predicts blocks that took no part in it better than it fits the others: by chance.
+constexpr double kBetterByChance = 1.02;
+
 /// Noise floors, in units of the force's standard deviation.
 struct Noise {
   double floor = 0.0;           ///< of all logs

@@ -166,9 +166,10 @@ void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from
   larger.hypothesis.free_in_log.by_zero = from.hypothesis.free_in_log.by_zero;
   larger.hypothesis.free_in_log.by_factor = from.hypothesis.free_in_log.by_factor;
   const fit::ParameterVector start = taken(fitter, from, larger.hypothesis);
-  larger.fit = fitter.fit(
-      larger.hypothesis, start,
-      {kFurtherIterations, std::numeric_limits<double>::infinity(), mayMove(from, larger.hypothesis, start)});
+  fit::FitLimits limits{kFurtherIterations};
+  limits.active = mayMove(from, larger.hypothesis, start);
+  limits.about_its_end = true;
+  larger.fit = fitter.fit(larger.hypothesis, start, limits);
 }
 
 FittedHypothesis withFactors(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach) {
