@@ -51,7 +51,7 @@ WITHIN_DIAGNOSIS = {
     "hypotheses": {"judge"},
     "results": {"prepare", "judge", "hypotheses"},
     "experiment": {"prepare", "judge", "hypotheses"},
-    "words": {"experiment/next_experiment.h"},
+    "words": {"experiment/next_experiment.h", "hypotheses/workings.h"},
     "table": {"words", "prepare", "judge", "hypotheses", "experiment", "results"},
     "report": {
         "words", "prepare/bench_evidence.h", "judge/evidence_json.h", "hypotheses/workings.h"},
