@@ -15,13 +15,14 @@ constexpr double kSlow = 0.2;              // of what a fit still lacks: at leas
 constexpr int kMostHalvings = 6;           // of a step that does not lead down
 constexpr double kNegligibleScale = 1e-9;  // of the typical scale: a term of this scale is left out
 
-// The mean over the logs of what such unknowns leave one of; by `of_columns`, what each column takes of it.
+// Mean offset (or gain) of the logs that these unknowns do not explain. `of_columns`: the mean offset of each column,
+// and last that of the residual.
 double meanLeft(const Eigen::VectorXd& of_columns, const Eigen::VectorXd& unknowns) {
   const Eigen::Index last = unknowns.size();
   return of_columns[last] - of_columns.head(last).dot(unknowns);
 }
 
-// The common part of all logs' zeros of the force, or gains, is that of the term, where there is one.
+// Moves the part that offsets (or gains) of all logs have in common to the term for all logs, if there is one.
 void takeCommon(const Hypothesis& hypothesis, const BlockGrams& blocks, const Eigen::VectorXd& unknowns,
                 ParameterVector& parameters) {
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
@@ -139,20 +140,19 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
     if (!step.allFinite()) {
       break;
     }
-    // The cost that a step promises, were the force linear.
+    // Cost after a step if the force were linear.
     const auto promiseOf = [&](const Eigen::VectorXd& taken) {
       return std::sqrt(std::max(0.0, squaresLeft(blocks.sum, taken)));
     };
     const double promise = promiseOf(step);
-    // Several steps may reach what one may not.
+    // A cost that the bounds of one step exclude may be reached in several steps.
     const bool hopeless =
         iteration > 0 && promise > limits.reach && !(promiseOf(solve(blocks.sum, all)) <= limits.reach);
     const bool too_slow = place.cost - promise < kSlow * (place.cost - limits.needed);
     if (hopeless || too_slow || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
       break;
     }
-    // Terms that the first step leaves at nothing take no further part: their force would have to be simulated each
-    // time.
+    // Terms that the first step sets to 0 are omitted afterwards: their force would have to be simulated in each step.
     std::vector<bool> active(hypothesis.terms.size());
     for (std::size_t t = 0; t < active.size(); ++t) {
       active[t] = hypothesis.terms[t].additive || place.parameters.scales[static_cast<Eigen::Index>(t)] != 0.0;
@@ -187,7 +187,8 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
   if (hypothesis.free_in_log.ofTerms()) {
     takeCommon(hypothesis, blocks, further, result.parameters);
   }
-  // A further step that does not lead down promises what the law cannot do.
+  // At the end of a fit a further step does not reduce the cost: the law cannot do what this step promises, so that
+  // blocks are predicted without it.
   const Eigen::VectorXd not_taken = limits.about_its_end ? further : Eigen::VectorXd::Zero(further.size());
   const std::vector<double> errors =
       crossValidate(blocks, [&](const Eigen::MatrixXd& gram) { return Eigen::VectorXd(step(gram) - not_taken); });
@@ -196,14 +197,15 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
     result.blocks.push_back({errors[b], blocks.weight[b], blocks.record[b]});
     held_out += errors[b] * blocks.weight[b];
   }
-  // Nothing is predicted better than it is fitted: what does so by chance counts as it is fitted.
-  if (const double fitted = result.gap * result.gap; limits.about_its_end && held_out < fitted) {
+  // A fit does not predict better than it fits: where it does so by chance, its held-out errors are those of the fit.
+  if (const double fitted = result.gap * result.gap; limits.about_its_end && held_out > 0.0 && held_out < fitted) {
     for (gap::PartError& block : result.blocks) {
       block.error *= fitted / held_out;
     }
     held_out = fitted;
   }
-  // A law that gives way under some log (a series compliance about a softening component) is no explanation of it.
+  // A law without a finite force in some log (a series compliance about a softening component) does not explain the
+  // log.
   result.held_out = std::isfinite(held_out) ? std::sqrt(held_out) : std::numeric_limits<double>::infinity();
   result.chi_squared = model().departures(result.parameters.model).squaredNorm();
   result.departure = one_deviation_ * std::sqrt(result.chi_squared);

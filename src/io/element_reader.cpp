@@ -142,7 +142,8 @@ std::vector<element::ElementDescription> ElementReader::loadElements(const Entry
   std::vector<element::ElementDescription> elements;
   for (std::size_t i = 0; i < list.node.size(); ++i) {
     elements.push_back(loadElement(list[i], specification, tolerances != nullptr));
-    if (const Entry own = tolerances == nullptr ? Entry{} : list[i]["tolerance"]) {
+    const Entry own = list[i]["tolerance"];
+    if (tolerances != nullptr && own) {
       (*tolerances)[fmt::format("{}[{}]", elements.back().type, i)] = loadTolerance(own);
     }
   }
