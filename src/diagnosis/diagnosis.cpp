@@ -46,7 +46,7 @@ namespace {
 using measurement::PreparedLog;
 using measurement::RigFinding;
 
-// The logs with what leads into them, then those held out.
+// Prepares the logs of the fit, each with its lead-in, and then the held-out logs.
 std::vector<PreparedLog> preparedLogs(const prepare::Excerpts& excerpts, int threads) {
   const std::size_t of_the_fit = excerpts.logs.size();
   std::vector<PreparedLog> prepared(of_the_fit + excerpts.hold_out.size());
@@ -65,7 +65,7 @@ std::vector<log::Record> takeRecords(std::vector<PreparedLog> prepared) {
   return records;
 }
 
-// All but the first `count`, which stay.
+// Removes all records but the first `count`, and returns the removed ones.
 std::vector<log::Record> splitOff(std::vector<log::Record>& records, std::size_t count) {
   const auto first = std::make_move_iterator(records.begin() + static_cast<std::ptrdiff_t>(count));
   std::vector<log::Record> others(first, std::make_move_iterator(records.end()));
@@ -103,8 +103,8 @@ struct JudgedCase {
   Workings workings;
 };
 
-// The search and its judgement. What they find to differ between logs without a cause in the motion, a gain or a zero,
-// belongs to these logs: it is free there, and the others are judged again beside it.
+// Searches and judges. Gains and offsets that differ between logs without a cause in the motion are errors of these
+// logs: they are freed there, and the search is repeated until it finds no further ones.
 JudgedCase searchedAndJudged(const io::ComponentDescription& component, Records training, Records held_out,
                              const DiagnosisOptions& options) {
   const std::vector<std::string> excluded = hypotheses::excludedEffects(component, options);
@@ -123,7 +123,7 @@ JudgedCase searchedAndJudged(const io::ComponentDescription& component, Records 
   }
 }
 
-// What measurement/ tells of a rotation, which it takes for a displacement.
+// Rig findings of a rotation, with its units: measurement/ takes the rotation for a displacement.
 std::vector<RigFinding> ofRotation(std::vector<RigFinding> findings) {
   for (RigFinding& finding : findings) {
     finding.unit = io::rotationalUnit(finding.unit);
@@ -174,7 +174,7 @@ std::vector<RigFinding> removeLines(const io::ComponentDescription& component, s
   return std::move(lines.findings);
 }
 
-// `recorded`: the whole logs that the gap as recorded is of.
+// `recorded`: the whole logs, for the gap as recorded.
 Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prepare::Excerpts& excerpts,
                            const std::vector<prepare::LogSurvey>& recorded, const DiagnosisOptions& options) {
   std::vector<PreparedLog> prepared = preparedLogs(excerpts, options.threads);
@@ -215,7 +215,8 @@ double largestOf(const std::vector<double>& signal) {
       .lpNorm<Eigen::Infinity>();
 }
 
-// A fit to a log asks for a number that no law can have: the log whose force is the largest for its displacement.
+// Error of a fit that needs a parameter beyond the range of every law. It names the log with the largest ratio of force
+// to displacement.
 log::LogError beyondAllLaws(const std::vector<log::Log>& logs, const char* number) {
   const auto stiffness = [](const log::Log& log) { return largestOf(log.force) / largestOf(log.displacement); };
   const auto log = std::max_element(logs.begin(), logs.end(),

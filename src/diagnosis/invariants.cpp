@@ -154,7 +154,7 @@ bool boundsAreSaid(const Diagnosis& d) {
   return all(d.law.model_sizes, holds) && all(d.law.effect_sizes, holds);
 }
 
-// Why a candidate is out agrees with its gap.
+// The reason why a candidate is not named agrees with its gap.
 bool reasonsAgree(const Diagnosis& d) {
   return all(d.candidates, [&](const CandidateResult& c) {
     const words::Out reason = words::reasonOf(d, c);
@@ -178,8 +178,8 @@ bool isInPieces(const Diagnosis& d) {
   });
 }
 
-// Over the logs that the gaps are of, what they leave as recorded is what `replay` gives, and what they leave is the
-// gap; without held-out logs the gap is of blocks that took no part in a fit, and more.
+// The logs of the gap have the residual that `replay` gives as recorded, and the gap once errors of the rig are
+// removed. Without held-out logs the gap is that of blocks outside the fit, which is larger.
 bool takenOutExplainsTheGaps(const Diagnosis& d) {
   const bool held_out = !all(d.logs.admission, [](const Admission& log) { return !log.hold_out; });
   std::vector<Admission> logs;
@@ -220,7 +220,8 @@ bool isWritten(const Diagnosis& d, const std::string& effect) {
   return std::count(d.law.added_for.begin(), d.law.added_for.end(), effect) > 0;
 }
 
-// The file leaves no more of any log, and of all together, than the configured component; what would is withheld.
+// The file has no larger residual than the configured component, in each log and in all together; effects that would
+// increase it are withheld.
 bool fileLeavesNoMore(const Diagnosis& d) {
   const auto square = [](double gap) { return gap * gap; };
   const double pooled =
@@ -233,7 +234,7 @@ bool fileLeavesNoMore(const Diagnosis& d) {
          all(d.law.withheld, [&](const Withheld& one) { return !isWritten(d, one.effect); });
 }
 
-// The numbers of a named effect are those of the written law, those of all others of their full laws.
+// Named effects have the numbers of the written law, all others those of their full laws.
 bool numbersAreOfTheFile(const Diagnosis& d) {
   return d.table || all(d.candidates, [&](const CandidateResult& c) {
            const bool named = std::count(d.answer.effects.begin(), d.answer.effects.end(), c.effect) > 0;
@@ -296,7 +297,7 @@ Admission asRecorded(Admission log) {
 std::vector<std::string> brokenInvariants(const Diagnosis& diagnosis) {
   std::vector<std::string> broken;
   for (const Invariant& invariant : kInvariants) {
-    if (diagnosis.workings && !invariant.holds(diagnosis)) {  // without, nothing was judged
+    if (diagnosis.workings && !invariant.holds(diagnosis)) {  // nothing was judged without them
       broken.emplace_back(invariant.name);
     }
   }
@@ -308,7 +309,7 @@ Diagnosis heldToInvariants(Diagnosis diagnosis) {
   if (broken.empty()) {
     return diagnosis;
   }
-  Diagnosis told;  // of what was recorded, and of nothing that was judged
+  Diagnosis told;  // states what was recorded, and nothing that was judged
   told.component = diagnosis.component;
   told.turns = diagnosis.turns;
   told.configured = diagnosis.configured;

@@ -18,9 +18,9 @@ namespace {
 constexpr double kLargestRatio = 3.0;
 constexpr double kLargestOfElement = 10.0;
 constexpr double kLargestOfLadder = 100.0;
-constexpr double kOwnDeviation = 0.3;  // of the logarithm of a value of an element that no sheet stands for
+constexpr double kOwnDeviation = 0.3;  // of the logarithm of a value of an element, which no data sheet states
 
-// The shift with temperature is no element of these: no fit moves it.
+// The component as elements alone. The shift with temperature remains as it is, because no fit changes it.
 io::ComponentDescription asElements(const io::ComponentDescription& description) {
   io::ComponentDescription unshifted = description;
   unshifted.temperature.reset();
@@ -85,9 +85,9 @@ void ModelParameters::addRelaxation() {
     }
   };
   const double usual = largestRatio();
-  // The static curve, where there is one, is measured: it stays.
+  // A static curve was measured, so that it is not changed.
   addFree(description_.specification().curve() == nullptr, "static_stiffness", &Relaxation::static_stiffness, usual);
-  // A sheet may leave next to nothing of it.
+  // By its data sheet this stiffness may be nearly 0.
   addFree(true, "relaxing_stiffness", &Relaxation::relaxing_stiffness,
           std::max(kLargestOfLadder, kLargestRatio * relaxation.static_stiffness / relaxation.relaxing_stiffness));
   addFree(true, "break_frequency", &Relaxation::break_frequency, kLargestOfLadder);
@@ -223,7 +223,7 @@ ModelParameters::Point ModelParameters::pointAt(const Eigen::VectorXd& logarithm
   return point;
 }
 
-// Eqs. 18 to 21 of Polach (IAVSD 2015) read backwards.
+// Complex stiffness of the elements: the inverse of Eqs. 18 to 21 of Polach (IAVSD 2015).
 std::complex<double> ModelParameters::Relaxation::stiffnessAt(double frequency) const {
   double weights = 0.0;
   double weight = 1.0;
@@ -260,7 +260,7 @@ double ModelParameters::sheetNumber(const Point& point, const std::string& key) 
                                              : 0.5 * nominal.imag() / nominal.real();  // relative_damping
 }
 
-// The specification of a relaxation: Eq. 17 read backwards.
+// The specification of a relaxation: the inverse of Eq. 17.
 void ModelParameters::specify(Point& point) const {
   const Relaxation& relaxation = point.relaxation;
   estimation::Specification& specification = point.specification;

@@ -24,7 +24,7 @@ std::string number(double value) { return fmt::format("{}", value); }
 
 bool isOutput(const Variable& variable) { return variable.causality == Causality::output; }
 
-// It has to be found before the first step.
+// True for variables that are calculated before the first step.
 bool isCalculated(const Variable& variable) {
   return isOutput(variable) || variable.causality == Causality::calculated_parameter;
 }
@@ -171,7 +171,7 @@ BaseUnit baseUnitOf(const std::string& unit) {
   int sign = 1;
   for (std::size_t begin = 0; begin <= unit.size();) {
     const std::size_t end = std::min(unit.find_first_of(" /", begin), unit.size());
-    const std::string factor = unit.substr(begin, end - begin);  // "m^3": three times those of the metre
+    const std::string factor = unit.substr(begin, end - begin);  // "m^3": three times the exponents of the metre
     const std::size_t caret = factor.find('^');
     const auto symbol = kSymbols.find(factor.substr(0, caret));
     const std::string power = caret == std::string::npos ? "1" : factor.substr(caret + 1);

@@ -20,7 +20,7 @@ using element::namesOf;
 
 constexpr const char* kVertical = "vertical";
 
-// The limits in the unit that the user wrote; that is one of the parameter's dimension.
+// The limits of a parameter in the unit that the user wrote, which has the dimension of the parameter.
 std::string acceptedIn(const std::string& unit, const element::ParameterInfo& parameter) {
   if (unit.empty()) {
     return accepted(parameter);
@@ -49,7 +49,7 @@ std::string accepted(const element::ParameterInfo& parameter) {
   const std::string number = bounded ? "a number " + element::describe(range) : element::describe(range);
   const std::string& meaning = parameter.documentation;
   if (parameter.role == element::Role::choice && !meaning.empty() && std::isdigit(meaning.front()) != 0) {
-    return meaning;  // of each value that there is
+    return meaning;  // lists the values
   }
   if (parameter.unit == "1") {
     return number + (range.upper <= 1.0 ? ", or in %" : "");
@@ -83,7 +83,7 @@ double ElementReader::loadNumber(const Entry& entry, const element::ParameterInf
   if (!unit.empty() && parameter.unit != "1" && parameter.unit != "K" && parameter.unit != "degC") {
     units_.emplace(parameter.unit, unit);
   }
-  // "50 degC" is a temperature, and 323 K; what is wanted in K is a difference of two.
+  // "50 degC" is a temperature, and so is 323 K; a parameter in K is a difference of two temperatures.
   if (!unit.empty() && parameter.unit == "K" && log::UnitConversion(unit, parameter.unit)(0.0) != 0.0) {
     refuse(entry, fmt::format("{} is a temperature, not a difference of two; accepted: {}", text, accepted(parameter)));
   }

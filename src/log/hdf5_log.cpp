@@ -131,10 +131,10 @@ void addDataset(std::vector<Hdf5Column>& columns, hid_t dataset, const std::stri
 
 std::string leafOf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-// That a column belongs to; the dataset itself is one for its members.
+// Folder of a column; a dataset with members is the folder of these.
 std::string folderOf(const Hdf5Column& column) { return column.member.empty() ? groupOf(column.path) : column.path; }
 
-// Short names where they are clear.
+// Uses short names if they are unambiguous.
 void nameColumns(std::vector<Hdf5Column>& columns) {
   std::set<std::string> groups;
   std::set<std::string> paths;

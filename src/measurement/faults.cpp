@@ -149,11 +149,11 @@ std::optional<Hole> spikeAt(const Channel& channel, Index begin) {
   return std::nullopt;
 }
 
-// How sharp a corner may be that a hole still stands out of: where the samples happen to lie in a corner, and how much
-// steeper the force is there than elsewhere, make it appear this much less sharp.
+// Least sharpness, relative to a hole, of a corner that may have caused it. Corners appear less sharp by up to this
+// factor where samples miss them, or where the force is steeper than elsewhere.
 constexpr double kAlike = 0.2;
 
-// Whether a corner belongs to a spike that is not where the hole is: its neighbours have corners as well.
+// True if a corner belongs to a spike elsewhere than the hole: the neighbours of a spike have corners as well.
 bool isOfAnotherSpike(const Channel& channel, Index corner, const Hole& hole) {
   for (Index i = corner - 2; i <= corner + 2; ++i) {
     const bool elsewhere = i < hole.begin - 1 || i > hole.begin + hole.width;
@@ -164,7 +164,7 @@ bool isOfAnotherSpike(const Channel& channel, Index corner, const Hole& hole) {
   return false;
 }
 
-// Whether the other channel has a corner there that may have caused the hole: the end of a ramp, a blow.
+// True if the other channel has a corner there that may have caused the hole: the end of a ramp, a blow.
 bool cornerNear(const Channel& channel, const Channel& other, const Hole& hole) {
   for (Index i = std::max<Index>(0, hole.begin - 1); i <= hole.begin + hole.width; ++i) {
     if (i < other.values.size() && other.corner(i) && !isOfAnotherSpike(other, i, hole) &&
@@ -175,7 +175,7 @@ bool cornerNear(const Channel& channel, const Channel& other, const Hole& hole) 
   return false;
 }
 
-// Whether there is a corner about a sample as sharp as a hole is deep.
+// True if a corner at or beside a sample is as sharp as a hole is deep.
 bool alikeAt(const Channel& channel, Index i, const Hole& hole) {
   const auto sharp = [&](Index at) {
     return channel.corner(at) && std::abs(channel.curvature(at)) > kAlike * std::abs(hole.size);
@@ -183,8 +183,8 @@ bool alikeAt(const Channel& channel, Index i, const Hole& hole) {
   return sharp(i - 1) || sharp(i) || sharp(i + 1);
 }
 
-// Whether other visits to the same place of the other channel have such corners, too (a bump stop that is hit each
-// cycle), or there are no visits that would tell.
+// True if other visits to the same place of the other channel have such corners, too (a bump stop that is hit each
+// cycle). If there are few visits, the size of the hole decides.
 bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole& hole) {
   const double place = other.values[hole.begin];
   Index visits = 0;

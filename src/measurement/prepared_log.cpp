@@ -31,7 +31,7 @@ double standardDeviation(const Eigen::VectorXd& values, const Eigen::VectorXd& c
   return std::sqrt((values.array() - mean).square().matrix().dot(counts) / count);
 }
 
-// Those of the initial state, each of the size that it may have.
+// Columns of the initial state, scaled to the size that each may have.
 Eigen::MatrixXd statesOf(const RigColumns& rig) {
   std::vector<Eigen::Index> chosen;
   for (std::size_t j = 0; j < rig.nuisances.size(); ++j) {
@@ -42,13 +42,14 @@ Eigen::MatrixXd statesOf(const RigColumns& rig) {
   return rig.columns(Eigen::all, chosen) * rig.priors(chosen).asDiagonal();
 }
 
-// Without columns that others stand for, such as exponentials that are over before the first sample that counts.
+// Orthonormal columns, without those that others represent, such as exponentials that vanish before the first sample
+// that counts.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   constexpr double kIndependent = 1e-6;
   return columns.cols() == 0 ? columns : numerics::orthonormalColumns(columns, kIndependent);
 }
 
-// Of faults of single samples, whose values are how many.
+// Compares findings on faults of single samples, whose value is the number of samples.
 bool excludesLess(const RigFinding& one, const RigFinding& other) { return one.value < other.value; }
 
 enum class Start { counts, counts_at_rest };
@@ -81,7 +82,7 @@ PreparedLog prepare(const log::Log& log, log::LeadIn lead_in, Start start) {
                                       most == faults.findings.end() ? "too short" : most->text));
     }
     record.counts = counts;
-    // Of the start, too: what follows it may be next to nothing, as a hold after a ramp.
+    // The start counts here, because the force after it may hardly change, as in a hold after a ramp.
     record.force_deviation = standardDeviation(record.force, usable);
   }
   return prepared;

@@ -22,7 +22,7 @@ VectorXd atLeast(const VectorXd& penalty, const MatrixXd& sum) {
   return penalty.cwiseMax(least);
 }
 
-// Unknowns with the least residual of each column of X.
+// Unknowns that minimise the residual of each column of X.
 MatrixXd sharesOf(const MatrixXd& products, const VectorXd& penalty) {
   const Index own = penalty.size();
   MatrixXd gram = products.bottomRightCorner(own, own);
@@ -30,13 +30,13 @@ MatrixXd sharesOf(const MatrixXd& products, const VectorXd& penalty) {
   return Cholesky(gram).solve(MatrixXd(products.bottomLeftCorner(own, products.cols() - own)));
 }
 
-// Residual at the best unknowns, their penalty included.
+// Schur complement: products of the residuals at the best unknowns, including the penalty of these.
 MatrixXd leftBy(const MatrixXd& products, const MatrixXd& shares) {
   const Index width = shares.cols();
   return products.topLeftCorner(width, width) - products.topRightCorner(width, shares.rows()) * shares;
 }
 
-// The products of X - U shares.
+// Products of the residuals X - U shares, for any shares.
 MatrixXd leftWith(const MatrixXd& products, const MatrixXd& shares) {
   const Index own = shares.rows();
   const Index width = shares.cols();

@@ -15,7 +15,7 @@ namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr std::size_t kMostShapes = 6;  // of an effect: the first, the last and those evenly between
-constexpr double kNothing = 1e-9;       // of a typical effect's force: what the rig takes entirely
+constexpr double kNothing = 1e-9;       // of a typical effect's force: the rig explains less than this entirely
 
 // Basis terms that a candidate is fitted with.
 struct Fitted {
@@ -24,7 +24,7 @@ struct Fitted {
   std::vector<bool> is_signed;
 };
 
-// Normal equations with the model parameters taken out, where this is free in each log.
+// Normal equations after elimination of the model parameters. `free`: what is free in each log.
 class Projected {
  public:
   Projected(const fit::HypothesisFitter& fitter, const Screening& screening, const fit::FreeInLog& free)
@@ -37,17 +37,17 @@ class Projected {
         squares_(screening.blocks().squares) {
     const Eigen::MatrixXd gram = screening.blocks(free).sum.topLeftCorner(size_, size_);
     Eigen::MatrixXd base = gram.topLeftCorner(model_, model_);
-    base.diagonal().array() *= 1.0 + 1e-9;  // parameters of which the logs tell nothing
+    base.diagonal().array() *= 1.0 + 1e-9;  // for parameters that the logs do not determine
     base.diagonal().array() += std::numeric_limits<double>::min();
     taken_ = numerics::solveSymmetric(base, Eigen::MatrixXd(gram.topRows(model_).rightCols(size_ - model_)));
     projected_ =
         gram.bottomRightCorner(size_ - model_, size_ - model_) - gram.bottomLeftCorner(size_ - model_, model_) * taken_;
   }
 
-  // Gap of a column, also of an error of the rig.
+  // Gap that a column makes, including what may be an error of the rig.
   double gapOf(Eigen::Index column) const { return std::sqrt(squares_[column]); }
 
-  // The rest of `scale` times a column that the model parameters and the columns of a candidate leave.
+  // Residuals of `scale` times a column after a fit of the model parameters and of a candidate's columns.
   Residuals residualsOf(Eigen::Index column, double scale, const Fitted& by) const {
     const std::vector<Eigen::Index>& columns = by.columns;
     const auto count = static_cast<Eigen::Index>(columns.size());
@@ -87,18 +87,18 @@ class Projected {
     return (blocks.sum - blocks.prior).topLeftCorner(size_, size_);
   }
 
-  Eigen::MatrixXd departures_;  // from what is known, by each model parameter
+  Eigen::MatrixXd departures_;  // from known values, derivatives by each model parameter
   const std::vector<fit::Candidate>& candidates_;
   Eigen::Index model_;
   Eigen::Index size_;
   Eigen::MatrixXd whole_;      // without priors, nothing being free in a log
   Eigen::MatrixXd plain_;      // without priors
   Eigen::VectorXd squares_;    // of each column
-  Eigen::MatrixXd taken_;      // of each column, by each model parameter
+  Eigen::MatrixXd taken_;      // coefficients of the model parameters that fit each column
   Eigen::MatrixXd projected_;  // of basis terms
 };
 
-// Places of the basis terms that stand for the shapes of an effect.
+// Places of the basis terms that represent the shapes of an effect.
 std::vector<std::size_t> shapesOf(std::size_t terms) {
   std::vector<std::size_t> places;
   const std::size_t count = std::min(terms, kMostShapes);
@@ -123,7 +123,7 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
   const Projected alone(fitter, screening, {});
   const std::size_t candidates = screening.candidates().size();
   std::vector<Fitted> fitted;
-  std::vector<std::unique_ptr<const Projected>> beside_free(candidates);  // null: nothing is
+  std::vector<std::unique_ptr<const Projected>> beside_free(candidates);  // null: nothing is free in single logs
   std::vector<Implant> implants;
   std::vector<Eigen::Index> column_of;
   for (std::size_t c = 0; c < candidates; ++c) {

@@ -25,7 +25,7 @@ double meanSquare(const gap::PreparedRecord& record, const Eigen::VectorXd& forc
   return record.withoutRig(force).squaredNorm() / record.counted() / std::pow(record.force_deviation, 2);
 }
 
-// The part of a log's rest that a slow trend, a zero or a gain takes beside what others have free.
+// Part of the residual of a log that a slow trend, an offset or a gain of a member explains beyond those of others.
 double takenInLog(const fit::FreeInLog& free, const fit::FreeInLog& others, const gap::PreparedRecord& record,
                   const Eigen::VectorXd& simulated) {
   const Eigen::VectorXd residual = record.force - simulated;
@@ -40,7 +40,7 @@ double sizeOf(const log::Record& record, const Eigen::VectorXd& force, bool on_r
   return (force.array() - mean).square().matrix().dot(counts) / record.counted() / std::pow(record.force_deviation, 2);
 }
 
-// `added`: what the member adds to the force; `with`: the force with it, for what is free in a log.
+// Size of a member in each log. `added`: its force; `with`: the force of the model with it, for what is free in a log.
 std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::FreeInLog& all,
                                   const std::vector<gap::PreparedRecord>& records, const gap::Forces& added,
                                   const gap::Forces& with) {
@@ -55,7 +55,7 @@ std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::Fr
   return sizes;
 }
 
-// The hypothesis that leaves least of the logs of the fit, but for those with trends, which take slow noise with them.
+// The hypothesis with the least error in the logs of the fit, apart from those with trends, which absorb slow noise.
 const FittedHypothesis& bestOf(const Search& search) {
   const FittedHypothesis* best = &search.re_estimated;
   for (const FittedHypothesis* fitted : search.withEffects()) {
@@ -82,7 +82,7 @@ double floorUncertainty(const gap::PreparedRecord& record, const Eigen::VectorXd
   return std::sqrt((values - values.mean()).square().sum() / (kParts * (kParts - 1.0)));
 }
 
-// Shares of octaves in what forces leave of a log beyond a trend or a gain of its own.
+// Shares of the octaves in the residual of a log, after removal of a trend or gain that is free there.
 std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const gap::PreparedRecord& record,
                                  std::size_t place, const Eigen::VectorXd& simulated) {
   fit::FreeInLog free = hypothesis.free_in_log;
@@ -91,8 +91,8 @@ std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const gap::P
   return octaveShares(free.any() ? free.addedTo(record, place, simulated).withoutRig(left) : record.withoutRig(left));
 }
 
-// A band counts by the force that the model has there and by what the model leaves there, half each: a rest outside the
-// motion's frequencies is to be explained, too. Of both the bands are those of `left`.
+// Weight of each octave, half by the force of the model and half by the residual: a residual outside the frequencies of
+// the motion has to be explained, too. The result has the octaves of `left`.
 std::vector<double> octavesOf(const Eigen::VectorXd& modelled, const std::vector<double>& left) {
   std::vector<double> octaves = octaveShares(modelled.array() - modelled.mean());
   if (octaves.empty() || left.empty()) {

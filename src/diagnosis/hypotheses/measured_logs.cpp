@@ -19,8 +19,8 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// The gap that the best hypothesis leaves in the held-out blocks of all logs, but for those with trends, which take
-// slow noise with them.
+// Least gap that a hypothesis leaves in the held-out blocks of all logs, apart from those with trends, which absorb
+// slow noise.
 double leastLeft(const Search& search) {
   double least = search.re_estimated.fit.held_out;
   for (const FittedHypothesis* fitted : search.withEffects()) {
@@ -29,7 +29,7 @@ double leastLeft(const Search& search) {
   return least;
 }
 
-// The gap that the best hypothesis of each log leaves in its held-out blocks.
+// Least gap that a hypothesis leaves in the held-out blocks of each log.
 std::vector<double> leastLeftOfLogs(const Search& search, std::size_t logs) {
   std::vector<double> least(logs, std::numeric_limits<double>::infinity());
   for (const FittedHypothesis* fitted : search.withEffects()) {
@@ -65,7 +65,7 @@ std::vector<fit::Candidate> MeasuredLogs::candidates(const fit::Excitation& exci
   return all;
 }
 
-// RMS of what the lag of dashpots makes of the model's force, weighted as a gap is.
+// RMS error of the model's force that the lag of dashpots causes, weighted as in the gap.
 double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
   const auto elements = withSmoothDashpots(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters));
   if (elements.empty()) {
@@ -82,10 +82,10 @@ double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
   return std::sqrt(sum / static_cast<double>(smooth.size()));
 }
 
-// For each log, the larger one of the noise of what the best model leaves outside the band of the excitation, and of
-// what the noise of the displacement causes, which is no more than what any model leaves. A better model leaves less
-// that is not noise: of several, the least counts, log by log. All of it is no more than what any model leaves of all
-// logs.
+// Noise of each log: the larger one of the noise in the residual of the best model outside the band of the excitation,
+// and of the force that the noise of the displacement causes, which is at most the least gap of any model in this log.
+// The residual also contains errors of the model, so that the least value of all models so far counts. The floor of all
+// logs is at most the least gap of any model.
 Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& search) const {
   const std::vector<gap::PreparedRecord>& records = fitter_.records();
   const auto forces = *fitter_.forces().at(best.hypothesis, best.fit.parameters);
@@ -100,7 +100,7 @@ Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& se
   noise.rest.resize(records.size(), std::numeric_limits<double>::infinity());
   fit::FreeInLog free = freeOfNoise(best.hypothesis);
   free.by_factor = best.hypothesis.free_in_log.by_factor;
-  std::vector<double> rig;  // what its errors cost the best model
+  std::vector<double> rig;  // gaps that errors of the rig cause beside the best model
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd residual = records[r].force - forces[r];
     const double left = measurement::relativeFloor(free.addedTo(records[r], r, forces[r]), residual);

@@ -108,7 +108,7 @@ double Screening::leftBy(const std::vector<int>& members) const {
   return std::sqrt(std::max(0.0, fit::squaresLeft(gram, fit::solve(gram, part.bounds))));
 }
 
-// No farther than a step of a fit goes: beyond, the force is not linear in the model parameters.
+// Best parameters within one step of a fit: farther away the force is not linear in the model parameters.
 fit::ParameterVector Screening::bestOf(const std::vector<int>& members) const {
   Part part = partOf(members);
   auto lower = part.bounds.lower.head(model_size_);
@@ -195,7 +195,7 @@ std::vector<Visibility> Screening::visibility(double noise) const {
   return result;
 }
 
-// Best first: those that leave least of what they are fitted to, by what they leave of blocks held out.
+// Ranks all sets by their error in the logs of the fit, then the best of them by their error in held-out blocks.
 std::vector<Screened> Screening::screenAll(const std::vector<std::vector<int>>& sets) const {
   constexpr std::size_t kHeldOut = 16;
   std::vector<Screened> result(sets.size());

@@ -28,17 +28,17 @@ namespace {
 constexpr int kBaseIterations = 40;
 constexpr std::size_t kMostOfOneSize = 8;  // pairs and triples that are fitted
 constexpr std::size_t kMostStarts = 3;     // hypotheses that further effects are added to
-constexpr std::size_t kAtOnce = 4;         // sets that are fitted before those that are left are looked at again
+constexpr std::size_t kAtOnce = 4;         // sets that are fitted before the remaining ones are compared again
 constexpr std::size_t kMostEffects = 3;
-// Logarithm of odds: what is less likely than the best by so much is not fitted, and nothing is added to it. Screening
-// takes laws for linear: its odds are off by some more.
+// Log odds below the best set beyond which a set is neither fitted nor extended. Screening linearises the laws, so that
+// its odds may be wrong by the second number.
 constexpr double kWithinReach = 4.6;
 constexpr double kScreeningKnown = 2.3;
-constexpr double kWorthAFit = 2.3;  // sets with one more effect that could be a tenth as likely as the best
-// Fits that promise no less than so many times the error of the best of their size end: that, too, is by screening.
+constexpr double kWorthAFit = 2.3;  // log odds: larger sets are fitted if they could be a tenth as likely as the best
+// A fit ends if the error that it promises exceeds that of the best set of its size, as screened, by this factor.
 constexpr double kHopeless = 2.0;
 
-// A set of effects that may be worth a fit, and where that starts.
+// A set of effects that may be worth a fit, and the start of this fit.
 struct Planned {
   fit::Hypothesis hypothesis;
   double error = 0.0;  // as screened
@@ -46,7 +46,7 @@ struct Planned {
   fit::ParameterVector start;
 };
 
-// Sets that may be worth a fit, the likeliest first, by odds that suppose that no set leaves less than this floor.
+// Sets that may be worth a fit, the likeliest first. Their odds assume that no set has an error below the floor.
 struct Plan {
   std::vector<Planned> sets;
   double floor;
@@ -61,10 +61,10 @@ Odds oddsAt(const Search& search, double floor) {
           search.noise.of_logs.size()};
 }
 
-// Another law of a hypothesis of a list, once it is fitted.
+// A hypothesis of a list, and its fit with another law.
 struct OtherLaw {
   FittedHypothesis* as_is;
-  int member = 0;  // of which it is the law along a curve
+  int member = 0;  // whose law follows a curve in the other fit
   std::optional<FittedHypothesis> fitted = {};
 };
 
@@ -114,7 +114,7 @@ class Searcher {
     }
   }
 
-  // Two tasks that need nothing of each other.
+  // Re-estimates the model and summarises the excitation, at the same time.
   void reEstimate() {
     const fit::Hypothesis model;
     const std::array<std::function<void()>, 2> tasks = {
@@ -130,7 +130,7 @@ class Searcher {
     fit::parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });
   }
 
-  // The most promising ones first: what they arrive at tells which of the others are hopeless.
+  // Fits the most promising effects first, because their errors show which of the others are hopeless.
   void fitSingles(const Screening& screening) {
     std::vector<Screened> order;
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
@@ -186,8 +186,8 @@ class Searcher {
     result_.surrogate_gap = screening.screen(all).error;
   }
 
-  // A law can do what one that it contains can, and a set what its parts can: where its own starts led to more, it is
-  // fitted from there.
+  // A law can fit as well as one that it contains, and a set as well as its parts. If a part has the smaller error, the
+  // fit is repeated from the parameters of the part.
   void settle(std::vector<FittedHypothesis>& list) const {
     constexpr double kAsGood = 1.005;
     std::vector<std::optional<FittedHypothesis>> again(list.size());
@@ -209,13 +209,13 @@ class Searcher {
         better = true;
       }
     }
-    if (better) {  // what holds these may do better, too
+    if (better) {  // sets that contain these may improve, too
       settle(list);
     }
   }
 
-  // Fits that predict held-out blocks better than those of the fit, because their steps ended before they came to what
-  // they promise, go on to their ends.
+  // Continues fits that predict held-out blocks better than the blocks of the fit: their steps ended before the error
+  // that they promise was reached.
   void endFits() {
     std::vector<FittedHypothesis*> begun = {&result_.re_estimated};
     for (std::vector<FittedHypothesis>* list : {&result_.singles, &result_.pairs, &result_.triples}) {
@@ -239,7 +239,7 @@ class Searcher {
     tryFactors(list);
   }
 
-  // Laws of members along a curve, in place of those of a list that are less likely.
+  // Fits laws of members along a curve. They replace hypotheses of the list that are less likely.
   void tryCurve(std::vector<FittedHypothesis>& list) {
     std::vector<OtherLaw> straight;
     for (FittedHypothesis& fitted : list) {
@@ -263,7 +263,7 @@ class Searcher {
     takeLikelier(straight, list);
   }
 
-  // Friction with a factor of its own in each log, in place of those of a list that are less likely.
+  // Fits friction with a factor in each log. The results replace hypotheses of the list that are less likely.
   void tryFactors(std::vector<FittedHypothesis>& list) {
     std::vector<OtherLaw> with;
     for (FittedHypothesis& fitted : list) {
@@ -308,7 +308,7 @@ class Searcher {
            odds().of(with, fitted.fit.parameters.scales, result_.noise.floor) > oddsOf(fitted);
   }
 
-  // True if a curve could gain the law of a member as much as it costs.
+  // True if a law along a curve could improve the fit by as much as it costs.
   bool mayFollowCurve(const FittedHypothesis& fitted, int member) const {
     const std::vector<int>& curved = fitted.hypothesis.curved;
     const fit::Candidate& candidate = result_.candidates[static_cast<std::size_t>(member)];
@@ -372,11 +372,11 @@ class Searcher {
     return least;
   }
 
-  // By the noise alone.
+  // Odds with the floor of the noise alone.
   Odds odds() const { return oddsAt(result_, result_.noise.floor); }
   double oddsOf(const FittedHypothesis& fitted) const { return oddsOf(fitted, result_.noise.floor); }
 
-  // Where no set is supposed to leave less than a floor.
+  // Odds under the assumption that no set has an error below a floor.
   double oddsOf(const FittedHypothesis& fitted, double floor) const {
     return oddsAt(result_, floor).of(fitted.hypothesis, fitted.fit.parameters.scales, fitted.fit.score());
   }
@@ -403,8 +403,8 @@ class Searcher {
     return oddsAt(result_, floor).mostOf(effects) > bestOdds(floor) - kWorthAFit;
   }
 
-  // The likeliest of one size, from which further effects are added: an effect that is unlikely alone may be one of a
-  // pair, so that one more than those within reach is taken.
+  // The likeliest hypotheses of one size, to which further effects are added. One more than those within reach is
+  // taken, because an effect that is unlikely alone may be one of a pair.
   std::vector<const FittedHypothesis*> likeliest(std::size_t effects, double floor) const {
     std::vector<const FittedHypothesis*> chosen;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
@@ -466,7 +466,7 @@ class Searcher {
     return plan;
   }
 
-  // Fits those that may be as likely as the best, some at once; false where none is.
+  // Fits the planned sets that may be as likely as the best, a few at once; returns false if there are none.
   bool fitSets(const Screening& about_model, std::size_t effects, std::vector<FittedHypothesis>& list) {
     const auto [planned, floor] = planFits(about_model, effects);
     const std::size_t most = std::min(kMostOfOneSize, planned.size());
@@ -487,7 +487,8 @@ class Searcher {
     return fitted > 0;
   }
 
-  // The laws that a likely one contains, in its place: a larger law leaves less, and hides what they leave.
+  // Fits likely sets again, with a law replaced by one that it contains: these are easily overlooked, because the
+  // larger law has the smaller error.
   void fitContained(const Screening& about_model, std::size_t effects, double floor,
                     std::vector<FittedHypothesis>& list) {
     std::map<std::vector<int>, Planned> contained;
@@ -528,7 +529,8 @@ class Searcher {
     });
   }
 
-  // The best fit of a part of a set: of one of its members, of the pairs of a triple, or with a law that one contains.
+  // The best fit of a part of a set: of a member, of a pair within a triple, or with a law that one of its laws
+  // contains.
   const FittedHypothesis& bestFitted(const std::vector<int>& members) const {
     const FittedHypothesis* best = &result_.singles[static_cast<std::size_t>(members.front())];
     for (const FittedHypothesis* fitted : result_.withEffects()) {
@@ -539,7 +541,7 @@ class Searcher {
     return *best;
   }
 
-  // The pairs within a likely triple: without them it is not known what each of the three is for.
+  // Fits the pairs within the best triple: without them the contribution of each of the three is unknown.
   void fitPartsOfTriples() {
     if (result_.triples.empty()) {
       return;

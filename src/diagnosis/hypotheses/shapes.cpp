@@ -1,4 +1,4 @@
-// Clearances and the like, by a grid and then ever closer to its best value.
+// Shape parameters such as clearances, by a grid that is refined about the best value.
 #include "diagnosis/hypotheses/shapes.h"
 
 #include <algorithm>
@@ -16,15 +16,15 @@ namespace {
 constexpr int kGrid = 5;         // values, even on a log axis
 constexpr int kRefinements = 2;  // each halves the distance of the values
 
-// The search of one candidate.
+// State of the search for the shape of one candidate.
 struct Shape {
   fit::Candidate* candidate;
   double best = 0.0;
-  double least = HUGE_VAL;  // that is left there
-  double step = 0.0;        // to the values that are looked at next, a factor
+  double least = HUGE_VAL;  // residual at the best value
+  double step = 0.0;        // factor to the values that are tried next
 };
 
-// Values to look at, which share the columns of the model and of the effects that they contain.
+// Tries several values together, because they share the columns of the model and of the contained effects.
 void lookAt(const std::vector<std::pair<Shape*, double>>& looks, const fit::HypothesisFitter& fitter,
             const FittedHypothesis& re_estimated, const std::vector<gap::PreparedRecord>& records,
             const std::vector<fit::Candidate>& contained, int threads) {
@@ -150,7 +150,7 @@ CurveLook bestCurve(const fit::HypothesisFitter& fitter, const FittedHypothesis&
   std::vector<fit::Curve> curves = {{1.0, 0.0}, {2.5, 0.0}, {6.0, 0.0}, {3.0, 1.0}, {3.0, -1.0}};
   CurveLook best;
   best.left = HUGE_VAL;
-  double step = 1.6;  // of the growth, to the curves that are looked at next: half way to the next on a log axis
+  double step = 1.6;  // of the growth, to the curves that are tried next: half way to the next one on a log axis
   for (int refinement = 0; refinement <= kRefinements; ++refinement) {
     const std::vector<double> left = leftAlong(curves);
     const auto least = std::min_element(left.begin() + 1, left.end());

@@ -11,15 +11,15 @@ namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr int kLeastIterations = 6;
-constexpr int kToldIterations = 20;  // far from the configured values
+constexpr int kToldIterations = 20;  // from starts that the logs suggest, far from the configured values
 constexpr int kFurtherIterations = 3;
 constexpr int kAloneIterations = 4;
 constexpr int kZeroIterations = 2;
-constexpr double kClearlyBetter = 0.99;  // of a score
-// A logarithm of a model parameter: far enough for a second start from the configured ones.
+constexpr double kClearlyBetter = 0.99;  // ratio of two scores
+// Change of the logarithm of a model parameter beyond which a second fit starts from the configured values.
 constexpr double kFar = 0.2;
 
-// As many steps as lead from what was specified to as far from it as it may be: of a guess that is far.
+// Number of the longest steps from the specified value of a parameter to the farthest value that a fit may reach.
 int singleIterations(const fit::HypothesisFitter& fitter) {
   const double farthest = std::log(fitter.model().largestRatio());
   return std::max(kLeastIterations, static_cast<int>(std::ceil(farthest / fit::kLongestStep)));
@@ -31,7 +31,7 @@ void keepBetter(FittedHypothesis fitted, FittedHypothesis& best) {
   }
 }
 
-// One zero of the force for all logs, where one for each does no better.
+// Replaces the offsets of single logs by a common one, unless they fit clearly better.
 void keepOneOffset(const fit::HypothesisFitter& fitter, const fit::FitLimits& limits, FittedHypothesis& fitted) {
   if (!fitted.hypothesis.free_in_log.offset || fitted.fit.gap > limits.reach) {
     return;
@@ -44,8 +44,8 @@ void keepOneOffset(const fit::HypothesisFitter& fitter, const fit::FitLimits& li
   }
 }
 
-// From a start, with zeros of the displacement where what is at work there depends on them; once more with them where
-// only what was found does.
+// Fits from a start. Offsets of the displacement are freed if the force at the start depends on them; if only the force
+// after the fit does, a second fit frees them.
 void fitFrom(const fit::HypothesisFitter& fitter, const fit::Hypothesis& hypothesis, const fit::ParameterVector& start,
              const fit::FitLimits& limits, FittedHypothesis& best) {
   FittedHypothesis fitted{hypothesis, {}};
@@ -69,7 +69,8 @@ std::optional<Eigen::Index> placeIn(const fit::Hypothesis& other, const fit::Ter
   return found == other.places.end() ? std::nullopt : std::optional(found - other.places.begin());
 }
 
-// New terms, and those of others that are additive or at work: what was left at nothing has to be simulated.
+// True for terms that are new, additive or not 0. A fit leaves others at 0, because it would have to simulate their
+// force.
 std::vector<bool> mayMove(const FittedHypothesis& from, const fit::Hypothesis& hypothesis,
                           const fit::ParameterVector& start) {
   std::vector<bool> active;
@@ -80,7 +81,7 @@ std::vector<bool> mayMove(const FittedHypothesis& from, const fit::Hypothesis& h
   return active;
 }
 
-// Start with the same model parameters, and the scales of common terms.
+// Start with the model parameters of another fit, and with the scales of the terms that both have.
 fit::ParameterVector taken(const fit::HypothesisFitter& fitter, const FittedHypothesis& from,
                            const fit::Hypothesis& hypothesis) {
   fit::ParameterVector start = fitter.configured(hypothesis);
@@ -153,7 +154,7 @@ void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& fro
   const fit::ParameterVector as_fitted = taken(fitter, from, hypothesis);
   const bool promising = fitter.gapAt(hypothesis, start) < from.fit.gap;
   const fit::ParameterVector& first = promising ? start : as_fitted;
-  // Values and gains of logs go far to come to one of what both do.
+  // Model parameters and the gains of logs can replace each other, so that a fit needs many steps.
   const int iterations = hypothesis.free_in_log.gain ? singleIterations(fitter) : kFurtherIterations;
   fitFrom(fitter, hypothesis, first, {iterations, reach, mayMove(from, hypothesis, first)}, further);
   if (further.fit.gap <= reach && from.fit.parameters.largestChange() > kFar && hypothesis.isAdditive()) {
@@ -177,7 +178,7 @@ FittedHypothesis withFactors(const fit::HypothesisFitter& fitter, const FittedHy
   fitter.freeFactors(from.fit.parameters, with.hypothesis);
   const bool promising = fitter.gapAt(with.hypothesis, from.fit.parameters) <= reach;
   with.fit = promising ? fitter.fit(with.hypothesis, from.fit.parameters, {kFurtherIterations, reach}) : from.fit;
-  if (promising) {  // factors on the friction that this found
+  if (promising) {  // once more, with factors on the friction that this fit found
     fitter.freeFactors(with.fit.parameters, with.hypothesis);
     with.fit = fitter.fit(with.hypothesis, with.fit.parameters, {kZeroIterations, reach});
   }

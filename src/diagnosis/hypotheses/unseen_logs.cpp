@@ -47,7 +47,7 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
     hypothesis.free_in_log.by_factor = frictionOfEach(elements, records);
   }
   UnseenErrors errors = partErrorsOf(hypothesis, records, predicted);
-  for (gap::PartError& part : errors) {  // a law that gives way under some motion explains none of it
+  for (gap::PartError& part : errors) {  // a law without a finite force under some motion explains none of it
     part.error = std::isfinite(part.error) ? part.error : std::numeric_limits<double>::infinity();
   }
   return errors;

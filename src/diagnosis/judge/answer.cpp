@@ -8,7 +8,7 @@
 namespace rubber_suspension::diagnosis::judge {
 namespace {
 
-constexpr double kMajority = 0.5;       // of all sets, that one has to have to stand for itself
+constexpr double kMajority = 0.5;       // of the probability of all sets; with less, the likeliest set is confounded
 constexpr double kWorthListing = 0.02;  // a set that holds a less probable effect is not listed
 
 std::vector<int> largestFirst(const SetProbability& set) {

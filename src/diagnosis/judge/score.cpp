@@ -16,9 +16,9 @@ using Eigen::ArrayXd;
 using Eigen::ArrayXXd;
 using Eigen::Index;
 
-constexpr double kLeastSquare = 1e-8;                                     // of the force: below it a size is no size
+constexpr double kLeastSquare = 1e-8;                                     // of the force: keeps logarithms finite
 constexpr double kImpossible = -std::numeric_limits<double>::infinity();  // weight of what is no answer
-constexpr double kTypicalBlocks = 50.0;                                   // of which the sharpness is told
+constexpr double kTypicalBlocks = 50.0;                                   // to which the sharpness refers
 
 void requireLogs(const Evidence& evidence) {
   const auto lacks = [&](const HypothesisEvidence& hypothesis) {
@@ -46,7 +46,7 @@ void fillLogs(const Evidence& evidence, ScoreTable& table) {
     table.blocks += static_cast<double>(log.blocks);
   }
   table.weight /= table.weight.sum();
-  // What a hypothesis leaves of blocks that it was not fitted to holds their noise: no floor is above that.
+  // The error of a hypothesis in blocks that it was not fitted to includes their noise, so that it limits the floor.
   for (const HypothesisEvidence& hypothesis : evidence.hypotheses) {
     table.floor = table.floor.min(arrayOf(hypothesis.log_errors));
   }
@@ -61,7 +61,7 @@ void fillBands(const Evidence& evidence, ScoreTable& table) {
   }
 }
 
-// A rest whose shares are not known is spread as the bands count.
+// Distributes a residual over the bands: by its shares, or by the weights of the bands if its shares are unknown.
 void fillInBands(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
   for (std::size_t b = 0; b < table.bands.size(); ++b) {
     const Band& band = table.bands[b];
@@ -82,7 +82,7 @@ void fillErrors(const Evidence& evidence, const HypothesisEvidence& hypothesis, 
   table.errors.row(row) = arrayOf(hypothesis.log_errors);
   table.left.row(row) = (arrayOf(hypothesis.log_errors) - table.floor).max(0.0);
   table.departure[row] = hypothesis.chi_squared;
-  const bool lacking = !hypothesis.members.empty() && hypothesis.terms == 0;  // in the logs: what it needs
+  const bool lacking = !hypothesis.members.empty() && hypothesis.terms == 0;  // the logs lack what the effects need
   if (lacking || hypothesis.idle || holdsExcluded(evidence, hypothesis)) {
     table.left.row(row) = std::numeric_limits<double>::infinity();
   }
@@ -95,7 +95,7 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
     const ArrayXd squares = arrayOf(hypothesis.sizes[m]);
     const auto member = static_cast<std::size_t>(hypothesis.members[m]);
-    const bool exact = evidence.constant[member] || hypothesis.keeps_values;  // one gain does just what values do
+    const bool exact = evidence.constant[member] || hypothesis.keeps_values;  // a common gain equals other values
     if (!exact) {
       (evidence.one_form[member] ? table.added_of_one : table.added).row(row) += squares.transpose();
     }
@@ -109,12 +109,12 @@ double sizeRemoved(const ScoreTable& table, Index by, Index beyond) {
   return 0.5 * std::log(std::max((removed * table.weight).sum(), kLeastSquare));
 }
 
-// The error that other values, or another reading of them, remove is as large as the one that wrong values make.
+// Size of wrong values: size of the error that other values, or another reading of them, remove.
 void fillSizeOfWrongValues(Index row, ScoreTable& table) {
   table.sizes[static_cast<std::size_t>(row)] = {sizeRemoved(table, row, Evidence::kAsConfigured)};
 }
 
-// The hypotheses that have in place of a member an effect that its law contains, as far as they were fitted.
+// Rows of fitted hypotheses that have, in place of a member, an effect that the law of this member contains.
 std::vector<Index> withContained(const Evidence& evidence, std::size_t hypothesis, int member,
                                  const ScoreTable& table) {
   std::vector<Index> rows;
@@ -131,7 +131,8 @@ std::vector<Index> withContained(const Evidence& evidence, std::size_t hypothesi
   return rows;
 }
 
-// What a law removes beyond those that it contains has a size, as an effect has: at their limit it is one of these.
+// Sizes of what laws remove beyond those that they contain. They are judged as sizes of effects are, because a law
+// becomes a contained one at its limit.
 void fillSizesBeyond(const Evidence& evidence, std::size_t hypothesis, ScoreTable& table) {
   std::vector<double>& sizes = table.sizes_beyond.emplace_back();
   for (const int member : table.members[hypothesis]) {
@@ -139,17 +140,17 @@ void fillSizesBeyond(const Evidence& evidence, std::size_t hypothesis, ScoreTabl
     for (const Index row : withContained(evidence, hypothesis, member, table)) {
       least = std::min(least, sizeRemoved(table, static_cast<Index>(hypothesis), row));
     }
-    sizes.push_back(least);  // of most members: no limit
+    sizes.push_back(least);  // infinite for most members: no limit
   }
 }
 
-// Values that leave more than those configured are no better.
+// Squared residual with the better one of configured and re-estimated values; of a guess, with re-estimated ones.
 double leftByValues(const ScoreTable& table) {
   const ArrayXd left = (table.left.topRows<Evidence::kFirstSingle>().matrix() * table.weight.matrix()).array();
   return table.guess ? left[Evidence::kReEstimated] : left.minCoeff();
 }
 
-// Of a set: its effects, and what it frees.
+// Prior of a set: the number and the rates of its effects, and the cost of what it frees in each log.
 double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const std::vector<int>& members = table.members[hypothesis];
   const auto row = static_cast<Index>(hypothesis);
@@ -169,7 +170,7 @@ double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::
   return -0.5 * (numbers.sheet_tails + 1.0) * std::log1p(chi_squared / numbers.sheet_tails);
 }
 
-// One gain on all logs does what values do that are wrong by one factor.
+// A common gain on all logs is equivalent to values that are wrong by one factor.
 double priorOfReading(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const auto effect = static_cast<std::size_t>(table.members[hypothesis].front());
   return numbers.no_effect + numbers.common_gain + numbers.rateOf(table.effects[effect]) +
@@ -184,7 +185,8 @@ double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t
     case Evidence::kAsConfigured:
       return numbers.no_effect;
     case Evidence::kReEstimated:
-      // Even odds before the look; wrong values are wrong by more than an engineer accepts. Those of a guess need not.
+      // Right and wrong values have even odds a priori. Wrong values differ by more than an engineer accepts; those of
+      // a guess need not.
       return numbers.no_effect +
              (table.guess ? 0.0 : priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers.values_spread));
     default:
@@ -206,7 +208,7 @@ ArrayXd lossBeside(const ScoreTable& table, const ArrayXXd& s2) {
   return loss;
 }
 
-// A log that no model run follows has no weight.
+// Hypotheses are impossible if no model run can follow a log.
 void refuseInfinite(ArrayXd& weights) { weights = weights.isFinite().select(weights, kImpossible); }
 
 // No guess is right as configured, with a gain or without.
@@ -274,7 +276,7 @@ double priorOfCount(std::size_t mechanisms, const JudgeNumbers& numbers) {
   return prior;
 }
 
-// An effect has a size, and so have wrong values: what is smaller than usual is seldom one.
+// Log prior of sizes: effects, and errors of values, are seldom smaller than usual.
 double priorOfSizes(const std::vector<double>& sizes, double usual, double spread) {
   double prior = 0.0;
   for (const double size : sizes) {
@@ -309,7 +311,7 @@ LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
   for (std::size_t h = 0; h < table.members.size(); ++h) {
     const double prior = priorOf(table, numbers, h) + priorOfValues(table, numbers, h);
     weights.alone[static_cast<Index>(h)] += prior;
-    // Whether values are wrong does not matter beside a rest, nor how that is read.
+    // Beside a residual force it does not matter whether values are wrong, nor how they are read.
     double& beside = weights.beside[static_cast<Index>(h)];
     beside += prior;
     if (table.another_reading[h]) {

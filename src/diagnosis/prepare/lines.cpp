@@ -23,18 +23,18 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kLongestBlock = 2.0;  // [s], in which the phase of mains hardly drifts
+constexpr double kLongestBlock = 2.0;  // [s]; the phase of mains hardly drifts in this time
 constexpr double kFewestBlocks = 12.0;
-constexpr Index kMainLobe = 2;            // frequencies to each side that a Hann window joins to a line
+constexpr Index kMainLobe = 2;            // frequencies to each side that belong to a line in a Hann window
 constexpr Index kNeighbours = 6;          // frequencies to each side that a line is compared with, beyond the main lobe
 constexpr double kSteady = 0.15;          // standard deviation of a steady amplitude, as a share of it
 constexpr double kDrift = 0.3;            // standard deviation of the drift of the phase from block to block [rad]
-constexpr double kFewestCycles = 8.0;     // in a window that tells the phase of a line
-constexpr double kShortestWindow = 0.25;  // blocks
+constexpr double kFewestCycles = 8.0;     // in a window for the phase of a line
+constexpr double kShortestWindow = 0.25;  // of such a window [blocks]
 constexpr double kLikely = 3.0;           // evidence in one log: ln 20
 constexpr double kRare = 4.6;             // -ln of the probability of a line, 1 %
 constexpr double kLoud = 3.0;             // a line is seen beside neighbours that are smaller by this factor
-constexpr int kMultiples = 60;            // of a frequency of the motion, which a force may hold
+constexpr int kMultiples = 60;            // harmonics of the motion that the force may contain
 constexpr double kResolved = 2.0;         // distance of two frequencies, over the inverse of the duration
 
 // Oscillation of steady amplitude whose phase drifts slowly.
@@ -81,7 +81,7 @@ class BlockSpectra {
     power_ = spectra_.abs2().colwise().mean();
   }
 
-  double width() const { return width_; }  // of the frequencies that are distinguished [Hz]
+  double width() const { return width_; }  // distance of neighbouring frequencies [Hz]
   double count() const { return static_cast<double>(power_.size()); }
 
   // Lines above the loudest of their neighbours.
@@ -134,11 +134,12 @@ class BlockSpectra {
     return lines;
   }
 
-  // Amplitudes are of Rice's distribution for a line, of Rayleigh's for noise; the phase advances from block to block
-  // by von Mises' distribution about a mean, or by anything.
+  // Compares two models of the blocks. For a line, amplitudes have Rice's distribution, and the phase advances from
+  // block to block by von Mises' distribution about a mean; for noise, amplitudes have Rayleigh's distribution, and the
+  // phase advances by any angle.
   Line lineOver(Index i, double beside) const {
     const double square = power_[i] - beside;
-    const double variance = 0.5 * beside + kSteady * kSteady * square;  // of each quadrature
+    const double variance = 0.5 * beside + kSteady * kSteady * square;  // of each of the two quadratures
     const double concentration = 1.0 / (kDrift * kDrift + beside / square);
     Complex advance = 0.0;
     double evidence = 0.0;
@@ -152,7 +153,7 @@ class BlockSpectra {
     const auto steps = static_cast<double>(spectra_.rows() - 1);
     evidence += concentration * std::abs(advance) - steps * logBessel(concentration) - 0.5 * std::log(steps);
     double turns = std::arg(advance) / (2.0 * element::kPi);
-    // Half-way between two frequencies, the larger neighbour tells the side.
+    // Half-way between two frequencies the advance is ambiguous: the larger neighbour decides on the side.
     if (std::abs(turns) > 0.25 && turns * (power_[i + 1] - power_[i - 1]) < 0.0) {
       turns -= std::copysign(1.0, turns);
     }
@@ -164,7 +165,7 @@ class BlockSpectra {
   ArrayXd power_;             // mean square of each frequency's amplitudes
 };
 
-// The number of the multiple of `base` that samples show at a frequency, itself or by an alias; 0 if none.
+// Number of the multiple of `base` that appears at a frequency in the samples, directly or as an alias; 0 if none does.
 template <class Tolerance>
 int multipleAt(double frequency, double base, double step, int highest, Tolerance tolerance) {
   for (int k = 1; k <= highest; ++k) {
@@ -210,7 +211,8 @@ struct LineLog {
   std::vector<Line> motion;
 };
 
-// True if a line is in every log that could show it, beyond the chance that any frequency shows one.
+// True if no log that should show the line lacks it, and the evidence of all exceeds what chance gives at any
+// frequency.
 bool isOfRig(const Line& line, const std::vector<LineLog>& logs) {
   double evidence = -kRare;
   double frequencies = 1.0;
@@ -248,11 +250,11 @@ std::vector<Line> linesOfAll(const std::vector<LineLog>& logs) {
   return lines;
 }
 
-// ", harmonic 2 of 50.0 Hz" or ", perhaps 450 Hz, which 500 samples per second show there", of a line that was found or
-// of mains; empty for a line of its own.
+// ", harmonic 2 of 50.0 Hz" or ", perhaps 450 Hz, which 500 samples per second show there" if the line is a harmonic or
+// an alias of another line or of mains; otherwise empty.
 std::string originOf(double frequency, double step, const std::vector<Line>& lines) {
   constexpr int kHighestHarmonic = 10;
-  const auto held = [](double f) { return 2e-3 * f; };  // mains and machines hold their frequency
+  const auto held = [](double f) { return 2e-3 * f; };  // mains and machines have a steady frequency
   std::vector<double> bases;
   for (const Line& line : lines) {
     if (line.frequency < 0.9 * frequency) {
@@ -272,8 +274,8 @@ std::string originOf(double frequency, double step, const std::vector<Line>& lin
   return "";
 }
 
-// Makes a line of the phase that a signal has near a frequency in windows of a given width [s], and of the amplitude
-// that it has with this phase, which the finding tells.
+// Estimates a line in a signal: its phase near a frequency in windows of a given width [s], then its amplitude with
+// this phase. `finding` receives the amplitude and its interval.
 VectorXd lineIn(const VectorXd& signal, double step, double frequency, double window,
                 measurement::RigFinding& finding) {
   const auto hop = static_cast<Index>(std::ceil(0.25 * window / step));
@@ -298,7 +300,7 @@ VectorXd lineIn(const VectorXd& signal, double step, double frequency, double wi
     const Complex between = (1.0 - place) * phasors[i / hop] + place * phasors[i / hop + 1];
     line[i] = (carrier[i] * between).real() / std::max(std::abs(between), 1e-300);
   }
-  constexpr Index kParts = 20;  // of the signal, by which the amplitude is uncertain
+  constexpr Index kParts = 20;  // of the signal, whose scatter gives the interval of the amplitude
   constexpr double kNormal95 = 1.96;
   ArrayXd amplitudes(kParts);
   for (Index p = 0; p < kParts; ++p) {

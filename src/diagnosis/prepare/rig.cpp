@@ -187,7 +187,7 @@ std::vector<double> noiseBeside(const gap::Forces& forces, const Records& record
   return noise;
 }
 
-// Of the noise beside a model, no more than that of one rig can be.
+// Noise floors of logs about a model, limited to what is plausible for a single rig.
 struct Noise {
   std::vector<double> training;
   std::vector<double> held_out;

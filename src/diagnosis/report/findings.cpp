@@ -20,8 +20,8 @@ bool holdsZero(const RigFinding& finding) {
   return hasInterval(finding) && finding.interval_95[0] <= 0.0 && finding.interval_95[1] >= 0.0;
 }
 
-// A finding whose interval holds 0 is not sure, nor is one of what a rig does to all logs alike where logs contradict
-// each other in its sign.
+// A finding is sure if it is fatal, or if its interval excludes 0 and, for errors that a rig makes in all logs alike,
+// no other log shows the opposite sign.
 bool isSure(const RigFinding& finding, const std::vector<RigFinding>& all) {
   const bool of_rig = finding.finding == measurement::finding::kDelay ||
                       finding.finding == measurement::finding::kSensorGain ||

@@ -63,7 +63,7 @@ double medianAmplitude(const std::vector<gap::PreparedRecord>& logs, double freq
   return numerics::medianOf(near.empty() ? all : near);
 }
 
-// As a test machine measures it: heat and drift go on for minutes after these cycles.
+// Characteristics as a test machine measures them, after some cycles: heating and drift continue for minutes.
 std::optional<response::Characteristics> measuredAt(const io::ComponentDescription& component, double frequency,
                                                     double amplitude) {
   response::LoopOptions options;

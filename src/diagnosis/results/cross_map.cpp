@@ -17,8 +17,8 @@ constexpr std::size_t kMostMapped = 100000;  // samples of all logs
 constexpr double kLeastOfLargest = 0.02;     // of the motion of the largest translation or rotation
 constexpr double kLeastOfItsOwn = 0.01;      // of its variance, that does not follow the other direction
 constexpr Eigen::Index kOwn = 6;             // columns of the direction alone
-constexpr Eigen::Index kAll = 13;            // and with those of the other
-constexpr Eigen::Index kResidual = kAll;     // the column behind them
+constexpr Eigen::Index kAll = 13;            // columns of both directions
+constexpr Eigen::Index kResidual = kAll;     // column of the residual, behind these
 using Moments = Eigen::Matrix<double, kAll + 1, kAll + 1>;
 
 double mean(const std::vector<double>& values) {
@@ -49,7 +49,7 @@ bool moves(const std::vector<DirectionResiduals>& logs, component::Direction by)
   return largest > 0.0 && motionOf(logs, by) >= kLeastOfLargest * largest;
 }
 
-// From values of all logs to -1 ... 1.
+// Scales the values of all logs to -1 ... 1.
 class Scale {
  public:
   void take(const std::vector<double>& values) {
@@ -67,7 +67,7 @@ class Scale {
   double most_ = -std::numeric_limits<double>::infinity();
 };
 
-// [m/s] at inner samples, 0 at the ends.
+// Rates [m/s] at inner samples, 0 at the ends.
 std::vector<double> ratesOf(const log::Log& log) {
   std::vector<double> rates(log.size(), 0.0);
   for (std::size_t i = 1; i + 1 < log.size(); ++i) {
@@ -82,8 +82,8 @@ struct Scales {
   Scale other;
 };
 
-// Adds the products of the columns of a log to those of the fold that each sample belongs to, and gives their rows.
-// Without the means of the log: a zero of the rig is no coupling.
+// Adds the products of the columns of a log to those of the fold that each sample belongs to, and returns the number of
+// rows. The means of the log are removed, because an offset of the rig is no coupling.
 Eigen::Index addMoments(const log::Log& own, const log::Log& other, const Scales& scales, std::size_t stride,
                         std::array<Moments, kFolds>& moments) {
   const std::vector<double> rates = ratesOf(own);
@@ -107,7 +107,7 @@ Eigen::Index addMoments(const log::Log& own, const log::Log& other, const Scales
   return rows;
 }
 
-// Squared error on a fold, of what its first `count` columns predict once they are fitted to the others.
+// Squared error in a fold when its first `count` columns predict it with coefficients that are fitted to the others.
 double errorOn(const Moments& fold, const Moments& all, Eigen::Index count) {
   const Moments others = all - fold;
   const Eigen::VectorXd x = numerics::solveLeastNorm(Eigen::MatrixXd(others.topLeftCorner(count, count)),
@@ -116,7 +116,7 @@ double errorOn(const Moments& fold, const Moments& all, Eigen::Index count) {
          x.dot(fold.topLeftCorner(count, count) * x);
 }
 
-// Share of the variance of the other displacement that does not follow the motion of the direction.
+// Share of the variance of the other displacement that the motion of the direction does not explain.
 double apartFrom(const Moments& all) {
   const Eigen::VectorXd column = all.col(kOwn).head(kOwn);
   const Eigen::VectorXd x =

@@ -27,10 +27,10 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-constexpr double kHidesTheRig = 0.1;  // of the force: a rest in which what rigs do gets lost
+constexpr double kHidesTheRig = 0.1;  // of the force: a larger residual conceals errors of the rig
 
-// Share of a log whose displacement repeats what it did one period before, the period being where the displacement
-// resembles itself best; repeats let noise be told from error without a model.
+// Share of the samples of a log whose displacement repeats that of one period before, for the period with most repeats.
+// Repeats distinguish noise from error without a model.
 double repeatsOf(const log::Record& record) {
   constexpr double kSame = 0.05;  // difference over standard deviation that counts as a repeat
   constexpr Eigen::Index kCoarse = 1024;
@@ -52,7 +52,7 @@ double repeatsOf(const log::Record& record) {
   return best;
 }
 
-// `noise`: its floor in units of the force's standard deviation; `account`: of what was taken out of it.
+// `noise`: noise floor in units of the force's standard deviation; `account`: what was removed from the log.
 Admission admit(const log::Record& record, bool hold_out, double noise, const LogAccount& account) {
   Admission admission;
   admission.log = record.name;
@@ -93,8 +93,9 @@ Simulated simulateAll(const hypotheses::PreparedCase& prepared, const io::Compon
   return simulated;
 }
 
-// 95 % lower bound of the mean of what is left more by one component than by another, part by part. The standard error
-// is by the parts in which it is less: an effect that is at work in few parts removes much there, which is no doubt.
+// 95 % lower bound of the mean decrease of the squared error by an effect, over parts of the logs. The standard error
+// is that of parts in which the error increases: an effect that acts in few parts removes much there, which is no
+// uncertainty.
 double removedAtLeast(const std::vector<gap::PartError>& without, const std::vector<gap::PartError>& with) {
   constexpr double kNormal95 = 1.645;  // of one side
   double sum = 0.0;
@@ -160,8 +161,8 @@ class Describer {
     return result;
   }
 
-  // Faults of the rig in each log, by what the judged model and the next likely one leave of it. None where the judged
-  // one leaves more than it explains: that is the model's.
+  // Errors of the rig in each log, from the residuals of the judged model and of the next likely one. There are none if
+  // the judged model leaves more of the gap than it explains, because the residual is then a fault of the model.
   std::vector<measurement::RigFinding> findingsOfRig() const {
     if (leavesMoreThanItExplains(gapOfModels())) {
       return {};
@@ -179,7 +180,7 @@ class Describer {
     return findings;
   }
 
-  // Of each effect that is named, a lower bound of the squares that its law removes, all else being as it is.
+  // Lower bound of the squares that the law of each named effect removes, all else being unchanged.
   std::vector<double> squaresRemoved() const {
     const std::vector<std::string> effects = answered(answer_, workings_.evidence).effects;
     const std::vector<bool> all(1 + effects.size(), true);
@@ -200,7 +201,7 @@ class Describer {
     return {forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size())};
   }
 
-  // The logs that gaps are of, and forces on these.
+  // The logs that the gap is computed on, and the forces on them.
   const std::vector<gap::PreparedRecord>& recordsOfGap() const {
     return hasUnseenLogs() ? prepared_.held_out : prepared_.training;
   }
@@ -210,14 +211,14 @@ class Describer {
                : forces;
   }
 
-  // Gaps with each effect alone, on the data that the gap is of.
+  // Gaps with each effect alone, on the logs of the gap.
   std::vector<double> gapsAlone() const {
     std::vector<double> gaps(search_.singles.size());
     fit::parallelFor(gaps.size(), options_.threads, [&](std::size_t c) {
       FittedLaw alone = fullLaw(search_.singles[c]);
       if (hasUnseenLogs() && &search_.singles[c] != &judged_) {
-        // Where it is not named, a drift or a gain is what a simulation predicts of it: what is free in a log would
-        // take slow noise, or a law's error, with it.
+        // For an effect that is not named, a drift or a gain counts as a simulation predicts it: free in each log it
+        // would absorb slow noise, or an error of the law.
         alone.law.about.free_in_log = {};
       }
       gaps[c] = gap::gapOfParts(
@@ -226,7 +227,7 @@ class Describer {
     return gaps;
   }
 
-  // With the errors of the component that is written, and of the re-estimated one, as `replay` has them.
+  // Scores with the errors of the written component and of the re-estimated one, as `replay` computes them.
   judge::ScoreTable scoresOfTheFile() const {
     judge::Evidence evidence = workings_.evidence;
     const auto set = [&](int hypothesis, const Replayed& errors) {
@@ -256,7 +257,7 @@ class Describer {
   std::vector<gap::PartError> errorsWith(const std::vector<std::string>& effects, const std::vector<bool>& in) const {
     const auto elements = withSome(prepared_.component, law_, effects, in).allElements();
     const std::vector<gap::PreparedRecord>& records = recordsOfGap();
-    fit::Hypothesis freed;  // what the effects that are in have free in each log
+    fit::Hypothesis freed;  // what the selected effects free in each log
     bool has_friction = false;
     for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
       const fit::Candidate& candidate = search_.candidates[static_cast<std::size_t>(answer_.effects[e])];
@@ -285,7 +286,7 @@ class Describer {
     return recordedGaps(models, logs, recorded, options_.threads);
   }
 
-  // Where this gap of a component lies, on the logs that it is of: the squares of the cells add up to its own.
+  // Distribution of a gap of a component over its logs. The squares of the cells add up to that of the gap.
   std::vector<gap::GapCell> mapOf(const gap::Forces& forces, double gap) const {
     const std::vector<gap::PreparedRecord>& records = recordsOfGap();
     gap::Forces residual;
@@ -300,7 +301,7 @@ class Describer {
     return cells;
   }
 
-  // Errors over frequency, amplitude and time, on the logs that the gap is of; where the models are wrong.
+  // Errors over frequency, amplitude and time on the logs of the gap, and where in them the models are wrong.
   Where where(const Gap& gap) const {
     const Simulated& s = workings_.simulated;
     Where where;
@@ -313,7 +314,7 @@ class Describer {
     return where;
   }
 
-  // Then it is the model's, and no fault of the rig.
+  // True if the residual is a fault of the model rather than of the rig.
   static bool leavesMoreThanItExplains(const Gap& gap) {
     const auto squared = [](double value) { return value * value; };
     const double left = squared(gap.augmented) - squared(gap.noise_floor);
@@ -341,7 +342,7 @@ class Describer {
     return logs;
   }
 
-  // A gap that no effect explains is closed all the same.
+  // A surrogate closes the part of the gap that no effect explains.
   Surrogate surrogateOf(double noise_floor) const {
     const Simulated& s = workings_.simulated;
     Surrogate surrogate =
@@ -360,7 +361,7 @@ class Describer {
   const Replayed& before_;
   const MeasuredLaw& written_;
   const WrittenLaw& law_;
-  const fit::FreeInLog& free_;  // in each log beside what is written
+  const fit::FreeInLog& free_;  // what is free in each log beside the written law
   const DiagnosisOptions& options_;
 };
 
@@ -380,7 +381,7 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
   };
   MeasuredLaw named;
   std::vector<double> removed;
-  for (bool settled = false; !settled;) {  // a set of which an effect removes nothing is no answer
+  for (bool settled = false; !settled;) {  // a set with an effect that removes nothing is no answer
     named = writtenLaw(prepared, search.candidates, search.at(workings->answer.model), gap_before, options);
     removed = describer(named).squaresRemoved();
     settled = std::all_of(removed.begin(), removed.end(), [](double squares) { return squares > 0.0; });

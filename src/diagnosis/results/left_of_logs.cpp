@@ -17,7 +17,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// A constant and, of a log that starts in motion, what decays from before it; samples that do not count are 0.
+// Columns that are free in a log: a constant and, if the log starts in motion, decays from the state before it. Samples
+// that do not count are 0.
 Eigen::MatrixXd freeColumns(const gap::PreparedRecord& record, const VectorXd& counts, const VectorXd& simulated) {
   const measurement::RigColumns rig =
       measurement::RigModel({record}, {}, io::RigTolerances{}).columns({simulated}, {}).front();
@@ -32,12 +33,12 @@ Eigen::MatrixXd freeColumns(const gap::PreparedRecord& record, const VectorXd& c
   return columns;
 }
 
-// In units of the force's standard deviation.
+// Residual beyond the free columns, in units of the force's standard deviation.
 VectorXd residualOf(const gap::PreparedRecord& record, const VectorXd& counts, const RigOfLog& rig,
                     const Eigen::MatrixXd& free, const VectorXd& simulated) {
   const VectorXd late = simulated - rig.delay / record.dt * numerics::slopesOf(simulated);
   const VectorXd residual = (record.force - (1.0 + rig.gain) * late).cwiseProduct(counts) / record.force_deviation;
-  // Decays that are much alike in a short log leave the equations singular.
+  // Similar decays in a short log make the equations singular.
   return residual - free * numerics::solveSymmetric(numerics::gramOf(free), VectorXd(free.transpose() * residual));
 }
 

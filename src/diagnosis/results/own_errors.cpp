@@ -13,7 +13,7 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-// The gain of each record beside the simulated force, whatever its size.
+// Gain of each record over the simulated force, without a tolerance on its size.
 std::vector<double> gainsBeside(const gap::Forces& simulated, std::vector<gap::PreparedRecord> records,
                                 const io::RigTolerances& tolerances) {
   for (gap::PreparedRecord& record : records) {
@@ -37,7 +37,7 @@ std::vector<bool> unlikeMost(const std::vector<double>& values, double alike) {
   };
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
-  const double middle = sorted[(sorted.size() - 1) / 2];  // of most, if there is a value of most
+  const double middle = sorted[(sorted.size() - 1) / 2];  // the value of most, if there is one
   const auto count = static_cast<std::ptrdiff_t>(values.size());
   const bool any = 2 * likeOne(middle) > count;
   const double limit = likeOne(middle) == count ? 0.0 : alike;
@@ -61,7 +61,7 @@ std::vector<gap::OwnErrors> ownErrors(const hypotheses::PreparedCase& prepared,
     gap::Forces forces = gap::simulate(elements, prepared.training);
     const gap::Forces unseen = gap::simulateEach(elements, prepared.held_out, {});
     forces.insert(forces.end(), unseen.begin(), unseen.end());
-    const double alike = std::sqrt(2.0) * io::kTolerated * tolerances.gain.value;  // of two, each within its tolerance
+    const double alike = std::sqrt(2.0) * io::kTolerated * tolerances.gain.value;  // two gains within their tolerances
     const std::vector<bool> unlike = unlikeMost(gainsBeside(forces, records, tolerances), alike);
     for (std::size_t r = 0; r < own.size(); ++r) {
       own[r].gain = own[r].gain || unlike[r];

@@ -55,7 +55,7 @@ class FurtherLogs {
     return floor;
   }
 
-  // The error that a hypothesis leaves beyond these floors.
+  // Error of a hypothesis beyond these floors.
   ArrayXd beyond(int hypothesis, const ArrayXd& floor) const {
     return (table_.errors.row(hypothesis).transpose() - floor).max(0.0);
   }
@@ -73,7 +73,7 @@ class FurtherLogs {
   std::normal_distribution<double> normal_{0.0, 1.0};
   std::discrete_distribution<int> pick_;
   ArrayXd expected_;
-  double logs_;  // that tell as much together
+  double logs_;  // effective number of logs
 };
 
 }  // namespace

@@ -20,8 +20,9 @@ std::vector<gap::PartError> heldOutErrors(const fit::Hypothesis& hypothesis, con
   return hypotheses::unseenErrors(hypothesis, elements, gap::simulateEach(elements, held_out), held_out);
 }
 
-// Replayed, and what each block leaves more where it took no part in the fit: over a log never less than is replayed,
-// though blocks of a short log may by chance leave less than the fit to all of them.
+// Errors of a replay, and the additional error of each block in a fit that it took no part in. Over a log the sum is
+// never less than the error of the replay, though blocks of a short log may by chance have less than in the fit to all
+// of them.
 std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const FittedLaw& fitted,
                                            const Entries& elements) {
   const std::vector<gap::PreparedRecord>& records = fitter.records();
@@ -46,7 +47,8 @@ using Piece = log::EvenBlocks::Piece;
 
 bool isCounted(const Piece& piece, std::size_t i) { return piece.counts == nullptr || piece.counts[i] > 0.0; }
 
-// The squared deviation of a force from its mean, piece by piece: about the first force, so that no digits are lost.
+// Squared deviation of a force from its mean, piece by piece. The first force is subtracted, so that no digits are
+// lost.
 class Deviation {
  public:
   void add(const Piece& piece) {

@@ -18,8 +18,8 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-// The same values by a model that may err by what is accepted: then the logs tell no more of them than a few errors of
-// that size would, however many samples they have.
+// Estimates the values of the rig again, given that the model may have the error that is accepted. The logs then
+// determine them no better than a few errors of that size would, however many samples they have.
 void allowError(const gap::PreparedRecord& record, measurement::RigFit& fit) {
   const double unit = record.rig.one_deviation * record.force_deviation * std::sqrt(record.counted());
   Eigen::MatrixXd columns = fit.rig.columns * (fit.rig.priors / unit).asDiagonal();
@@ -35,7 +35,7 @@ void allowError(const gap::PreparedRecord& record, measurement::RigFit& fit) {
                    factor.solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count))) * fit.rig.priors.asDiagonal();
 }
 
-// The rig's part in each record about a model.
+// Fits the errors of the rig in each record about a model.
 std::vector<measurement::RigFit> fitRig(const measurement::RigModel& rig,
                                         const std::vector<element::ElementDescription>& elements) {
   auto fits =
@@ -48,18 +48,19 @@ std::vector<measurement::RigFit> fitRig(const measurement::RigModel& rig,
   return fits;
 }
 
-// Parts of an initial state may be beyond chance where their sum, which is told, is not.
+// The interval is tested here because parts of an initial state may exceed chance although their sum, which is
+// reported, does not.
 bool isBeyondChance(const measurement::RigFinding& finding) {
   return finding.interval_95[0] > 0.0 || finding.interval_95[1] < 0.0;
 }
 
-// What the verdict found to be an error of this log needs no second model to say so.
+// True for an error that the verdict attributes to this log alone: no second model has to confirm it.
 bool isOwn(const measurement::RigFinding& finding, const gap::OwnErrors& own) {
   return (own.gain && finding.finding == measurement::finding::kSensorGain) ||
          (own.zero && finding.finding == measurement::finding::kForceZero);
 }
 
-// Whether another model finds a value of the same within the interval.
+// True if another model finds the same error with a value within the interval.
 bool agrees(const measurement::RigFinding& finding, const std::vector<measurement::RigFinding>& others) {
   return std::any_of(others.begin(), others.end(), [&](const measurement::RigFinding& other) {
     return other.finding == finding.finding && other.value >= finding.interval_95[0] &&

@@ -25,7 +25,7 @@ constexpr std::size_t kMostTerms = 3;    // of a law
 constexpr std::size_t kMostNumbers = 6;  // likewise
 constexpr int kSteps = 12;               // of a fit
 constexpr double kHopeless = 2.0;        // times the gap allowed: a law that promises no less is not fitted
-constexpr double kOfTypical = 1e-6;      // a scale below this is none
+constexpr double kOfTypical = 1e-6;      // a smaller scale counts as 0
 
 using Indices = std::vector<Eigen::Index>;
 
@@ -33,22 +33,22 @@ bool has(const Indices& columns, Eigen::Index column) {
   return std::find(columns.begin(), columns.end(), column) != columns.end();
 }
 
-// A law before its fit, and the squared gap that it leaves by the normal equations about the full law.
+// Start of the fit of a law, and its squared gap by the normal equations about the full law.
 struct Start {
   Entries entries;
   double square = std::numeric_limits<double>::infinity();
 };
 
-// Starts by the number of numbers and the kind of the first term: linear equations about the full law do not show which
-// kind fits better.
+// Starts by the count of numbers and the kind of the first term: the equations are linear about the full law, and do
+// not show which kind fits better.
 using Starts = std::map<std::size_t, std::map<std::string, Start>>;
 
-// Least squares over some of the terms of a member, all else being free.
+// Least squares over subsets of the terms of a member, with everything else free.
 class Subsets {
  public:
-  // `from`: the normal equations' column of each term; `free`: columns of all else that is free; `moment` and `square`:
-  // of the residual without the member.
-  // The first `own` terms are those of the candidate, the others of its further laws.
+  // `from`: column of each term in the normal equations; `free`: columns of everything else that is free; `moment` and
+  // `square`: products of the residual without the member. The first `own` terms are those of the candidate, the others
+  // those of its further laws.
   Subsets(const Eigen::MatrixXd& gram, std::vector<fit::BasisTerm> terms, std::size_t own, const Indices& from,
           const Indices& free, const Eigen::VectorXd& moment, double square)
       : terms_(std::move(terms)), square_(square) {
@@ -170,7 +170,7 @@ class Chooser {
     return candidates_[static_cast<std::size_t>(judged_.hypothesis.members[m])];
   }
 
-  // About the full law, with further laws of each member that are not at work yet.
+  // Linearises about the full law, extended by further laws of each member with scales of 0.
   void linearise() {
     extended_ = judged_.hypothesis;
     const Eigen::Index of_model = fitter_.model().size();
@@ -218,12 +218,12 @@ class Chooser {
     return std::sqrt(std::max(0.0, scales.dot(Eigen::MatrixXd(blocks_.sum(own, own)) * scales)));
   }
 
-  // The best laws by the normal equations.
+  // Starts of the best laws by the normal equations.
   Starts startsOf(std::size_t m) const {
     const Eigen::Index last = blocks_.sum.cols() - 1;
     Eigen::VectorXd moment = blocks_.sum.col(last);
     double square = blocks_.sum(last, last);
-    for (const Eigen::Index t : own_[m]) {  // without the member
+    for (const Eigen::Index t : own_[m]) {  // removes the member
       square += scaleAt(t) * (2.0 * moment[t] + scaleAt(t) * blocks_.sum(t, t));
       moment += scaleAt(t) * blocks_.sum.col(t);
     }
@@ -239,7 +239,7 @@ class Chooser {
     return Subsets(blocks_.sum, terms, of_candidate_[m], pool_[m], free, moment, square).best();
   }
 
-  // A law that leaves little enough.
+  // A fitted law whose gap is small enough.
   struct Allowed {
     std::size_t numbers;
     double gap;
@@ -250,7 +250,7 @@ class Chooser {
     const std::vector<Entries> full = result_.fitted.law.at(result_.fitted.fit.parameters.scales);
     const std::size_t most = numbersOf(full[m]).size();
     std::vector<Allowed> laws;
-    std::set<std::string> kinds;  // of these
+    std::set<std::string> kinds;  // of the allowed laws
     for (const auto& [most_numbers, starts] : startsOf(m)) {
       for (const auto& [kind, start] : starts) {
         const std::size_t numbers = numbersOf(start.entries).size();  // fewer where one is at a limit
@@ -280,7 +280,7 @@ class Chooser {
     gap_ = chosen.gap;
   }
 
-  // As the judgement has it: what is left more than by the better one of them, and what a number costs.
+  // Odds as in the judgement: by the error beyond that of the better law, and by the cost of each number.
   double oddsOver(const Allowed& chosen, const Allowed& other) const {
     const judge::JudgeNumbers& numbers = judge::fittedNumbers();
     const double least = std::pow(std::min(chosen.gap, other.gap), 2);
@@ -291,8 +291,8 @@ class Chooser {
     return std::exp(logWeight(other) - logWeight(chosen));
   }
 
-  // Whether a law that has another one as a limit leaves less by more than an error that the judgement accepts, for
-  // each number that it has beyond: the numbers of the other one make up for what it lacks, and are those of neither.
+  // True if a law has a smaller error than one that is its limit, by more than the error that the judgement accepts for
+  // each further number: the numbers of the smaller law then compensate for what it lacks, and are right for neither.
   static bool tellsMore(std::size_t m, const Allowed& larger, const Allowed& smaller) {
     const Entries& of_larger = larger.law.law.members[m].start;
     const Entries& of_smaller = smaller.law.law.members[m].start;
@@ -310,7 +310,7 @@ class Chooser {
       law.gap = gapOf(law.law);
       return law.gap * law.gap <= allowed ? std::optional(std::move(law)) : std::nullopt;
     } catch (const std::invalid_argument&) {
-      return std::nullopt;  // its numbers have no model
+      return std::nullopt;  // no component has these numbers
     }
   }
 
@@ -353,8 +353,8 @@ class Chooser {
   fit::Hypothesis extended_;
   Eigen::VectorXd scales_;                 // of its terms in the full law
   std::vector<Indices> own_;               // columns of each member's terms
-  std::vector<Indices> pool_;              // of those of the candidate itself, then of its further laws
-  std::vector<std::size_t> of_candidate_;  // how many the first are
+  std::vector<Indices> pool_;              // columns of the candidate's own terms, then of its further laws
+  std::vector<std::size_t> of_candidate_;  // number of the candidate's own columns
   fit::BlockGrams blocks_;
   double expected_ = 0.0;  // square that the members so far are expected to leave more than the full law
   double gap_ = 0.0;       // of the law so far

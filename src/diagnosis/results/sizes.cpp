@@ -23,7 +23,7 @@ using Key = std::pair<std::string, std::string>;  // owner and name
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// A size of a draw, and what the draw counts.
+// A value of a draw, and the weight of the draw.
 struct Draw {
   double value;
   double weight;
@@ -44,7 +44,7 @@ double quantile(const std::vector<Draw>& draws, double share) {
   return draws.back().value;
 }
 
-// A size of several elements is that of all together: in another draw there may be one.
+// The total of several elements has the key of a single one, because another draw may have only one.
 Key keyOf(const SizedValue& size) {
   const std::string total = "total_";
   return {size.owner, size.name.rfind(total, 0) == 0 ? size.name.substr(total.size()) : size.name};
@@ -130,8 +130,8 @@ class Resampling {
     draw(options.resamplings);
   }
 
-  // The draws of another law, of the sizes that both have; a place among the effects of a component file is that of
-  // another number there.
+  // Adds the draws of another law to the sizes that both have. Entries of the component file are skipped, because the
+  // same place has another number there.
   void add(const Resampling& other) {
     for (auto& [key, draws] : draws_) {
       const bool another = key.first.empty() && key.second.rfind("add[", 0) == 0;
@@ -155,7 +155,7 @@ class Resampling {
 
  private:
   void draw(int count) {
-    const Eigen::VectorXd rest = step(blocks_.sum);  // 0 but for what the fit's last step left
+    const Eigen::VectorXd rest = step(blocks_.sum);  // nearly 0: the step that the fit did not take
     std::uniform_int_distribution<std::size_t> pick(0, blocks_.gram.size() - 1);
     for (int i = 0; i < count; ++i) {
       Eigen::MatrixXd sum = blocks_.prior;
@@ -179,10 +179,10 @@ class Resampling {
     sum.bottomRows<1>().head(moment.size()) += moment.transpose();
   }
 
-  // The part of a form error of this size that a fit takes for numbers of the law: all directions that they span alike.
+  // Spreads a form error over the parameters of the law: equally over all directions that they span.
   void addMistakes(Eigen::Index first, Eigen::Index size, double form_error) {
     if (size == 0) {
-      return;  // a law without numbers, such as a contact that nothing holds
+      return;  // a law without numbers, such as a contact without preload
     }
     const auto system = numerics::eigensystem(blocks_.sum.block(first, first, size, size));
     for (Eigen::Index i = 0; i < size; ++i) {
@@ -258,7 +258,7 @@ class Resampling {
     }
   }
 
-  // An effect that a resample leaves out altogether has the size 0 in it.
+  // In a resample without the effect its size is 0.
   std::vector<Draw> all(const Key& key, std::vector<Draw> draws) const {
     draws.resize(may_vanish_.count(key) > 0 ? std::max(draws.size(), resamples_) : draws.size(), {0.0, weight_});
     return draws;
@@ -286,7 +286,7 @@ class Resampling {
   const std::vector<std::string> effects_;  // names of the members
   std::mt19937 generator_;
   const fit::BlockGrams blocks_;
-  std::set<Key> may_vanish_;  // of these nothing of the effect is left at 0
+  std::set<Key> may_vanish_;  // sizes of effects that vanish at 0
   const Sizes best_;
   std::vector<Eigen::VectorXd> mistakes_;  // each of standard deviation 1
   std::map<Key, std::vector<Draw>> draws_;

@@ -15,12 +15,12 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-constexpr double kChanceOfGain = 0.05;  // of a gain on unseen blocks without there being any
-constexpr double kEvenChance = 0.5;     // where there is nothing to tell it by
+constexpr double kChanceOfGain = 0.05;  // significance level of a gain on unseen blocks
+constexpr double kEvenChance = 0.5;     // if the blocks do not determine it
 constexpr double kLargerPart = 0.5;     // of the squared rest
-constexpr std::size_t kFewestLogs = 3;  // whose scatter from log to log can be told
+constexpr std::size_t kFewestLogs = 3;  // from which the scatter between logs can be estimated
 
-// Tenths of logs that took no part in any fit, as further logs.
+// Adds tenths of held-out logs, which took no part in any fit and count as further logs.
 void addHeldOut(const io::ComponentDescription& component, const io::ComponentDescription& with_surrogate,
                 const std::vector<gap::PreparedRecord>& held_out, int first, std::vector<fit::UnseenBlock>& unseen) {
   for (std::size_t r = 0; r < held_out.size(); ++r) {
@@ -33,16 +33,16 @@ void addHeldOut(const io::ComponentDescription& component, const io::ComponentDe
   }
 }
 
-// Half the logarithm of the error after over that before: a block counts by the factor gained there, and what is noise
-// does not count.
+// Half the logarithm of the error after over the error before, both including the noise: a block counts by the factor
+// that is gained there, and noise does not count.
 double gainOf(const fit::UnseenBlock& block, double noise_floor) {
   const double noise = noise_floor * noise_floor;
   return 0.5 * std::log((block.after + noise) / (block.before + noise));
 }
 
-// Probability of such a mean gain where there is none, by Student's t over logs, or over blocks where there are few
-// logs. The standard error is that of a weighted mean over clusters (Cameron and Miller, J. Human Resources 50, 2015,
-// Eq. 11): blocks of one log share what that log is.
+// Probability that such a mean gain occurs by chance, by Student's t over logs, or over blocks if there are few logs.
+// The standard error is that of a weighted mean over clusters (Cameron and Miller, J. Human Resources 50, 2015, Eq.
+// 11), because blocks of one log are not independent.
 double chanceOf(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, bool count_logs) {
   double weight = 0.0;
   double mean = 0.0;
@@ -51,7 +51,7 @@ double chanceOf(const std::vector<fit::UnseenBlock>& unseen, double noise_floor,
     mean += block.weight * gainOf(block, noise_floor);
   }
   mean /= weight;
-  std::map<int, double> departs;  // by cluster: weighted sum of what departs from the mean
+  std::map<int, double> departs;  // by cluster: weighted sum of deviations from the mean
   for (std::size_t b = 0; b < unseen.size(); ++b) {
     departs[count_logs ? unseen[b].record : static_cast<int>(b)] +=
         unseen[b].weight * (gainOf(unseen[b], noise_floor) - mean);
@@ -129,7 +129,7 @@ void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, 
   }
   surrogate.unseen_before = std::sqrt(before / weight);
   surrogate.unseen_after = std::sqrt(after / weight);
-  // The rest where nothing was fitted is no less than the noise: a floor above it is not known.
+  // The residual in unseen blocks includes the noise, so that a floor above it cannot be right.
   const double floor = noise_floor < surrogate.unseen_after ? noise_floor : 0.0;
   const double rest = gap::residualAboveFloor(surrogate.unseen_before, floor);
   const double left = gap::residualAboveFloor(surrogate.unseen_after, floor);

@@ -29,7 +29,7 @@ VectorXd countsOf(const log::Record& record) {
   return record.counts.size() == 0 ? VectorXd::Ones(record.size()).eval() : record.counts;
 }
 
-// With the first cycle of a log that starts in motion, as far as its force was measured.
+// Adds the first cycle of a log that starts in motion to the samples that count, as far as its force was measured.
 VectorXd withStart(VectorXd counts, const VectorXd& measured) {
   for (Index i = 0; i < counts.size() && counts[i] == 0.0; ++i) {
     counts[i] = measured.size() == 0 ? 1.0 : measured[i];
@@ -51,7 +51,7 @@ gap::Forces simulateOver(const std::vector<element::ElementDescription>& element
   return forces;
 }
 
-// Columns of what a rig does, with the kind that each is told as.
+// Columns of the errors of a rig, and the kind under which each is reported.
 struct KindColumns {
   std::vector<std::string> kinds;
   Eigen::MatrixXd columns;
@@ -72,7 +72,7 @@ const char* kindOf(measurement::Nuisance nuisance) {
   }
 }
 
-// A straight line and half cosines about it: what continues slowly all along the log.
+// A straight line and half cosines: slow changes over the whole log.
 Eigen::MatrixXd driftColumns(Index samples) {
   constexpr Index kCosines = 8;
   const auto count = static_cast<double>(samples);
@@ -99,7 +99,8 @@ KindColumns kindColumns(const log::Record& record, const VectorXd& simulated) {
   return result;
 }
 
-// The part of a record's residual that its nuisances take, by kind: each as far as they reach it.
+// Distributes the part of a residual that the nuisances of a record explain over their kinds, by how well they explain
+// it.
 void takeNuisances(const gap::PreparedRecord& record, const VectorXd& counts, const VectorXd& simulated,
                    LogAccount& account) {
   constexpr double kRidge = 1e-6;
@@ -116,7 +117,7 @@ void takeNuisances(const gap::PreparedRecord& record, const VectorXd& counts, co
     const Index size = kinds.columns.cols();
     const Eigen::MatrixXd gram = numerics::gramOf(kinds.columns) + kRidge * Eigen::MatrixXd::Identity(size, size);
     const VectorXd values = numerics::Cholesky(gram).solve(VectorXd(kinds.columns.transpose() * taken));
-    // |residual|^2 - |left|^2 is the product of both, in which the parts of what was taken add up.
+    // |residual|^2 - |left|^2 is the product of `taken` and `both`, in which the parts of what was removed add up.
     const VectorXd both = residual + left;
     for (Index j = 0; j < size; ++j) {
       const double square = values[j] * kinds.columns.col(j).dot(both) / scale;
@@ -147,8 +148,8 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
   account.takeOut(taken_out::kSpikes, meanSquare(residual, measured) / variance);
   account.takeOut(taken_out::kInitialState, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, forces.bridged[r], account);
-  // As gaps are: each part of the log without what the others tell of the rig. What is not of a kind above is of the
-  // state before the log.
+  // Computed as gaps are: each part of the log without the errors of the rig that the other parts determine. What has
+  // none of the kinds above is attributed to the state before the log.
   const auto without = [&](const fit::FreeInLog& also) {
     const double gap =
         gap::gapOfParts(gap::partErrors({record}, {forces.bridged[r]}, {also.unknowns(record, r, forces.bridged[r])}));

@@ -31,13 +31,13 @@ class Withholding {
     return leftOfLogs(records_, rig_, configured_, forcesOf(written));
   }
 
-  /// Whether it has a gain or a zero of each log.
+  /// True if a hypothesis frees a gain or an offset in each log.
   bool differsBetweenLogs(int hypothesis) const {
     const fit::FreeInLog& free = search_.at(hypothesis).hypothesis.free_in_log;
     return free.gain || free.offset;
   }
 
-  /// A hypothesis without one of its effects, by its place in the evidence.
+  /// Place in the evidence of the best hypothesis with one effect less; without effects, of the model as configured.
   int without(int hypothesis) const {
     const std::vector<int>& members = evidence_.at(hypothesis).members;
     if (members.empty()) {
@@ -63,7 +63,7 @@ class Withholding {
     return search_.candidates[static_cast<std::size_t>(member)].free_in_log.any();
   }
 
-  // -1 where it was not fitted.
+  // Place of the hypothesis without one of its members; -1 if it was not fitted.
   int placeOf(std::vector<int> members, int without) const {
     members.erase(std::find(members.begin(), members.end(), without));
     const auto found = std::find_if(evidence_.hypotheses.begin() + Evidence::kReEstimated, evidence_.hypotheses.end(),
@@ -71,7 +71,7 @@ class Withholding {
     return found == evidence_.hypotheses.end() ? -1 : static_cast<int>(found - evidence_.hypotheses.begin());
   }
 
-  // Of the logs of the fit with the factors on friction that the report states.
+  // Forces on the logs of the fit, with the reported factors on friction, then on the held-out logs.
   gap::Forces forcesOf(const io::ComponentDescription& description) const {
     const auto elements = description.allElements();
     gap::Forces forces = gap::simulate(elements, prepared_.training, gap::asRecorded);
@@ -93,7 +93,7 @@ class Withholding {
   gap::Forces configured_;
 };
 
-// What one hypothesis has and the other lacks, by name.
+// Names of the effects that only the larger hypothesis has; "values" if it has none.
 std::vector<std::string> lackedBy(const Evidence& evidence, int smaller, int larger) {
   std::vector<std::string> names;
   const std::vector<int>& kept = evidence.at(smaller).members;

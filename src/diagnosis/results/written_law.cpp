@@ -18,7 +18,7 @@ namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr int kMostFiner = 8;
-constexpr double kShows = 0.01;  // of a gap: rounding that changes it by less does not show
+constexpr double kShows = 0.01;  // of a gap: rounding may increase it by this
 
 struct Rounded {
   io::ComponentDescription component;
@@ -40,7 +40,7 @@ Rounded roundTo(const io::ComponentDescription& exact, const std::vector<gap::Pr
         return result;
       }
     } catch (const std::invalid_argument&) {
-      continue;  // so roughly there is no such component
+      continue;  // no component has numbers that are so coarse
     }
   }
   return {exact, written};
@@ -87,10 +87,10 @@ std::string toDecimals(double value, int decimals) {
   const double step = std::pow(10.0, -decimals);
   const double rounded = decimals < 0 ? std::round(value / step) * step : value;
   const std::string text = fmt::format("{:.{}f}", rounded, std::max(decimals, 0));
-  return std::stod(text) == 0.0 ? fmt::format("{:.1g}", value) : text;  // no number is rounded to none
+  return std::stod(text) == 0.0 ? fmt::format("{:.1g}", value) : text;  // no number is rounded to 0
 }
 
-// The unit of the configured file; where that has units, but none of this kind, the one that engineers use.
+// The unit in the configured file. If the file has units, but none of this kind, the one that engineers use.
 std::string unitOf(const io::ComponentDescription& component, const SizedValue& size) {
   const auto given = component.units.find(size.unit);
   if (given != component.units.end() || component.units.empty()) {

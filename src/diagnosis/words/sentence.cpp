@@ -52,8 +52,8 @@ struct ChangeTexts {
   std::string noise;
 };
 
-// "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers. Of those without a
-// unit only how much there is of the law: a width or an exponent tells nobody anything.
+// "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers. Of numbers without
+// a unit only the amount of the law is included, because a width or an exponent means little to a reader.
 std::string effectsText(const Diagnosis& diagnosis) {
   constexpr std::size_t kMost = 4;  // a gap and a stiffness of each of two stops
   std::vector<std::string> texts;
@@ -103,7 +103,7 @@ std::string withheldNote(const Diagnosis& diagnosis) {
   return note;
 }
 
-// " A line that the motion does not cause is removed: 50.0 Hz, 50 N: mains or a pump.", by the first log that has it.
+// " A line that the motion does not cause is removed: 50.0 Hz, 50 N: mains or a pump.", for the first log that has it.
 std::string linesNote(const Diagnosis& diagnosis) {
   std::string note;
   std::string log;
@@ -116,8 +116,8 @@ std::string linesNote(const Diagnosis& diagnosis) {
   return note;
 }
 
-// " Log b reads 10 % more than the others.", of a gain that is beyond the rig's tolerance. Where all logs have one, the
-// logs are told in two groups, since nothing tells which of them is right.
+// " Log b reads 10 % more than the others.", for each gain beyond the rig's tolerance. If all logs have one, the text
+// compares two groups of logs, because the logs do not show which of them is right.
 std::string gainsNote(const Diagnosis& diagnosis) {
   std::vector<const measurement::RigFinding*> gains;
   for (const measurement::RigFinding& finding : diagnosis.rig_findings) {
@@ -152,9 +152,9 @@ std::string gainsNote(const Diagnosis& diagnosis) {
                      names(begin, middle), gains.size() == 2 ? "is" : "are");
 }
 
-// " All displacements are negative: ...", of logs whose motion stays on one side of zero.
+// " All displacements are negative: ...", if the motion of the logs stays on one side of zero.
 std::string oneSideNote(const Diagnosis& diagnosis) {
-  constexpr double kSensorOffset = 0.05;  // of the largest displacement: no motion to the other side
+  constexpr double kSensorOffset = 0.05;  // of the largest displacement: less is no motion to the other side
   double above = 0.0;
   double below = 0.0;
   if (diagnosis.workings) {
@@ -170,7 +170,7 @@ std::string oneSideNote(const Diagnosis& diagnosis) {
                      below > above ? "negative" : "positive", below > above ? "positive" : "negative");
 }
 
-// ", 3.1 % on further logs", where logs left out tell it.
+// ", 3.1 % on further logs", if fits without single logs gave a value.
 std::string furtherText(const Diagnosis& diagnosis) {
   const double gap = diagnosis.gaps.further_log;
   return std::isfinite(gap) ? ", " + percent(gap) + " on further logs" : "";
@@ -227,8 +227,8 @@ std::string sharesText(const Diagnosis& diagnosis) {
                        : "of the gap as configured, " + enumerated(texts);
 }
 
-// The largest fact first: the model's own values, where these remove more of the gap than all effects; else the
-// effects. Both with their shares.
+// Begins with the model's own values if these remove more of the gap than all effects, otherwise with the effects. Both
+// are followed by their shares.
 std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects) {
   const SizedValue* const value = headlineValue(diagnosis);
   double by_effects = 0.0;
@@ -281,7 +281,7 @@ std::string remarkText(const Diagnosis& diagnosis) {
   return remark == nullptr || found == diagnosis.candidates.end() ? "" : remark(found->parameters);
 }
 
-// An effect alone that is another reading of wrong values.
+// Remark on single effects that may be another reading of wrong values.
 std::string besideValuesText(const Diagnosis& diagnosis) {
   std::string text;
   for (const Alternative& other : diagnosis.answer.alternatives) {
@@ -290,7 +290,7 @@ std::string besideValuesText(const Diagnosis& diagnosis) {
   return text;
 }
 
-// Gaps are those of the logs held out, where there are any.
+// " of the unseen logs" if the gaps are those of held-out logs.
 std::string ofUnseenLogs(const Diagnosis& diagnosis) {
   const bool any = std::any_of(diagnosis.logs.admission.begin(), diagnosis.logs.admission.end(),
                                [](const Admission& log) { return log.hold_out; });
@@ -454,7 +454,7 @@ std::string temperatureNote(const std::vector<std::string>& effects, const fit::
 }
 
 std::string restNote(const Surrogate& surrogate) {
-  constexpr double kLeastPart = 0.01;  // of the squared rest, to be told
+  constexpr double kLeastPart = 0.01;  // of the squared residual: less is not reported
   const std::string prediction = fmt::format(
       "a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to "
       "(gap {:.1f} % without, {:.1f} % with the surrogate)",

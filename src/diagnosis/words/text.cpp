@@ -1,4 +1,4 @@
-// Numbers and text as reports have them.
+// Formats numbers and text for reports.
 #include "diagnosis/words/text.h"
 
 #include <fmt/format.h>
@@ -72,7 +72,7 @@ std::string inRotationUnits(const std::string& text) {
     for (const auto& [unit, angular] :
          {std::pair("(k?)N/(m?)m", "$2N m/$3rad"), std::pair("(k?)N s/m", "$2N m s/rad"), std::pair("(k?)N", "$2N m"),
           std::pair("(m|µ|)m/s", "$2rad/s"), std::pair("(m|µ|)m", "$2rad")}) {
-      // Behind a number, or in brackets; nothing that continues as another unit.
+      // A unit after a number or in brackets, unless the text continues as another unit.
       list.emplace_back(std::regex(std::string("([0-9] |\\[)") + unit + "(?![A-Za-z/]| m| s)"),
                         std::string("$1") + angular);
     }
@@ -134,7 +134,7 @@ std::string intervalText(const SizedValue& size) {
   const Display& display = displayOf(size.unit, std::abs(size.value));
   const auto [least, most] = size.interval_95;
   const auto text = [&](double value, int digits) { return fmt::format("{:.{}g}", value / display.factor, digits); };
-  int digits = 3;  // and as many more as tell the ends apart
+  int digits = 3;  // and as many more as distinguish the ends
   while (digits < 6 && least < most && text(least, digits) == text(most, digits)) {
     ++digits;
   }
@@ -171,7 +171,7 @@ std::string symbolOf(const std::string& name) {
 }
 
 std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out) {
-  constexpr double kTold = 0.01;  // of the force
+  constexpr double kTold = 0.01;  // of the force: less is not reported
   std::vector<std::string> phrases;
   std::string log;
   for (const TakenOut& one : taken_out) {

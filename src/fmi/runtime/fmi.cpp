@@ -1,4 +1,5 @@
-// FMI 2.0 and FMI 3.0 for co-simulation on an instance. No null pointer gets in, no exception gets out.
+// FMI 2.0 and FMI 3.0 for co-simulation on an instance. Null pointers are refused, and no exception reaches the
+// importer.
 #include "fmi/runtime/fmi.h"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ Log logTo(const fmi2CallbackFunctions* functions, fmiString name) {
   return [functions = functions == nullptr ? fmi2CallbackFunctions{} : *functions,
           instance = std::string(name == nullptr ? "" : name)](Status status, const std::string& message) {
     if (functions.logger != nullptr) {
-      // It reads the message as a format of printf, and # as a reference to a variable.
+      // The logger reads the message as a format of printf, and # as a reference to a variable.
       const std::string text = std::regex_replace(message, std::regex("[%#]"), "$&$&");
       functions.logger(functions.componentEnvironment, instance.c_str(), static_cast<fmi2Status>(status),
                        categoryOf(status), text.c_str());
@@ -110,7 +111,7 @@ void* instantiate(const char* token, bool logging_on, const char* refused, Logge
   return nullptr;
 }
 
-// Target of a pointer of the importer. Throws for none, which becomes an error.
+// Target of a pointer of the importer. Throws for a null pointer, which becomes an error.
 template <class Value>
 Value& at(Value* pointer, const char* call) {
   return pointer != nullptr ? *pointer : throw std::invalid_argument(std::string(call) + ": a null pointer");
@@ -136,7 +137,7 @@ void requireAsMany(std::size_t count, std::size_t values) {
   refuseIf(values != count, "the number of values is not that of the variables; accepted: one value each");
 }
 
-// For variables of a type that no FMU of this package has: fine as long as none is asked for.
+// Refuses requests for variables of a type that no FMU of this package has.
 void refuseType(std::size_t count, const char* type) {
   refuseIf(count > 0, "no variable is of the type {}; accepted: real numbers", type);
 }

@@ -21,7 +21,7 @@ void addBumpStop(const fit::Excitation& excitation, fit::Candidate& candidate) {
   }
 }
 
-// Where the force of each side begins, and how it rises once all stops of that side are met.
+// Displacement at which the force of each side begins, and its slope once all stops of that side are in contact.
 std::vector<HeadlineValue> bySide(const Effect::Entries& stops) {
   std::vector<HeadlineValue> result;
   for (const auto& [side, suffix] :

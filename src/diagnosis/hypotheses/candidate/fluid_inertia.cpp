@@ -38,7 +38,7 @@ fit::BasisTerm trackTerm(double typical, const Track& track) {
 
 double typicalStiffness(const fit::Excitation& excitation) { return 0.2 * excitation.stiffness; }
 
-// With a quadratic loss that is a share of the critical damping where the fluid moves as far as the rubber.
+// A track with a quadratic loss that equals a share of the critical damping when the fluid moves as far as the rubber.
 fit::BasisTerm turbulentTerm(const fit::Excitation& excitation, double resonance, double share) {
   constexpr double kLaminar = 0.05;
   return trackTerm(typicalStiffness(excitation),
@@ -65,7 +65,7 @@ std::vector<fit::BasisTerm> tracksAt(const fit::Excitation& excitation, double f
   return terms;
 }
 
-// One track whose loss is quadratic for the most part, from where the fit of its numbers finds any other.
+// Starts for one track with a mostly quadratic loss, from which a fit of its numbers reaches any other.
 std::vector<fit::BasisTerm> turbulentLaws(const fit::Excitation& excitation, double least, double largest) {
   constexpr int kFrequencies = 7;  // a third apart: nearer than the width of the resonance
   std::vector<fit::BasisTerm> laws;

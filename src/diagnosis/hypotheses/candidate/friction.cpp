@@ -76,8 +76,8 @@ void mergeSliders(Effect::Entries& entries) {
   entries.erase(entries.begin() + 1, others);
 }
 
-// Force of an entry that is moved from rest; at an infinite displacement its limit. Limits that grow or wear count as
-// they begin, those that a rate brings up as they end.
+// Force of an entry that is moved from rest; at an infinite displacement its limit. Limits that grow or wear count at
+// their initial value, limits that rise with the rate at their final value.
 double forceAt(const element::ElementDescription& entry, double z) {
   if (entry.type == "friction") {
     return entry.value("maximum_force") / (1.0 + entry.value("displacement") / z);

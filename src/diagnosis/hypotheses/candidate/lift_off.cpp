@@ -27,11 +27,11 @@ fit::BasisTerm contactTerm(const fit::Excitation& excitation, double side, doubl
   return term;
 }
 
-// What the logs show of a contact that opens.
+// Signs of a contact that opens, from the extremes of the force.
 struct Opening {
   double side;     // sign of the force that it may carry
   double largest;  // magnitude of the force of the other sign [N]
-  double share;    // of that in the force of its own sign
+  double share;    // ratio of this to the largest force of its own sign
 };
 
 Opening openingOf(const fit::Excitation& excitation) {
@@ -41,11 +41,12 @@ Opening openingOf(const fit::Excitation& excitation) {
                                : Opening{-1.0, tension, tension / compression};
 }
 
-// A contact without a preload, and where there is more of the other sign than a zero leaves, some with a preload. One
-// that nothing holds shows its preload by the largest force of that sign, so that fits may start from there.
+// Adds a contact without a preload and, if the force of the other sign exceeds what an offset causes, some with a
+// preload. A contact that transmits no force while open shows its preload as the largest force of that sign, from which
+// fits may start.
 void addLiftOff(const fit::Excitation& excitation, fit::Candidate& candidate) {
   constexpr double kMost = 0.7;    // share beyond which too little of the motion is left for a contact to open in
-  constexpr double kOfZero = 0.1;  // share that a zero of the force leaves of the other sign
+  constexpr double kOfZero = 0.1;  // share of the other sign that an offset of the force may cause
   const Opening opening = openingOf(excitation);
   if (!(opening.share < kMost)) {
     return;
@@ -67,8 +68,8 @@ double leastPreload(const Effect::Entries& contacts) {
   return least;
 }
 
-// The side on which contacts are slack says as much as what holds them there once all are open, mostly nothing; and the
-// force at which the first one opens.
+// The stiffness that remains once all contacts are open, mostly 0, with the slack side in its name; and the force at
+// which the first contact opens.
 std::vector<HeadlineValue> whatHoldsIt(const Effect::Entries& contacts) {
   double compliance = 0.0;
   for (const element::ElementDescription& entry : contacts) {
@@ -83,7 +84,7 @@ std::vector<HeadlineValue> whatHoldsIt(const Effect::Entries& contacts) {
   return result;
 }
 
-// The sign of force that it carries.
+// Sign of the force that the contact transmits.
 std::vector<std::string> carried(const Effect::Entries& augmented) {
   Effect::Entries contacts;
   std::copy_if(augmented.begin(), augmented.end(), std::back_inserter(contacts),
@@ -98,7 +99,7 @@ std::vector<std::string> carried(const Effect::Entries& augmented) {
   return {tension ? "carries tension alone" : "carries compression alone"};
 }
 
-// A contact that something holds is a compliance of one side.
+// A contact with a stiffness or a preload while open is a compliance of one side.
 Effect liftOff() {
   Effect effect{115, "lift_off",
                 "contact that carries one sign of force, as of a chevron, strap or spring that is not glued: slack on "

@@ -25,7 +25,7 @@ void addPayneEffect(const fit::Excitation& excitation, fit::Candidate& candidate
   }
 }
 
-// Where the travel is long it is relaxation: named only where that fails.
+// Over a long travel the effect resembles relaxation, so that it is named only if relaxation fails.
 Effect payneEffect() {
   Effect effect{165, "payne_effect",
                 "Payne effect of filled rubber: stiffness falls while motion lasts and returns at rest", false,

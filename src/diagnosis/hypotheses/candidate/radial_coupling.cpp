@@ -6,8 +6,8 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// All of a law by the radius is missing where the configured one is linear; where that is right along each direction
-// alone, what the radius adds to it.
+// Adds all of a law of the radius, which is missing if the configured law is linear, and what the radius alone adds to
+// laws that are right along each direction.
 void addRadialCoupling(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double r = excitation.largest_radius;
   if (r == 0.0) {

@@ -44,7 +44,8 @@ void addRateAmplitudeCoupling(const fit::Excitation& excitation, fit::Candidate&
   addOverstress(excitation, candidate.terms);
 }
 
-// Flow at a limit of the force is friction, and flow at any force relaxation: named only where these fail.
+// Flow at a limit of the force is friction, and flow at any force is relaxation: the effect is named only if these
+// fail.
 Effect rateAmplitudeCoupling() {
   Effect effect{
       160, "rate_amplitude_coupling",

@@ -6,8 +6,8 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Faster than creep. Of all that is faster than the motion, as a spectrum without an end has it, the logs show damping
-// alone: one element stands for it.
+// Adds relaxation that is faster than creep. All relaxation that is faster than the motion, such as the end of a broad
+// spectrum, appears as damping alone: one element represents it.
 void addRelaxation(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double slowest = 1.0 / (2.0 * element::kPi * longestRelaxationTime(excitation));
   constexpr double kRatio = 2.2;

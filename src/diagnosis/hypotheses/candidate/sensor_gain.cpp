@@ -30,8 +30,8 @@ std::string gainOrValues(const std::map<std::string, double>& numbers) {
                                      100.0 * std::abs(gain->second), gain->second > 0.0 ? "much" : "little");
 }
 
-// One factor on all logs is what wrong values are. Where an amplifier's range was changed between logs, their gains
-// differ, which no values do.
+// A common factor on all logs is equivalent to wrong values. If the range of an amplifier was changed between logs,
+// their gains differ, which no values explain.
 Effect sensorGain() {
   Effect effect{145, "sensor_gain",
                 "force channel of wrong gain, beyond the rig's tolerance: one factor on all forces, as stiffnesses and "

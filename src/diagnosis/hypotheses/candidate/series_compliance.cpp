@@ -25,7 +25,8 @@ fit::BasisTerm complianceTerm(const fit::Excitation& excitation, double closing_
   return term;
 }
 
-// One compliance for each side, and one that load takes away: together a mount that is uneven, hardens, or neither.
+// Adds one compliance for each side, and one that vanishes under load: together they represent a mount that is
+// asymmetric, hardens, or neither.
 void addSeriesCompliance(const fit::Excitation& excitation, fit::Candidate& candidate) {
   constexpr double kClosing = 0.5;  // of the largest force
   const double closing_force = kClosing * excitation.stiffness * excitation.largest_displacement;

@@ -26,7 +26,7 @@ double largestEnergy(const fit::Excitation& excitation) {
   return std::min(kMost, kMostDecades / decadesPerEnergy(excitation));
 }
 
-// Rates by one activation energy: over some tens of kelvin what any law of temperature is.
+// Rates by one activation energy, which approximates any law of temperature over some tens of kelvin.
 fit::BasisTerm rates(const fit::Excitation& excitation, double reference) {
   constexpr double kTypical = 3e4;  // [J/mol]; natural rubber at 20 degC has 7e4, far above T_g all have some 1e4
   fit::BasisTerm term =
@@ -55,7 +55,7 @@ void addRelaxationBeyond(const fit::Excitation& excitation, std::vector<fit::Bas
   }
 }
 
-// Stiffness that rises as entropy has it, or falls as fillers do.
+// Stiffness that rises with the temperature, as entropy elasticity does, or falls, as with fillers.
 fit::BasisTerm stiffness(double reference, double reach) {
   constexpr double kTypical = 3e-3;  // [1/K]; entropy 1/293, fillers some 0.1 to 1 % per kelvin
   fit::BasisTerm term = fit::additiveTerm("vertical_shift", "coefficient", kTypical, {{"reference", {reference}}});

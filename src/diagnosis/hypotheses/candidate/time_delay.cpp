@@ -10,7 +10,7 @@ void addTimeDelay(const fit::Excitation& excitation, fit::Candidate& candidate) 
   fit::BasisTerm term = fit::additiveTerm("time_delay", "delay", excitation.dt);
   term.lower = -std::min(4.0 * excitation.dt, 0.02);
   term.upper = 0.03;
-  term.typical = std::min(term.typical, 0.5 * term.upper);  // of a slow log no step beyond what the element takes
+  term.typical = std::min(term.typical, 0.5 * term.upper);  // in a slow log at most what the element accepts
   term.additive = false;
   candidate.terms = {term};
   candidate.one_form = true;
