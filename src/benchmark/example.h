@@ -28,7 +28,7 @@ struct ExampleParameters {
   double maximum_force = 5000.0;          ///< F_max [N]
   double friction_displacement = 2.2e-3;  ///< z2 [m]
 
-  /// That many Maxwell elements of 1.9 MN/m together, break frequencies from 0.03 to 25 Hz.
+  /// Creates this number of Maxwell elements, 1.9 MN/m together, with break frequencies from 0.03 to 25 Hz.
   explicit ExampleParameters(int maxwell_elements = 5);
 
   /// With stiffnesses and friction force times these factors.

@@ -24,7 +24,7 @@ struct Entry {
   const std::string& text() const { return node.Scalar(); }
   bool startsAsNumber() const;
 
-  Entry operator[](const std::string& key) const;  ///< of a map, which may not have it
+  Entry operator[](const std::string& key) const;  ///< of a map; not defined if the key is missing
   Entry operator[](std::size_t i) const;           ///< of a list
 };
 
@@ -74,10 +74,10 @@ class YamlReader {
 
   [[noreturn]] void refuse(const Entry& entry, const std::string& problem) const;
 
-  /// A problem that says itself where it is.
+  /// Refuses with a message that contains the place itself.
   [[noreturn]] void refuseAt(const YAML::Node& node, const std::string& problem) const { refuse({node, ""}, problem); }
 
-  /// By what stands there.
+  /// Refuses the content of an entry, which the message quotes.
   [[noreturn]] void refuseContent(const Entry& entry, const std::string& accepted) const;
 
   void requireMap(const Entry& entry, const std::string& accepted = "a map") const;
@@ -91,7 +91,7 @@ class YamlReader {
   /// A key with the path of what it names.
   static Entry keyOf(const Entry& map, const YAML::Node& key) { return {key, map[key.Scalar()].path}; }
 
-  /// A map by its keys, in their order.
+  /// Reads a map by its keys, in their order.
   template <class Target>
   void read(const Entry& map, const std::vector<Key<Target>>& keys, Target& target, const char* accepted = "a map") {
     checkMap(map, element::namesOf(keys), accepted);

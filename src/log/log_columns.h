@@ -21,8 +21,8 @@ struct Column {
   std::string name;   ///< as in the file
   std::string label;  ///< the same with the unit of a row of units
   UnitConversion conversion{"1", "1"};
-  double factor = 1.0;       ///< that the user told
-  std::string assumed_unit;  ///< of a column whose unit neither its name nor the user told; else empty
+  double factor = 1.0;       ///< given by the user
+  std::string assumed_unit;  ///< of a column whose unit neither its name nor the user gives; else empty
   bool tells_unit = true;    ///< false for a time whose unit neither the file nor the user tells: its text may
 
   bool found() const { return index != kNone; }
@@ -33,7 +33,7 @@ struct Column {
 };
 
 struct Columns {
-  std::size_t count = 0;  ///< of all columns in the header
+  std::size_t count = 0;  ///< number of columns in the header
   Column time;            ///< may be missing if the format gives a rate
   Column displacement;
   Column force;        ///< may be missing

@@ -91,7 +91,7 @@ class Signals {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
     std::vector<Sentinel> suspects;  // beyond the range, seen once
-    // Of the merge:
+    // State of the merge:
     bool begun = false;
     std::int64_t last_stamp = 0;
     double last_value = 0.0;

@@ -22,7 +22,7 @@ class ByteSource {
 
 /// The text of a log and what it was made from.
 struct TextSource {
-  std::unique_ptr<ByteSource> bytes;  ///< without byte order mark; UTF-8, or Latin-1 where no byte order mark tells it
+  std::unique_ptr<ByteSource> bytes;  ///< without byte order mark; UTF-8, or perhaps Latin-1 if the file has none
   std::string coding;                 ///< "", "UTF-16", "gzip", "gzip, UTF-16"
 };
 

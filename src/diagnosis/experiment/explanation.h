@@ -17,10 +17,10 @@ struct Explanation {
   double usual_size = 0.0;  ///< of a member, below which it is improbable
 };
 
-/// An explanation once it was fitted to one log more, of which another one is right.
+/// An explanation after a refit with one further log, of which another explanation is right.
 struct Refitted {
-  double left = 0.0;   ///< square that it leaves more than the right one, of that log
-  double prior = 0.0;  ///< logarithm: what the sizes of its members cost more than before
+  double left = 0.0;   ///< squared error in that log beyond that of the right explanation
+  double prior = 0.0;  ///< further cost of its members' sizes, as a logarithm
 };
 
 /// Expectation for a diagnosis with one more log.
@@ -32,12 +32,12 @@ struct Outlook {
 /// The hypothesis judged, then the likeliest others; the model as configured and re-estimated are among them.
 std::vector<Explanation> explanationsOf(const Workings& workings);
 
-/// The entropy of the names where explanations have these weights [bit]: sets that share an effect agree on it.
+/// Entropy of the names if explanations have these weights [bit]. Sets that share an effect agree on it.
 double openNames(const std::vector<Explanation>& explanations, const std::vector<double>& weights);
 
-/// The outlook where this explanation is right, once there is one log more beside `logs`. All logs count alike, so that
-/// those so far tell less than before. What the right one leaves itself, the form error of its law, scatters as the
-/// judgement expects. `noise`: square that is expected besides, where the new log has more noise.
+/// Outlook if this explanation is right and there is one log more beside `logs`. All logs have the same weight, so that
+/// earlier ones count less than before. The error of the right explanation, the form error of its law, scatters as the
+/// judgement expects. `noise`: further squared error of the new log, if it has more noise.
 Outlook outlookOf(std::size_t right, const std::vector<Explanation>& explanations,
                   const std::vector<Refitted>& refitted, double noise, double logs);
 

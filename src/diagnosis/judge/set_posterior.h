@@ -34,8 +34,9 @@ struct SetPosterior {
 /// answer, as with an excluded effect or one that removes nothing, does not count.
 bool halvesWhatIsLeft(const ScoreTable& table, Eigen::Index hypothesis);
 
-/// The same, where some sets halve what re-estimated values leave, with the probability of `unknown` given to these as
-/// they are probable, beside a rest: a rest that a set halves is not of unlisted causes alone.
+/// A posterior in which, if some sets halve the residual of re-estimated values, these sets receive the probability of
+/// `unknown` in proportion to theirs, each beside a residual force: a residual that a set halves is not due to unlisted
+/// causes alone.
 SetPosterior toldByHalving(SetPosterior posterior);
 
 SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers);

@@ -30,7 +30,7 @@ struct MemberLaw {
   int member = 0;                     ///< by its index among the candidates
   std::vector<fit::BasisTerm> terms;  ///< empty where entries stand for it
   Entries start;
-  /// That a number of the entries may grow to [s]: logs do not tell it from longer ones.
+  /// Largest value of the times among the numbers of the entries [s]: logs do not distinguish longer ones.
   double longest_time = std::numeric_limits<double>::infinity();
 
   std::size_t size() const { return terms.empty() ? numbersOf(start).size() : terms.size(); }
