@@ -153,7 +153,7 @@ void nameColumns(std::vector<Hdf5Column>& columns) {
   }
 }
 
-// A number, or a structure of which it is the member.
+// Type in memory: a number, or a structure with the member of the column.
 hid_t memoryType(const Hdf5Column& column, hid_t number) {
   if (column.member.empty()) {
     return H5Tcopy(number);
@@ -258,14 +258,14 @@ class Hdf5File {
   std::vector<Hdf5Column> columns_;
 };
 
-// The result of `read` on a file, which nobody else reads meanwhile.
+// Result of `read` for a file; other threads wait until it has returned.
 template <class Read>
 auto withHdf5File(const std::string& path, const Read& read) {
   const std::lock_guard<std::mutex> lock(hdf5Mutex());
   try {
     return read(Hdf5File(path));
   } catch (const LogError&) {
-    throw;  // of who takes the samples
+    throw;  // from the consumer of the samples
   } catch (const std::runtime_error& error) {
     throw LogError(fmt::format("{}: {}", path, error.what()));
   }

@@ -17,13 +17,13 @@ using Eigen::VectorXd;
 
 constexpr Index kLongestSpike = 3;   // samples
 constexpr double kSpikeLimit = 6.0;  // deviations of the prediction; beyond chance in any log, and in 1/f noise
-// More holes than that are the signal's own form, not what happens to a cable.
+// Larger share of spikes: these are the form of the signal itself rather than faults of a cable.
 constexpr double kMostSpikes = 0.01;
 // A peak that lacks a fifth of a sine's samples lacks a tenth of its range: stiffness and loss at the largest amplitude
-// cannot be told.
+// cannot be determined.
 constexpr double kLargestClippedShare = 0.2;
 constexpr Index kScaleBlock = 64;  // samples over which the scatter is taken as even
-constexpr Index kAround = 6;       // samples about a spike that are no other visit
+constexpr Index kAround = 6;       // samples about a spike that do not count as another visit
 
 // Share of the samples that equal the one before, extremes and long runs apart.
 constexpr double kFewRepeats = 0.02;
@@ -41,11 +41,11 @@ double repeats(const VectorXd& samples) {
   return static_cast<double>(equal) / static_cast<double>(samples.size());
 }
 
-// One channel with what its samples scatter by about a prediction from their neighbours.
+// One channel, and the scatter of its samples about a prediction from their neighbours.
 struct Channel {
   Channel(const VectorXd& samples, bool of_force);
 
-  // Sample i against the cubic through two neighbours at either side.
+  // Difference of sample i from the cubic through two neighbours at either side.
   double curvature(Index i) const {
     return values[i] - (4.0 * (values[i - 1] + values[i + 1]) - values[i - 2] - values[i + 2]) / 6.0;
   }
@@ -85,8 +85,8 @@ Channel::Channel(const VectorXd& samples, bool of_force)
     all.insert(all.end(), block.begin(), block.end());
     blocks.push_back(kMadToDeviation * medianOf(std::move(block)));
   }
-  // A log that stands still for most of the time has no scatter; what is beyond a hundred thousandth of the range, and
-  // beyond the steps of its sensor, may be told from none.
+  // A log that stands still for most of the time has no scatter. This is the least deviation that counts there: a
+  // hundred thousandth of the range, and one step of the sensor.
   const double least =
       std::max({kMadToDeviation * medianOf(std::move(all)), 1e-5 * range, std::min(step, 0.01 * range)});
   for (Index i = 0; i < count; ++i) {
@@ -105,8 +105,8 @@ struct Hole {
   double prediction;  // of that sample, from its neighbours
 };
 
-// The least of what a sample deviates by from straight lines and a cubic through its neighbours, if they agree on the
-// side: a step and a kink lie on one of the lines.
+// The smallest deviation of a sample from straight lines and from a cubic through its neighbours, if these agree on the
+// sign: a step or a kink lies on one of the lines.
 std::optional<Hole> holeAt(const VectorXd& x, Index begin, Index width) {
   if (begin < 2 || begin + width + 1 >= x.size()) {
     return std::nullopt;
@@ -334,7 +334,7 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
     if (channel.values[run.begin] == found.limit) {
       const auto length = static_cast<double>(run.end - run.begin);
       found.samples += run.end - run.begin;
-      // Where the other only passes by, as under friction at its limit, nothing bulges.
+      // If the other channel only passes by, as under friction at its limit, there is no bulge.
       const double passed = std::abs(other.values[run.end - 1] - other.values[run.begin]);
       const double size = outward * bulge(other.values, run);
       bulging += passed < 3.0 * std::abs(size) ? size * length : 0.0;
@@ -349,13 +349,13 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
   if (found.samples < 5 || found.samples <= 2 * near) {
     return std::nullopt;
   }
-  // Turned the other way where force and displacement are of opposite sign.
+  // The sign is reversed if force and displacement have opposite signs.
   const double slope = (channel.values.array() - channel.values.mean()).matrix().dot(other.values);
   bulging *= slope < 0.0 ? -1.0 : 1.0;
-  // Beyond the scatter, and by what a peak has above a cut at 1 % of the range.
+  // The bulge exceeds the scatter, and that of a peak above a cut at 1 % of the range.
   const bool bulges =
       bulging > 4.0 * std::sqrt(variance) && bulging > 3e-3 * other.range * static_cast<double>(found.samples);
-  // Or its noise is gone there, and not because it is at friction's limit all along a stroke.
+  // The noise of a force vanishes at its stop, and this is not because friction is at its limit all along a stroke.
   const bool silent =
       channel.is_force && channel.noisy && travelled < 0.2 * other.range * static_cast<double>(found.samples);
   return bulges || silent ? std::optional<Saturation>(found) : std::nullopt;

@@ -13,7 +13,7 @@
 namespace rubber_suspension::measurement {
 namespace {
 
-constexpr double kFewestUsable = 0.5;  // of the samples: below, what is judged would be mostly bridges
+constexpr double kFewestUsable = 0.5;  // with less, bridges would be judged rather than samples
 constexpr double kLongestStart = 0.1;  // of the log, for its first cycle
 
 // The first samples of a log that starts in motion: one cycle of its mean frequency.

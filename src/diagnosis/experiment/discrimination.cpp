@@ -29,7 +29,7 @@ void withoutDirection(const Eigen::VectorXd& direction, Eigen::MatrixXd& columns
   }
 }
 
-// Without what is free in a new log: its zero; a ramp, where trends are; a multiple of the force, where a gain is.
+// Removes what is free in a new log: its offset, a ramp if trends are free, a multiple of the force if a gain is.
 Eigen::MatrixXd withoutFree(Eigen::MatrixXd columns, const fit::FreeInLog& free, const Eigen::VectorXd& force) {
   columns.rowwise() -= columns.colwise().mean().eval();
   const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(columns.rows(), -1.0, 1.0);
@@ -143,7 +143,7 @@ bool Discriminator::isPlayedAlone(std::size_t explanation, Eigen::Index term) co
   return hypothesis.terms[static_cast<std::size_t>(term)].on_rig || addsUp(explanation);
 }
 
-// As in fits, terms at nothing whose force would have to be simulated beside the others stay there.
+// True for terms that a fit may move. Terms at 0 whose force would have to be simulated together with others stay at 0.
 std::vector<bool> Discriminator::movable(std::size_t explanation) const {
   const Eigen::VectorXd& scales = explanations_[explanation].fitted->fit.parameters.scales;
   std::vector<bool> movable;

@@ -24,7 +24,7 @@ constexpr double kPerPeriod = 40.0;  // samples of the highest frequency by whic
 
 using Law = std::function<double(double)>;
 
-// From 0 to 1 within a duration, at rest at both ends.
+// Rises from 0 to 1 within a duration, at rest at both ends.
 double eased(double t, double duration) {
   return t <= 0.0 ? 0.0 : t >= duration ? 1.0 : 0.5 - 0.5 * std::cos(element::kPi * t / duration);
 }
@@ -80,8 +80,8 @@ class Menu {
  private:
   void findFrequencies() {
     constexpr double kFewCycles = 5.0;
-    // At a corner the rate jumps between two samples, so that a force by the rate seems late by a part of one: of a
-    // cycle of so many samples a percent is spoilt.
+    // At a corner the rate jumps between two samples, so that a force that depends on the rate appears late by a part
+    // of a sample: this spoils a percent of a cycle with this number of samples.
     constexpr double kSamplesOfTriangle = 400.0;
     highest_ = bounds_.frequency;
     full_ = std::min(highest_, bounds_.speed / (kTwoPi * bounds_.stroke.half));
@@ -89,7 +89,7 @@ class Menu {
     corner_ = 1.0 / (kSamplesOfTriangle * bounds_.dt);
   }
 
-  // Left out where it takes longer than there is room.
+  // Adds a shape, unless it takes longer than the permitted duration or its samples would be too coarse.
   void add(const Shape& shape) {
     const double whole = shape.length + 2.0 * travel_;
     const double dt = bounds_.dt * std::max(1.0, std::ceil(whole / (kMostSamplesOfMotion * bounds_.dt)));

@@ -24,13 +24,14 @@ namespace {
 
 using Records = std::vector<gap::PreparedRecord>;
 
-constexpr int kIterations = 8;          // of the fit by which a start in motion is told
+constexpr int kIterations = 8;          // of the fit that determines a start in motion
 constexpr double kBeyond95 = 0.025;     // of a variable, beyond its 95 % interval to one side
-constexpr double kNormal95 = 1.96;      // half width of that of a normal variable, in standard deviations
-constexpr std::size_t kFewestLogs = 3;  // that tell how zeros scatter
+constexpr double kNormal95 = 1.96;      // half width of the 95 % interval of a normal variable, in standard deviations
+constexpr std::size_t kFewestLogs = 3;  // from which the scatter of offsets can be estimated
 
-// Zeros and lags that are new in each log scatter as much as they are large; those of a cause do not. Their standard
-// deviation is that about their mean, wider the fewer there are: 95 % are within 1.96 of it (Student's t).
+// Standard deviation of offsets or lags. Those that are new in each log scatter as much as they are large, those with a
+// cause do not: it is the scatter about their mean, increased for a small number so that 95 % are within 1.96 of it
+// (Student's t).
 double deviationBy(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());
   if (values.size() < kFewestLogs) {
@@ -70,7 +71,8 @@ bool shows(const log::Record& record, const Eigen::VectorXd& deviation) {
   return deviation.norm() > kLeast * record.force_deviation * std::sqrt(static_cast<double>(record.size()));
 }
 
-// Pieces of one recording have one zero: only whole logs tell how zeros scatter.
+// Adds the offset and the lag of each log. Pieces of one recording have the same offset, so that only whole logs show
+// the scatter of offsets.
 void addValues(const io::RigTolerances& tolerances, const Records& records, const gap::Forces& simulated,
                std::vector<double>& zeros, std::vector<double>& lags) {
   const measurement::RigModel rig(records, element::each(records, measurement::maskOf), tolerances);
@@ -91,7 +93,8 @@ void addValues(const io::RigTolerances& tolerances, const Records& records, cons
   }
 }
 
-// Berg's friction that a motion before the log left in another state is a zero of up to its own force.
+// Berg's friction starts in a state that depends on the motion before the log, so that it may offset the force by up to
+// its limit.
 Limits limitsBy(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
                 const Records& training, const Records& held_out) {
   std::vector<double> zeros;
@@ -101,8 +104,8 @@ Limits limitsBy(const std::vector<element::ElementDescription>& elements, const 
   return {std::hypot(deviationBy(zeros), bergForce(elements)), deviationBy(lags)};
 }
 
-// A random walk over the log, its mean taken out, by the first of the half cosines that it is made of; the mean square
-// of all of them is that of the noise.
+// A random walk over the log without its mean, represented by the first half cosines of its series. The mean square of
+// their sum is that of the noise.
 Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
   constexpr Eigen::Index kCosines = 8;
   const double samples = static_cast<double>(record.size());
@@ -117,8 +120,8 @@ Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
   return columns * (deviation / std::sqrt(squares));
 }
 
-// Everything that the rig may have added, each column of one standard deviation [N]. Zeros of the displacement are left
-// out: what they do depends on the law that is supposed.
+// All errors that the rig may have added, each column of one standard deviation [N]. Offsets of the displacement are
+// omitted, because their effect depends on the law.
 Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& limits, const gap::OwnErrors& own,
                              const Eigen::MatrixXd& starts, const Eigen::MatrixXd& slow) {
   Eigen::MatrixXd columns(slow.rows(), rig.columns.cols() + starts.cols() + slow.cols());
@@ -135,7 +138,8 @@ Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& l
   return columns.leftCols(used + starts.cols() + slow.cols());
 }
 
-// An excerpt is of a log whose zero others of it have, too: there, none is free [m].
+// Tolerance of an offset of the displacement [m]; 0 for an excerpt, because other excerpts of its log have the same
+// offset.
 double zeroOfDisplacement(const log::Record& record, const io::RigTolerances& tolerances) {
   const double range = record.displacement.maxCoeff() - record.displacement.minCoeff();
   return record.lead_in.displacement.empty() ? tolerances.displacement_zero.of(range) : 0.0;

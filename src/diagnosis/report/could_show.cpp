@@ -22,7 +22,7 @@ namespace {
 using nlohmann::ordered_json;
 using words::spoken;
 
-// Each outcome and what it is called.
+// Outcomes, and their names in the report.
 constexpr std::pair<const char*, const char*> kOutcomes[] = {{"found", "found"},
                                                              {"confounded", "found in a set"},
                                                              {"taken_for", "taken for another"},

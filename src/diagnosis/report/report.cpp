@@ -74,7 +74,7 @@ std::string experimentCsv(const ProposedExperiment& experiment, bool turns) {
   return text;
 }
 
-// For rigs of MTS and Instron, in the unit that they are used in.
+// Drive file for rigs of MTS and Instron, in the unit that these use.
 std::string driveFile(const ProposedExperiment& experiment, bool turns) {
   log::RpcChannel channel{"displacement", turns ? "rad" : "mm", experiment.displacement};
   for (double& z : channel.values) {

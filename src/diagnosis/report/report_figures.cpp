@@ -85,7 +85,7 @@ Eigen::Index widestStretch(const log::Record& record, Eigen::Index count) {
   return best;
 }
 
-// Both are to be seen where one lies over the other: measured broad and below, simulated thin and above.
+// Both curves remain visible where they coincide: measured forces are broad and below, simulated ones thin and above.
 constexpr double kBroad = 3.0;
 constexpr double kThin = 1.0;
 
@@ -267,7 +267,7 @@ io::Figure missingForceFigure(const MissingForce& map) {
   return figure;
 }
 
-// With the units of a displacement.
+// Figures with the units of a displacement.
 std::vector<ReportFigure> figuresOf(const Diagnosis& diagnosis) {
   if (diagnosis.bench_evidence) {
     return {{kBench, "Force over displacement: measured, and simulated as configured.", benchFigure(diagnosis)}};

@@ -44,7 +44,8 @@ std::string shareText(const CrossShare& pair) {
   return std::isnan(pair.share) ? "-" : words::wholePercent(pair.share) + " %";
 }
 
-// By each direction, its share in what is left of this one, or why there is none; nothing for a direction and itself.
+// For each direction, its share in the squared residual of this one, or the reason why there is none; empty for a
+// direction and itself.
 std::vector<std::string> shareTexts(const std::vector<CrossShare>& map, component::Direction of) {
   std::vector<std::string> texts(component::kDirections);
   for (const CrossShare& pair : map) {

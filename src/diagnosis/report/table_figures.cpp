@@ -102,7 +102,7 @@ std::vector<double> edgesAbout(std::vector<double> values) {
   return edges;
 }
 
-// All preloads and temperatures together.
+// Map over frequency and amplitude, for all preloads and temperatures together.
 io::Figure mapFigure(const Diagnosis& diagnosis) {
   const auto lower_end = [](auto band) { return [band](const gap::GapCell& cell) { return (cell.*band)[0]; }; };
   return shareMap(diagnosis.where.before,

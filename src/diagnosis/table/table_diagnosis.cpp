@@ -226,7 +226,7 @@ class TableDescriber {
     return fit::gapOfTable(table_.points, stiffnessOf(description));
   }
 
-  // With some of the values and effects.
+  // Gap with a selection of values and effects.
   double gapWith(const std::vector<bool>& in) const {
     hypotheses::FittedHypothesis some = judged_;
     if (!in[0]) {
@@ -266,7 +266,7 @@ class TableDescriber {
     return {gap, gap.augmented, element::each(search_.singles, gapAlone), workings_->table};
   }
 
-  // Where a model is wrong: two cells for each row.
+  // Map of the errors of a model, with two cells for each row: stiffness and loss.
   std::vector<gap::GapCell> mapOf(Complex DiagnosedRow::* model) const {
     double sum = 0.0;
     std::vector<gap::GapCell> cells;
