@@ -46,9 +46,9 @@ class ComponentDescription {
   std::optional<element::ElementDescription> temperature;
   std::optional<element::Range> valid_displacement;  ///< where the component is valid [m], where given
   std::vector<std::string> excluded_effects;  ///< that its construction rules out, which a diagnosis knows by name
-  /// Of the values of `elements`; by an entry such as "spring[0]" where that has one of its own.
+  /// Tolerance of the values of `elements`; that of an entry, such as "spring[0]", comes first.
   estimation::SheetTolerance tolerance;
-  bool holds_fluid = false;  ///< so a resonance in its force is one of a column of fluid, not of the fixture
+  bool holds_fluid = false;  ///< a resonance in its force is then that of the fluid, not of the fixture
   /// Units of the numbers in its file, by the SI unit; of several the first.
   std::map<std::string, std::string> units;
   /// Set for a component of six directions, which has only a name besides; otherwise nullptr.
