@@ -42,7 +42,7 @@ Fitter::Fitter(std::shared_ptr<const std::vector<gap::PreparedRecord>> shared, c
 }
 
 double Fitter::gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const {
-  const FreeInLog& free = hypothesis.free_in_log;
+  const PerLogNuisances& free = hypothesis.free_in_log;
   double sum = 0.0;
   for (std::size_t r = 0; r < records().size(); ++r) {
     const Eigen::VectorXd residual = records()[r].withoutRig(records()[r].force - forces[r]);
@@ -52,7 +52,7 @@ double Fitter::gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) co
   return std::isfinite(sum) ? std::sqrt(sum) : std::numeric_limits<double>::infinity();
 }
 
-Fitter::Own Fitter::ownOf(const FreeInLog& free, std::size_t r, const Eigen::VectorXd& simulated,
+Fitter::Own Fitter::ownOf(const PerLogNuisances& free, std::size_t r, const Eigen::VectorXd& simulated,
                           const Eigen::VectorXd& residual) const {
   const gap::PreparedRecord& record = records()[r];
   auto [columns, penalty] = free.unknowns(record, r, simulated);
@@ -77,7 +77,7 @@ void Fitter::freeFactors(const ParameterVector& parameters, Hypothesis& hypothes
 }
 
 std::vector<double> Fitter::factors(Hypothesis hypothesis, const ParameterVector& parameters) const {
-  const FreeInLog& free = hypothesis.free_in_log;
+  const PerLogNuisances& free = hypothesis.free_in_log;
   const auto forces = free.by_factor ? forces_.at(hypothesis, parameters) : std::nullopt;
   if (forces) {
     freeFactors(parameters, hypothesis);

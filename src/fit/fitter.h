@@ -54,7 +54,7 @@ class Fitter final : public HypothesisFitter {
     Eigen::VectorXd values;
     double taken = 0.0;
   };
-  Own ownOf(const FreeInLog& free, std::size_t r, const Eigen::VectorXd& simulated,
+  Own ownOf(const PerLogNuisances& free, std::size_t r, const Eigen::VectorXd& simulated,
             const Eigen::VectorXd& residual) const;
 
   HypothesisForces forces_;

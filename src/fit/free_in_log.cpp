@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::fit {
 
-std::vector<Eigen::Index> FreeInLog::placesIn(const FreeInLog& all) const {
+std::vector<Eigen::Index> PerLogNuisances::placesIn(const PerLogNuisances& all) const {
   std::vector<Eigen::Index> places;
   Eigen::Index next = 0;
   const auto take = [&](bool has, bool of_all, Eigen::Index count) {
@@ -29,8 +29,8 @@ std::vector<Eigen::Index> FreeInLog::placesIn(const FreeInLog& all) const {
   return places;
 }
 
-Eigen::MatrixXd FreeInLog::columns(const log::Record& record, std::size_t place,
-                                   const Eigen::VectorXd& simulated) const {
+Eigen::MatrixXd PerLogNuisances::columns(const log::Record& record, std::size_t place,
+                                         const Eigen::VectorXd& simulated) const {
   Eigen::MatrixXd columns(record.size(), count());
   if (trend) {
     const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(record.size(), 0.0, 1.0);
@@ -58,7 +58,7 @@ Eigen::MatrixXd FreeInLog::columns(const log::Record& record, std::size_t place,
   return columns;
 }
 
-Eigen::VectorXd FreeInLog::costs(const gap::PreparedRecord& record) const {
+Eigen::VectorXd PerLogNuisances::costs(const gap::PreparedRecord& record) const {
   constexpr double kWalk = 0.1;  // standard deviation, of the force
   constexpr double kGain = 0.5;  // likewise: what laws and gains have in common is the laws'; so of friction's factor
   constexpr double kBelowMotion = 0.5;  // of the lowest frequency of the motion: faster forces are the component's
@@ -85,14 +85,14 @@ Eigen::VectorXd FreeInLog::costs(const gap::PreparedRecord& record) const {
   return costs;
 }
 
-gap::OwnUnknowns FreeInLog::unknowns(const gap::PreparedRecord& record, std::size_t place,
-                                     const Eigen::VectorXd& simulated) const {
+gap::OwnUnknowns PerLogNuisances::unknowns(const gap::PreparedRecord& record, std::size_t place,
+                                           const Eigen::VectorXd& simulated) const {
   const double force = std::pow(record.force_deviation, 2) * record.counted();
   return {columns(record, place, simulated), force * costs(record).cwiseAbs2()};
 }
 
-gap::PreparedRecord FreeInLog::addedTo(const gap::PreparedRecord& record, std::size_t place,
-                                       const Eigen::VectorXd& simulated) const {
+gap::PreparedRecord PerLogNuisances::addedTo(const gap::PreparedRecord& record, std::size_t place,
+                                             const Eigen::VectorXd& simulated) const {
   constexpr double kWide = 1e3;  // times the force: what has no prior
   gap::PreparedRecord result = record;
   if (!any()) {

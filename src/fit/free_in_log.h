@@ -23,7 +23,7 @@ constexpr Eigen::Index kTrendsPerLog = 9;
 
 /// Per-log nuisance parameters of a hypothesis, in this order: trend, offset of the displacement, factor on friction,
 /// offset of the force, gain.
-struct FreeInLog {
+struct PerLogNuisances {
   bool trend = false;   ///< a slow trend
   bool offset = false;  ///< a zero of the force, over its standard deviation
   bool gain = false;    ///< a gain of the force's channel
@@ -39,18 +39,18 @@ struct FreeInLog {
     return (trend ? kTrendsPerLog : 0) + (by_zero ? 1 : 0) + (by_factor ? 1 : 0) + (offset ? 1 : 0) + (gain ? 1 : 0);
   }
 
-  friend FreeInLog operator|(const FreeInLog& one, const FreeInLog& other) {
+  friend PerLogNuisances operator|(const PerLogNuisances& one, const PerLogNuisances& other) {
     return {one.trend || other.trend, one.offset || other.offset, one.gain || other.gain,
             one.by_zero ? one.by_zero : other.by_zero, one.by_factor ? one.by_factor : other.by_factor};
   }
   /// Both have it; the zero of the displacement and the factor are those of the other.
-  friend FreeInLog operator&(const FreeInLog& one, const FreeInLog& other) {
+  friend PerLogNuisances operator&(const PerLogNuisances& one, const PerLogNuisances& other) {
     return {one.trend && other.trend, one.offset && other.offset, one.gain && other.gain,
             one.by_zero ? other.by_zero : nullptr, one.by_factor ? other.by_factor : nullptr};
   }
 
   /// Places of its unknowns among those of one that has them all, and maybe more.
-  std::vector<Eigen::Index> placesIn(const FreeInLog& all) const;
+  std::vector<Eigen::Index> placesIn(const PerLogNuisances& all) const;
   /// Index of the factor among its unknowns, if it is one of them.
   Eigen::Index placeOfFactor() const { return count() - (gain ? 1 : 0) - (offset ? 1 : 0) - 1; }
   Eigen::Index placeOfOffset() const { return count() - (gain ? 2 : 1); }

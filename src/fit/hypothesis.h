@@ -60,10 +60,10 @@ struct Candidate {
   std::vector<std::string> contains = {};
   /// So many terms make one law; each further one at work is a number more. 0: any number of terms is one law.
   std::size_t terms_of_one = 0;
-  FreeInLog free_in_log = {};  ///< belongs to it
-  bool one_form = false;       ///< its law has one form, as that of a mass; others stand for the rubber's or the rig's
-  bool constant = false;       ///< adds a constant force, whose form is never wrong
-  bool is_friction = false;    ///< may have a factor of its own in each log
+  PerLogNuisances free_in_log = {};  ///< belongs to it
+  bool one_form = false;     ///< its law has one form, as that of a mass; others stand for the rubber's or the rig's
+  bool constant = false;     ///< adds a constant force, whose form is never wrong
+  bool is_friction = false;  ///< may have a factor of its own in each log
   /// Equivalent to scaling all model parameters: alone it is another reading of wrong ones; beside other effects it
   /// competes only if gains differ between logs.
   bool like_parameters = false;
@@ -107,9 +107,9 @@ struct Hypothesis {
   std::vector<TermPlace> places;  ///< of these among the candidates
   /// Terms of each member: its own, then those of what it contains, without those of an earlier member.
   std::vector<std::size_t> counts;
-  std::vector<int> held;    ///< contained candidates whose terms it has
-  std::vector<int> curved;  ///< of these and of the members those whose terms follow the curve
-  FreeInLog free_in_log;    ///< is free as well
+  std::vector<int> held;        ///< contained candidates whose terms it has
+  std::vector<int> curved;      ///< of these and of the members those whose terms follow the curve
+  PerLogNuisances free_in_log;  ///< is free as well
   /// The entries of a law with numbers of its own, which are those terms that have no entry, by all scales; null: there
   /// is none.
   std::function<std::vector<element::ElementDescription>(const Eigen::VectorXd& scales)> law;

@@ -73,7 +73,7 @@ class HypothesisFitter {
 
   /// Linearises by folds alone, with each of these free in each log.
   std::vector<BlockGrams> lineariseFolds(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                         const std::vector<FreeInLog>& free, int threads) const {
+                                         const std::vector<PerLogNuisances>& free, int threads) const {
     return linearise(hypothesis, startAt(hypothesis, parameters), {{}, free, Kept::folds, threads});
   }
 
@@ -108,8 +108,8 @@ class HypothesisFitter {
 
   /// Normal equations as they are asked for.
   struct Linearised {
-    std::vector<bool> active;     ///< terms that are not get a column of zeros; all are where it is empty
-    std::vector<FreeInLog> free;  ///< in each log; one result for each
+    std::vector<bool> active;           ///< terms that are not get a column of zeros; all are where it is empty
+    std::vector<PerLogNuisances> free;  ///< in each log; one result for each
     Kept kept;
     int threads;
   };

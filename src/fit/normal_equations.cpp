@@ -26,7 +26,7 @@ constexpr double kBlocksOfOne = 2.0;    // one tells the log's own unknowns, the
 using Places = std::vector<Eigen::Index>;
 
 // Initialises sums with zeros.
-void prepare(Eigen::Index width, Kept kept, const FreeInLog& free, BlockGrams& result) {
+void prepare(Eigen::Index width, Kept kept, const PerLogNuisances& free, BlockGrams& result) {
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(width, width);
   result.prior = result.sum = none;
   result.without_fold.assign(kFolds, none);
@@ -111,7 +111,7 @@ BlockGrams BlockGrams::of(const std::vector<Eigen::Index>& unknowns) const {
 struct LogBlocks::Request {
   const gap::Forces& base;
   const std::vector<ForceColumn>& columns;
-  FreeInLog free;  // all of it that any of the results has
+  PerLogNuisances free;  // all of it that any of the results has
   Kept kept;
   Eigen::Index width;  // of the columns and the residual
   Places fresh;        // columns to be multiplied by all others
@@ -232,7 +232,7 @@ LogBlocks::OfLog LogBlocks::ofLog(std::size_t r, const Request& request) const {
 
 // Adds a log without what is free in it. Trends and zeros of the displacement are in units that count as the standard
 // deviation of the log's force.
-void LogBlocks::add(std::size_t r, const OfLog& of_log, const Request& request, const FreeInLog& free,
+void LogBlocks::add(std::size_t r, const OfLog& of_log, const Request& request, const PerLogNuisances& free,
                     BlockGrams& result) const {
   const gap::PreparedRecord& record = records_[r];
   const double counted = record.counted();
@@ -280,10 +280,11 @@ void LogBlocks::add(std::size_t r, const OfLog& of_log, const Request& request, 
 }
 
 std::vector<BlockGrams> LogBlocks::normalEquations(const gap::Forces& base, const std::vector<ForceColumn>& columns,
-                                                   const std::vector<FreeInLog>& free, Kept kept, int threads) const {
+                                                   const std::vector<PerLogNuisances>& free, Kept kept,
+                                                   int threads) const {
   constexpr std::size_t kAtOnce = 8;  // logs whose products are in memory
   Request request{base, columns, {}, kept, static_cast<Eigen::Index>(columns.size()) + 1, {}, {}, {}};
-  for (const FreeInLog& one : free) {
+  for (const PerLogNuisances& one : free) {
     request.free = request.free | one;
   }
   for (std::size_t j = 0; j < columns.size(); ++j) {

@@ -62,7 +62,7 @@ class LogBlocks {
   /// Normal equations about a model whose forces [N] on the logs are `base`, without a prior. `free`: unknown in each
   /// log, too; one result for each.
   std::vector<BlockGrams> normalEquations(const gap::Forces& base, const std::vector<ForceColumn>& columns,
-                                          const std::vector<FreeInLog>& free, Kept kept, int threads) const;
+                                          const std::vector<PerLogNuisances>& free, Kept kept, int threads) const;
 
  private:
   /// Samples of a log.
@@ -78,7 +78,8 @@ class LogBlocks {
   Eigen::MatrixXd ownOf(const Request& request, std::size_t r) const;
   std::vector<Eigen::MatrixXd> productsIn(std::size_t r, const Request& request) const;
   OfLog ofLog(std::size_t r, const Request& request) const;
-  void add(std::size_t r, const OfLog& of_log, const Request& request, const FreeInLog& free, BlockGrams& result) const;
+  void add(std::size_t r, const OfLog& of_log, const Request& request, const PerLogNuisances& free,
+           BlockGrams& result) const;
 
   const std::vector<gap::PreparedRecord>& records_;
   std::vector<double> weights_;

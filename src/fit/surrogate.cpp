@@ -252,7 +252,7 @@ SurrogateFit fitSurrogate(const std::vector<gap::PreparedRecord>& records,
   });
   const LogBlocks blocks(thin_records, weights);
   std::vector<BlockGrams> equations =
-      blocks.normalEquations(base, columnsOf(functions), {FreeInLog{}}, Kept::blocks, threads);
+      blocks.normalEquations(base, columnsOf(functions), {PerLogNuisances{}}, Kept::blocks, threads);
   const RidgeRegression regression(std::move(equations.front()), count);
   const Choice choice = chooseFunctions(regression, basis);
   SurrogateFit fit;

@@ -49,7 +49,7 @@ bool mayHoldSentinel(const std::vector<double>& values) {
 // A signal that steps to a value and stays there has measured it, and so has one that rises to it by others. A value
 // that stands for none is alone and left again, and is rare, unless it fills the rows between the samples of a slow
 // signal.
-bool comesAndGoes(const std::vector<double>& values, double value, double low, double high) {
+bool isMissingValueCode(const std::vector<double>& values, double value, double low, double high) {
   std::size_t cells = 0;
   std::size_t other_runs = 0;
   std::size_t left_again = 0;
@@ -195,7 +195,7 @@ void Signals::findSentinels(std::size_t signal) {
     std::sort(ascending.begin(), ascending.end());
     const Peeled peeled = peel(ascending);
     for (const double value : peeled.values) {
-      if (comesAndGoes(values, value, peeled.low, peeled.high)) {
+      if (isMissingValueCode(values, value, peeled.low, peeled.high)) {
         state.sentinels.push_back({value, peeled.low, peeled.high, {}, 0});
       }
     }

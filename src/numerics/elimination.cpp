@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Raises the penalty so that unknowns that the blocks do not determine are 0, with no noticeable effect on the others.
-VectorXd atLeast(const VectorXd& penalty, const MatrixXd& sum) {
+VectorXd withMinimumPenalty(const VectorXd& penalty, const MatrixXd& sum) {
   constexpr double kLeast = 1e-10;  // of the sum over all blocks
   constexpr double kNothing = 1e-300;
   const VectorXd least = (kLeast * sum.diagonal().tail(penalty.size())).cwiseMax(kNothing);
@@ -23,7 +23,7 @@ VectorXd atLeast(const VectorXd& penalty, const MatrixXd& sum) {
 }
 
 // Unknowns that minimise the residual of each column of X.
-MatrixXd sharesOf(const MatrixXd& products, const VectorXd& penalty) {
+MatrixXd eliminate(const MatrixXd& products, const VectorXd& penalty) {
   const Index own = penalty.size();
   MatrixXd gram = products.bottomRightCorner(own, own);
   gram.diagonal() += penalty;
@@ -31,13 +31,13 @@ MatrixXd sharesOf(const MatrixXd& products, const VectorXd& penalty) {
 }
 
 // Schur complement: products of the residuals at the best unknowns, including the penalty of these.
-MatrixXd leftBy(const MatrixXd& products, const MatrixXd& shares) {
+MatrixXd schurComplement(const MatrixXd& products, const MatrixXd& shares) {
   const Index width = shares.cols();
   return products.topLeftCorner(width, width) - products.topRightCorner(width, shares.rows()) * shares;
 }
 
 // Products of the residuals X - U shares, for any shares.
-MatrixXd leftWith(const MatrixXd& products, const MatrixXd& shares) {
+MatrixXd residualProducts(const MatrixXd& products, const MatrixXd& shares) {
   const Index own = shares.rows();
   const Index width = shares.cols();
   const MatrixXd across = products.bottomLeftCorner(own, width);
@@ -78,23 +78,23 @@ BlockProducts withoutErrors(const std::vector<MatrixXd>& products, const VectorX
     return {sum, training, products, products};
   }
   BlockProducts result;
-  const VectorXd all = atLeast(penalty, sum);
-  const MatrixXd shares = sharesOf(sum, all);
+  const VectorXd all = withMinimumPenalty(penalty, sum);
+  const MatrixXd shares = eliminate(sum, all);
   const MatrixXd cost = costOf(shares, all);
   std::vector<MatrixXd> cost_without;
-  result.sum = leftBy(sum, shares);
+  result.sum = schurComplement(sum, shares);
   for (const MatrixXd& others : training) {
-    const MatrixXd found = sharesOf(others, all);
-    result.without_fold.push_back(leftBy(others, found));
+    const MatrixXd found = eliminate(others, all);
+    result.without_fold.push_back(schurComplement(others, found));
     cost_without.push_back(costOf(found, all));
   }
   for (std::size_t b = 0; b < products.size(); ++b) {
     const auto fold = static_cast<std::size_t>(places.fold[b]);
     const MatrixXd with = training[fold] + products[b];
     if (places.in_sample) {
-      result.in_sample.push_back(leftWith(products[b], shares) + places.share[b] * cost);
+      result.in_sample.push_back(residualProducts(products[b], shares) + places.share[b] * cost);
     }
-    result.held_out.push_back(leftBy(with, sharesOf(with, all)) - result.without_fold[fold] +
+    result.held_out.push_back(schurComplement(with, eliminate(with, all)) - result.without_fold[fold] +
                               places.share[b] * cost_without[fold]);
   }
   return result;
@@ -102,22 +102,22 @@ BlockProducts withoutErrors(const std::vector<MatrixXd>& products, const VectorX
 
 BlockProducts withoutUnknowns(const BlockProducts& products, const VectorXd& penalty, const BlockPlaces& places,
                               MatrixXd& shares) {
-  const VectorXd all = atLeast(penalty, products.sum);
-  shares = sharesOf(products.sum, all);
+  const VectorXd all = withMinimumPenalty(penalty, products.sum);
+  shares = eliminate(products.sum, all);
   const MatrixXd cost = costOf(shares, all);
   BlockProducts result;
-  result.sum = leftBy(products.sum, shares);
+  result.sum = schurComplement(products.sum, shares);
   std::vector<MatrixXd> found;
   for (const MatrixXd& others : products.without_fold) {
-    found.push_back(sharesOf(others, all));
-    result.without_fold.push_back(leftBy(others, found.back()));
+    found.push_back(eliminate(others, all));
+    result.without_fold.push_back(schurComplement(others, found.back()));
   }
   for (std::size_t b = 0; b < products.held_out.size(); ++b) {
     const MatrixXd& of_others = found[static_cast<std::size_t>(places.fold[b])];
     if (places.in_sample) {
-      result.in_sample.push_back(leftWith(products.in_sample[b], shares) + places.share[b] * cost);
+      result.in_sample.push_back(residualProducts(products.in_sample[b], shares) + places.share[b] * cost);
     }
-    result.held_out.push_back(leftWith(products.held_out[b], of_others));
+    result.held_out.push_back(residualProducts(products.held_out[b], of_others));
   }
   return result;
 }

@@ -48,7 +48,7 @@ std::vector<gap::PreparedRecord> someTriangles(std::size_t count) {
   return records;
 }
 
-BlockGrams equationsOf(const std::vector<gap::PreparedRecord>& records, const FreeInLog& free,
+BlockGrams equationsOf(const std::vector<gap::PreparedRecord>& records, const PerLogNuisances& free,
                        Kept kept = Kept::blocks) {
   std::vector<double> weights;
   gap::Forces base;
@@ -72,7 +72,7 @@ Eigen::VectorXd solutionOf(const BlockGrams& blocks) {
 // Columns, residual and what is free of all logs in one matrix with rows for the penalties, whitened by the rig.
 TEST(Elimination, IsTheSolutionWithAllUnknownsInOneMatrix) {
   const std::vector<gap::PreparedRecord> records = someTriangles(3);
-  const FreeInLog free{true, true, true};
+  const PerLogNuisances free{true, true, true};
   const Eigen::Index own = free.count();
   const auto logs = static_cast<Eigen::Index>(records.size());
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(logs * (kSamplesOfLog + own), 2 + logs * own);
@@ -130,7 +130,8 @@ TEST(Elimination, HoldsBlocksOut) {
 
 // Whatever is free: a fit does not know the blocks that it is judged by, and so errs no less there than in sample.
 TEST(Elimination, LeavesNoLessOfBlocksHeldOutThanInSample) {
-  for (const FreeInLog& free : {FreeInLog{}, FreeInLog{true}, FreeInLog{false, true}, FreeInLog{true, true, true}}) {
+  for (const PerLogNuisances& free :
+       {PerLogNuisances{}, PerLogNuisances{true}, PerLogNuisances{false, true}, PerLogNuisances{true, true, true}}) {
     for (const std::size_t logs : {1, 2, 5}) {
       const BlockGrams blocks = equationsOf(someTriangles(logs), free);
       const Eigen::VectorXd bound = Eigen::VectorXd::Constant(blocks.unknowns(), 1e9);

@@ -35,7 +35,9 @@ BlockGrams equations(const std::vector<gap::PreparedRecord>& records) {
     base.emplace_back(Eigen::VectorXd::Zero(one.size()));
     column.push_back(one.displacement);
   }
-  return LogBlocks(records, weights).normalEquations(base, {columnOf(column)}, {FreeInLog{}}, Kept::blocks, 1).front();
+  return LogBlocks(records, weights)
+      .normalEquations(base, {columnOf(column)}, {PerLogNuisances{}}, Kept::blocks, 1)
+      .front();
 }
 
 double heldOut(const BlockGrams& blocks) {
@@ -65,7 +67,7 @@ double heldOutBesideTrends(const gap::PreparedRecord& one) {
   const std::vector<gap::PreparedRecord> records = {one};
   return heldOut(LogBlocks(records, {weight})
                      .normalEquations({Eigen::VectorXd::Zero(one.size())}, {columnOf({one.displacement})},
-                                      {FreeInLog{true, true}}, Kept::blocks, 1)
+                                      {PerLogNuisances{true, true}}, Kept::blocks, 1)
                      .front());
 }
 
@@ -83,8 +85,8 @@ TEST(NormalEquations, HaveTrendsOfARandomWalk) {
   one.rig.one_deviation = 0.005;
   EXPECT_LT(heldOutBesideTrends(one), 0.9 * free);
   one.lowest_frequency = 0.05;  // the second half cosine is an octave below, the third is not
-  EXPECT_LT(FreeInLog{true}.costs(one)[2], 1.0);
-  EXPECT_GT(FreeInLog{true}.costs(one)[3], 1e3);
+  EXPECT_LT(PerLogNuisances{true}.costs(one)[2], 1.0);
+  EXPECT_GT(PerLogNuisances{true}.costs(one)[3], 1e3);
 }
 
 // What the rig may have added: its zero within a prior, and a slow wave that is entirely free.
@@ -115,9 +117,9 @@ TEST(NormalEquations, AreTheSameWithKnownColumns) {
   }
   const std::vector<ForceColumn> columns = {columnOf(displacement), nullptr, columnOf(cubic)};
   const BlockGrams plain =
-      LogBlocks(records, weights).normalEquations(base, columns, {FreeInLog{}}, Kept::blocks, 1).front();
+      LogBlocks(records, weights).normalEquations(base, columns, {PerLogNuisances{}}, Kept::blocks, 1).front();
   const BlockGrams faster = LogBlocks(records, weights, {columns[2]}, 2)
-                                .normalEquations(base, columns, {FreeInLog{}}, Kept::blocks, 1)
+                                .normalEquations(base, columns, {PerLogNuisances{}}, Kept::blocks, 1)
                                 .front();
   ASSERT_EQ(plain.gram.size(), faster.gram.size());
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(plain.gram[0].rows(), plain.gram[0].rows());

@@ -43,7 +43,7 @@ class Discriminator {
   struct Normal {
     Eigen::MatrixXd gram;     // of the logs, priors included
     numerics::Limits bounds;  // of a step
-    fit::FreeInLog free;
+    fit::PerLogNuisances free;
   };
   // Products of the derivatives C of an explanation on a motion and of its difference d to each of the others, all
   // without what is free in a new log.

@@ -27,7 +27,7 @@ struct Fitted {
 // Normal equations after elimination of the model parameters. `free`: what is free in each log.
 class Projected {
  public:
-  Projected(const fit::HypothesisFitter& fitter, const Screening& screening, const fit::FreeInLog& free)
+  Projected(const fit::HypothesisFitter& fitter, const Screening& screening, const fit::PerLogNuisances& free)
       : departures_(fitter.model().departureSlopes(Eigen::VectorXd::Zero(screening.modelSize()))),
         candidates_(screening.candidates()),
         model_(screening.modelSize()),
@@ -128,7 +128,7 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
   std::vector<Eigen::Index> column_of;
   for (std::size_t c = 0; c < candidates; ++c) {
     fitted.push_back(fittedBy(screening, c));
-    if (const fit::FreeInLog& free = screening.candidates()[c].free_in_log; free.any()) {
+    if (const fit::PerLogNuisances& free = screening.candidates()[c].free_in_log; free.any()) {
       beside_free[c] = std::make_unique<const Projected>(fitter, screening, free);
     }
     for (const std::size_t place : shapesOf(screening.candidates()[c].terms.size())) {

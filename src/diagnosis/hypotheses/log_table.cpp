@@ -26,10 +26,12 @@ double meanSquare(const gap::PreparedRecord& record, const Eigen::VectorXd& forc
 }
 
 // Part of the residual of a log that a slow trend, an offset or a gain of a member explains beyond those of others.
-double takenInLog(const fit::FreeInLog& free, const fit::FreeInLog& others, const gap::PreparedRecord& record,
-                  const Eigen::VectorXd& simulated) {
+double takenInLog(const fit::PerLogNuisances& free, const fit::PerLogNuisances& others,
+                  const gap::PreparedRecord& record, const Eigen::VectorXd& simulated) {
   const Eigen::VectorXd residual = record.force - simulated;
-  const auto left = [&](const fit::FreeInLog& all) { return meanSquare(all.addedTo(record, 0, simulated), residual); };
+  const auto left = [&](const fit::PerLogNuisances& all) {
+    return meanSquare(all.addedTo(record, 0, simulated), residual);
+  };
   return std::max(0.0, left(others) - left(free | others));
 }
 
@@ -41,11 +43,11 @@ double sizeOf(const log::Record& record, const Eigen::VectorXd& force, bool on_r
 }
 
 // Size of a member in each log. `added`: its force; `with`: the force of the model with it, for what is free in a log.
-std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::FreeInLog& all,
+std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::PerLogNuisances& all,
                                   const std::vector<gap::PreparedRecord>& records, const gap::Forces& added,
                                   const gap::Forces& with) {
-  const fit::FreeInLog free = candidate.free_in_log & all;
-  const fit::FreeInLog others{all.trend && !free.trend, all.offset && !free.offset, all.gain && !free.gain};
+  const fit::PerLogNuisances free = candidate.free_in_log & all;
+  const fit::PerLogNuisances others{all.trend && !free.trend, all.offset && !free.offset, all.gain && !free.gain};
   std::vector<double> sizes;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const double size = sizeOf(records[r], added[r], candidate.on_rig) +
@@ -85,7 +87,7 @@ double floorUncertainty(const gap::PreparedRecord& record, const Eigen::VectorXd
 // Shares of the octaves in the residual of a log, after removal of a trend or gain that is free there.
 std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const gap::PreparedRecord& record,
                                  std::size_t place, const Eigen::VectorXd& simulated) {
-  fit::FreeInLog free = hypothesis.free_in_log;
+  fit::PerLogNuisances free = hypothesis.free_in_log;
   free.by_zero = nullptr;
   const Eigen::VectorXd left = record.force - simulated;
   return octaveShares(free.any() ? free.addedTo(record, place, simulated).withoutRig(left) : record.withoutRig(left));

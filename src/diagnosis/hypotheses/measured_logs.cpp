@@ -98,7 +98,7 @@ Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& se
   }
   noise.rest = search.noise.rest;
   noise.rest.resize(records.size(), std::numeric_limits<double>::infinity());
-  fit::FreeInLog free = freeOfNoise(best.hypothesis);
+  fit::PerLogNuisances free = freeOfNoise(best.hypothesis);
   free.by_factor = best.hypothesis.free_in_log.by_factor;
   std::vector<double> rig;  // gaps that errors of the rig cause beside the best model
   for (std::size_t r = 0; r < records.size(); ++r) {

@@ -37,7 +37,7 @@ Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit:
   for (const Eigen::Index column : columnsOf(about.hypothesis)) {
     about_.scales[column - model_size_] = about.fit.parameters.scales[fitted++];
   }
-  std::vector<fit::FreeInLog> free;
+  std::vector<fit::PerLogNuisances> free;
   for (const bool gain : {false, true}) {
     for (const bool offset : {false, true}) {
       for (const bool trend : {false, true}) {

@@ -47,7 +47,7 @@ class Screening {
 
   /// The normal equations: model parameters, basis terms of one candidate after the other, residual. What is free in
   /// each log is taken out. A candidate's own terms come first among its columns.
-  const fit::BlockGrams& blocks(const fit::FreeInLog& free = {}) const { return blocks_[placeOf(free)]; }
+  const fit::BlockGrams& blocks(const fit::PerLogNuisances& free = {}) const { return blocks_[placeOf(free)]; }
   Eigen::Index modelSize() const { return model_size_; }
   const std::vector<std::vector<Eigen::Index>>& columnsOf() const { return columns_of_; }
   const std::vector<fit::BasisTerm>& terms() const { return all_.terms; }
@@ -62,9 +62,9 @@ class Screening {
   struct Part {
     std::vector<Eigen::Index> columns;
     numerics::Limits bounds;
-    fit::FreeInLog free;
+    fit::PerLogNuisances free;
   };
-  static std::size_t placeOf(const fit::FreeInLog& free) {
+  static std::size_t placeOf(const fit::PerLogNuisances& free) {
     return (free.trend ? 1U : 0U) + (free.offset ? 2U : 0U) + (free.gain ? 4U : 0U);
   }
   Part partOf(const std::vector<int>& members) const;

@@ -82,13 +82,13 @@ std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::v
   return otherwise;
 }
 
-fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis) {
+fit::PerLogNuisances freeOfNoise(const fit::Hypothesis& hypothesis) {
   return {false, hypothesis.free_in_log.offset, hypothesis.free_in_log.gain};
 }
 
-std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const fit::FreeInLog& free,
-                                const gap::Forces& simulated, const std::vector<gap::PreparedRecord>& records,
-                                const measurement::NoiseLimit& limit) {
+std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements,
+                                const fit::PerLogNuisances& free, const gap::Forces& simulated,
+                                const std::vector<gap::PreparedRecord>& records, const measurement::NoiseLimit& limit) {
   std::vector<double> floors = measurement::frictionNoise(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd residual = records[r].force - simulated[r];

@@ -43,13 +43,13 @@ std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis,
 std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::vector<double> otherwise);
 
 /// The part of it that is free in a noise floor: zeros and gains, which are no noise. Trends take slow noise with them.
-fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
+fit::PerLogNuisances freeOfNoise(const fit::Hypothesis& hypothesis);
 
 /// Noise floor of each record, by what a component leaves of its force, up to a limit; without what is free in each
 /// log.
-std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const fit::FreeInLog& free,
-                                const gap::Forces& simulated, const std::vector<gap::PreparedRecord>& records,
-                                const measurement::NoiseLimit& limit);
+std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements,
+                                const fit::PerLogNuisances& free, const gap::Forces& simulated,
+                                const std::vector<gap::PreparedRecord>& records, const measurement::NoiseLimit& limit);
 
 /// Floor of several records, each by its weight.
 double commonFloor(const std::vector<double>& floors, const std::vector<gap::PreparedRecord>& records);

@@ -16,11 +16,11 @@ struct HypothesisEvidence {
   std::size_t terms = 0;     ///< numbers that they add to the model; 0: the logs lack what they need
   /// Numbers beyond the laws that the members contain (fit::numbersBeyond()) that are not at their limits.
   std::size_t beyond = 0;
-  fit::FreeInLog free_in_log;      ///< is free in each log, too
-  bool idle = false;               ///< a member removes nothing beyond chance: it is no answer
-  bool keeps_values = false;       ///< model parameters are as configured: its member does what other ones would
-  double chi_squared = 0.0;        ///< of the numbers of the data sheet, each over its tolerance
-  std::vector<double> log_errors;  ///< error on each log, on blocks that took no part in the fit
+  fit::PerLogNuisances free_in_log;  ///< is free in each log, too
+  bool idle = false;                 ///< a member removes nothing beyond chance: it is no answer
+  bool keeps_values = false;         ///< model parameters are as configured: its member does what other ones would
+  double chi_squared = 0.0;          ///< of the numbers of the data sheet, each over its tolerance
+  std::vector<double> log_errors;    ///< error on each log, on blocks that took no part in the fit
   /// Size of the force that each member adds to each log.
   std::vector<std::vector<double>> sizes;
   /// Shares of the octaves in the residual of each log; empty: as their weights.

@@ -158,7 +158,7 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
   for (const int member : members) {
     prior += numbers.rateOf(table.effects[static_cast<std::size_t>(member)]);
   }
-  const fit::FreeInLog& free = table.free_in_log[hypothesis];
+  const fit::PerLogNuisances& free = table.free_in_log[hypothesis];
   const auto inAllLogs = [&](bool is_free) { return is_free ? static_cast<double>(table.weight.size()) : 0.0; };
   return prior - costOfNumbers(table.beyond[row], table.blocks, numbers) - numbers.per_trend * inAllLogs(free.trend) -
          numbers.per_offset * inAllLogs(free.offset) - numbers.per_gain * inAllLogs(free.gain || free.by_factor);

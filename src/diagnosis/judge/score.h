@@ -33,7 +33,7 @@ struct ScoreTable {
   Eigen::ArrayXXd in_bands;  ///< squares beyond the noise floor by band of a log, each over what the band counts
   Eigen::ArrayXd departure;  ///< chi^2 of the numbers of the data sheet
   Eigen::ArrayXd beyond;     ///< numbers beyond the laws that the members contain
-  std::vector<fit::FreeInLog> free_in_log;
+  std::vector<fit::PerLogNuisances> free_in_log;
   std::vector<bool> another_reading;  ///< of wrong values, by an effect beside those as configured
   /// Logarithm of the size of each member over all logs; of wrong values, of what they remove.
   std::vector<std::vector<double>> sizes;

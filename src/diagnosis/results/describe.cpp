@@ -261,7 +261,7 @@ class Describer {
     bool has_friction = false;
     for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
       const fit::Candidate& candidate = search_.candidates[static_cast<std::size_t>(answer_.effects[e])];
-      const fit::FreeInLog free = candidate.free_in_log & free_;
+      const fit::PerLogNuisances free = candidate.free_in_log & free_;
       has_friction = has_friction || (in[1 + e] && candidate.is_friction);
       freed.free_in_log = in[1 + e] ? freed.free_in_log | free : freed.free_in_log;
     }
@@ -361,7 +361,7 @@ class Describer {
   const Replayed& before_;
   const MeasuredLaw& written_;
   const WrittenLaw& law_;
-  const fit::FreeInLog& free_;  // what is free in each log beside the written law
+  const fit::PerLogNuisances& free_;  // what is free in each log beside the written law
   const DiagnosisOptions& options_;
 };
 

@@ -46,7 +46,7 @@ std::vector<bool> unlikeMost(const std::vector<double>& values, double alike) {
 
 std::vector<gap::OwnErrors> ownErrors(const hypotheses::PreparedCase& prepared,
                                       const hypotheses::FittedHypothesis& judged) {
-  const fit::FreeInLog& free = judged.hypothesis.free_in_log;
+  const fit::PerLogNuisances& free = judged.hypothesis.free_in_log;
   if (!free.gain && !free.offset) {
     return {};
   }

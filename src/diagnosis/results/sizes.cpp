@@ -124,7 +124,7 @@ class Resampling {
     Eigen::Index first = fitter_.model().size();
     for (std::size_t m = 0; m < form_error.size(); ++m) {
       const auto size = static_cast<Eigen::Index>(fitted_.law.members[m].size());
-      addMistakes(first, size, form_error[m]);
+      addFormErrorDirections(first, size, form_error[m]);
       first += size;
     }
     draw(options.resamplings);
@@ -163,7 +163,7 @@ class Resampling {
       for (std::size_t b = 0; b < blocks_.gram.size(); ++b) {
         sum += blocks_.gram[pick(generator_)];
       }
-      collect(step(sum) - rest + mistake());
+      collect(step(sum) - rest + formError());
     }
   }
 
@@ -180,7 +180,7 @@ class Resampling {
   }
 
   // Spreads a form error over the parameters of the law: equally over all directions that they span.
-  void addMistakes(Eigen::Index first, Eigen::Index size, double form_error) {
+  void addFormErrorDirections(Eigen::Index first, Eigen::Index size, double form_error) {
     if (size == 0) {
       return;  // a law without numbers, such as a contact without preload
     }
@@ -190,15 +190,15 @@ class Resampling {
         Eigen::VectorXd direction = Eigen::VectorXd::Zero(blocks_.sum.cols() - 1);
         direction.segment(first, size) =
             form_error / std::sqrt(static_cast<double>(size) * system.values[i]) * system.vectors.col(i);
-        mistakes_.push_back(std::move(direction));
+        form_errors_.push_back(std::move(direction));
       }
     }
   }
 
-  Eigen::VectorXd mistake() {
+  Eigen::VectorXd formError() {
     std::normal_distribution<double> normal;
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(blocks_.sum.cols() - 1);
-    for (const Eigen::VectorXd& direction : mistakes_) {
+    for (const Eigen::VectorXd& direction : form_errors_) {
       sum += normal(generator_) * direction;
     }
     return sum;
@@ -288,7 +288,7 @@ class Resampling {
   const fit::BlockGrams blocks_;
   std::set<Key> may_vanish_;  // sizes of effects that vanish at 0
   const Sizes best_;
-  std::vector<Eigen::VectorXd> mistakes_;  // each of standard deviation 1
+  std::vector<Eigen::VectorXd> form_errors_;  // each of standard deviation 1
   std::map<Key, std::vector<Draw>> draws_;
   std::size_t resamples_ = 0;
 };

@@ -133,7 +133,7 @@ struct Stages {
 };
 
 LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChannels& raw, const Stages& forces,
-                     std::size_t r, const fit::FreeInLog& free) {
+                     std::size_t r, const fit::PerLogNuisances& free) {
   const double variance = std::pow(record.force_deviation, 2);
   const auto listOf = [](const VectorXd& values) { return std::vector<double>(values.begin(), values.end()); };
   const double recorded = gap::relativeGap(listOf(raw.force), listOf(forces.recorded[r]), listOf(raw.counts));
@@ -150,7 +150,7 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
   takeNuisances(record, counts, forces.bridged[r], account);
   // Computed as gaps are: each part of the log without the errors of the rig that the other parts determine. What has
   // none of the kinds above is attributed to the state before the log.
-  const auto without = [&](const fit::FreeInLog& also) {
+  const auto without = [&](const fit::PerLogNuisances& also) {
     const double gap =
         gap::gapOfParts(gap::partErrors({record}, {forces.bridged[r]}, {also.unknowns(record, r, forces.bridged[r])}));
     return gap * gap;
@@ -208,7 +208,7 @@ std::vector<TakenOut> LogAccount::entries() const {
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<gap::PreparedRecord>& of_the_fit,
                                    const std::vector<gap::PreparedRecord>& held_out,
-                                   const std::vector<prepare::RawChannels>& raw, fit::FreeInLog free) {
+                                   const std::vector<prepare::RawChannels>& raw, fit::PerLogNuisances free) {
   const Displacements recorded = element::each(raw, &prepare::RawChannels::displacement);
   Displacements bridged;
   for (const auto* list : {&of_the_fit, &held_out}) {

@@ -54,6 +54,6 @@ class LogAccount {
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<gap::PreparedRecord>& of_the_fit,
                                    const std::vector<gap::PreparedRecord>& held_out,
-                                   const std::vector<prepare::RawChannels>& raw, fit::FreeInLog free);
+                                   const std::vector<prepare::RawChannels>& raw, fit::PerLogNuisances free);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -33,7 +33,7 @@ class Withholding {
 
   /// True if a hypothesis frees a gain or an offset in each log.
   bool differsBetweenLogs(int hypothesis) const {
-    const fit::FreeInLog& free = search_.at(hypothesis).hypothesis.free_in_log;
+    const fit::PerLogNuisances& free = search_.at(hypothesis).hypothesis.free_in_log;
     return free.gain || free.offset;
   }
 
