@@ -94,6 +94,18 @@ class BlockSpectra {
     return linesAbove([&](Index i) { return numerics::medianOf(powersBeside(i)); });
   }
 
+  // True if the amplitude at a frequency is larger than those of a quarter of its neighbours by the factor of a loud
+  // line. Several frequencies of a motion may lie close to each other.
+  bool standsOutAt(double frequency) const {
+    const auto i = static_cast<Index>(std::lround(std::min(frequency / width_, 1e9)));
+    if (i <= kNeighbours || i + kNeighbours >= power_.size()) {
+      return false;
+    }
+    std::vector<double> beside = powersBeside(i);
+    std::sort(beside.begin(), beside.end());
+    return power_.segment(i - 1, 3).maxCoeff() > kLoud * kLoud * beside[beside.size() / 4];
+  }
+
   // Amplitude of the loudest neighbour; infinite near the ends of the spectrum.
   double levelAt(double frequency) const {
     return std::sqrt(loudestBeside(static_cast<Index>(std::lround(std::min(frequency / width_, 1e9)))));
@@ -184,7 +196,8 @@ struct LineLog {
         residual(log.force - simulated),
         spectra(residual, log.dt),
         lines(spectra.isolatedLines()),
-        motion(BlockSpectra(log.displacement, log.dt).allLines()) {}
+        motion_spectra(log.displacement, log.dt),
+        motion(motion_spectra.allLines()) {}
 
   const Line* lineAt(double frequency) const {
     const auto found = std::find_if(lines.begin(), lines.end(), [&](const Line& line) {
@@ -199,15 +212,16 @@ struct LineLog {
       const auto resolved = [&](double) { return kResolved / record.duration(); };
       return multipleAt(of_motion, base, record.dt, kMultiples, resolved) > 0;
     };
-    return std::any_of(motion.begin(), motion.end(), [&](const Line& line) {
-      return isMultiple(frequency, line.frequency) || !isMultiple(line.frequency, motion.front().frequency);
-    });
+    return motion_spectra.standsOutAt(frequency) || std::any_of(motion.begin(), motion.end(), [&](const Line& line) {
+             return isMultiple(frequency, line.frequency) || !isMultiple(line.frequency, motion.front().frequency);
+           });
   }
 
   const log::Record& record;
   VectorXd residual;
   BlockSpectra spectra;
   std::vector<Line> lines;
+  BlockSpectra motion_spectra;
   std::vector<Line> motion;
 };
 
