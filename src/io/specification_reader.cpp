@@ -123,7 +123,7 @@ estimation::SheetTolerance SpecificationReader::loadSheetTolerance(const Entry& 
   }
   estimation::SheetTolerance tolerance;
   for (const auto& of_key : entry.node) {
-    tolerance.by_key[of_key.first.Scalar()] = loadTolerance(entry[of_key.first.Scalar()], ", or a map of such by key");
+    tolerance.by_key[of_key.first.Scalar()] = loadTolerance(entry[of_key.first.Scalar()]);
   }
   return tolerance;
 }

@@ -33,7 +33,7 @@ struct Record {
   double displacement_noise = 0.0;   ///< standard deviation of the sensor's white noise, estimated [m]
   double passed_frequency = 0.0;     ///< above this the displacement was smoothed [Hz]; 0 if it is as recorded
   double highest_frequency = 0.0;    ///< above this the displacement is noise [Hz]
-  double lowest_frequency = 0.0;     ///< below this the displacement has negligible power [Hz]
+  double lowest_frequency = 0.0;     ///< 2 % of the displacement's power are below [Hz]
   double mean_frequency = 0.0;       ///< RMS speed over RMS displacement about its mean, by 2 pi [Hz]
   UnitsAre units = UnitsAre::named;  ///< of displacement and force
   std::vector<std::string> notes;    ///< what was found and done: time base, saturation, smoothing

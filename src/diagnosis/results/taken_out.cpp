@@ -141,11 +141,12 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
   const VectorXd counts = countsOf(record);
   const VectorXd residual = record.force - forces.bridged[r];
   const VectorXd measured = withStart(counts, raw.counts);
-  if (raw.line.size() > 0) {
-    account.takeOut(taken_out::kSpikes, meanSquare(residual + raw.line, measured) / variance);
+  const bool has_line = raw.line.size() > 0;
+  account.takeOut(taken_out::kSpikes,
+                  meanSquare(has_line ? VectorXd(residual + raw.line) : residual, measured) / variance);
+  if (has_line) {
     account.takeOut(taken_out::kLine, meanSquare(residual, measured) / variance);
   }
-  account.takeOut(taken_out::kSpikes, meanSquare(residual, measured) / variance);
   account.takeOut(taken_out::kInitialState, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, forces.bridged[r], account);
   // Computed as gaps are: each part of the log without the errors of the rig that the other parts determine. What has
