@@ -45,8 +45,9 @@ ModelParameters::ModelParameters(const io::ComponentDescription& description, Le
   } else {
     addElements(&Point::elements);
   }
+  const std::size_t of_base = slots_.size();
   addElements(&Point::added);
-  addKnown();
+  addKnown(of_base);
 }
 
 void ModelParameters::add(const std::string& name, Slot slot, double largest_ratio) {
@@ -113,10 +114,11 @@ void ModelParameters::addElements(std::vector<element::ElementDescription> Point
     const element::ElementDescription completed = element::complete((configured_.*list)[entry]);
     const auto& table = element::findElementType(completed.type)->parameters;
     const std::string name = fmt::format("{}[{}]", completed.type, entry);
-    const estimation::SheetTolerance& given = description_.tolerance;
-    const double deviation = list == &Point::elements && given.by_key.count(name) + (given.of_all ? 1 : 0) > 0
-                                 ? given.of(name)
-                                 : kOwnDeviation;
+    const auto& [of_all, by_entry] = description_.tolerance;
+    const auto own = by_entry.find(name);
+    const double deviation = list == &Point::added   ? kOwnDeviation
+                             : own != by_entry.end() ? own->second
+                                                     : of_all.value_or(kOwnDeviation);
     for (const auto& [key, values] : completed.values) {
       if (element::isFree(*element::findParameter(table, key), values)) {
         const auto move = [=, key = key, value = values.front()](Point& point, double ratio) {
@@ -130,19 +132,19 @@ void ModelParameters::addElements(std::vector<element::ElementDescription> Point
 }
 
 // Adds the known numbers of the model: all that a sheet states, except inputs that the model does not use.
-void ModelParameters::addKnown() {
+void ModelParameters::addKnown(std::size_t of_base) {
   using estimation::Model;
   const Point point = configured_;
   for (const auto& [key, value] : configured_.specification.values()) {
     const bool unused = (description_.model() == Model::kelvin_voigt && key == "static_stiffness") ||
                         (description_.model() == Model::maxwell && key == "high_frequency");
     if (!unused && description_.model() != Model::elements && estimation::isOfSheet(key)) {
-      known_.push_back({key, std::log(sheetNumber(point, key)), sheetDeviation(key), true});
+      known_.push_back({key, std::log(sheetNumber(point, key)), sheetDeviation(key), true, true});
     }
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (slots_[i].of_element) {
-      known_.push_back({names_[i], 0.0, slots_[i].deviation, false});
+      known_.push_back({names_[i], 0.0, slots_[i].deviation, false, i < of_base});
     }
   }
 }
@@ -152,10 +154,9 @@ double ModelParameters::largestRatio() const {
 }
 
 bool ModelParameters::isGuess() const {
-  const bool listed = description_.tolerance.given();
-  return !known_.empty() && (listed || known_.front().of_sheet) &&
-         std::all_of(known_.begin(), known_.end(), [&](const KnownNumber& number) {
-           return !(listed || number.of_sheet) || number.deviation >= estimation::SheetTolerance::kGuess;
+  return !known_.empty() && known_.front().of_base &&
+         std::all_of(known_.begin(), known_.end(), [](const KnownNumber& number) {
+           return !number.of_base || number.deviation >= estimation::SheetTolerance::kGuess;
          });
 }
 

@@ -26,6 +26,7 @@ struct KnownNumber {
   double logarithm;  ///< of what is known
   double deviation;  ///< standard deviation of the logarithm
   bool of_sheet;     ///< else of a single element
+  bool of_base;      ///< of the sheet or the listed elements, not of an added element
 };
 
 /// A model's model parameters as logarithms of their ratios to the configured values, so that 0 is "as configured".
@@ -66,7 +67,7 @@ class ModelParameters {
   /// where the sheet leaves next to nothing of it, with a usual relaxing stiffness.
   std::vector<Eigen::VectorXd> starts() const;
 
-  /// True if only the order of magnitude is known of all numbers of the sheet.
+  /// True if only the order of magnitude is known of all numbers of the sheet, or of all listed elements.
   bool isGuess() const;
 
   /// The configured value of a parameter of an element, at the level of elements [SI].
@@ -118,7 +119,7 @@ class ModelParameters {
   void addSpecification();
   void addElements(std::vector<element::ElementDescription> Point::* list);
   void add(const std::string& name, Slot slot, double largest_ratio);
-  void addKnown();
+  void addKnown(std::size_t of_base);
   /// A number of the sheet, whether or not a component has the numbers of the point.
   double sheetNumber(const Point& point, const std::string& key) const;
   Point movedBy(const Eigen::VectorXd& logarithms) const;

@@ -87,6 +87,10 @@ TEST(ModelParameters, OfElementsHaveTheirTolerances) {
   const ModelParameters guess(component, Level::specification);
   EXPECT_TRUE(guess.isGuess());
   EXPECT_FALSE(usual.isGuess());
+  component.add = {{"spring", {{"stiffness", {1e5}}}}};  // as beside a data sheet, what is added is no part of a guess
+  const ModelParameters with_added(component, Level::specification);
+  EXPECT_TRUE(with_added.isGuess());
+  EXPECT_EQ(with_added.known().back().deviation, 0.3);
   EXPECT_NEAR(guess.bounds()[0], 2.0 * std::log(10.0), 1e-12) << "two deviations";
   EXPECT_NEAR(usual.bounds()[0], std::log(10.0), 1e-12);
 }
