@@ -21,13 +21,12 @@
 #include "bag/bag_check.h"
 #include "bag/message_field.h"
 #include "element/refuse.h"
-#include "log/column_name.h"
+#include "log/column_table.h"
 #include "log/file_format.h"
+#include "log/file_readers.h"
 #include "log/log_columns.h"
-#include "log/signals.h"
 #include "log/text.h"
 #include "rubber_suspension/component/pose_stream.h"
-#include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::bag {
 namespace {
@@ -126,10 +125,12 @@ void checkIncreasing(const Series& series, const std::string& path, const std::s
   }
 }
 
-// A series and its topic, for notes; an empty one is not there.
+// A series on a topic or in a field of it; an empty one is not there.
 struct Channel {
+  log::Quantity quantity;
   Series series;
   std::string topic;
+  std::string unit;  // empty: that of the format, or SI
 };
 
 // The options that read messages whose stamps are of no use, as far as they will read these.
@@ -204,30 +205,27 @@ void orderByStamps(Channel& channel, const std::string& path, bool may_have_rate
 }
 
 // Stamps as the format asks for them.
-void setStamps(Channel& displacement, Channel& force, Channel& temperature, const std::string& path,
-               const log::LogFormat& format, std::vector<std::string>& notes) {
+void setStamps(std::vector<Channel>& channels, const std::string& path, const log::LogFormat& format,
+               std::vector<std::string>& notes) {
+  const Channel& displacement = channels[0];
+  const Channel& force = channels[1];
   const std::size_t forces = force.series.stamp.size();
   const bool paired = forces == 0 || forces == displacement.series.stamp.size();
   if (format.rate) {
     element::refuseIf<log::LogError>(!paired,
                                      "{}: --sampling-rate: {} messages on {}, {} on {}; accepted: as many of each",
                                      path, forces, force.topic, displacement.series.stamp.size(), displacement.topic);
-    for (Channel* channel : {&displacement, &force}) {
-      for (std::size_t i = 0; i < channel->series.stamp.size(); ++i) {
-        channel->series.stamp[i] = log::stampAtRate(i, *format.rate);
-      }
-    }
     notes.push_back(fmt::format("the stamps are replaced by --sampling-rate {:g}{}", *format.rate,
-                                temperature.series.stamp.empty() ? "" : "; the temperature, without any, is left out"));
-    temperature.series = {};
+                                channels[2].series.stamp.empty() ? "" : "; the temperature, without any, is left out"));
+    channels[2].series = {};
     return;
   }
-  for (Channel* channel : {&displacement, &force, &temperature}) {
+  for (Channel& channel : channels) {
     if (format.by_receipt) {
-      channel->series.stamp = channel->series.receipt;
+      channel.series.stamp = channel.series.receipt;
     }
-    if (!channel->series.stamp.empty()) {
-      orderByStamps(*channel, path, paired, notes);
+    if (!channel.series.stamp.empty()) {
+      orderByStamps(channel, path, paired, notes);
     }
   }
   if (format.by_receipt) {
@@ -235,100 +233,86 @@ void setStamps(Channel& displacement, Channel& force, Channel& temperature, cons
   }
 }
 
-log::Column columnOf(const Channel& channel) {
-  log::Column column;
-  column.index = channel.series.stamp.empty() ? log::Column::kNone : 0;
-  column.name = column.label = channel.topic;
-  return column;
-}
-
-// Both signals on the stamps of the displacement. A message without a number is none.
-void mergeSignals(const Channel& displacement, const Channel& force, log::LogFormat format, log::Log& log) {
-  log::Columns columns;
-  columns.displacement = columnOf(displacement);
-  columns.force = columnOf(force);
-  format.bridge = std::numeric_limits<double>::infinity();  // stamps tell of every gap
-  log::Signals signals(format, columns, "message");
-  const Series& z = displacement.series;
-  const Series& f = force.series;
-  std::size_t i = 0;
-  std::size_t j = 0;
-  while (i < z.stamp.size() || j < f.stamp.size()) {
-    const bool moves = i < z.stamp.size() && (j == f.stamp.size() || z.stamp[i] <= f.stamp[j]);
-    const bool pulls = j < f.stamp.size() && (!moves || f.stamp[j] == z.stamp[i]);
-    log::SignalRow row;
-    row.stamp = moves ? z.stamp[i] : f.stamp[j];
-    row.place = (moves ? i : j) + 1;
-    if (moves) {
-      row.value[log::kMotion] = z.value[i++];
-    }
-    if (pulls) {
-      row.faulty[log::kForce] = !std::isfinite(f.value[j]);
-      row.value[log::kForce] = row.faulty[log::kForce] ? log::kNotMeasured : f.value[j];
-      ++j;
-    }
-    signals.add(row, {}, log);
-  }
-  signals.finish(log);
-  for (std::string& note : signals.notes()) {
-    log.notes.push_back(std::move(note));
-  }
-}
-
-// Samples that the node would have accepted.
-Series finiteOnes(const Series& series) {
-  Series finite;
-  for (std::size_t i = 0; i < series.stamp.size(); ++i) {
-    if (std::isfinite(series.value[i])) {
-      finite.stamp.push_back(series.stamp[i]);
-      finite.value.push_back(series.value[i]);
+// As in the node, each temperature holds from its stamp to that of the next; the node drops one that is not finite.
+// Returns one for each of these stamps.
+Series heldAt(const std::vector<std::int64_t>& stamps, const Channel& measured, std::vector<std::string>& notes) {
+  std::vector<std::size_t> finite;
+  for (std::size_t i = 0; i < measured.series.value.size(); ++i) {
+    if (std::isfinite(measured.series.value[i])) {
+      finite.push_back(i);
     }
   }
-  return finite;
-}
-
-// As in the node, each temperature holds from its stamp to that of the next.
-void addTemperature(const Series& measured, const std::string& topic, log::Log& log) {
-  const Series finite = finiteOnes(measured);
-  if (finite.stamp.empty()) {
-    return;
-  }
-  std::size_t j = 0;
+  Series held;
   std::size_t early = 0;
-  for (const std::int64_t stamp : log.stamp) {
-    while (j + 1 < finite.stamp.size() && finite.stamp[j + 1] <= stamp) {
+  std::size_t j = 0;
+  for (const std::int64_t stamp : finite.empty() ? std::vector<std::int64_t>() : stamps) {
+    while (j + 1 < finite.size() && measured.series.stamp[finite[j + 1]] <= stamp) {
       ++j;
     }
-    early += finite.stamp[j] > stamp ? 1 : 0;
-    log.temperature.push_back(finite.value[j]);
+    early += measured.series.stamp[finite[j]] > stamp ? 1 : 0;
+    held.value.push_back(measured.series.value[finite[j]]);
   }
   if (early > 0) {
-    log.notes.push_back(
-        fmt::format("{}: {}: {} samples before the first temperature take that one", log.name, topic, early));
+    notes.push_back(fmt::format("{}: {} samples before the first temperature take that one", measured.topic, early));
   }
+  return held;
 }
 
-log::Log logOf(const std::string& path, Channel displacement, Channel force, Channel temperature,
-               const log::LogFormat& format) {
-  log::Log log;
-  log.name = log::logName(path);
-  for (const double value : displacement.series.value) {
+template <class Number, class Value>
+std::vector<Number> part(const std::vector<Value>& values, std::size_t first, std::size_t count) {
+  const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+// Each channel with stamps is a group of a time and values, one without belongs to the displacement. Columns and their
+// units, clocks and gaps are then those of any other file.
+log::Log logOf(const std::string& path, std::vector<Channel> channels, log::LogFormat format) {
+  std::vector<std::string> notes;
+  for (const double value : channels[0].series.value) {
     element::refuseIf<log::LogError>(!std::isfinite(value), "{}: {}: {} is not finite; accepted: a finite number", path,
-                                     displacement.topic, value);
+                                     channels[0].topic, value);
   }
-  setStamps(displacement, force, temperature, path, format, log.notes);
+  setStamps(channels, path, format, notes);
+  channels[2].series = heldAt(channels[0].series.stamp, channels[2], notes);
+  log::ColumnTable table;
+  table.place = "message";
+  table.is_own =
+      std::none_of(channels.begin(), channels.end(), [](const auto& channel) { return channel.unit.empty(); });
+  std::vector<const Series*> series;
+  for (const Channel& channel : channels) {
+    format.of[static_cast<std::size_t>(channel.quantity)].column = channel.series.value.empty() ? "" : channel.topic;
+    const bool has_stamps = !format.rate && !channel.series.stamp.empty();
+    const std::string& group = has_stamps ? channel.topic : channels[0].topic;
+    if (has_stamps) {
+      table.names.push_back({channel.topic + ".stamp", "time", "ns"});
+    }
+    if (!channel.series.value.empty()) {
+      table.names.push_back({channel.topic, channel.topic, channel.unit});
+    }
+    table.groups.resize(table.names.size(), group);
+    series.resize(table.names.size(), &channel.series);
+  }
+  format.of[static_cast<std::size_t>(log::Quantity::time)].column = format.rate ? "" : channels[0].topic + ".stamp";
+  format.bridge = std::numeric_limits<double>::infinity();  // stamps tell of every gap
+  table.file = {[&](std::size_t place, const std::string&) { return series[place]->value.size(); },
+                [&](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
+                  return part<double>(series[place]->value, first, count);
+                },
+                [&](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
+                  return part<long double>(series[place]->stamp, first, count);
+                }};
   try {
-    mergeSignals(displacement, force, format, log);
+    log::Log log = log::onlyLog(path, log::logsFromColumns(table, format, log::logName(path)));
+    log.notes.insert(log.notes.end(), notes.begin(), notes.end());
+    return log;
   } catch (const std::runtime_error& error) {
     throw log::LogError(fmt::format("{}: {}", path, error.what()));
   }
-  addTemperature(temperature.series, temperature.topic, log);
-  log::checkLog(log);
-  return log;
 }
 
 Channel temperatureOf(const rosbag::Bag& bag, const std::string& path, const std::string& base) {
-  return {readTopic<sensor_msgs::Temperature>(bag, path, base + kTemperature), base + kTemperature};
+  return {log::Quantity::temperature, readTopic<sensor_msgs::Temperature>(bag, path, base + kTemperature),
+          base + kTemperature, "degC"};
 }
 
 log::Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std::string& component,
@@ -336,8 +320,11 @@ log::Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std:
   const std::string topic = topicOf(kDisplacement, bag, path, component);
   const std::string base = topic.substr(0, topic.size() - std::string(kDisplacement).size());
   const std::string force_topic = base + kMeasuredForce;
-  return logOf(path, {readTopic<Displacement>(bag, path, topic), topic},
-               {readTopic<MeasuredForce>(bag, path, force_topic), force_topic}, temperatureOf(bag, path, base), format);
+  return logOf(path,
+               {{log::Quantity::displacement, readTopic<Displacement>(bag, path, topic), topic, "m"},
+                {log::Quantity::force, readTopic<MeasuredForce>(bag, path, force_topic), force_topic, "N"},
+                temperatureOf(bag, path, base)},
+               format);
 }
 
 using SixSeries = std::array<Series, component::kDirections>;
@@ -397,8 +384,12 @@ log::PoseLog readOpenPoses(const rosbag::Bag& bag, const std::string& path, cons
   log::PoseLog poses;
   for (std::size_t k = 0; k < component::kDirections; ++k) {
     const Series& coordinate = series.coordinate[k];
-    log::Log log = logOf(path, {coordinate, topic}, {wrench[k], base + kMeasuredWrench},
-                         k == 0 ? temperatureOf(bag, path, base) : Channel(), {});
+    log::Log log =
+        logOf(path,
+              {{log::Quantity::displacement, coordinate, topic, "m"},
+               {log::Quantity::force, wrench[k], base + kMeasuredWrench, "N"},
+               k == 0 ? temperatureOf(bag, path, base) : Channel{log::Quantity::temperature, {}, "", "degC"}},
+              {});
     poses.coordinate[k] = std::move(log.displacement);
     poses.wrench[k] = std::move(log.force);
     if (k == 0) {
@@ -413,49 +404,20 @@ log::PoseLog readOpenPoses(const rosbag::Bag& bag, const std::string& path, cons
   return poses;
 }
 
-// The numbers that the user names, in SI units; nothing where none are named.
-Series namedSeries(const rosbag::Bag& bag, const std::string& path, const log::LogFormat& format,
-                   log::Quantity quantity) {
-  const log::LogFormat::Channel& channel = format.of[static_cast<std::size_t>(quantity)];
-  if (channel.column.empty()) {
-    return {};
-  }
-  Series series = readField(bag, path, channel.column);
-  const std::string si = log::siUnit(quantity);
-  const log::UnitConversion conversion(channel.unit.empty() ? si : log::spelledUnit(channel.unit, si), si);
-  for (double& value : series.value) {
-    value = channel.factor * conversion(value);
-  }
-  return series;
-}
-
+// The fields that the user names.
 log::Log readNamedFields(const rosbag::Bag& bag, const std::string& path, const log::LogFormat& format) {
   const auto field = [&](log::Quantity quantity) { return format.of[static_cast<std::size_t>(quantity)].column; };
-  const std::string force_field = field(log::Quantity::force);
   if (field(log::Quantity::displacement).empty() || !field(log::Quantity::time).empty()) {
     throw log::LogError(path +
                         ": --columns of a bag; accepted: displacement=/TOPIC/FIELD and, where they are there, "
                         "force and temperature; time is that of the messages");
   }
-  const std::string displacement_field = field(log::Quantity::displacement);
-  log::Log log =
-      logOf(path, {namedSeries(bag, path, format, log::Quantity::displacement), displacement_field},
-            {namedSeries(bag, path, format, log::Quantity::force), force_field},
-            {namedSeries(bag, path, format, log::Quantity::temperature), field(log::Quantity::temperature)}, format);
-  log.notes.insert(log.notes.begin(), "displacement from " + displacement_field +
-                                          (force_field.empty() ? "" : ", force from " + force_field));
-  return log;
-}
-
-// Topics of this package are in SI units; a field of another message is in those of whoever made it.
-log::UnitsAre unitsOf(const log::LogFormat& format) {
-  const auto is_assumed = [&](log::Quantity quantity) {
-    const log::LogFormat::Channel& channel = format.of[static_cast<std::size_t>(quantity)];
-    return !channel.column.empty() && channel.unit.empty();
-  };
-  return format.accept_units                                                           ? log::UnitsAre::accepted
-         : is_assumed(log::Quantity::displacement) || is_assumed(log::Quantity::force) ? log::UnitsAre::assumed
-                                                                                       : log::UnitsAre::named;
+  std::vector<Channel> channels;
+  for (const auto quantity : {log::Quantity::displacement, log::Quantity::force, log::Quantity::temperature}) {
+    const std::string name = field(quantity);
+    channels.push_back({quantity, name.empty() ? Series() : readField(bag, path, name), name, ""});
+  }
+  return logOf(path, std::move(channels), format);
 }
 
 bool namesColumns(const log::LogFormat& format) {
@@ -481,10 +443,7 @@ auto ofBag(const std::string& path, Read read) {
 
 log::Log readBagLog(const std::string& path, const std::string& component, const log::LogFormat& format) {
   return ofBag(path, [&](const rosbag::Bag& bag) {
-    log::Log log =
-        namesColumns(format) ? readNamedFields(bag, path, format) : readOpenBag(bag, path, component, format);
-    log.units = unitsOf(format);
-    return log;
+    return namesColumns(format) ? readNamedFields(bag, path, format) : readOpenBag(bag, path, component, format);
   });
 }
 

@@ -38,6 +38,7 @@ class Cursor {
 
   void add(const Column& column, std::size_t signal) { columns_.push_back({&column, signal, {}}); }
 
+  const Column& time() const { return time_; }
   std::size_t length() const { return length_; }
   bool atEnd() const { return next_ == length_; }
 
@@ -119,22 +120,26 @@ class Cursor {
 // Reads the columns of a log part by part. Those of a group with a time of its own go by that.
 class ColumnReader {
  public:
-  ColumnReader(const ColumnSegment& segment, const ColumnFile& file, const LogFormat& format)
+  ColumnReader(const ColumnSegment& segment, const ColumnTable& table, const LogFormat& format)
       : segment_(segment),
-        file_(file),
+        table_(table),
         format_(format),
         columns_(findColumns(segment.names, format)),
         units_(unitsOf(columns_, format)),
-        rules_(format, columns_, "element") {
+        rules_(format, columns_, table.place) {
     requireTimeUnit(columns_, format);
-    notes_ = notesOnIgnored(segment.names, columns_, format);
-    cursors_.emplace_back(file, segment.places, columns_.time, lengthOf(columns_.displacement));
+    cursors_.emplace_back(table.file, segment.places, columns_.time, lengthOf(columns_.displacement));
     requireLength(columns_.time);
     cursors_.front().add(columns_.displacement, kMotion);
     addSignal(columns_.force, kForce);
     addSignal(columns_.temperature, kTemperature);
     element::refuseIf<std::runtime_error>(samples() < 2, "{}: {} samples; accepted: at least 2",
                                           columns_.displacement.name, samples());
+    std::vector<ColumnName> others = segment.names;
+    for (std::size_t i = 1; i < cursors_.size(); ++i) {
+      others[cursors_[i].time().index].text.clear();
+    }
+    notes_ = notesOnIgnored(others, columns_, format);
   }
   ColumnReader(const ColumnReader&) = delete;
   ColumnReader& operator=(const ColumnReader&) = delete;
@@ -156,14 +161,14 @@ class ColumnReader {
         handOut(block, take);
       }
     } catch (const RowError& error) {
-      throw std::runtime_error(fmt::format("element {}: {}", error.row(), error.what()));
+      throw std::runtime_error(fmt::format("{} {}: {}", table_.place, error.row(), error.what()));
     }
   }
 
   /// Once all is read.
   std::vector<std::string> notes() const {
     std::vector<std::string> notes = notes_;
-    if (!areCanonical(columns_)) {
+    if (!table_.is_own && !areCanonical(columns_)) {
       notes.insert(notes.begin(), describeColumns(columns_, rules_.extent()));
     }
     const std::vector<std::string> of_rows = rules_.notes();
@@ -172,7 +177,9 @@ class ColumnReader {
   }
 
  private:
-  std::size_t lengthOf(const Column& column) const { return file_.length(segment_.places[column.index], column.name); }
+  std::size_t lengthOf(const Column& column) const {
+    return table_.file.length(segment_.places[column.index], column.name);
+  }
 
   void addSignal(const Column& column, std::size_t signal) {
     if (!column.found()) {
@@ -180,7 +187,7 @@ class ColumnReader {
     }
     const Column own_time = timeBeside(column);
     if (own_time.found()) {
-      cursors_.emplace_back(file_, segment_.places, own_time, lengthOf(column));
+      cursors_.emplace_back(table_.file, segment_.places, own_time, lengthOf(column));
     } else {
       requireLength(column);
     }
@@ -258,7 +265,7 @@ class ColumnReader {
   }
 
   const ColumnSegment& segment_;
-  const ColumnFile& file_;
+  const ColumnTable& table_;
   LogFormat format_;
   Columns columns_;
   UnitsAre units_;
@@ -315,7 +322,7 @@ std::vector<ColumnSegment> wantedSegments(const ColumnTable& table, const LogFor
 std::vector<std::string> blocksFromColumns(const ColumnTable& table, const LogFormat& format, const std::string& name,
                                            std::size_t block, const LogSource::Take& take) {
   const ColumnSegment segment = wantedSegments(table, format, name).front();
-  ColumnReader reader(segment, table.file, format);
+  ColumnReader reader(segment, table, format);
   std::size_t handed_out = 0;
   reader.read(block, [&](Log& samples) {
     samples.name = segment.name;
@@ -327,7 +334,7 @@ std::vector<std::string> blocksFromColumns(const ColumnTable& table, const LogFo
 std::vector<Log> logsFromColumns(const ColumnTable& table, const LogFormat& format, const std::string& name) {
   std::vector<Log> logs;
   for (const ColumnSegment& segment : wantedSegments(table, format, name)) {
-    ColumnReader reader(segment, table.file, format);
+    ColumnReader reader(segment, table, format);
     logs.emplace_back();
     reader.read(kMaximumLogRows, [&](Log& log) {
       logs.back() = std::move(log);

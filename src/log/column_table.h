@@ -34,6 +34,8 @@ struct ColumnTable {
   std::vector<ColumnName> names;
   std::vector<std::string> groups;  ///< as many
   ColumnFile file;
+  const char* place = "element";  ///< name of a place in a column, for errors and notes
+  bool is_own = false;            ///< columns that this package writes: no note describes them
 };
 
 /// Finds the columns of the one log, or of the segment that the format asks for, and hands out those that are needed in
