@@ -1,12 +1,14 @@
-// A log as text in UTF-8: by zlib where it is gzip, by iconv where it is UTF-16.
+// A log as text in UTF-8: by Boost where it is gzip, by iconv where it is UTF-16.
 #include "log/text_source.h"
 
 #include <fmt/format.h>
 #include <iconv.h>
 #include <sys/stat.h>
-#include <zlib.h>
 
 #include <algorithm>
+#include <boost/iostreams/concepts.hpp>
+#include <boost/iostreams/filter/gzip.hpp>
+#include <boost/iostreams/filtering_stream.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -82,64 +84,47 @@ class PeekedSource final : public ByteSource {
 
 constexpr std::size_t kPortion = 64 * 1024;  // bytes that are decoded at a time
 
+// The packed bytes for the library, counted.
+struct PackedBytes : boost::iostreams::source {
+  ByteSource* source;
+  std::size_t* count;
+
+  std::streamsize read(char* to, std::streamsize size) const {
+    const std::size_t taken = source->read(to, static_cast<std::size_t>(size));
+    *count += taken;
+    return taken == 0 ? -1 : static_cast<std::streamsize>(taken);
+  }
+};
+
 // One gzip member or several behind each other.
 class GzipSource final : public ByteSource {
  public:
   GzipSource(std::unique_ptr<ByteSource> source, bool large, std::size_t size)
-      : source_(std::move(source)), large_(large), size_(size), input_(kPortion) {
-    constexpr int kGzip = 16;  // zlib's way to ask for the gzip format
-    element::refuseIf<std::runtime_error>(inflateInit2(&stream_, MAX_WBITS + kGzip) != Z_OK, "gzip: no memory");
+      : source_(std::move(source)), large_(large), size_(size) {
+    stream_.push(boost::iostreams::gzip_decompressor(), kPortion);
+    stream_.push(PackedBytes{{}, source_.get(), &packed_}, kPortion);
+    stream_.exceptions(std::ios::badbit);
   }
-  GzipSource(const GzipSource&) = delete;
-  GzipSource& operator=(const GzipSource&) = delete;
-  ~GzipSource() override { inflateEnd(&stream_); }
 
   std::size_t read(char* to, std::size_t size) override {
-    stream_.next_out = reinterpret_cast<Bytef*>(to);
-    stream_.avail_out = static_cast<uInt>(size);
-    while (stream_.avail_out == size) {
-      if (stream_.avail_in == 0 && !refill()) {
-        return 0;
-      }
-      decode();
+    try {
+      stream_.read(to, static_cast<std::streamsize>(size));
+    } catch (const boost::iostreams::gzip_error&) {
+      throw std::runtime_error("gzip: damaged or cut off; accepted: a complete file");
     }
-    const std::size_t count = size - stream_.avail_out;
+    const auto count = static_cast<std::size_t>(stream_.gcount());
     unpacked_ += count;
     refuseUnpacked(unpacked_, packed_, large_, size_);
     return count;
   }
 
  private:
-  bool refill() {
-    stream_.next_in = reinterpret_cast<Bytef*>(input_.data());
-    stream_.avail_in = static_cast<uInt>(source_->read(input_.data(), input_.size()));
-    packed_ += stream_.avail_in;
-    element::refuseIf<std::runtime_error>(stream_.avail_in == 0 && !between_members_,
-                                          "gzip: the file ends early; accepted: a complete one");
-    return stream_.avail_in > 0;
-  }
-
-  void decode() {
-    between_members_ = false;
-    const int result = inflate(&stream_, Z_NO_FLUSH);
-    if (result == Z_STREAM_END) {
-      inflateReset(&stream_);
-      between_members_ = true;
-    } else if (result != Z_OK && result != Z_BUF_ERROR) {
-      throw std::runtime_error(fmt::format("gzip: damaged data{}{}; accepted: a complete file",
-                                           stream_.msg == nullptr ? "" : ": ",
-                                           stream_.msg == nullptr ? "" : stream_.msg));
-    }
-  }
-
   std::unique_ptr<ByteSource> source_;
   bool large_;
   std::size_t size_;        // of the file; 0: unknown
   std::size_t packed_ = 0;  // bytes read so far
   std::size_t unpacked_ = 0;
-  std::vector<char> input_;
-  z_stream stream_{};
-  bool between_members_ = false;
+  boost::iostreams::filtering_istream stream_;
 };
 
 class Utf16Source final : public ByteSource {
