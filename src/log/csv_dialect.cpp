@@ -233,23 +233,19 @@ std::optional<CsvHeader> HeaderFinder::add(const TextLine& line) {
   return lines_.size() < 3 ? std::nullopt : candidate(lines_.size() - 3);
 }
 
-std::optional<CsvHeader> HeaderFinder::atEnd() const {
+std::optional<CsvHeader> HeaderFinder::atEnd(bool needs_row) const {
   for (std::size_t i = lines_.size() < 3 ? 0 : lines_.size() - 2; i < lines_.size(); ++i) {
     auto found = candidate(i);
-    if (found && found->next_line <= lines_.back().number) {
+    if (found && (!needs_row || found->next_line <= lines_.back().number)) {
       return found;
     }
   }
   return std::nullopt;
 }
 
-CsvHeader HeaderFinder::finish() {
-  for (std::size_t i = lines_.size() < 3 ? 0 : lines_.size() - 2; i < lines_.size(); ++i) {
-    if (const auto found = candidate(i)) {
-      return *found;
-    }
-  }
-  return bestGuess();
+CsvHeader HeaderFinder::finish() const {
+  const auto found = atEnd(false);
+  return found ? *found : bestGuess();
 }
 
 std::optional<CsvHeader> HeaderFinder::candidate(std::size_t i) const {

@@ -65,12 +65,12 @@ class HeaderFinder {
   /// Add the next line; returns the header as soon as the lines behind it confirm it.
   std::optional<CsvHeader> add(const TextLine& line);
 
-  /// The header of a file that ends here, with a row behind it.
-  std::optional<CsvHeader> atEnd() const;
+  /// Returns the header of a file that ends here; `needs_row`: only one with a row behind it.
+  std::optional<CsvHeader> atEnd(bool needs_row) const;
 
   /// The header of a file that ends here, or the line that most looks like one. Throws std::runtime_error where there
   /// is none.
-  CsvHeader finish();
+  CsvHeader finish() const;
 
  private:
   std::optional<CsvHeader> candidate(std::size_t i) const;

@@ -76,6 +76,14 @@ constexpr long double kFirstDay = 20000.0L;  // in 1954
 constexpr long double kLastDay = 80000.0L;   // in 2119
 constexpr long double kDaysBefore1970 = 25569.0L;
 
+// Number of lines of a kind, and the first of them.
+struct Lines {
+  std::size_t count = 0;
+  std::size_t first = 0;
+
+  void add(std::size_t line) { first = count++ == 0 ? line : first; }
+};
+
 class CsvLogReader {
  public:
   CsvLogReader(const std::string& path, const LogFormat& format, char found_mark)
@@ -226,7 +234,8 @@ class CsvLogReader {
     rules_.emplace(format_, columns_, "line");
     clock_ = TimeTextReader();
     first_row_ = 0;
-    blank_line_ = comments_ = repeats_ = repeated_ = statistics_ = 0;
+    blank_line_ = 0;
+    comments_ = repeats_ = statistics_ = {};
   }
 
   void endSegment(bool another_follows) {
@@ -256,13 +265,12 @@ class CsvLogReader {
     std::vector<TextLine> head = {{line_, line}};
     HeaderFinder finder(format_);
     auto header = searchHeader(finder, head);
-    header = header ? header : finder.atEnd();
+    header = header ? header : finder.atEnd(true);
     if (!header || (header->line == 0 && !behind_blank)) {
       throw RowError(error_line, error.what());
     }
     if (isContinued(*header, head)) {
-      repeated_ = repeated_ == 0 ? header->line : repeated_;
-      ++repeats_;
+      repeats_.add(header->line);
       blank_line_ = 0;
       readAhead(head, header->next_line);
       return;
@@ -273,19 +281,13 @@ class CsvLogReader {
     startSegment(head);
   }
 
-  // Rows behind a blank line, without a header of their own.
-  void endSegmentAtBlank() {
+  // Rows behind a blank line, without a header of their own, or whose time restarts.
+  void beginAnotherLog() {
+    const bool restarts = blank_line_ == 0;
+    restart_rate_ = restarts && restarts_ == 0 ? rules_->rate() : restart_rate_;
+    restarts_ += restarts ? 1 : 0;
     endSegment(true);
-    border_ = fmt::format(", where rows behind blank line {} begin another log", blank_line_);
-    beginRows();
-  }
-
-  // Rows whose time restarts.
-  void endSegmentAtRestart() {
-    restart_rate_ = restarts_ == 0 ? rules_->rate() : restart_rate_;
-    ++restarts_;
-    endSegment(true);
-    border_ = "";
+    border_ = restarts ? "" : fmt::format(", where rows behind blank line {} begin another log", blank_line_);
     beginRows();
   }
 
@@ -335,13 +337,11 @@ class CsvLogReader {
       return;
     }
     if (std::strchr("#%!/", *text) != nullptr && isComment(text)) {
-      first_comment_ = comments_ == 0 ? line_ : first_comment_;
-      ++comments_;
+      comments_.add(line_);
       return;
     }
     if (first_row_ != 0 && !lettered_ && beginsWithLetter(text) && isStatistics(text)) {
-      first_statistics_ = statistics_ == 0 ? line_ : first_statistics_;
-      ++statistics_;
+      statistics_.add(line_);
       return;
     }
     lettered_ = first_row_ == 0 ? beginsWithLetter(text) : lettered_;
@@ -364,14 +364,8 @@ class CsvLogReader {
       endSegmentAt(line, std::runtime_error(reason + "; accepted: a finite number"));
       return;
     }
-    if (blank_line_ != 0 && first_row_ != 0) {
-      endSegmentAtBlank();
-      if (isPastChosen()) {
-        return;
-      }
-    }
-    if (rules_->restarts(row_)) {
-      endSegmentAtRestart();
+    if ((blank_line_ != 0 && first_row_ != 0) || rules_->restarts(row_)) {
+      beginAnotherLog();
       if (isPastChosen()) {
         return;
       }
@@ -404,8 +398,8 @@ class CsvLogReader {
   }
 
   void takeRow() {
-    if (statistics_ > 0) {
-      throw RowError(first_statistics_, "a row of statistics, with data behind it; accepted: rows of numbers");
+    if (statistics_.count > 0) {
+      throw RowError(statistics_.first, "a row of statistics, with data behind it; accepted: rows of numbers");
     }
     blank_line_ = 0;
     first_row_ = first_row_ == 0 ? line_ : first_row_;
@@ -559,17 +553,17 @@ class CsvLogReader {
     for (std::string& note : rules_->notes()) {
       log_.notes.push_back(std::move(note));
     }
-    if (comments_ > 0) {
-      log_.notes.push_back(fmt::format("{} comment line{} among the rows, the first line {}: left out", comments_,
-                                       comments_ == 1 ? "" : "s", first_comment_));
+    if (comments_.count > 0) {
+      log_.notes.push_back(fmt::format("{} comment line{} among the rows, the first line {}: left out", comments_.count,
+                                       pluralOf(comments_.count), comments_.first));
     }
-    if (repeats_ > 0) {
+    if (repeats_.count > 0) {
       log_.notes.push_back(fmt::format("the header repeats {} time{} while time continues, first in line {}: one log",
-                                       repeats_, pluralOf(repeats_), repeated_));
+                                       repeats_.count, pluralOf(repeats_.count), repeats_.first));
     }
-    if (statistics_ > 0) {
+    if (statistics_.count > 0) {
       log_.notes.push_back(fmt::format("{} row{} of statistics below the data, the first line {}: left out",
-                                       statistics_, pluralOf(statistics_), first_statistics_));
+                                       statistics_.count, pluralOf(statistics_.count), statistics_.first));
     }
     if (!reader_->lastLineEnded()) {
       log_.notes.push_back(
@@ -611,13 +605,10 @@ class CsvLogReader {
   std::size_t first_row_ = 0;  // line, of the segment
   std::size_t last_row_ = 0;
   std::size_t blank_line_ = 0;
-  std::size_t comments_ = 0;
-  std::size_t first_comment_ = 0;
-  std::size_t repeats_ = 0;     // of the header, within the segment
-  std::size_t repeated_ = 0;    // line of the first
-  bool lettered_ = false;       // rows begin with a word
-  std::size_t statistics_ = 0;  // rows
-  std::size_t first_statistics_ = 0;
+  Lines comments_;          // among the rows of the segment
+  Lines repeats_;           // of the header, within the segment
+  Lines statistics_;        // rows
+  bool lettered_ = false;   // rows begin with a word
   bool by_fields_ = false;  // rows are not commas and numbers alone
   bool days_ = false;       // the time is in those of a spreadsheet
   TimeTextReader clock_;

@@ -109,8 +109,11 @@ class GzipSource final : public ByteSource {
   std::size_t read(char* to, std::size_t size) override {
     try {
       stream_.read(to, static_cast<std::streamsize>(size));
-    } catch (const boost::iostreams::gzip_error&) {
-      throw std::runtime_error("gzip: damaged or cut off; accepted: a complete file");
+    } catch (const boost::iostreams::gzip_error& error) {
+      namespace io = boost::iostreams;
+      const bool is_cut = error.error() == io::gzip::bad_footer || error.zlib_error_code() == io::zlib::buf_error;
+      throw std::runtime_error(
+          fmt::format("gzip: {}; accepted: a complete one", is_cut ? "the file ends early" : "damaged data"));
     }
     const auto count = static_cast<std::size_t>(stream_.gcount());
     unpacked_ += count;

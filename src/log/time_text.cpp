@@ -2,6 +2,7 @@
 #include "log/time_text.h"
 
 #include <algorithm>
+#include <boost/date_time/gregorian/gregorian_types.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
@@ -63,20 +64,6 @@ class TimeText {
   std::string_view rest_;
 };
 
-// Days from 1970 to a date of the Gregorian calendar (H. Hinnant, chrono-compatible low-level date algorithms, 2013).
-std::int64_t daysSince1970(std::int64_t year, int month, int day) {
-  year -= month <= 2 ? 1 : 0;
-  const std::int64_t era = year / 400;
-  const std::int64_t of_era = year - era * 400;
-  const std::int64_t of_year = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
-  return era * 146097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719468;
-}
-
-int daysIn(int year, int month) {
-  return static_cast<int>(daysSince1970(month == 12 ? year + 1 : year, month == 12 ? 1 : month + 1, 1) -
-                          daysSince1970(year, month, 1));
-}
-
 struct CalendarDay {
   std::int64_t days = 0;  // since 1970
   bool doubtful = false;  // which number is the month
@@ -100,11 +87,14 @@ std::optional<CalendarDay> takeDate(TimeText& text) {
   }
   const int year = parts[0] + (parts[0] < 100 ? 2000 : 0);
   const bool doubtful = separator == '/' && parts[0] != 0 && parts[1] <= 12 && parts[2] <= 12;
-  if (parts[1] < 1 || parts[1] > 12 || year < 1900 || year > 2200 || parts[2] < 1 ||
-      parts[2] > daysIn(year, parts[1])) {
+  try {
+    const boost::gregorian::date day(static_cast<unsigned short>(year), static_cast<unsigned short>(parts[1]),
+                                     static_cast<unsigned short>(parts[2]));
+    const bool in_range = year >= 1900 && year <= 2200;
+    return CalendarDay{(day - boost::gregorian::date(1970, 1, 1)).days(), doubtful && in_range, in_range};
+  } catch (const std::out_of_range&) {
     return CalendarDay{0, false, false};
   }
-  return CalendarDay{daysSince1970(year, parts[1], parts[2]), doubtful};
 }
 
 // 12 PM is noon, 12 AM midnight.
