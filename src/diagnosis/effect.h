@@ -51,6 +51,9 @@ struct Effect {
   /// The headline numbers of all entries of these types together; null: those of headlineValuesOf().
   std::vector<HeadlineValue> (*headline)(const Entries& entries) = nullptr;
   std::vector<std::string> headline_types = {};
+  /// The sizes that logs of this excitation determine, where these are not the numbers of the law; null: the headline
+  /// numbers.
+  std::vector<HeadlineValue> (*sizes)(const Entries& entries, const fit::Excitation& excitation) = nullptr;
   std::map<std::string, std::string> labels = {};  ///< of headline numbers, in front of their values
 
   /// Said in brackets before the headline numbers: other causes that a component cannot tell from it; empty: none.

@@ -62,7 +62,7 @@ def dahl(rng):
                 h += step / parts * max(0.0, 1.0 - sign * h) ** power
             out[i] = h = min(1.0, max(-1.0, h))
         return force * out
-    return {"maximum_force": force, "displacement": half}, law, None
+    return {"force_in_largest_loop": force, "displacement": half}, law, None
 
 
 def stop(rng):

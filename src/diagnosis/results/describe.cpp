@@ -382,7 +382,7 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
   MeasuredLaw named;
   std::vector<double> removed;
   for (bool settled = false; !settled;) {  // a set with an effect that removes nothing is no answer
-    named = writtenLaw(prepared, search.candidates, search.at(workings->answer.model), gap_before, options);
+    named = writtenLaw(prepared, search, search.at(workings->answer.model), gap_before, options);
     removed = describer(named).squaresRemoved();
     settled = std::all_of(removed.begin(), removed.end(), [](double squares) { return squares > 0.0; });
     if (!settled) {

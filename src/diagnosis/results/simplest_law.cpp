@@ -247,6 +247,10 @@ class Chooser {
   };
 
   void simplify(std::size_t m, double allowed) {
+    // The element of an exact force, such as a mass, errs in time; its number, fitted again, would compensate for that.
+    if (own_[m].size() == 1 && termAt(own_[m].front()).exact) {
+      return;
+    }
     const std::vector<Entries> full = result_.fitted.law.at(result_.fitted.fit.parameters.scales);
     const std::size_t most = numbersOf(full[m]).size();
     std::vector<Allowed> laws;
@@ -280,13 +284,13 @@ class Chooser {
     gap_ = chosen.gap;
   }
 
-  // Odds as in the judgement: by the error beyond that of the better law, and by the cost of each number.
+  // Odds as in the judgement, by the error beyond that of the better law. How many numbers a law has says nothing of how
+  // large the effect is.
   double oddsOver(const Allowed& chosen, const Allowed& other) const {
     const judge::JudgeNumbers& numbers = judge::fittedNumbers();
     const double least = std::pow(std::min(chosen.gap, other.gap), 2);
     const auto logWeight = [&](const Allowed& law) {
-      return -0.5 * numbers.sharpness * judge::lossOf(law.gap * law.gap - least, expected_, numbers) -
-             judge::costOfNumbers(static_cast<double>(law.numbers), static_cast<double>(blocks_.gram.size()), numbers);
+      return -0.5 * numbers.sharpness * judge::lossOf(law.gap * law.gap - least, expected_, numbers);
     };
     return std::exp(logWeight(other) - logWeight(chosen));
   }

@@ -16,14 +16,14 @@ FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged);
 struct SimplestLaw {
   FittedLaw fitted;
   std::vector<WeighedLaw> others;  ///< that no gap tells from it: the simplest of each other form, and the full one;
-                                   ///< odds by what they leave and by how many numbers they have
+                                   ///< odds by their errors
   std::vector<double> form_error;  ///< of each member, by which its law may differ from the rubber's: of the force
 };
 
 /// For each member in turn the law with the fewest numbers whose gap is that of the full law but for what no law of the
 /// effect can know: gap^2 <= full gap^2 + sum (eta A)^2 + delta^2 over the members so far, A being the force that the
 /// member adds, eta the form error of laws and delta what is accepted (JudgeNumbers). A member that needs more keeps
-/// its terms. Laws are one to three terms of one kind, of those of the candidate and of its `laws`, at their best
+/// its terms, and so does one of a single exact force. Laws are one to three terms of one kind, of those of the candidate and of its `laws`, at their best
 /// places; no term of what an effect contains stands for it. Gaps are those of `replay` on the logs held out, or else
 /// on held-out blocks (replayed.h). It closes more than half of what the full law closes of the squared gap `before`.
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,

@@ -112,12 +112,13 @@ std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candid
 class Resampling {
  public:
   Resampling(const fit::HypothesisFitter& fitter, const WeighedLaw& law, const std::vector<double>& form_error,
-             const std::vector<fit::Candidate>& candidates, const DiagnosisOptions& options)
+             const hypotheses::Search& search, const DiagnosisOptions& options)
       : fitter_(fitter),
         fitted_(law.fitted),
         weight_(law.odds / static_cast<double>(options.resamplings)),
         hypothesis_(fitted_.law.hypothesis()),
-        effects_(effectsOf(fitted_.law, candidates)),
+        effects_(effectsOf(fitted_.law, search.candidates)),
+        excitation_(search.excitation),
         generator_(options.seed),
         blocks_(fitter_.linearise(hypothesis_, fitted_.fit.parameters, {}, options.threads)),
         best_(sizesAt(fitted_.fit.parameters)) {
@@ -163,7 +164,8 @@ class Resampling {
       for (std::size_t b = 0; b < blocks_.gram.size(); ++b) {
         sum += blocks_.gram[pick(generator_)];
       }
-      collect(step(sum) - rest + formError());
+      moveBy(formError(), sum);
+      collect(step(sum) - rest);
     }
   }
 
@@ -204,6 +206,14 @@ class Resampling {
     return sum;
   }
 
+  // Moves the minimum of normal equations by a step; where bounds are in the way, the other numbers compensate.
+  static void moveBy(const Eigen::VectorXd& step, Eigen::MatrixXd& sum) {
+    const Eigen::Index count = step.size();
+    const Eigen::VectorXd moment = sum.topLeftCorner(count, count) * step;
+    sum.rightCols<1>().head(count) += moment;
+    sum.bottomRows<1>().head(count) += moment.transpose();
+  }
+
   Eigen::VectorXd step(const Eigen::MatrixXd& sum) const {
     return fit::solve(sum, fitter_.stepBounds(hypothesis_, fitted_.fit.parameters, sum.cols() - 1));
   }
@@ -236,7 +246,9 @@ class Resampling {
     sizes.model = modelValues(description);
     const std::vector<Entries> entries = fitted_.law.at(parameters.scales);
     for (std::size_t m = 0; m < entries.size(); ++m) {
-      for (const HeadlineValue& value : headlineValuesOf(entries[m])) {
+      const auto sized = effectNamed(effects_[m]).sizes;
+      for (const HeadlineValue& value :
+           sized != nullptr ? sized(entries[m], excitation_) : headlineValuesOf(entries[m])) {
         sizes.effects.push_back({effects_[m], value.name, value.unit, kNone, value.value});
         if (value.is_scale) {
           may_vanish_.insert(keyOf(sizes.effects.back()));
@@ -284,6 +296,7 @@ class Resampling {
   const double weight_;  // of each draw
   const fit::Hypothesis hypothesis_;
   const std::vector<std::string> effects_;  // names of the members
+  const fit::Excitation& excitation_;
   std::mt19937 generator_;
   const fit::BlockGrams blocks_;
   std::set<Key> may_vanish_;  // sizes of effects that vanish at 0
@@ -296,11 +309,11 @@ class Resampling {
 }  // namespace
 
 Sizes sizesOf(const fit::HypothesisFitter& fitter, const std::vector<WeighedLaw>& laws,
-              const std::vector<double>& form_error, const std::vector<fit::Candidate>& candidates,
+              const std::vector<double>& form_error, const hypotheses::Search& search,
               const DiagnosisOptions& options) {
-  Resampling first(fitter, laws.front(), form_error, candidates, options);
+  Resampling first(fitter, laws.front(), form_error, search, options);
   for (std::size_t l = 1; l < laws.size(); ++l) {
-    first.add(Resampling(fitter, laws[l], form_error, candidates, options));
+    first.add(Resampling(fitter, laws[l], form_error, search, options));
   }
   return first.sizes();
 }

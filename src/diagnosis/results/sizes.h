@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "diagnosis/hypotheses/search.h"
 #include "diagnosis/results/law_fit.h"
 #include "fit/hypothesis_fitter.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -22,7 +23,6 @@ struct Sizes {
 /// error may be mistaken for. Those of the model and of headline numbers are over all laws that have them, alike; a
 /// number of one element is the total of a law of several.
 Sizes sizesOf(const fit::HypothesisFitter& fitter, const std::vector<WeighedLaw>& laws,
-              const std::vector<double>& form_error, const std::vector<fit::Candidate>& candidates,
-              const DiagnosisOptions& options);
+              const std::vector<double>& form_error, const hypotheses::Search& search, const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis::results

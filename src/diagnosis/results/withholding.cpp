@@ -122,7 +122,7 @@ MeasuredLaw withoutDamage(const hypotheses::PreparedCase& prepared, const Workin
       withheld.push_back({effect, worst.log, worst.configured, worst.written});
     }
     place = smaller;
-    written = writtenLaw(prepared, workings.search.candidates, workings.search.at(place), before, options);
+    written = writtenLaw(prepared, workings.search, workings.search.at(place), before, options);
     left = withholding.left(written.law.augmented);
   }
   written.as_configured = place == Evidence::kAsConfigured;

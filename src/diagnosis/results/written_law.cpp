@@ -134,15 +134,15 @@ Entries readBack(const std::vector<SizedValue>& written, const std::string& list
 
 }  // namespace
 
-MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
+MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const hypotheses::Search& search,
                        const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options) {
   const SimplestLaw chosen =
-      simplestLaw(prepared.fitter, candidates, judged, prepared.held_out, before, options.threads);
+      simplestLaw(prepared.fitter, search.candidates, judged, prepared.held_out, before, options.threads);
   const FittedLaw& simple = chosen.fitted;
   const FittedLaw full = fullLaw(judged);
   std::vector<WeighedLaw> laws = {{simple}};
   laws.insert(laws.end(), chosen.others.begin(), chosen.others.end());
-  Sizes sizes = sizesOf(prepared.fitter, laws, chosen.form_error, candidates, options);
+  Sizes sizes = sizesOf(prepared.fitter, laws, chosen.form_error, search, options);
   Rounded rounded = roundTo(componentOf(prepared, simple), prepared.training, sizes.written);
   Replayed errors = replayed(prepared.fitter, simple, rounded.component.allElements(), prepared.held_out);
   io::ComponentDescription of_full = componentOf(prepared, full);
@@ -151,7 +151,7 @@ MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const std::vect
   return {{std::move(rounded.component),
            std::move(of_full),
            gap_of_full,
-           ownersOf(simple, candidates),
+           ownersOf(simple, search.candidates),
            std::move(rounded.written),
            std::move(sizes.model),
            std::move(sizes.effects),

@@ -18,7 +18,7 @@ struct MeasuredLaw {
 };
 
 /// `before`: gap of the re-estimated model.
-MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
+MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const hypotheses::Search& search,
                        const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options);
 
 /// The written numbers of a component with their text: those as configured exactly, each other rounded to a tenth of

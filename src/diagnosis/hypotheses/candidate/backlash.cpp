@@ -46,6 +46,7 @@ Effect backlash() {
       "at small amplitude",
       true, addBacklash};
   effect.contains = {"friction"};
+  effect.labels = {{"gap", "gap on each side"}};
   return effect;
 }
 

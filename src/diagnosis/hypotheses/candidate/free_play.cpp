@@ -29,6 +29,7 @@ Effect freePlay() {
   Effect effect{80, "free_play", "dead zone: stiffness falls at small amplitude", true, addFreePlay};
   effect.headline = lostMotion;
   effect.headline_types = {effect.name};
+  effect.labels = {{"gap", "gap on each side"}, {"total_gap", "gap on each side"}};
   return effect;
 }
 

@@ -91,23 +91,37 @@ double forceAt(const element::ElementDescription& entry, double z) {
   });
 }
 
-// Limit of all together, and the displacement from rest at half of it, as of the element `friction`.
-std::vector<HeadlineValue> limitOf(const Effect::Entries& entries) {
-  const auto at = [&](double z) {
-    return std::accumulate(entries.begin(), entries.end(), 0.0,
-                           [&](double sum, const auto& entry) { return sum + forceAt(entry, z); });
-  };
-  const double maximum = at(std::numeric_limits<double>::infinity());
+// Force of all together that are moved from rest.
+double forceAt(const Effect::Entries& entries, double z) {
+  return std::accumulate(entries.begin(), entries.end(), 0.0,
+                         [&](double sum, const auto& entry) { return sum + forceAt(entry, z); });
+}
+
+// A force, and the displacement from rest at which half of it is reached.
+std::vector<HeadlineValue> forceAndHalf(const Effect::Entries& entries, const char* name, double force) {
   double low = 0.0;
   double high = 1e-9;
-  while (at(high) < 0.5 * maximum) {
+  while (forceAt(entries, high) < 0.5 * force) {
     low = std::exchange(high, 2.0 * high);
   }
   for (int halving = 0; halving < 60; ++halving) {
     const double middle = 0.5 * (low + high);
-    (at(middle) < 0.5 * maximum ? low : high) = middle;
+    (forceAt(entries, middle) < 0.5 * force ? low : high) = middle;
   }
-  return {{"maximum_force", "N", maximum, true}, {"displacement", "m", high, false}};
+  return {{name, "N", force, true}, {"displacement", "m", high, false}};
+}
+
+// The limit, as of the element `friction`.
+std::vector<HeadlineValue> limitOf(const Effect::Entries& entries) {
+  return forceAndHalf(entries, "maximum_force", forceAt(entries, std::numeric_limits<double>::infinity()));
+}
+
+// Half of the width of the largest loop at zero displacement, by Masing's rule 2 F(A/2) - F(A): the limit where that is
+// reached. Logs determine neither a limit that they do not reach nor a force that is in phase with the stiffness.
+std::vector<HeadlineValue> halfWidthOfLoop(const Effect::Entries& entries, const fit::Excitation& excitation) {
+  const double largest = excitation.largest_displacement;
+  return forceAndHalf(entries, "force_in_largest_loop",
+                      2.0 * forceAt(entries, 0.5 * largest) - forceAt(entries, largest));
 }
 
 Effect friction() {
@@ -116,7 +130,8 @@ Effect friction() {
   effect.tidy = mergeSliders;
   effect.headline = limitOf;
   effect.headline_types = {"iwan_table", "variable_friction", "viscoplastic_friction", "friction", "iwan"};
-  effect.labels = {{"displacement", "half of it at"}};
+  effect.sizes = halfWidthOfLoop;
+  effect.labels = {{"force_in_largest_loop", "half width of the largest loop"}, {"displacement", "half of it at"}};
   return effect;
 }
 

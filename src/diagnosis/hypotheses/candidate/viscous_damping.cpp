@@ -1,4 +1,7 @@
 // Candidate effect: viscous damping, linear or not, the same at any displacement or not.
+#include <cmath>
+#include <numeric>
+
 #include "diagnosis/effect.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -27,8 +30,37 @@ void addViscousDamping(const fit::Excitation& excitation, fit::Candidate& candid
   }
 }
 
-const EffectEntry kViscousDamping({40, "viscous_damping", "dashpot: loss force grows with frequency", false,
-                                   addViscousDamping});
+// Force of an entry at a rate, at a displacement of 0.
+double forceAtRate(const element::ElementDescription& entry, double rate) {
+  const double linear = entry.value("damping") * rate;
+  if (entry.type == "power_dashpot") {
+    return linear * std::pow(rate / entry.value("reference_rate"), entry.value("exponent") - 1.0);
+  }
+  if (entry.type == "thinning_dashpot") {
+    return linear / (1.0 + rate / entry.value("half_rate"));
+  }
+  return entry.type == "position_dashpot" ? linear * std::pow(0.5, entry.value("power")) : linear;
+}
+
+// A damping is that of a linear dashpot alone; of other laws the logs determine a force at a rate.
+std::vector<HeadlineValue> forceOrDamping(const Effect::Entries& entries, const fit::Excitation& excitation) {
+  if (entries.size() == 1 && entries.front().type == "dashpot") {
+    return movedOf(entries);
+  }
+  const double force = std::accumulate(entries.begin(), entries.end(), 0.0, [&](double sum, const auto& entry) {
+    return sum + forceAtRate(entry, excitation.highest_rate);
+  });
+  return {{"force_at_highest_rate", "N", force, true}, {"highest_rate", "m/s", excitation.highest_rate, false}};
+}
+
+Effect viscousDamping() {
+  Effect effect{40, "viscous_damping", "dashpot: loss force grows with frequency", false, addViscousDamping};
+  effect.sizes = forceOrDamping;
+  effect.labels = {{"force_at_highest_rate", "force"}, {"highest_rate", "at"}};
+  return effect;
+}
+
+const EffectEntry kViscousDamping(viscousDamping());
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate
