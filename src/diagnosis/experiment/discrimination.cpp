@@ -262,6 +262,8 @@ Discrimination Discriminator::weigh(const Experiment& experiment, std::size_t mo
       result.difference *= gap::standardDeviation(predictions_[0].force[motion]);
     }
   }
+  // In the judgement each log counts less when one more is added; a log that tells less than that can be left out.
+  result.open = std::min(result.open, openNames(explanations_, probabilitiesOf(explanations_)));
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "diagnosis/judge/score.h"
+#include "element/each.h"
 
 namespace rubber_suspension::diagnosis::experiment {
 namespace {
@@ -58,6 +59,10 @@ std::vector<Explanation> explanationsOf(const Workings& workings) {
     explanation.probability /= sum;
   }
   return explanations;
+}
+
+std::vector<double> probabilitiesOf(const std::vector<Explanation>& explanations) {
+  return element::each(explanations, [](const Explanation& explanation) { return explanation.probability; });
 }
 
 double openNames(const std::vector<Explanation>& explanations, const std::vector<double>& weights) {

@@ -32,6 +32,8 @@ struct Outlook {
 /// The hypothesis judged, then the likeliest others; the model as configured and re-estimated are among them.
 std::vector<Explanation> explanationsOf(const Workings& workings);
 
+std::vector<double> probabilitiesOf(const std::vector<Explanation>& explanations);
+
 /// Entropy of the names if explanations have these weights [bit]. Sets that share an effect agree on it.
 double openNames(const std::vector<Explanation>& explanations, const std::vector<double>& weights);
 

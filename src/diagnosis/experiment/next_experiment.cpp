@@ -15,10 +15,6 @@ constexpr double kSure = 0.95;          // probability of a verdict that no furt
 constexpr double kWorthPlaying = 0.25;  // of what is open about the names, that a motion has to settle
 constexpr double kNothingOpen = 1e-3;   // bit
 
-std::vector<double> probabilitiesOf(const std::vector<Explanation>& explanations) {
-  return element::each(explanations, [](const Explanation& explanation) { return explanation.probability; });
-}
-
 struct Relaxation {
   WiderLimit limit;
   Bounds bounds;
