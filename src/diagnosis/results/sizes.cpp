@@ -157,15 +157,30 @@ class Resampling {
  private:
   void draw(int count) {
     const Eigen::VectorXd rest = step(blocks_.sum);  // nearly 0: the step that the fit did not take
-    std::uniform_int_distribution<std::size_t> pick(0, blocks_.gram.size() - 1);
     for (int i = 0; i < count; ++i) {
       Eigen::MatrixXd sum = blocks_.prior;
       moveKnown(sum);
-      for (std::size_t b = 0; b < blocks_.gram.size(); ++b) {
-        sum += blocks_.gram[pick(generator_)];
-      }
+      addResampled(sum);
       moveBy(formError(), sum);
       collect(step(sum) - rest);
+    }
+  }
+
+  // Adds as many blocks as there are, drawn from all. If each log has unknowns of its own, what an effect has in common
+  // scatters from log to log, and logs are drawn first.
+  void addResampled(Eigen::MatrixXd& sum) {
+    std::map<std::size_t, std::vector<std::size_t>> groups;
+    for (std::size_t b = 0; b < blocks_.gram.size(); ++b) {
+      groups[hypothesis_.free_in_log.any() ? static_cast<std::size_t>(blocks_.record[b]) : 0].push_back(b);
+    }
+    const auto any = [&](std::size_t size) {
+      return std::uniform_int_distribution<std::size_t>(0, size - 1)(generator_);
+    };
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const auto& [log, blocks] = *std::next(groups.begin(), static_cast<std::ptrdiff_t>(any(groups.size())));
+      for (std::size_t b = 0; b < blocks.size(); ++b) {
+        sum += blocks_.gram[blocks[any(blocks.size())]];
+      }
     }
   }
 

@@ -260,8 +260,8 @@ std::string identifiedText(const Diagnosis& diagnosis) {
   if (diagnosis.parameters.guess) {
     std::vector<std::string> values;
     for (const SizedValue& size : diagnosis.law.model_sizes) {
-      if (size.owner == "specification" && estimation::isOfSheet(size.name)) {
-        values.push_back(symbolOf(size.name) + " " + quantity(size.value, size.unit));
+      if (size.owner != "specification" || estimation::isOfSheet(size.name)) {
+        values.push_back(valueName(size) + " " + quantity(size.value, size.unit));
       }
     }
     text += fmt::format(" Values identified: {}.", fmt::join(values, ", "));
