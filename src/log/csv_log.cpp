@@ -148,8 +148,9 @@ class CsvLogReader {
       const bool one_run = restarts_ + 1 == segments_.size() && restart_rate_ > 0.0;
       throw LogError(fmt::format(
           "{}: {}{}", path_, error.what(),
-          one_run ? fmt::format(", for the time restarts; or --sampling-rate {:.6g}, where they are one", restart_rate_)
-                  : ""));
+          one_run
+              ? fmt::format(", because the time restarts; or --sampling-rate {:.6g} if they are one log", restart_rate_)
+              : ""));
     }
   }
 
@@ -287,7 +288,7 @@ class CsvLogReader {
     restart_rate_ = restarts && restarts_ == 0 ? rules_->rate() : restart_rate_;
     restarts_ += restarts ? 1 : 0;
     endSegment(true);
-    border_ = restarts ? "" : fmt::format(", where rows behind blank line {} begin another log", blank_line_);
+    border_ = restarts ? "" : fmt::format(", in which the rows after the blank line {} begin another log", blank_line_);
     beginRows();
   }
 
@@ -399,7 +400,7 @@ class CsvLogReader {
 
   void takeRow() {
     if (statistics_.count > 0) {
-      throw RowError(statistics_.first, "a row of statistics, with data behind it; accepted: rows of numbers");
+      throw RowError(statistics_.first, "there is a row of statistics with data below it; accepted: rows of numbers");
     }
     blank_line_ = 0;
     first_row_ = first_row_ == 0 ? line_ : first_row_;
@@ -467,7 +468,7 @@ class CsvLogReader {
       fields_.pop_back();
     }
     if (fields_.size() != columns_.count) {
-      throw std::runtime_error(fmt::format("{} field{}; accepted: {}, as in the header: {}", fields_.size(),
+      throw std::runtime_error(fmt::format("the row has {} field{}; accepted: {}, as in the header: {}", fields_.size(),
                                            fields_.size() == 1 ? "" : "s", columns_.count, quoted(line)));
     }
     readValues([&](const Column& column, Quantity quantity) {
@@ -558,8 +559,9 @@ class CsvLogReader {
                                        pluralOf(comments_.count), comments_.first));
     }
     if (repeats_.count > 0) {
-      log_.notes.push_back(fmt::format("the header repeats {} time{} while time continues, first in line {}: one log",
-                                       repeats_.count, pluralOf(repeats_.count), repeats_.first));
+      log_.notes.push_back(
+          fmt::format("the header is repeated {} time{} while time continues, first in line {}: read as one log",
+                      repeats_.count, pluralOf(repeats_.count), repeats_.first));
     }
     if (statistics_.count > 0) {
       log_.notes.push_back(fmt::format("{} row{} of statistics below the data, the first line {}: left out",
@@ -567,7 +569,7 @@ class CsvLogReader {
     }
     if (!reader_->lastLineEnded()) {
       log_.notes.push_back(
-          fmt::format("line {}, the last, has no line end: it may have been cut off", reader_->line()));
+          fmt::format("the last line, {}, has no line end; it may have been cut off", reader_->line()));
     }
   }
 
@@ -630,8 +632,8 @@ auto withReader(const std::string& path, const LogFormat& format, const Read& re
       return withReader(path, format, read, other.decimal);
     }
     throw LogError(
-        fmt::format("{}:{}: a decimal {}, where marks before may be between thousands; accepted: --decimal {}", path,
-                    reader->line(), other.decimal == ',' ? "comma" : "point", other.decimal));
+        fmt::format("{}:{}: a decimal {} here means that earlier marks may separate thousands; accepted: --decimal {}",
+                    path, reader->line(), other.decimal == ',' ? "comma" : "point", other.decimal));
   } catch (const LogError&) {
     throw;  // of who takes the samples
   } catch (const RowError& error) {

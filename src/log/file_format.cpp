@@ -170,7 +170,7 @@ const Look* lookOf(const std::string& head) {
 
 [[noreturn]] void refuse(const char* name, const char* remedy) {
   throw std::runtime_error(
-      fmt::format("{}, which is not read; accepted: text (CSV), gzip of text, .mat, HDF5, RPC III, ROS bag; "
+      fmt::format("{}: this format cannot be read; accepted: text (CSV), also in gzip, .mat, HDF5, RPC III, ROS bag; "
                   "to convert it: {}",
                   name, remedy));
 }
@@ -187,7 +187,7 @@ void refuseUnpacked(std::size_t unpacked, std::size_t packed, bool large, std::s
   constexpr std::size_t kMostTimes = 100;
   element::refuseIf<std::runtime_error>(
       !large && unpacked > kFreely && unpacked / kMostTimes > packed,
-      "unpacks to more than {} times its {} bytes; accepted: at most that beyond 64 MiB, or --large", kMostTimes,
+      "expands to more than {} times its {} bytes; accepted beyond 64 MiB: at most this factor, or --large", kMostTimes,
       std::max(size, packed));
 }
 

@@ -58,8 +58,7 @@ void requireOwnData(hid_t dataset, const std::string& name) {
       !properties || H5Pget_external_count(properties.get()) != 0 || H5Pget_layout(properties.get()) == H5D_VIRTUAL,
       "{}: its data lie in other files; accepted: data in the file itself", quoted(name));
   if (!isWritten(dataset, properties.get())) {
-    throw std::runtime_error(
-        fmt::format("{}: data that were never written; accepted: a file that is complete", quoted(name)));
+    throw std::runtime_error(fmt::format("{}: the data were never written; accepted: a complete file", quoted(name)));
   }
 }
 

@@ -181,7 +181,7 @@ std::vector<Number> readAs(hid_t number, hid_t file, const Hdf5Column& column, h
   element::refuseIf<std::runtime_error>(
       !dataset || !selected ||
           H5Dread(dataset.get(), type.get(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0,
-      "{}: cannot be read; accepted: numbers, with a filter that libhdf5 has here", column.name);
+      "{}: cannot be read; accepted: numbers, compressed with a filter that is installed with libhdf5", column.name);
   return values;
 }
 

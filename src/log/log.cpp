@@ -89,18 +89,16 @@ void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
   if (channel != nullptr && !given_twice) {
     setColumnAndFactor(*channel, column);
   }
-  element::refuseIf(
-      channel == nullptr || channel->column.empty(),
-      "--columns: {}{}; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME, NAME being that of the "
-      "file or the column's number, with a factor as in force=-NAME and force=0.001*NAME; or these words alone in "
-      "the "
-      "order of the columns",
-      quoted(entry), element::didYouMean(quantity, {"time", "displacement", "force", "temperature"}));
+  element::refuseIf(channel == nullptr || channel->column.empty(),
+                    "--columns: {}{}; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME, where NAME "
+                    "is a name in the header or a column's number, optionally with a factor (force=-NAME, "
+                    "force=0.001*NAME); or these words alone, in the order of the columns",
+                    quoted(entry), element::didYouMean(quantity, {"time", "displacement", "force", "temperature"}));
   if (given_twice) {
     throw std::invalid_argument(fmt::format("--columns: {} is given twice; accepted: once", quantity));
   }
   element::refuseIf(channel->factor != 1.0 && quantity == "temperature",
-                    "--columns: a factor of the temperature; accepted: its column alone");
+                    "--columns: the temperature has a factor; accepted: its column without a factor");
 }
 
 // "force=kN", of which a unit may be of several words.
@@ -203,7 +201,8 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
   }
   if (!sentinel.empty()) {
     format.sentinel = sentinel == "none" ? std::numeric_limits<double>::quiet_NaN() : parseNumber(sentinel);
-    element::refuseIf(!format.sentinel, "--sentinel: {}; accepted: none, or the number that stands for no measurement",
+    element::refuseIf(!format.sentinel,
+                      "--sentinel: {} is not a number; accepted: none, or the number that marks missing values",
                       quoted(sentinel));
   }
   element::refuseIf(!clock.empty() && clock != "receipt" && clock != "header",
@@ -213,8 +212,9 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
 }
 
 Log onlyLog(const std::string& path, std::vector<Log>&& logs) {
-  element::refuseIf<LogError>(logs.size() != 1, "{}: {} logs, of which one is needed; accepted: --segment 1 to {}",
-                              path, logs.size(), logs.size());
+  element::refuseIf<LogError>(logs.size() != 1,
+                              "{}: the file contains {} logs, but one is needed; accepted: --segment 1 to {}", path,
+                              logs.size(), logs.size());
   return std::move(logs.front());
 }
 
@@ -229,11 +229,11 @@ std::optional<std::size_t> chosenSegment(const LogFormat& format, const std::vec
   const std::vector<std::string> named(
       segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(std::min(segments.size(), kMostNamed)));
   throw std::runtime_error(
-      fmt::format("{} log{} in one file: {}{}; accepted: --segment 1{}", segments.size(),
+      fmt::format("the file contains {} log{}: {}{}; accepted: --segment 1{}", segments.size(),
                   segments.size() == 1 ? "" : "s", join(named), segments.size() > kMostNamed ? ", ..." : "",
                   segments.size() == 1
                       ? ""
-                      : fmt::format(" to {}, or --segment all of commands that take several logs", segments.size())));
+                      : fmt::format(" to {}, or --segment all in commands that accept several logs", segments.size())));
 }
 
 std::string segmentName(const std::string& file, std::size_t number) { return fmt::format("{}_{}", file, number); }

@@ -129,9 +129,10 @@ std::string accepted(Quantity quantity) {
 void refuseAmbiguity(const std::vector<ColumnName>& header, const Places& places, const std::string& what,
                      Quantity quantity) {
   const auto name = [&](std::size_t place) { return quotedName(header[place]); };
-  element::refuseIf<std::runtime_error>(
-      places.size() > 1, "columns {} may each be {}; accepted: one of them by --columns {}=NAME, or its number from 1",
-      element::joined(places, ", ", name), what, toString(quantity));
+  element::refuseIf<std::runtime_error>(places.size() > 1,
+                                        "each of the columns {} may be the {}; accepted: one of them, selected with "
+                                        "--columns {}=NAME or its number from 1",
+                                        element::joined(places, ", ", name), what, toString(quantity));
 }
 
 // Beyond these a unit is another one misspelt: "Mm" is a thousand kilometres.
@@ -158,10 +159,10 @@ Column columnAt(const std::vector<ColumnName>& header, std::size_t place, const 
                 const std::string& own, const std::string& assumed) {
   const LogFormat::Channel& channel = channelOf(format, quantity);
   const std::string& unit = channel.unit.empty() ? own : channel.unit;
-  element::refuseIf<std::runtime_error>(channel.unit.empty() && !header[place].other.empty(),
-                                        "column {}: the row of units has {}, its name {}; accepted: --unit {}=UNIT",
-                                        quoted(header[place].text), quoted(header[place].other),
-                                        quoted(header[place].unit), toString(quantity));
+  element::refuseIf<std::runtime_error>(
+      channel.unit.empty() && !header[place].other.empty(),
+      "column {}: the row of units states {}, but the column's name states {}; accepted: --unit {}=UNIT",
+      quoted(header[place].text), quoted(header[place].other), quoted(header[place].unit), toString(quantity));
   Column column;
   column.index = place;
   column.name = header[place].text;
@@ -200,8 +201,8 @@ Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& form
       "from 1 to {}",
       quoted(name), nameHint(header, name), listed(header), header.size());
   element::refuseIf<std::runtime_error>(
-      places.size() > 1, "column {} stands {} times in the header; accepted: --columns {}=NUMBER, from 1", quoted(name),
-      places.size(), toString(quantity));
+      places.size() > 1, "column {} occurs {} times in the header; accepted: --columns {}=NUMBER, counted from 1",
+      quoted(name), places.size(), toString(quantity));
   return columnAt(header, places[0], format, quantity, ownUnit(header[places[0]], quantity), unitOf(format, quantity));
 }
 
@@ -259,8 +260,8 @@ void requireColumn(const Column& column, const std::vector<ColumnName>& header, 
   const auto unnamed =
       std::find_if(header.begin(), header.end(), [](const ColumnName& name) { return name.text.empty(); });
   element::refuseIf<std::runtime_error>(
-      !column.found(), "no column of {}, the header has {}{}; accepted: {}{}", toString(quantity), listed(header),
-      hintOfMaterial(header, quantity), accepted(quantity),
+      !column.found(), "there is no column of {}; the header has {}{}; accepted: {}{}", toString(quantity),
+      listed(header), hintOfMaterial(header, quantity), accepted(quantity),
       quantity == Quantity::time && unnamed != header.end()
           ? fmt::format("; the column without a name, by --columns time={} --unit time=s", unnamed - header.begin() + 1)
           : "");
@@ -270,8 +271,9 @@ void refuseTwoOfOne(const Columns& columns, const std::vector<ColumnName>& heade
   for (const Column* one : columns.all()) {
     for (const Column* other : columns.all()) {
       if (one != other && other->isAt(one->index)) {
-        throw std::runtime_error(fmt::format("column {} is named for two quantities; accepted: a column for each",
-                                             quoted(header[one->index].withUnit())));
+        throw std::runtime_error(
+            fmt::format("column {} is given for two quantities; accepted: a separate column for each",
+                        quoted(header[one->index].withUnit())));
       }
     }
   }
@@ -327,7 +329,7 @@ Columns findColumns(const std::vector<ColumnName>& header, const LogFormat& form
     const std::string& unit = channelOf(format, quantity).unit;
     element::refuseIf<std::runtime_error>(
         !unit.empty() && !columns.of(quantity).found() && isWanted(quantity, format),
-        "--unit {0}={1}, but there is no column of {0}, the header has {2}; accepted: --columns {0}=NAME beside it",
+        "--unit {0}={1}: there is no column of {0}; the header has {2}; accepted: together with --columns {0}=NAME",
         toString(quantity), unit, listed(header));
   }
   return columns;
@@ -372,7 +374,7 @@ std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, c
     if (!read && !header[i].text.empty() && ++ignored <= kMostNamed) {
       const bool as_force = !columns.force.found() && looksLikeForce(header[i].text);
       notes.push_back(fmt::format("column {} is ignored", quoted(header[i].withUnit())) +
-                      (as_force ? ": where it is the measured force, --columns force=" + std::to_string(i + 1) +
+                      (as_force ? "; if it is the measured force, use --columns force=" + std::to_string(i + 1) +
                                       " --unit force=UNIT"
                                 : ""));
     }
@@ -382,7 +384,7 @@ std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, c
   }
   for (const Column* column : all) {
     if (!column->assumed_unit.empty()) {
-      notes.push_back(fmt::format("column {} is taken to be in {}; another unit by --unit", quoted(column->name),
+      notes.push_back(fmt::format("column {} is read in {}; --unit selects another unit", quoted(column->name),
                                   column->assumed_unit));
     }
   }

@@ -104,16 +104,14 @@ void NumberMarks::settle(char decimal, std::string_view text, std::size_t line) 
   if (decimal_ == '\0' && assumed_ == otherMark(decimal)) {
     throw OtherDecimalMark{decimal};
   }
-  element::refuseIf<std::runtime_error>(
-      decimal_ != '\0',
-      "{} has a decimal {} and {} has a decimal {}; accepted: one decimal mark throughout, no separators "
-      "of thousands "
-      "but the other mark",
-      quoted(std::string(text)), nameOfMark(decimal),
-      told_               ? "--decimal"
-      : decimal_line_ > 0 ? fmt::format("line {}", decimal_line_)
-                          : "another line",
-      nameOfMark(decimal_));
+  element::refuseIf<std::runtime_error>(decimal_ != '\0',
+                                        "{} has a decimal {}, but {} has a decimal {}; accepted: one decimal mark "
+                                        "throughout, with only the other mark between thousands",
+                                        quoted(std::string(text)), nameOfMark(decimal),
+                                        told_               ? "--decimal"
+                                        : decimal_line_ > 0 ? fmt::format("line {}", decimal_line_)
+                                                            : "another line",
+                                        nameOfMark(decimal_));
   decimal_ = decimal;
   decimal_line_ = line;
 }
@@ -213,11 +211,9 @@ void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_op
     // Another column may have told the mark, unless that makes jumps of a smooth channel.
     if (either && (decimal_ == '\0' || column.as_thousands < column.as_decimals)) {
       const std::string option = by_option ? optionFor(column, i) : "a file without marks between thousands";
-      throw RowError(
-          column.line,
-          fmt::format(
-              "{}: the mark in '{}' may be decimal or between thousands, as other numbers have none; accepted: {}",
-              names[i], column.text, option));
+      throw RowError(column.line, fmt::format("{}: the mark in '{}' may be decimal or separate thousands, because no "
+                                              "other number decides it; accepted: {}",
+                                              names[i], column.text, option));
     }
   }
 }
@@ -226,8 +222,8 @@ void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_op
 std::string NumberMarks::optionFor(const ColumnMarks& column, std::size_t channel) const {
   const char mark = column.text.find(',') == std::string::npos ? '.' : ',';
   const std::string of = decimal_ == '\0' ? "" : toString(static_cast<Quantity>(channel)) + "=";
-  return fmt::format("--decimal {}{} (the {} stands before decimals), or --decimal {}{} (it stands between thousands)",
-                     of, mark, nameOfMark(mark), of, otherMark(mark));
+  return fmt::format("--decimal {}{} if the {} is a decimal mark, or --decimal {}{} if it separates thousands", of,
+                     mark, nameOfMark(mark), of, otherMark(mark));
 }
 
 }  // namespace rubber_suspension::log

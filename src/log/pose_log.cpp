@@ -30,7 +30,8 @@ Log readDirection(const std::string& path, LogFormat format, std::size_t directi
   const std::string text = error.what();
   for (const char* word : {"leg", "strut", "actuator", "bein"}) {
     if (contains(text, "no column") && contains(lowerCase(text), word)) {
-      throw LogError(text + "; leg lengths of a hexapod are no pose; accepted: x, y, z, rx, ry, rz with their units");
+      throw LogError(text +
+                     "; the leg lengths of a hexapod are not a pose; accepted: x, y, z, rx, ry, rz with their units");
     }
   }
   throw LogError(text + "; accepted of six directions: x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg, or with other units");
@@ -72,7 +73,7 @@ PoseLog readPoseLog(const std::string& path, const LogFormat& format) {
         return !contains(note, " is ignored") && !contains(note, " ignored");
       });
     } else if (log.stamp != poses.stamp) {
-      throw LogError(fmt::format("{}: rows lack some of {} and {} only; accepted: rows with all six directions", path,
+      throw LogError(fmt::format("{}: some rows lack {} and {}; accepted: rows with all six directions", path,
                                  kCoordinates[0], kCoordinates[direction]));
     }
     poses.units = log.units == UnitsAre::named ? poses.units : log.units;

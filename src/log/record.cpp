@@ -40,7 +40,8 @@ void setTimeBase(const Log& log, Record& record) {
   TimeSteps steps;
   steps.add(log);
   const EvenSteps even = steps.evenSteps();
-  element::refuseIf<LogError>(even.gaps > 0, "{}: {} time gaps; a record is of a stretch without", log.name, even.gaps);
+  element::refuseIf<LogError>(even.gaps > 0, "{}: has {} time gaps; accepted: a log without time gaps", log.name,
+                              even.gaps);
   if (!even.as_recorded) {
     record.notes.push_back(
         fmt::format("uneven time base (median step {:.4g} s, worst {:.4g} s): resampled", even.median, even.worst));
@@ -203,7 +204,9 @@ void noteSaturation(Record& record) {
     const auto equal = (record.force.array() == extreme).count();
     if (equal >= 5) {
       record.notes.push_back(
-          fmt::format("force stays at its extreme {:.4g} N for {} samples: saturated or coarse", extreme, equal));
+          fmt::format("the force stays at its extreme value {:.4g} N for {} samples: the channel is saturated, or its "
+                      "resolution is coarse",
+                      extreme, equal));
     }
   }
 }
@@ -265,7 +268,7 @@ void requireForce(const Log& log) {
     const auto hint = std::find_if(log.notes.begin(), log.notes.end(), [](const std::string& note) {
       return note.find("force=") != std::string::npos || note.find("holds no number") != std::string::npos;
     });
-    throw LogError(log.name + ": has no measured force; needed is a column force_<unit>" +
+    throw LogError(log.name + ": has no measured force; accepted: a log with a column force_<unit>" +
                    (hint == log.notes.end() ? "" : "; " + *hint));
   }
 }
@@ -279,8 +282,9 @@ bool bothChange(const Record& record) {
 
 Record rawRecord(const Log& log, LeadIn lead_in) {
   requireForce(log);
-  element::refuseIf<LogError>(log.size() < kFewestSamples, "{}: {} samples are too few to diagnose; needed are {}",
-                              log.name, log.size(), kFewestSamples);
+  element::refuseIf<LogError>(log.size() < kFewestSamples,
+                              "{}: {} samples are too few for a diagnosis; accepted: at least {}", log.name, log.size(),
+                              kFewestSamples);
   Record record;
   record.name = log.name;
   record.notes = log.notes;
@@ -298,7 +302,7 @@ Record rawRecord(const Log& log, LeadIn lead_in) {
 Record evenRecord(const Log& log, LeadIn lead_in) {
   Record record = rawRecord(log, std::move(lead_in));
   if (!bothChange(record)) {
-    throw LogError(log.name + ": displacement or force does not change; nothing to diagnose");
+    throw LogError(log.name + ": displacement or force does not change; accepted: a log in which both change");
   }
   return record;
 }

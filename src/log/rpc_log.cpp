@@ -47,7 +47,8 @@ class RpcHeader {
       const std::string key = fieldText(record.data(), kKey);
       if (!key.empty()) {
         const bool is_new = values_.emplace(key, fieldText(record.data() + kKey, kRecord - kKey)).second;
-        element::refuseIf<std::runtime_error>(!is_new, "record {}: {} for the second time", i + 1, oneLine(key));
+        element::refuseIf<std::runtime_error>(!is_new, "record {}: {} is given twice; accepted: once", i + 1,
+                                              oneLine(key));
       }
       if (i == 1) {
         blocks = number("NUM_HEADER_BLOCKS", 1, kMostHeaderBlocks);
@@ -162,7 +163,8 @@ class RpcFile {
     const std::string key = ofChannel("SCALE", channel);
     const auto scale = parseNumber(header_.text(key, "1"));
     if (is_float_ && !(scale && *scale == 1.0)) {
-      notes_.push_back(fmt::format("{} of {} not applied: it is of integers", key, oneLine(header_.text(key))));
+      notes_.push_back(
+          fmt::format("{} of {} is ignored, because it applies to integers only", key, oneLine(header_.text(key))));
     }
   }
 
@@ -180,7 +182,8 @@ class RpcFile {
     };
     element::refuseIf<std::runtime_error>(
         !isOf(whole) && !isOf(shortest),
-        "{} bytes; accepted: {} or {}, header, FRAMES, CHANNELS and DATA_TYPE being right", size, whole, shortest);
+        "the file has {} bytes; accepted: {} or {}, as follows from header, FRAMES, CHANNELS and DATA_TYPE", size,
+        whole, shortest);
     last_group_ = isOf(whole) ? group_ : last_group_;
   }
 

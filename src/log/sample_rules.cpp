@@ -165,8 +165,8 @@ double SampleRules::rate() const { return rateOfStamps(recent_); }
 void SampleRules::refuseStamps() const {
   const double told = rate();
   throw RowError(refused_place_,
-                 fmt::format("{}: {} after {}; accepted: time that increases from row to row, by 1 ns at least, or "
-                             "--sampling-rate{} in place of this column",
+                 fmt::format("{}: the time {} follows {}; accepted: time that increases from row to row by at least 1 "
+                             "ns, or --sampling-rate{} instead of this column",
                              columns_.time.name, formatStamp(refused_stamp_), formatStamp(last_stamp_),
                              told > 0.0 && told <= 1e9 ? fmt::format(" {:.6g}", told) : " and its value"));
 }
@@ -179,8 +179,8 @@ void SampleRules::finish(Log& to) {
   const bool good = format_.rate && own_stamps_ == rows_ && bad_stamps_ == 0;
   if (good && std::abs(ownRate() / *format_.rate - 1.0) > kRateAgrees) {
     throw std::runtime_error(
-        fmt::format("--sampling-rate says {:g} Hz, the stamps of column {} {:.6g} Hz; accepted: no --sampling-rate, or "
-                    "--sampling-rate {:.6g}",
+        fmt::format("--sampling-rate is {:g} Hz, but the stamps of column {} have {:.6g} Hz; accepted: no "
+                    "--sampling-rate, or --sampling-rate {:.6g}",
                     *format_.rate, quoted(columns_.time.label), ownRate(), ownRate()));
   }
 }
@@ -188,7 +188,7 @@ void SampleRules::finish(Log& to) {
 std::vector<std::string> SampleRules::notes() const {
   std::vector<std::string> notes = signals_.notes();
   if (merged_ > 0) {
-    notes.push_back(fmt::format("{} row{} that repeat{} the one before, stamp and values, the first in {} {}: left out",
+    notes.push_back(fmt::format("{} row{} that repeat{} the preceding row exactly, the first in {} {}: omitted",
                                 merged_, pluralOf(merged_), merged_ == 1 ? "s" : "", word_, first_merged_));
   }
   if (own_stamps_ > 0) {

@@ -262,10 +262,11 @@ void Signals::watchRange(std::size_t signal, const SignalRow& row) {
     }
     return;
   }
-  throw RowError(row.place,
-                 fmt::format("{}: {:g}, as in {} {}, is far outside {:g} to {:g}, the range of all others; accepted: "
-                             "--sentinel {} if it is a code for a missing value, or --sentinel none if it is measured",
-                             columnOf(signal).name, value, word_, same->places.front(), state.low, state.high, value));
+  throw RowError(
+      row.place,
+      fmt::format("{}: the value {:g}, as in {} {}, is far outside the range of all others, {:g} to {:g}; accepted: "
+                  "--sentinel {} if it marks missing values, or --sentinel none if it was measured",
+                  columnOf(signal).name, value, word_, same->places.front(), state.low, state.high, value));
 }
 
 void Signals::merge(SignalRow row, Log& to) {
@@ -286,7 +287,7 @@ void Signals::merge(SignalRow row, Log& to) {
       if (!state.there && columnOf(s).found() && isMeasured(row.value[s])) {
         throw RowError(
             row.place,
-            fmt::format("{}: no number in the first {} rows; accepted: a log that begins with numbers in each column",
+            fmt::format("{}: the first {} rows have no number; accepted: a log that begins with numbers in each column",
                         columnOf(s).name, kLookAhead));
       }
     }
@@ -441,7 +442,7 @@ std::string Signals::advice() const {
   if (lost_rows_ * kFewestPerAdvised > rows_ || !signals_[kMotion].there) {
     return signals_[kMotion].there ? fmt::format(" in nine of ten rows, for {} of {} lack one", lost_rows_, rows_) : "";
   }
-  return fmt::format(", or --bridge {:.6g}, which leaves out {} of {} rows, {:.3g} s at a time",
+  return fmt::format(", or --bridge {:.6g}, which omits {} of {} rows, at most {:.3g} s in a row",
                      std::max(kBridged, std::ceil(100.0 * longest_gap_) / 100.0), lost_rows_, rows_, longest_gap_);
 }
 
@@ -466,7 +467,7 @@ void Signals::noteSignal(std::size_t signal, std::vector<std::string>& notes) co
     return;
   }
   if (!state.there) {
-    notes.push_back(fmt::format("column {} has no number: left out", quoted(column.label)));
+    notes.push_back(fmt::format("column {} has no number and is omitted", quoted(column.label)));
     return;
   }
   const std::string rate = state.step > 0 ? fmt::format(" at {:.4g} Hz", 1e9 / static_cast<double>(state.step)) : "";
@@ -474,12 +475,12 @@ void Signals::noteSignal(std::size_t signal, std::vector<std::string>& notes) co
                                                        : fmt::format(" (the first without in {} {}: {})", word_,
                                                                      state.first_place, state.first_reason);
   const std::string came =
-      fmt::format("column {} came{} in {} of {} rows", quoted(column.label), rate, state.rows, rows_);
+      fmt::format("column {} has values{} in only {} of {} rows", quoted(column.label), rate, state.rows, rows_);
   if (signal == kTemperature) {
     notes.push_back(came + ": interpolated");
   } else if (signal == kForce) {
-    notes.push_back(fmt::format("{}{}: {} of {} samples have a force; the others are simulated and not compared", came,
-                                first, compared_, handed_out_));
+    notes.push_back(fmt::format("{}{}: only {} of {} samples have a force; the others are simulated but not compared",
+                                came, first, compared_, handed_out_));
   } else if (lost_rows_ == 0) {
     notes.push_back(came + first);
   }
@@ -491,7 +492,7 @@ std::vector<std::string> Signals::notes() const {
     const bool by_time =
         timeless_ > 0 && (signals_[kMotion].first_place == 0 || first_timeless_ < signals_[kMotion].first_place);
     const std::string& reason = by_time ? timeless_reason_ : signals_[kMotion].first_reason;
-    notes.push_back(fmt::format("{} row{} without a number{}: left out, time gaps of at most {:.3g} s are bridged",
+    notes.push_back(fmt::format("{} row{} without a number{}: omitted; time gaps of at most {:.3g} s are bridged",
                                 lost_rows_, pluralOf(lost_rows_),
                                 reason.empty()
                                     ? ""

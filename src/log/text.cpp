@@ -132,8 +132,9 @@ void refuseNamedPipe(const std::string& path) {
   struct stat status{};
   // A shell opens the file that it puts in the place of a command, <(...).
   const bool is_open = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
-  element::refuseIf<std::runtime_error>(!is_open && stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode),
-                                        "is a pipe; accepted: a regular file, or what a command writes, as <(COMMAND)");
+  element::refuseIf<std::runtime_error>(
+      !is_open && stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode),
+      "is a pipe; accepted: a regular file, or the output of a command as <(COMMAND)");
 }
 
 std::string readFile(const std::string& path, std::size_t maximum_size) {

@@ -297,7 +297,8 @@ UnitConversion::UnitConversion(const std::string& from, const std::string& to) {
   const ConverterPointer converter(ut_get_converter(source.get(), target.get()), cv_free);
   offset_ = cv_convert_double(converter.get(), 0.0);
   if (!std::isfinite(offset_)) {  // the library turns Hz into s
-    throw std::invalid_argument(fmt::format("unit {} is the reciprocal of one that converts to {}", quoted(from), to));
+    throw std::invalid_argument(
+        fmt::format("unit {} is the reciprocal of a unit that can be converted to {}", quoted(from), to));
   }
   scale_ = cv_convert_double(converter.get(), 1.0) - offset_;
   const double reciprocal = std::round(1.0 / scale_);
@@ -318,7 +319,7 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   refuseSeparators(quantity, length);
   const double value = strtod_l(quantity.substr(0, length).c_str(), nullptr, cLocale());
   const std::string rest = trimmed(quantity.substr(length));
-  element::refuseIf(!isUnitExpression(rest), "{} behind the number is no unit", quoted(rest));
+  element::refuseIf(!isUnitExpression(rest), "{} after the number is not a unit", quoted(rest));
   return UnitConversion(rest, unit)(value);
 }
 

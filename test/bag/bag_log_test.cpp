@@ -128,7 +128,7 @@ TEST_F(BagLog, AMissingForceLeavesItsDisplacement) {
   EXPECT_EQ(read.force[1], all.force[1]);
   EXPECT_EQ(read.force[2], all.force[2]);
   EXPECT_THAT(read.notes,
-              testing::ElementsAre(HasSubstr("2 of 4 samples have a force; the others are simulated and not "
+              testing::ElementsAre(HasSubstr("2 of 4 samples have a force; the others are simulated but not "
                                              "compared")));
   bag::writeBagLog(path("b.bag"), "bush", read);
   EXPECT_EQ(bag::readBagLog(path("b.bag")).counts, read.counts);
@@ -169,7 +169,7 @@ TEST_F(BagLog, InterpolatesForcesOfADriftingClock) {
   }
   writer.close();
   const log::Log read = bag::readBagLog(path("a.bag"));
-  EXPECT_THAT(read.notes, testing::Contains(HasSubstr("came at 1250 Hz in 196 of")));
+  EXPECT_THAT(read.notes, testing::Contains(HasSubstr("has values at 1250 Hz in only 196 of")));
   ASSERT_EQ(read.size(), static_cast<std::size_t>(kSamples));
   for (std::size_t i = 0; i < read.size(); ++i) {
     const bool between = read.stamp[i] > 700003 + 99 * 800080 && read.stamp[i] < 700003 + 104 * 800080;

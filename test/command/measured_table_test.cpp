@@ -126,7 +126,7 @@ TEST(MeasuredTable, IsReadWhateverHoldsItsText) {
   }
   const TemporaryFile array("lab.npy", "\x93NUMPY");
   EXPECT_THAT([&] { readTable(array.path()); },
-              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("a NumPy array, which is not read"),
+              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("a NumPy array: this format cannot be read"),
                                                       HasSubstr("'time_s,displacement_UNIT,force_UNIT'"),
                                                       HasSubstr("with the units of the array"))));
 }

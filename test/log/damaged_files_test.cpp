@@ -132,7 +132,7 @@ TEST(MatFile, OfStructsWithALogEachHoldsSegments) {
         name, {"time_s", "displacement_mm", "force_N"}, 1,
         MatBytes::numbers("", kTimes) + MatBytes::numbers("", kMillimetres) + MatBytes::numbers("", kNewtons));
   }
-  EXPECT_THAT(refusalOfMat(bytes), HasSubstr("2 logs in one file: 'run1', 'run2'"));
+  EXPECT_THAT(refusalOfMat(bytes), HasSubstr("the file contains 2 logs: 'run1', 'run2'"));
   expectChannels(readText(bytes, byOption("--segment", "2"), "log.mat"));
 }
 
@@ -164,7 +164,7 @@ TEST(PackedFile, OfFarMoreThanItsSizeIsRefusedUnlessTheUserWantsIt) {
         EXPECT_TRUE(large);
       } catch (const log::LogError& error) {
         const bool segmented = large || text == segments;
-        const std::string too_much = fmt::format("its {} bytes; accepted: at most that beyond 64 MiB, or --large",
+        const std::string too_much = fmt::format("its {} bytes; accepted beyond 64 MiB: at most this factor, or --large",
                                                  std::filesystem::file_size(file.path()));
         EXPECT_THAT(error.what(), HasSubstr(segmented ? "more than 10000 segments" : too_much));
       }
@@ -280,7 +280,7 @@ TEST(Hdf5File, OfGroupsWithALogEachHoldsSegments) {
     file.group(group);
     file.log(group + "/");
   }
-  EXPECT_THAT(file.refusal(), HasSubstr("2 logs in one file: 'a', 'b'"));
+  EXPECT_THAT(file.refusal(), HasSubstr("the file contains 2 logs: 'a', 'b'"));
   expectChannels(file.read(byOption("--segment", "1")));
   EXPECT_EQ(log::readLogs(file.path(), byOption("--segment", "all")).size(), 2U);
 }
@@ -378,7 +378,7 @@ TEST(Hdf5File, IsRefusedWhereDataWereNeverWritten) {
     H5Pset_chunk(force, 1, &chunk);
   };
   for (const auto& layout : {std::function<void(hid_t)>(chunked), std::function<void(hid_t)>([](hid_t /*force*/) {})}) {
-    EXPECT_THAT(refusalWhereTheForceHas(layout), HasSubstr("'force_N': data that were never written"));
+    EXPECT_THAT(refusalWhereTheForceHas(layout), HasSubstr("'force_N': the data were never written"));
   }
 }
 

@@ -228,8 +228,8 @@ TEST(Dialects, SayWhatTheirWriterWrote) {
       expectLog(logs[i], dialect.logs()[i], dialect);
       for (const std::string& note : logs[i].notes) {
         noted += note.find("have a force") != std::string::npos ? 1 : 0;
-        const std::size_t repeat = note.find("the header repeats ");
-        repeats += repeat != std::string::npos ? std::stoul(note.substr(repeat + 19)) : 0;
+        const std::size_t repeat = note.find("the header is repeated ");
+        repeats += repeat != std::string::npos ? std::stoul(note.substr(repeat + 23)) : 0;
       }
       format.segment = i + 1;
       expectLog(log::readLog(file.path(), format), dialect.logs()[i], dialect);
@@ -251,7 +251,7 @@ TEST(Dialects, SayWhatTheirWriterWrote) {
 TEST(Advice, SettlesWhetherMarksAreThousands) {
   const std::string text = "Time [ms];Travel [um];Force [N]\n0;1;998\n5;2;999\n10;3;1.000\n15;4;1.001\n";
   const std::string error = refusalOf(text);
-  EXPECT_THAT(error, HasSubstr(":4: Force [N]: the mark in '1.000' may be decimal or between thousands"));
+  EXPECT_THAT(error, HasSubstr(":4: Force [N]: the mark in '1.000' may be decimal or separate thousands"));
   EXPECT_EQ(readText(text, advised(error, "--decimal")).force[2], 1.0);
   EXPECT_EQ(readText(text, byOption("--decimal", ",")).force[2], 1000.0);
 }
@@ -263,7 +263,7 @@ TEST(Advice, LeavesTheMarkToTheOtherColumns) {
   EXPECT_EQ(readText(head + "0.005;1.25;1\n0.010;1.5;1.125\n", {}).force[1], 1.125);
   const std::string both = head + "0.005;1.25;998\n0.010;1.5;1.002\n";
   const std::string error = refusalOf(both);
-  EXPECT_THAT(error, HasSubstr("or --decimal force=, (it stands between thousands)"));
+  EXPECT_THAT(error, HasSubstr("or --decimal force=, if it separates thousands"));
   EXPECT_EQ(readText(both, advised(error, "--decimal")).force[1], 1.002);
   EXPECT_EQ(readText(both, byOption("--decimal", "force=,")).force[1], 1002.0);
   EXPECT_EQ(readText("time_s,displacement_mm,force_N\n0.0,1.5,998\n0.1,1.6,1.002\n", byOption("--decimal", "force=,"))
@@ -304,14 +304,14 @@ TEST(Advice, CountsTheRowsOfWholeSeconds) {
 TEST(Advice, KeepsGoodStampsAgainstAnotherRate) {
   const std::string text = "time_s,displacement_mm\n0,1\n0.005,2\n0.01,3\n";
   const std::string error = refusalOf(text, byOption("--sampling-rate", "2000.0"));
-  EXPECT_THAT(error, HasSubstr("--sampling-rate says 2000 Hz, the stamps of column 'time_s' 200 Hz"));
+  EXPECT_THAT(error, HasSubstr("--sampling-rate is 2000 Hz, but the stamps of column 'time_s' have 200 Hz"));
   EXPECT_EQ(readText(text, byOption("--sampling-rate", "200.0")).size(), 3U);
 }
 
 TEST(Advice, MergesRowsThatRepeat) {
   const log::Log log = readText("time_s,displacement_mm\n0,1\n1,2\n1,2\n2,3\n");
   EXPECT_EQ(log.size(), 3U);
-  EXPECT_THAT(log.notes, ::testing::ElementsAre(HasSubstr("1 row that repeats the one before")));
+  EXPECT_THAT(log.notes, ::testing::ElementsAre(HasSubstr("1 row that repeats the preceding row exactly")));
 }
 
 TEST(Advice, BridgesALongerGap) {
@@ -327,7 +327,7 @@ TEST(Advice, BridgesALongerGap) {
 TEST(Advice, NamesTheSegments) {
   const std::string text = "time_s,displacement_mm\n0,1\n1,2\n\nSpecimen 2\ntime_s,displacement_mm\n0,3\n1,4\n";
   const std::string error = refusalOf(text);
-  EXPECT_THAT(error, HasSubstr("2 logs in one file: lines 2 to 3, lines 7 to 8"));
+  EXPECT_THAT(error, HasSubstr("the file contains 2 logs: lines 2 to 3, lines 7 to 8"));
   EXPECT_EQ(readText(text, advised(error, "--segment")).displacement[0], 1e-3);
   EXPECT_EQ(readText(text, byOption("--segment", "2")).displacement[0], 3e-3);
 }
@@ -340,11 +340,11 @@ TEST(Advice, NamesTheSegmentsOfAFormatThatDefinesItsTime) {
     text += fmt::format("0.0\t{0}\t1.5\n0.5\t{0}\t2.5\n\n", segment);
   }
   const std::string error = refusalOf(text);
-  EXPECT_THAT(error, HasSubstr("2 logs in one file: lines 6 to 7, lines 14 to 15"));
+  EXPECT_THAT(error, HasSubstr("the file contains 2 logs: lines 6 to 7, lines 14 to 15"));
   const log::Log log = readText(text, byOption("--segment", "2"));
   EXPECT_EQ(log.stamp[1], 500000000);
   EXPECT_EQ(log.displacement[0], 2e-3);
-  EXPECT_THAT(log.notes, ::testing::Contains("column 'X_Value' is taken to be in s; another unit by --unit"));
+  EXPECT_THAT(log.notes, ::testing::Contains("column 'X_Value' is read in s; --unit selects another unit"));
 }
 
 TEST(Advice, ALongRowOfGroupsIsNoNumber) {
@@ -412,19 +412,19 @@ TEST(Header, OfARowOfUnitsHasBracketsThatAreNoUnits) {
   }
   EXPECT_DOUBLE_EQ(readText(load("Force (kN)", "KN")).force[0], 2e3);
   EXPECT_THAT(refusalOf(load("Force (N)", "kN")),
-              HasSubstr("column 'Force (N)': the row of units has 'kN', its name 'N'; accepted: --unit force=UNIT"));
+              HasSubstr("column 'Force (N)': the row of units states 'kN', but the column's name states 'N'; accepted: --unit force=UNIT"));
   EXPECT_THAT(refusalOf("Time [s],Stroke [mm],Force (Ch 2)\n0,1,2\n0.1,2,3\n"), HasSubstr("unit 'Ch 2' is unknown"));
 }
 
 TEST(Header, ThatAnErrorListsStandsAboveTheNumbers) {
   const std::string preamble = "Specimen;A1\nWidth (mm);6\nThickness (mm);3\n";
   EXPECT_THAT(refusalOf(preamble + "Zeit;Kanal 1;Kanal 2\n0;1;2\n1;2;3\n"),
-              HasSubstr(":4: no column of displacement, the header has 'Zeit', 'Kanal 1', 'Kanal 2'; accepted: "
+              HasSubstr(":4: there is no column of displacement; the header has 'Zeit', 'Kanal 1', 'Kanal 2'; accepted: "
                         "displacement_<m|mm|um>, or --columns displacement=NAME"));
   EXPECT_THAT(refusalOf(preamble + "Zeit;Kanal 1;Kanal 2\ns;mm;V\n0;1;2\n1;2;3\n", byColumns({"force=4"})),
               HasSubstr(":4: "));
   const std::string channels = "Units,mm,kN\nDisp_1,Load_1\n0,1\n1,2\n";
-  EXPECT_THAT(refusalOf(channels), HasSubstr("no column of time, the header has 'Disp_1 [mm]', 'Load_1 [kN]'"));
+  EXPECT_THAT(refusalOf(channels), HasSubstr("there is no column of time; the header has 'Disp_1 [mm]', 'Load_1 [kN]'"));
   EXPECT_DOUBLE_EQ(readText(channels, byOption("--sampling-rate", "10")).force[1], 2e3);
   EXPECT_THAT(refusalOf("Time [s],Strain [%],Stress [MPa]\n0,1,2\n1,2,3\n"),
               HasSubstr("'Strain [%]', 'Stress [MPa]': of a material, which is a stiffness and a displacement once the "
@@ -453,16 +453,16 @@ TEST(Segments, AreNoneWhereAHeaderRepeatsAndTimeContinues) {
     EXPECT_DOUBLE_EQ(log.force[100], 2e5);
     EXPECT_EQ(log.stamp[100], 500000000);
     EXPECT_THAT(log.notes.back(),
-                HasSubstr("the header repeats 2 times while time continues, first in line 55: one log"));
+                HasSubstr("the header is repeated 2 times while time continues, first in line 55: read as one log"));
   }
   for (const int first : {0, 53}) {
-    EXPECT_THAT(refusalOf(head + rows(0, 50) + buffer + rows(first, 50)), HasSubstr("2 logs in one file")) << first;
+    EXPECT_THAT(refusalOf(head + rows(0, 50) + buffer + rows(first, 50)), HasSubstr("the file contains 2 logs")) << first;
   }
   EXPECT_EQ(readText(head + rows(0, 50) + buffer + rows(52, 50)).size(), 100U);
   const std::string plain = "Time [s]\tTravel [mm]\n0\t1\n1\t2\n2\t3\n";
   EXPECT_EQ(readText(plain + "Buffer\t2\t0\nTime [s]\tTravel [mm]\n3\t4\n").size(), 4U);
   const std::string newtons = "Running Time\tAxial Displacement\tAxial Force\nSec\tmm\tN\n";
-  EXPECT_THAT(refusalOf(head + rows(0, 50) + "\n" + newtons + rows(50, 50)), HasSubstr("2 logs in one file"));
+  EXPECT_THAT(refusalOf(head + rows(0, 50) + "\n" + newtons + rows(50, 50)), HasSubstr("the file contains 2 logs"));
 }
 
 TEST(Rows, OfStatisticsBelowTheDataAreLeftOut) {
@@ -473,7 +473,7 @@ TEST(Rows, OfStatisticsBelowTheDataAreLeftOut) {
     EXPECT_THAT(log.notes.back(), HasSubstr("3 rows of statistics below the data"));
   }
   EXPECT_THAT(refusalOf(data + "Min\t-2.0\t-2700\n3\t1\t2\n"),
-              HasSubstr(":5: a row of statistics, with data behind it"));
+              HasSubstr(":5: there is a row of statistics with data below it"));
   EXPECT_THAT(refusalOf(data + "end of test\t1\t2\n"), HasSubstr("'end of test' is not a number"));
   // Words that all rows have are none of them.
   EXPECT_EQ(readText("Peak,time_s,displacement_mm\nmax,0,1\nmin,1,-1\nmax,2,1\n").size(), 3U);

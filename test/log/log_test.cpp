@@ -47,7 +47,7 @@ TEST(ReadCsvLog, GivesWhatATextSays) {
              "\xEF\xBB\xBF\"time_s\", \"displacement_m\"\r\n0, 0.5\r\n1 ,\t-0.5 \r\n\r\n\n", {}, {0, 1000000000},
              {0.5, -0.5}, {}, {});
   expectRead("ALastLineWithoutEnd", "time_s,displacement_m\n0,0\n1,0.25", {}, {0, 1000000000}, {0.0, 0.25}, {},
-             {"line 3, the last, has no line end: it may have been cut off"});
+             {"the last line, 3, has no line end; it may have been cut off"});
   // The last is a time since 1970: a double would be off by up to 119 ns.
   expectRead("TimeToTheNearestNanosecond",
              "time_s,displacement_m\n-0.5,0\n0.0000000014,0\n3.3333333335,0\n1732190400.123456789,0\n", {},
@@ -56,7 +56,7 @@ TEST(ReadCsvLog, GivesWhatATextSays) {
   expectRead("MappedColumnsAndUnits", "t,Weg,Kraft\n0,1,1\n0.5,2,2\n",
              byColumns({"displacement=Weg", "force=Kraft", "time=t"}, "displacement=cm force=tonf"), {0, 500000000},
              {0.01, 0.02}, {9806.65, 2 * 9806.65},
-             {"time from 't', displacement from 'Weg', force from 'Kraft', 2 Hz", "column 't' is taken to be in s"});
+             {"time from 't', displacement from 'Weg', force from 'Kraft', 2 Hz", "column 't' is read in s"});
   expectRead("AMappedColumnKeepsTheUnitInItsName", "time_s,rig_mm,cell_kN\n0,1,1\n1,2,2\n",
              byColumns({"displacement=rig_mm", "force=cell_kN"}), {0, 1000000000}, {0.001, 0.002}, {1000.0, 2000.0},
              {"time from 'time_s', displacement from 'rig_mm', force from 'cell_kN', 1 Hz"});
@@ -86,8 +86,8 @@ TEST(ReadCsvLog, GivesWhatATextSays) {
   expectRead(
       "UnitsThatAreAssumed", "T (DAQ),D\n0,1\n4.5,2\n", byColumns({"time=T (DAQ)", "displacement=D"}), {0, 4500000000},
       {1.0, 2.0}, {},
-      {"time from 'T (DAQ)', displacement from 'D'", "column 'T (DAQ)' is taken to be in s; another unit by --unit",
-       "column 'D' is taken to be in m; another unit by --unit"});
+      {"time from 'T (DAQ)', displacement from 'D'", "column 'T (DAQ)' is read in s; --unit selects another unit",
+       "column 'D' is read in m; --unit selects another unit"});
   expectRead("AUnitInPlaceOfAName", "ms,mm,kN\n0,1,2\n4.5,2,3\n", byColumns({"time=1", "displacement=2", "force=3"}),
              {0, 4500000}, {0.001, 0.002}, {2000.0, 3000.0}, {"time from '1 [ms]'"});
   expectRead("AUnitInPlaceOfSomeNames", "ms,Position (mm),kN\n0,1,2\n4.5,2,3\n",

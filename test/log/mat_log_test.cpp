@@ -49,16 +49,16 @@ TEST(MatLog, LeavesOutWhatWasNotMeasured) {
   const log::Log log = read("not_finite");
   EXPECT_EQ(log.size(), 4U);
   EXPECT_THAT(log.notes,
-              ElementsAre(HasSubstr("in 4 of 5 rows (the first without in element 2: displacement_mm: nan is "
+              ElementsAre(HasSubstr("in only 4 of 5 rows (the first without in element 2: displacement_mm: nan is "
                                     "not finite)")));
 }
 
 TEST(MatLog, RefusesWhatCannotBeUsed) {
   EXPECT_THAT(errorOf("complex"), HasSubstr("displacement_mm: complex numbers; accepted: real ones"));
-  EXPECT_THAT(errorOf("time_repeats"), HasSubstr("element 3: time_s: 1.000000000 after 1.000000000"));
+  EXPECT_THAT(errorOf("time_repeats"), HasSubstr("element 3: time_s: the time 1.000000000 follows 1.000000000"));
   EXPECT_THAT(errorOf("lengths_differ"), HasSubstr("time_s has 5 values, displacement_mm has 4; accepted: as many"));
-  EXPECT_THAT(errorOf("matrix"), HasSubstr("no column of displacement, the header has 'time_s'"));
-  EXPECT_THAT(errorOf("no_time"), HasSubstr("no column of time, the header has"));
+  EXPECT_THAT(errorOf("matrix"), HasSubstr("there is no column of displacement; the header has 'time_s'"));
+  EXPECT_THAT(errorOf("no_time"), HasSubstr("there is no column of time; the header has"));
   EXPECT_THAT(errorOf("cut_off"), HasSubstr("cut_off.mat: "));
   EXPECT_THAT(errorOf("text"), HasSubstr("damaged at byte 0: no header of a matrix; accepted: a complete MATLAB file"));
   EXPECT_THAT(errorOf("not_there"), HasSubstr("cannot be read: No such file or directory"));

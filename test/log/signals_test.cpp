@@ -64,7 +64,7 @@ TEST(Signals, ASlowTemperatureLeavesTheOthers) {
         readText(table(kHeader + ",temperature_degC", {displacementCells(), forceCells(), every(100, warming, none)}));
     expectAllSamples(log, kRows);
     EXPECT_NEAR(log.temperature[50], 20.5, 1e-12);
-    EXPECT_THAT(log.notes, Contains("column 'temperature_degC' came at 10 Hz in 20 of 2000 rows: interpolated"));
+    EXPECT_THAT(log.notes, Contains("column 'temperature_degC' has values at 10 Hz in only 20 of 2000 rows: interpolated"));
   }
 }
 
@@ -73,7 +73,7 @@ TEST(Signals, AColumnWithoutANumberIsNotThere) {
                                       {displacementCells(), forceCells(), [](int) { return std::string("NaN"); }}));
   expectAllSamples(log, kRows);
   EXPECT_TRUE(log.temperature.empty());
-  EXPECT_THAT(log.notes, Contains("column 'temperature_degC' has no number: left out"));
+  EXPECT_THAT(log.notes, Contains("column 'temperature_degC' has no number and is omitted"));
   const log::Log without = readText(table(kHeader, {displacementCells(), [](int) { return std::string(); }}));
   EXPECT_TRUE(without.force.empty());
 }
@@ -81,7 +81,7 @@ TEST(Signals, AColumnWithoutANumberIsNotThere) {
 TEST(Signals, ASlowForceIsComparedWhereItIs) {
   const log::Log log = readText(table(kHeader, {displacementCells(), every(4, forceCells())}));
   expectAllSamples(log, kRows / 4);
-  EXPECT_THAT(log.notes, Contains(HasSubstr("came at 250 Hz in 500 of 2000 rows")));
+  EXPECT_THAT(log.notes, Contains(HasSubstr("has values at 250 Hz in only 500 of 2000 rows")));
 }
 
 TEST(Signals, AMissingForceLeavesItsDisplacement) {
@@ -192,7 +192,7 @@ TEST(Restarts, OfTheTimeAreSegments) {
     text += fmt::format("{:.3f},{},{}\n", 1e-3 * (row % 250), displacementAt(row), forceAt(row));
   }
   const std::string error = refusalOf(text);
-  EXPECT_THAT(error, HasSubstr("8 logs in one file: lines 2 to 251, lines 252 to 501"));
+  EXPECT_THAT(error, HasSubstr("the file contains 8 logs: lines 2 to 251, lines 252 to 501"));
   const log::Log first = readText(text, advised(error, "--segment"));
   EXPECT_EQ(first.size(), 250U);
   EXPECT_EQ(first.stamp[249], 249000000);
@@ -259,9 +259,9 @@ TEST(UnitSpellings, AreThoseOfBrackets) {
   }
   EXPECT_DOUBLE_EQ(force("load_g", byOption("--unit", "force=gf")), 9.80665e-3);
   EXPECT_THAT(refusalOf("time_s,displacement_mm\n0,1\n1,2\n", byOption("--unit", "force=gf")),
-              HasSubstr("--unit force=gf, but there is no column of force"));
+              HasSubstr("--unit force=gf: there is no column of force"));
   EXPECT_THAT(readText("time_s,displacement_mm,force_in\n0,1,1\n1,2,2\n").notes,
-              Contains(HasSubstr("column 'force_in' is ignored: where it is the measured force, --columns force=3")));
+              Contains(HasSubstr("column 'force_in' is ignored; if it is the measured force, use --columns force=3")));
 }
 
 // What is advised for the output of rostopic echo.

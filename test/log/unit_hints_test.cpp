@@ -38,7 +38,7 @@ TEST(UnitHints, WriteTheNumberWithADecimalPoint) {
   EXPECT_EQ(refusal("3_000 N", "N"), "separators of thousands (did you mean '3000 N'?)");
   EXPECT_EQ(refusal("3'000'000 N/m", "N/m"), "separators of thousands (did you mean '3000000 N/m'?)");
   EXPECT_EQ(refusal("3 000 N", "N"), "separators of thousands (did you mean '3000 N'?)");
-  EXPECT_EQ(refusal("3 2 N/m", "N/m"), "'2 N/m' behind the number is no unit");
+  EXPECT_EQ(refusal("3 2 N/m", "N/m"), "'2 N/m' after the number is not a unit");
   EXPECT_EQ(log::parseQuantity("2e-4 1/J", "1/J"), 2e-4);
 }
 
