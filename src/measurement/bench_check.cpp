@@ -97,31 +97,67 @@ struct Sheet {
 
 const Sheet kUsualSheet(estimation::SheetTolerance::kUsual);
 
-// What explains a log as well as its own explanation: a delay turns the phase alone, a mass in fast motion lowers or
-// turns the stiffness.
+// From rest, without the motion across: what is checked are orders of magnitude.
+VectorXd simulate(gap::LogDriver& component, const VectorXd& displacement, const log::Record& record) {
+  log::Record from_rest;
+  from_rest.dt = record.dt;
+  from_rest.temperature = record.temperature;
+  return component.over(from_rest, displacement, gap::Before::nothing);
+}
+
+// The component with its contacts on the other side, and the type of the last one; nothing without any. A contact, or
+// any compliance of one side, yields to one sign of force alone.
+struct TurnedContacts {
+  gap::LogDriver component;
+  std::string type;
+};
+
+std::optional<TurnedContacts> withContactsTurned(std::vector<element::ElementDescription> elements) {
+  std::string type;
+  for (element::ElementDescription& description : elements) {
+    const element::ElementPointer element = element::makeElement(description);
+    const auto* const series = std::get_if<std::shared_ptr<const element::SeriesElement>>(&element);
+    const auto compliance = series != nullptr ? (*series)->compliance() : std::nullopt;
+    if (compliance && (compliance->tension == 0.0) != (compliance->compression == 0.0)) {
+      description.values["side"] = {-description.value("side")};
+      type = description.type;
+    }
+  }
+  return type.empty() ? std::nullopt : std::optional(TurnedContacts{gap::LogDriver(elements), type});
+}
+
+// What was configured, as what a log shows is compared with it.
+struct Configured {
+  gap::LogDriver component;
+  std::optional<TurnedContacts> turned;
+  Sheet sheet;
+};
+
+// What a log may be explained by as well: a delay turns the phase alone, a mass in fast motion lowers or turns the
+// stiffness.
 enum class Likewise { nothing, delay, mass };
 
 struct Explained {
-  Explained(RigFinding named, Likewise other = Likewise::nothing) : finding(std::move(named)), likewise(other) {}
+  Explained(RigFinding named, Likewise other = Likewise::nothing, bool for_all = false)
+      : finding(std::move(named)), likewise(other), nats(for_all ? 1.0 : 0.0) {}
 
   RigFinding finding;
   Likewise likewise;
+  double nats;  // for an error of all logs
 };
 
 using Explanation = std::optional<Explained>;
 
 // What a log shows beside the component.
 struct Shown {
-  gap::LogDriver& component;
+  Configured& configured;
   const log::Record& record;
-  const Sheet& sheet;
   Explanation own = std::nullopt;  // the likeliest of this log alone
-  bool answers = false;            // both channels measured something: what follows is known
   VectorXd simulated = {};
   std::vector<Octave> octaves = {};
   std::vector<Octave> expected = {};  // of the simulated force
   Slope measured = {};
-  Slope configured = {};
+  Slope simulated_slope = {};
   double ratio = 0.0;
   double force_correlation = 0.0;  // of measured and simulated force
   double force_ratio = 0.0;        // of their standard deviations
@@ -135,7 +171,7 @@ struct Shown {
 
   // The force goes with the displacement by half of its variance.
   bool isElastic() const { return measured.correlation * measured.correlation > 0.5; }
-  bool falls() const { return isElastic() && measured.stiffness < 0.0 && configured.correlation > 0.0; }
+  bool falls() const { return isElastic() && measured.stiffness < 0.0 && simulated_slope.correlation > 0.0; }
   bool rises() const { return isElastic() && measured.stiffness > 0.0; }
   // Numbers alone may make a loop's work a hundredth of the most that there could be.
   double leastWork() const { return std::max(3.0 * work_deviation, 0.01); }
@@ -145,7 +181,7 @@ struct Shown {
   // By which the measured force is too large, if nothing else is wrong: of a damper by hundreds alone.
   std::optional<double> scale() const {
     if (isElastic()) {
-      return configured.stiffness > 0.0 && measured.stiffness > 0.0 ? std::optional(ratio) : std::nullopt;
+      return simulated_slope.stiffness > 0.0 && measured.stiffness > 0.0 ? std::optional(ratio) : std::nullopt;
     }
     return force_correlation > 0.8 && isLarge(force_ratio) ? std::optional(force_ratio) : std::nullopt;
   }
@@ -160,72 +196,61 @@ struct Shown {
   }
 };
 
-RigFinding fatal(const std::string& log, const char* finding, double value, std::string text, const char* unit = "1") {
-  return {log, finding, value, {value, value}, unit, true, true, std::move(text)};
+template <class... Values>
+RigFinding fatal(const std::string& log, const char* finding, double value, const char* unit,
+                 fmt::format_string<Values...> text, Values&&... values) {
+  return {log, finding, value, {value, value}, unit, true, true, fmt::format(text, std::forward<Values>(values)...)};
 }
 
-// `remedy`: how the unit can be named.
-RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& unit, const std::string& remedy) {
-  return fatal(log, finding::kUnitFactor, ratio,
-               fmt::format("the measured stiffness is {:.3g} times the configured one, as by the factor {:.4g} of a "
-                           "wrong unit ({}): {}; if the units are right, --accept-units",
-                           ratio, unit.factor, unit.units, remedy));
-}
-
-RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& unit) {
-  return unitFinding(log, ratio, unit,
-                     fmt::format("name the right one, as in --unit force=kN, or --columns force={:.4g}*NAME or "
-                                 "displacement={:.4g}*NAME",
-                                 1.0 / unit.factor, unit.factor));
+// `remedy`: how the unit can be named, if not by an option.
+RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& unit, std::string remedy = "") {
+  if (remedy.empty()) {
+    remedy = fmt::format(
+        "name the right one, as in --unit force=kN, or --columns force={:.4g}*NAME or "
+        "displacement={:.4g}*NAME",
+        1.0 / unit.factor, unit.factor);
+  }
+  return fatal(log, finding::kUnitFactor, ratio, "1",
+               "the measured stiffness is {:.3g} times the configured one, as by the factor {:.4g} of a wrong unit "
+               "({}): {}; if the units are right, --accept-units",
+               ratio, unit.factor, unit.units, remedy);
 }
 
 RigFinding componentFinding(const std::string& log, double ratio, const Sheet& sheet, const std::string& logs) {
-  return fatal(log, finding::kOtherComponent, ratio,
-               fmt::format("the measured stiffness is {:.3g} times the configured one{}, more than tolerances and "
-                           "effects explain ({:.2g} to {:.2g}), and no factor of units: check that measurement and "
-                           "component file are of the same component; if they are, --accept-units",
-                           ratio, logs, sheet.least(), sheet.most()));
+  return fatal(log, finding::kOtherComponent, ratio, "1",
+               "the measured stiffness is {:.3g} times the configured one{}, more than tolerances and "
+               "effects explain ({:.2g} to {:.2g}), and no factor of units: check that measurement and "
+               "component file are of the same component; if they are, --accept-units",
+               ratio, logs, sheet.least(), sheet.most());
 }
 
 RigFinding peakToPeakFinding(const std::string& log, double ratio, const std::string& remedy) {
   return fatal(
-      log, finding::kPeakToPeak, ratio,
-      fmt::format(
-          "the measured stiffness is {:.3g} times the configured one in all motions, and nothing else differs: the {} "
-          "is a value from peak to peak, or {} components are clamped: {}; if it is right, --accept-units",
-          ratio, ratio > 1.0 ? "force" : "displacement", ratio > 1.0 ? "two parallel" : "two such in a row of",
-          remedy));
+      log, finding::kPeakToPeak, ratio, "1",
+      "the measured stiffness is {:.3g} times the configured one in all motions, and nothing else differs: the {} "
+      "is a value from peak to peak, or {} components are clamped: {}; if it is right, --accept-units",
+      ratio, ratio > 1.0 ? "force" : "displacement", ratio > 1.0 ? "two parallel" : "two such in a row of", remedy);
 }
 
 RigFinding signFinding(const Shown& log) {
-  return fatal(
-      log.record.name, finding::kSign, -1.0,
-      fmt::format("the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m), "
-                  "and its loops take no energy ({:.2g} of the most that there could be), which a mass in fast "
-                  "motion would: the sign of one channel is reversed; multiply it by -1, --columns force=-NAME{}",
-                  log.measured.stiffness, log.configured.stiffness, log.work,
-                  log.ratio >= 0.0 || log.sheet.plausible(-log.ratio)
-                      ? ""
-                      : fmt::format("; besides, the measured stiffness is {:.3g} times the configured one: check the "
-                                    "units and the component file",
-                                    -log.ratio)));
+  return fatal(log.record.name, finding::kSign, -1.0, "1",
+               "the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m), "
+               "and its loops take no energy ({:.2g} of the most that there could be), which a mass in fast "
+               "motion would: the sign of one channel is reversed; multiply it by -1, --columns force=-NAME{}",
+               log.measured.stiffness, log.simulated_slope.stiffness, log.work,
+               log.ratio >= 0.0 || log.configured.sheet.plausible(-log.ratio)
+                   ? ""
+                   : fmt::format("; besides, the measured stiffness is {:.3g} times the configured one: check the "
+                                 "units and the component file",
+                                 -log.ratio));
 }
 
 RigFinding swapFinding(const Shown& log) {
-  return fatal(
-      log.record.name, finding::kSwappedColumns, log.ratio,
-      fmt::format("force and displacement look exchanged (stiffness {:.3g} N/m, configured {:.3g} N/m; loss {:.2g} "
-                  "of a loop's most, negative: energy out of nothing): swap the columns, "
-                  "--columns displacement=NAME force=NAME",
-                  log.measured.stiffness, log.configured.stiffness, log.work_forward));
-}
-
-// From rest, without the motion across: what is checked are orders of magnitude.
-VectorXd simulate(gap::LogDriver& component, const VectorXd& displacement, const log::Record& record) {
-  log::Record from_rest;
-  from_rest.dt = record.dt;
-  from_rest.temperature = record.temperature;
-  return component.over(from_rest, displacement, gap::Before::nothing);
+  return fatal(log.record.name, finding::kSwappedColumns, log.ratio, "1",
+               "force and displacement look exchanged (stiffness {:.3g} N/m, configured {:.3g} N/m; loss {:.2g} "
+               "of a loop's most, negative: energy out of nothing): swap the columns, "
+               "--columns displacement=NAME force=NAME",
+               log.measured.stiffness, log.simulated_slope.stiffness, log.work_forward);
 }
 
 // True if the force at a constant displacement exceeds its part that no motion causes, such as hum, which continues in
@@ -264,21 +289,19 @@ Explanation deadChannel(const Shown& log) {
     const char* const name = is_force ? "force" : "displacement";
     const char* const unit = is_force ? "N" : "m";
     if (rangeOf(channel) <= 1e-12 * channel.cwiseAbs().maxCoeff()) {
-      return fatal(record.name, finding::kConstant, channel[0],
-                   fmt::format("the {} is {:.4g} {} from the first sample to the last: check the channel's cable, and "
-                               "which column it is, --columns {}=NAME",
-                               name, channel[0], unit, name),
-                   unit);
+      return fatal(record.name, finding::kConstant, channel[0], unit,
+                   "the {} is {:.4g} {} from the first sample to the last: check the channel's cable, and "
+                   "which column it is, --columns {}=NAME",
+                   name, channel[0], unit, name);
     }
     const DeadPart dead = deadPart(channel, other, is_force ? kFarther : kAsMuch);
     if (dead.end > dead.begin && (is_force ? !isOfASlackContact(record, dead) : isOfAMotion(record, dead))) {
       const double begin = static_cast<double>(dead.begin) * record.dt;
       const double end = static_cast<double>(dead.end) * record.dt;
-      return fatal(record.name, finding::kConstant, static_cast<double>(dead.end - dead.begin) * record.dt,
-                   fmt::format("the {} stands still from {:.4g} to {:.4g} s of {:.4g} s, while the {} continues: check "
-                               "the channel's cable, and leave this part out",
-                               name, begin, end, record.duration(), is_force ? "displacement" : "force"),
-                   "s");
+      return fatal(record.name, finding::kConstant, static_cast<double>(dead.end - dead.begin) * record.dt, "s",
+                   "the {} stands still from {:.4g} to {:.4g} s of {:.4g} s, while the {} continues: check "
+                   "the channel's cable, and leave this part out",
+                   name, begin, end, record.duration(), is_force ? "displacement" : "force");
     }
   }
   return std::nullopt;
@@ -294,18 +317,18 @@ Explanation tooShort(const Shown& log) {
   if (moving < kFewestMoving) {
     // A step that is held, as of relaxation or creep, is not seen better in a longer log.
     const bool held = 2 * moving < count;
-    return fatal(record.name, finding::kTooShort, static_cast<double>(moving),
-                 fmt::format("{} samples in motion are too few; needed are {}: {}", moving, kFewestMoving,
-                             held ? fmt::format("the displacement rests in the other {}: record the motion between at "
-                                                "a higher rate, or add a log that moves",
-                                                count - moving)
-                                  : "record longer, or at a higher rate"));
+    return fatal(record.name, finding::kTooShort, static_cast<double>(moving), "1",
+                 "{} samples in motion are too few; needed are {}: {}", moving, kFewestMoving,
+                 held ? fmt::format("the displacement rests in the other {}: record the motion between at "
+                                    "a higher rate, or add a log that moves",
+                                    count - moving)
+                      : "record longer, or at a higher rate");
   }
   const double per_cycle = 2.0 * element::kPi / typicalPhase(record.displacement);
   if (per_cycle < kFewestPerCycle) {
-    return fatal(record.name, finding::kTooShort, per_cycle,
-                 fmt::format("{:.2g} samples per cycle are too few; needed are {}: record at a higher rate", per_cycle,
-                             kFewestPerCycle));
+    return fatal(record.name, finding::kTooShort, per_cycle, "1",
+                 "{:.2g} samples per cycle are too few; needed are {}: record at a higher rate", per_cycle,
+                 kFewestPerCycle);
   }
   return std::nullopt;
 }
@@ -318,10 +341,10 @@ Explanation rectified(const Shown& log) {
   const double as_recorded = std::max(std::pow(log.force_correlation, 2), std::pow(log.measured.correlation, 2));
   for (const auto& [name, correlation] : {std::pair("force", of_force), {"displacement", of_displacement}}) {
     if (correlation > kFollows && correlation * correlation > as_recorded + kClearly) {
-      return fatal(log.record.name, finding::kRectified, correlation,
-                   fmt::format("the {} has lost its sign: it follows the magnitude of what belongs to it (correlation "
-                               "{:.2f}, with the sign {:.2f}): record it unrectified",
-                               name, correlation, log.force_correlation));
+      return fatal(log.record.name, finding::kRectified, correlation, "1",
+                   "the {} has lost its sign: it follows the magnitude of what belongs to it (correlation "
+                   "{:.2f}, with the sign {:.2f}): record it unrectified",
+                   name, correlation, log.force_correlation);
     }
   }
   return std::nullopt;
@@ -343,11 +366,10 @@ Explanation silent(const Shown& log) {
       isRelated(correlationOf(way.cwiseSign(), force))) {
     return std::nullopt;
   }
-  return fatal(
-      record.name, finding::kConstant, log.force_ratio,
-      fmt::format("the force does not answer to the displacement: it scatters by {:.3g} N, {:.2g} % of what the "
-                  "component gives: check the clamps and the channel's cable",
-                  record.force_deviation, 100.0 * log.force_ratio));
+  return fatal(record.name, finding::kConstant, log.force_ratio, "1",
+               "the force does not answer to the displacement: it scatters by {:.3g} N, {:.2g} % of what the "
+               "component gives: check the clamps and the channel's cable",
+               record.force_deviation, 100.0 * log.force_ratio);
 }
 
 // Length unit over force unit, in SI, by which the log is one of this component with the columns exchanged.
@@ -367,7 +389,8 @@ std::optional<double> unitsOfSwap(gap::LogDriver& component, const log::Record& 
 // With the columns exchanged the log is one of this component, whatever the units that they were written in, and its
 // loops do not say otherwise.
 bool looksSwapped(const Shown& log) {
-  return log.work_forward <= 3.0 * log.work_deviation && unitsOfSwap(log.component, log.record, log.sheet);
+  return log.work_forward <= 3.0 * log.work_deviation &&
+         unitsOfSwap(log.configured.component, log.record, log.configured.sheet);
 }
 
 // True if the phases are those of a mass that inverts the stiffness at the log's mean frequency, but not in slow
@@ -376,22 +399,26 @@ bool isTurnedAsByMass(const Shown& log) {
   std::vector<Octave> with_mass = log.expected;
   for (Octave& octave : with_mass) {
     const double times = octave.frequency / (log.record.mean_frequency * log.record.dt);
-    octave.cross -= (log.configured.stiffness - log.measured.stiffness) * times * times * octave.power;
+    octave.cross -= (log.simulated_slope.stiffness - log.measured.stiffness) * times * times * octave.power;
   }
   const double mass = phaseDistance(log.octaves, with_mass, [](double phase, double) { return phase; });
   return -mass / kOneNat + 1.0 > log.natsOfSign();
 }
 
-// The force falls where the displacement rises, and its loops give energy, whatever the channels' delay.
-Explanation fallingForce(const Shown& log) {
-  return log.falls() && log.work_backward < -log.leastWork()
-             ? Explanation(Explained(signFinding(log), isTurnedAsByMass(log) ? Likewise::mass : Likewise::nothing))
-             : std::nullopt;
+// The force falls where the displacement rises, and its loops give energy, whatever the channels' delay. A spring with
+// next to no loss tells nothing by its work; its force is the simulated one with the other sign, of whatever size: the
+// stiffness may be a guess, or its unit a wrong one.
+Explanation reversedSign(const Shown& log) {
+  const bool gives = log.work_backward < -log.leastWork();
+  if (!log.falls() || (!gives && (log.takesEnergy() || log.force_correlation > -0.9))) {
+    return std::nullopt;
+  }
+  return Explained(signFinding(log), isTurnedAsByMass(log) ? Likewise::mass : Likewise::nothing, gives);
 }
 
 // Columns of exchanged size. A factor may be that of units as well; what gives no energy is the simpler one.
 Explanation exchangedSizes(const Shown& log) {
-  const bool ask = log.rises() && log.configured.stiffness > 0.0 && !log.sheet.plausible(log.ratio) &&
+  const bool ask = log.rises() && log.simulated_slope.stiffness > 0.0 && !log.configured.sheet.plausible(log.ratio) &&
                    (!assumedFactorOf(log.ratio) || log.givesEnergy());
   return ask && looksSwapped(log) ? Explanation(swapFinding(log)) : std::nullopt;
 }
@@ -399,12 +426,13 @@ Explanation exchangedSizes(const Shown& log) {
 // The unit of a channel, where nobody named it; a mass makes a log too soft by less than a power of ten.
 Explanation assumedUnit(const Shown& log) {
   const auto scale = log.scale();
-  const bool ask = log.record.units == log::UnitsAre::assumed && scale && !log.sheet.plausible(*scale);
+  const bool ask = log.record.units == log::UnitsAre::assumed && scale && !log.configured.sheet.plausible(*scale);
   const auto unit = ask ? assumedFactorOf(*scale) : std::nullopt;
   const bool soft = log.ratio > 0.1 && log.ratio < 1.0;
-  return unit ? Explanation(
-                    Explained(unitFinding(log.record.name, *scale, *unit), soft ? Likewise::mass : Likewise::nothing))
-              : std::nullopt;
+  if (!unit) {
+    return std::nullopt;
+  }
+  return Explained(unitFinding(log.record.name, *scale, *unit), soft ? Likewise::mass : Likewise::nothing, soft);
 }
 
 // The late force of most likelihood, from so much of a typical period to three quarters of it: samples, and nats less
@@ -423,12 +451,12 @@ std::pair<double, double> bestDelay(const Shown& log, double least_share) {
 // The loops give energy or run backwards, at a stiffness that is right: the likeliest of sign, columns and delay by the
 // phases that were measured.
 Explanation turnedPhases(const Shown& log) {
-  if (log.falls() || !log.givesEnergy() || (log.scale() && !log.sheet.plausible(*log.scale()))) {
+  if (log.falls() || !log.givesEnergy() || (log.scale() && !log.configured.sheet.plausible(*log.scale()))) {
     return std::nullopt;
   }
   // Friction or damping far beyond the configured component: its phase says nothing about this one's; reversed, it is
   // the only force that gives energy.
-  if (!log.isElastic() && !log.sheet.plausible(log.force_ratio)) {
+  if (!log.isElastic() && !log.configured.sheet.plausible(log.force_ratio)) {
     return signFinding(log);
   }
   // As stiff as configured, and not with the columns exchanged: nothing but a delay, however short. What the effect
@@ -437,7 +465,7 @@ Explanation turnedPhases(const Shown& log) {
   constexpr double kLongestBehind = 0.03;  // [s], whichever is longer
   constexpr double kMostAhead = 4.0;       // samples
   constexpr double kClearlyLate = 0.124;   // of a period, where the sign or the columns may be wrong as well
-  const bool as_stiff = log.isElastic() && log.sheet.plausible(log.ratio);
+  const bool as_stiff = log.isElastic() && log.configured.sheet.plausible(log.ratio);
   const bool only_delay = as_stiff && !looksSwapped(log);
   const auto [delay, late] = bestDelay(log, only_delay ? 0.0 : kClearlyLate);
   if (only_delay && delay <= std::max(kMostBehind, kLongestBehind / log.record.dt) && delay >= -kMostAhead) {
@@ -446,52 +474,36 @@ Explanation turnedPhases(const Shown& log) {
   const double sign = log.natsOfSign();
   const double swap = log.nats([](double phase, double) { return -phase; });
   if (only_delay || late > std::max(sign, swap)) {
-    const std::string text = fmt::format(
-        "the loops give energy: the force is {:.3g} s {} the displacement, {:.2g} of a cycle: bring both "
-        "channels to one time",
-        std::abs(delay * log.record.dt), delay > 0.0 ? "behind" : "ahead of", std::abs(delay) / log.period);
-    return Explained{fatal(log.record.name, finding::kDelay, delay * log.record.dt, text, "s"), Likewise::delay};
+    return Explained{
+        fatal(log.record.name, finding::kDelay, delay * log.record.dt, "s",
+              "the loops give energy: the force is {:.3g} s {} the displacement, {:.2g} of a cycle: bring both "
+              "channels to one time",
+              std::abs(delay * log.record.dt), delay > 0.0 ? "behind" : "ahead of", std::abs(delay) / log.period),
+        Likewise::delay, true};
   }
-  return Explained{sign > swap ? signFinding(log) : swapFinding(log), as_stiff ? Likewise::delay : Likewise::nothing};
-}
-
-// The component with its contacts on the other side, and the type of the last one; nothing without any. A contact, or
-// any compliance of one side, yields to one sign of force alone.
-struct TurnedContacts {
-  gap::LogDriver component;
-  std::string type;
-};
-
-std::optional<TurnedContacts> withContactsTurned(std::vector<element::ElementDescription> elements) {
-  std::string type;
-  for (element::ElementDescription& description : elements) {
-    const element::ElementPointer element = element::makeElement(description);
-    const auto* const series = std::get_if<std::shared_ptr<const element::SeriesElement>>(&element);
-    const auto compliance = series != nullptr ? (*series)->compliance() : std::nullopt;
-    if (compliance && (compliance->tension == 0.0) != (compliance->compression == 0.0)) {
-      description.values["side"] = {-description.value("side")};
-      type = description.type;
-    }
-  }
-  return type.empty() ? std::nullopt : std::optional(TurnedContacts{gap::LogDriver(elements), type});
+  return Explained{sign > swap ? signFinding(log) : swapFinding(log), as_stiff ? Likewise::delay : Likewise::nothing,
+                   as_stiff};
 }
 
 // The force is that of the component whose contact carries the other sign, whatever the log seems to be then: as
 // configured the contact is open where the log has a force.
-Explanation turnedContact(TurnedContacts& turned, const Shown& log) {
+Explanation turnedContact(const Shown& log) {
+  if (!log.configured.turned) {
+    return std::nullopt;
+  }
+  auto& [component, type] = *log.configured.turned;
   const log::Record& record = log.record;
   const double as_configured =
-      std::max(0.0, correlationOf(record.force, simulate(log.component, record.displacement, record)));
-  const double as_turned = correlationOf(record.force, simulate(turned.component, record.displacement, record));
+      std::max(0.0, correlationOf(record.force, simulate(log.configured.component, record.displacement, record)));
+  const double as_turned = correlationOf(record.force, simulate(component, record.displacement, record));
   if (as_turned <= kFollows || as_turned * as_turned <= as_configured * as_configured + kClearly) {
     return std::nullopt;
   }
-  return fatal(
-      record.name, finding::kContactSide, as_turned,
-      fmt::format("the contact `{}` of the component is open where this log has a force, which follows the "
-                  "component with `side` of the other sign (correlation {:.2f}, as configured {:.2f}): correct "
-                  "`side`, or the signs of displacement and force",
-                  turned.type, as_turned, as_configured));
+  return fatal(record.name, finding::kContactSide, as_turned, "1",
+               "the contact `{}` of the component is open where this log has a force, which follows the "
+               "component with `side` of the other sign (correlation {:.2f}, as configured {:.2f}): correct "
+               "`side`, or the signs of displacement and force",
+               type, as_turned, as_configured);
 }
 
 // What a log shows whose channels measured something.
@@ -500,8 +512,8 @@ void compare(Shown& log) {
   constexpr double kLargestShare = 0.02;  // of a cycle
   const log::Record& record = log.record;
   log.measured = slopeOf(record.displacement, record.force);
-  log.configured = slopeOf(record.displacement, log.simulated);
-  log.ratio = log.configured.stiffness != 0.0 ? log.measured.stiffness / log.configured.stiffness : 0.0;
+  log.simulated_slope = slopeOf(record.displacement, log.simulated);
+  log.ratio = log.simulated_slope.stiffness != 0.0 ? log.measured.stiffness / log.simulated_slope.stiffness : 0.0;
   log.force_correlation = correlationOf(record.force, log.simulated);
   const double simulated = gap::standardDeviation(log.simulated);
   log.force_ratio = simulated > 0.0 ? gap::standardDeviation(record.force) / simulated : 0.0;
@@ -515,74 +527,64 @@ void compare(Shown& log) {
   log.expected = CrossSpectrum(record.displacement, log.simulated).octaves();
 }
 
-// The explanations of one log: of its record alone, which leaves no other, of its force beside the simulated one, and
-// of its loops; columns of exchanged size before units and phases, since their loops give energy, too.
+// The explanations of one log, the likeliest first: of its channels, and of its force beside the simulated one. Columns
+// of exchanged size come before units and phases, since their loops give energy, too.
 using Explain = Explanation (*)(const Shown& log);
-constexpr Explain kOfRecord[] = {deadChannel, tooShort};
-constexpr Explain kOfForce[] = {rectified, silent};
-constexpr Explain kOfLoops[] = {fallingForce, exchangedSizes, assumedUnit, turnedPhases};
+constexpr Explain kOfChannels[] = {turnedContact, deadChannel, tooShort};
+constexpr Explain kOfForces[] = {rectified, silent, reversedSign, exchangedSizes, assumedUnit, turnedPhases};
 
 template <std::size_t count>
-bool isExplained(const Explain (&explanations)[count], Shown& log) {
-  return std::any_of(explanations, explanations + count, [&](Explain explain) {
-    log.own = explain(log);
-    return log.own.has_value();
-  });
+Explanation likeliest(const Explain (&explanations)[count], const Shown& log) {
+  Explanation found;
+  std::any_of(explanations, explanations + count, [&](Explain explain) { return (found = explain(log)).has_value(); });
+  return found;
 }
 
-Shown shownBy(const log::Record& record, gap::LogDriver& component, TurnedContacts* turned, const Sheet& sheet) {
-  Shown log{component, record, sheet};
-  log.own = turned != nullptr ? turnedContact(*turned, log) : std::nullopt;
-  if (log.own || isExplained(kOfRecord, log)) {
+Shown shownBy(const log::Record& record, Configured& configured) {
+  Shown log{configured, record};
+  log.own = likeliest(kOfChannels, log);
+  if (log.own) {
     return log;
   }
-  log.simulated = simulate(component, record.displacement, record);
+  log.simulated = simulate(configured.component, record.displacement, record);
   if (log.simulated.allFinite()) {
     compare(log);
-    log.answers = !isExplained(kOfForce, log);
-    log.answers&& isExplained(kOfLoops, log);
+    log.own = likeliest(kOfForces, log);
   }
   return log;
 }
 
-// The likeliest explanation of a log, by all logs; nothing where effects on a right bench explain it as well. A
-// reversed sign, exchanged columns or a wrong unit affect all logs of a bench: each log that has the explanation is a
-// nat for it, each other one a nat against it. A mass turns or softens the fast logs first.
-std::optional<RigFinding> explanationOf(const Shown& log, const std::vector<Shown>& logs) {
+// What all logs of a bench show together.
+struct Bench {
+  explicit Bench(const std::vector<Shown>& logs);
+
   double nats = 0.0;
-  double fastest_right = 0.0;       // of the logs that need no explanation [Hz]
-  double slowest_right = HUGE_VAL;  // of those that have the sign of a spring, or take energy [Hz]
-  for (const Shown& other : logs) {
-    const double frequency = other.record.mean_frequency;
-    nats += other.own && other.own->likewise != Likewise::nothing ? 1.0 : -1.0;
-    fastest_right = other.own ? fastest_right : std::max(fastest_right, frequency);
-    const bool right = other.answers && (other.rises() || other.takesEnergy());
-    slowest_right = right ? std::min(slowest_right, frequency) : slowest_right;
+  double fastest_right = 0.0;        // of the logs that are not turned [Hz]
+  std::vector<const Shown*> scaled;  // whose scale tells of the bench
+};
+
+Bench::Bench(const std::vector<Shown>& logs) {
+  for (const Shown& log : logs) {
+    const bool right = log.own ? log.own->nats == 0.0 && log.rises() : !log.falls();
+    nats += log.own && !right ? log.own->nats : -1.0;
+    fastest_right = right ? std::max(fastest_right, log.record.mean_frequency) : fastest_right;
+    if (!log.own && log.scale() && log.record.units != log::UnitsAre::accepted) {
+      scaled.push_back(&log);
+    }
   }
-  const double frequency = log.record.mean_frequency;
-  if (log.own && (nats >= 0.0 || log.own->likewise == Likewise::nothing ||
-                  (log.own->likewise == Likewise::mass && frequency <= fastest_right))) {
-    return log.own->finding;
-  }
-  // A spring with next to no loss tells nothing by its work; its force is the simulated one with the other sign, of
-  // whatever size: the stiffness may be a guess, or its unit a wrong one.
-  const bool mirrored = log.answers && log.falls() && !log.takesEnergy() && log.force_correlation < -0.9;
-  return mirrored && (frequency < slowest_right || !isTurnedAsByMass(log)) ? std::optional(signFinding(log))
-                                                                           : std::nullopt;
 }
 
-using Scaled = std::vector<const Shown*>;
-
-double medianScale(const Scaled& logs) {
+double medianScale(const std::vector<const Shown*>& logs) {
   return medianOf(element::each(logs, [](const Shown* log) { return *log->scale(); }));
 }
 
 // One factor in all logs, which leaves the force like the configured one in all else; or one of hundreds in a log among
 // others that are plausible, which no effect makes.
-std::optional<RigFinding> scaleOf(const Shown& log, const Scaled& logs) {
+std::optional<RigFinding> scaleOf(const Shown& log, const std::vector<const Shown*>& logs) {
   constexpr double kOne = 1.5;         // between two logs: what frequency and amplitude make of it
   constexpr double kLike = 0.8;        // correlation
   constexpr double kJustLike = 0.995;  // for a factor that a wrong specification may make as well
+  const Sheet& sheet = log.configured.sheet;
   const std::string& name = log.record.name;
   const double scale = *log.scale();
   const double common = medianScale(logs);
@@ -591,18 +593,31 @@ std::optional<RigFinding> scaleOf(const Shown& log, const Scaled& logs) {
       return holds(*other->scale()) && apart(*other->scale(), common) < kOne && other->force_correlation > likeness;
     });
   };
-  if (isOfAll(kLike, [&](double other) { return !log.sheet.plausible(other); })) {
-    const auto unit = log.sheet.namedFactorOf(common);
+  if (isOfAll(kLike, [&](double other) { return !sheet.plausible(other); })) {
+    const auto unit = sheet.namedFactorOf(common);
     const std::string all = logs.size() == 1 ? "" : fmt::format(", in all {} logs alike", logs.size());
-    return unit ? unitFinding(name, scale, *unit) : componentFinding(name, scale, log.sheet, all);
+    return unit ? unitFinding(name, scale, *unit) : componentFinding(name, scale, sheet, all);
   }
-  if (!log.sheet.mayBe(kPeakToPeak) && isOfAll(kJustLike, isAboutTwo) && isAboutTwo(common)) {
+  if (!sheet.mayBe(kPeakToPeak) && isOfAll(kJustLike, isAboutTwo) && isAboutTwo(common)) {
     return peakToPeakFinding(name, scale,
                              fmt::format("--columns {}=0.5*NAME", common > 1.0 ? "force" : "displacement"));
   }
-  const Scaled right = element::those(logs, [](const Shown* other) { return other->sheet.plausible(*other->scale()); });
+  const auto right = element::those(logs, [&](const Shown* other) { return sheet.plausible(*other->scale()); });
   const auto unit = right.empty() ? std::nullopt : kUsualSheet.namedFactorOf(scale / medianScale(right));
   return unit && isLarge(unit->factor) ? std::optional(unitFinding(name, scale, *unit)) : std::nullopt;
+}
+
+// The likeliest explanation of a log, by all logs; nothing where effects on a right bench explain it as well. A
+// reversed sign, exchanged columns or a wrong unit affect all logs of a bench, so each right one is a nat against them.
+// A mass turns or softens the fastest logs.
+std::optional<RigFinding> explanationOf(const Shown& log, const Bench& bench) {
+  if (log.own) {
+    const bool effect = log.own->likewise == Likewise::delay ||
+                        (log.own->likewise == Likewise::mass && log.record.mean_frequency > bench.fastest_right);
+    return effect && bench.nats < 0.0 ? std::nullopt : std::optional(log.own->finding);
+  }
+  const bool scaled = std::find(bench.scaled.begin(), bench.scaled.end(), &log) != bench.scaled.end();
+  return scaled ? scaleOf(log, bench.scaled) : std::nullopt;
 }
 
 // The force brought forward by some samples; the ends that have no partner go.
@@ -663,7 +678,7 @@ std::optional<RigFinding> checkTable(const std::string& table, const std::vector
                                      const std::vector<std::complex<double>>& configured, double tolerance) {
   const auto gains_energy = [](const std::complex<double>& stiffness) { return stiffness.imag() < 0.0; };
   if (!measured.empty() && std::all_of(measured.begin(), measured.end(), gains_energy)) {
-    return fatal(table, finding::kSign, -1.0,
+    return fatal(table, finding::kSign, -1.0, "1",
                  "all loss angles are negative, which gives energy: the sign of the phase is that of the other "
                  "convention, or force and displacement are exchanged: change it in the table");
   }
@@ -685,25 +700,13 @@ std::optional<RigFinding> checkTable(const std::string& table, const std::vector
 
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& records, double tolerance) {
-  gap::LogDriver component(elements);
-  auto turned = withContactsTurned(elements);
-  const Sheet sheet(tolerance);
-  const auto logs = element::each(records, [&](const log::Record& record) {
-    return shownBy(record, component, turned ? &*turned : nullptr, sheet);
-  });
-  auto explanations = element::each(logs, [&](const Shown& log) { return explanationOf(log, logs); });
-  Scaled scaled;
-  for (std::size_t i = 0; i < logs.size(); ++i) {
-    if (!explanations[i] && logs[i].answers && logs[i].scale() && records[i].units != log::UnitsAre::accepted) {
-      scaled.push_back(&logs[i]);
-    }
-  }
+  Configured configured{gap::LogDriver(elements), withContactsTurned(elements), Sheet(tolerance)};
+  const auto logs = element::each(records, [&](const log::Record& record) { return shownBy(record, configured); });
+  const Bench bench(logs);
   std::vector<RigFinding> findings;
-  for (std::size_t i = 0; i < logs.size(); ++i) {
-    const bool is_scaled = std::find(scaled.begin(), scaled.end(), &logs[i]) != scaled.end();
-    const auto told = is_scaled ? scaleOf(logs[i], scaled) : explanations[i];
-    if (told) {
-      findings.push_back(*told);
+  for (const Shown& log : logs) {
+    if (auto told = explanationOf(log, bench)) {
+      findings.push_back(std::move(*told));
     }
   }
   return findings;

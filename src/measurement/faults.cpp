@@ -261,14 +261,16 @@ double rangeWithin(const VectorXd& values, const Run& run) {
   return rangeOf(values.segment(run.begin, run.end - run.begin));
 }
 
-// The other channel turns where the run ends: a force that is limited by friction changes there, too.
-bool turnsAtEnd(const VectorXd& other, const Run& run) {
-  constexpr Index kReach = 3;
+// The other channel turns within so many samples of a run's end, or moves less than it scatters: a force that is
+// limited by friction changes there, too.
+bool turnsAtEnd(const VectorXd& other, const Run& run, Index reach, double scatter) {
   const Index last = run.end - 1;
-  if (last < kReach || last + kReach >= other.size()) {
+  if (last < reach || last + reach >= other.size()) {
     return true;
   }
-  return (other[last + kReach] - other[last]) * (other[last] - other[last - kReach]) <= 0.0;
+  const double before = other[last] - other[last - reach];
+  const double after = other[last + reach] - other[last];
+  return before * after <= 0.0 || std::min(std::abs(before), std::abs(after)) < scatter;
 }
 
 // A force with noise does not repeat while the displacement moves.
@@ -285,7 +287,8 @@ bool isHeld(const Channel& channel, const Channel& other, const Run& run) {
     return false;
   }
   return other_jump < 0.5 * jump / channel.range &&
-         rangeWithin(other.values, run) / other.range > 0.25 * jump / channel.range && !turnsAtEnd(other.values, run);
+         rangeWithin(other.values, run) / other.range > 0.25 * jump / channel.range &&
+         !turnsAtEnd(other.values, run, 3, 0.0);
 }
 
 bool atExtreme(const Channel& channel, const Run& run) {
@@ -330,6 +333,7 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
   double bulging = 0.0;
   double variance = 0.0;
   double travelled = 0.0;
+  Index in_motion = 0;
   for (const Run& run : equalRuns(channel.values, 3)) {
     if (channel.values[run.begin] == found.limit) {
       const auto length = static_cast<double>(run.end - run.begin);
@@ -339,6 +343,9 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
       const double size = outward * bulge(other.values, run);
       bulging += passed < 3.0 * std::abs(size) ? size * length : 0.0;
       travelled += passed * length;
+      const Index reach = std::max<Index>(3, (run.end - run.begin) / 8);
+      const bool turns = turnsAtEnd(other.values, run, reach, kSpikeLimit * other.scale[run.begin]);
+      in_motion += turns ? 0 : run.end - run.begin;
       variance += 4.5 * std::pow(other.scale[run.begin], 2) * length;  // (3/n + 3/(2 n)) n^2
     }
   }
@@ -358,7 +365,9 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
   // The noise of a force vanishes at its stop, and this is not because friction is at its limit all along a stroke.
   const bool silent =
       channel.is_force && channel.noisy && travelled < 0.2 * other.range * static_cast<double>(found.samples);
-  return bulges || silent ? std::optional<Saturation>(found) : std::nullopt;
+  // Friction leaves its limit where the displacement turns, a force behind the displacement its stop in between.
+  const bool behind = channel.is_force && 2 * in_motion > found.samples;
+  return bulges || silent || behind ? std::optional<Saturation>(found) : std::nullopt;
 }
 
 void exclude(Mask& mask, Index begin, Index end) { mask.segment(begin, end - begin).setConstant(false); }

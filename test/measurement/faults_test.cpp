@@ -191,6 +191,23 @@ TEST(Faults, OfALogThatIsRefusedTheOneThatExcludesMostIsNamed) {
   EXPECT_THAT(text, testing::HasSubstr("(clipped)"));
 }
 
+// A force that is behind or ahead of the displacement is at its stop while the displacement passes by, as friction is
+// at its limit, but friction leaves it where the displacement turns. More than half of the samples stand at the two
+// ends, and 16 spikes are no reason to refuse the log.
+TEST(Faults, FindsSaturationOfAForceThatIsNotInPhase) {
+  for (const double phase : {-1.5, -0.5, 0.0, 0.5, 1.5}) {
+    log::Log log;
+    for (int i = 0; i < 8000; ++i) {
+      log.stamp.push_back(static_cast<std::int64_t>(i) * 2000000);
+      log.displacement.push_back(1e-3 * std::sin(0.0157 * i));
+      log.force.push_back(std::clamp(1e3 * std::sin(0.0157 * i + phase), -450.0, 450.0) + (i % 500 == 7 ? 200.0 : 0.0));
+    }
+    const std::string text = messageOf<log::LogError>([&] { prepareLog(log); });
+    EXPECT_THAT(text, HasSubstr("samples are usable")) << phase;
+    EXPECT_THAT(text, HasSubstr("(clipped)")) << phase;
+  }
+}
+
 TEST(HuberWeights, FallBeyondTheBend) {
   const Eigen::VectorXd weights = huberWeights(Eigen::Vector3d(0.5, -1.345, 13.45));
   EXPECT_DOUBLE_EQ(weights[0], 1.0);

@@ -32,7 +32,8 @@ struct Faults {
 ///   same displacement have no such corner (so that it is no bump stop) (after Hampel's identifier, Davies and
 ///   Gather, JASA 88, 1993);
 /// - a held value repeats bit by bit while the other channel moves on, and ends in a jump that the other does not have;
-/// - a saturated channel piles up at its extreme value while the other one goes further out and returns.
+/// - a saturated channel piles up at its extreme value while the other one goes further out and returns, or as a force
+///   that leaves this value where the displacement does not turn, which friction at its limit does.
 Faults findFaults(const std::string& name, const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
 
 /// Finds the faults of a log as read, before makeRecord(), by samples of the log.
