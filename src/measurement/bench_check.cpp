@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -105,32 +106,28 @@ VectorXd simulate(gap::LogDriver& component, const VectorXd& displacement, const
   return component.over(from_rest, displacement, gap::Before::nothing);
 }
 
-// The component with its contacts on the other side, and the type of the last one; nothing without any. A contact, or
-// any compliance of one side, yields to one sign of force alone.
-struct TurnedContacts {
-  gap::LogDriver component;
-  std::string type;
-};
-
-std::optional<TurnedContacts> withContactsTurned(std::vector<element::ElementDescription> elements) {
-  std::string type;
-  for (element::ElementDescription& description : elements) {
-    const element::ElementPointer element = element::makeElement(description);
-    const auto* const series = std::get_if<std::shared_ptr<const element::SeriesElement>>(&element);
-    const auto compliance = series != nullptr ? (*series)->compliance() : std::nullopt;
-    if (compliance && (compliance->tension == 0.0) != (compliance->compression == 0.0)) {
-      description.values["side"] = {-description.value("side")};
-      type = description.type;
+// What is configured. A contact, or any compliance of one side, yields to one sign of force alone.
+struct Configured {
+  Configured(std::vector<element::ElementDescription> elements, double tolerance)
+      : component(elements), sheet(tolerance) {
+    for (element::ElementDescription& description : elements) {
+      const element::ElementPointer element = element::makeElement(description);
+      const auto* const series = std::get_if<std::shared_ptr<const element::SeriesElement>>(&element);
+      const auto compliance = series != nullptr ? (*series)->compliance() : std::nullopt;
+      if (compliance && (compliance->tension == 0.0) != (compliance->compression == 0.0)) {
+        description.values["side"] = {-description.value("side")};
+        contact = description.type;
+      }
+    }
+    if (!contact.empty()) {
+      turned.emplace(elements);
     }
   }
-  return type.empty() ? std::nullopt : std::optional(TurnedContacts{gap::LogDriver(elements), type});
-}
 
-// What was configured, as what a log shows is compared with it.
-struct Configured {
   gap::LogDriver component;
-  std::optional<TurnedContacts> turned;
   Sheet sheet;
+  std::string contact;                   // type of the last one; empty without any
+  std::optional<gap::LogDriver> turned;  // the component with its contacts on the other side
 };
 
 // What a log may be explained by as well: a delay turns the phase alone, a mass in fast motion lowers or turns the
@@ -138,8 +135,8 @@ struct Configured {
 enum class Likewise { nothing, delay, mass };
 
 struct Explained {
-  Explained(RigFinding named, Likewise other = Likewise::nothing, bool for_all = false)
-      : finding(std::move(named)), likewise(other), nats(for_all ? 1.0 : 0.0) {}
+  Explained(RigFinding named, Likewise other = Likewise::nothing, double votes = 1.0)
+      : finding(std::move(named)), likewise(other), nats(other == Likewise::nothing ? 0.0 : votes) {}
 
   RigFinding finding;
   Likewise likewise;
@@ -173,10 +170,10 @@ struct Shown {
   bool isElastic() const { return measured.correlation * measured.correlation > 0.5; }
   bool falls() const { return isElastic() && measured.stiffness < 0.0 && simulated_slope.correlation > 0.0; }
   bool rises() const { return isElastic() && measured.stiffness > 0.0; }
-  // Numbers alone may make a loop's work a hundredth of the most that there could be.
+  // Samples alone may make a loop's work a hundredth of the most that there could be, rounding a thousand millionth.
   double leastWork() const { return std::max(3.0 * work_deviation, 0.01); }
   bool givesEnergy() const { return work_forward < -leastWork(); }
-  bool takesEnergy() const { return work_forward > leastWork() || work > 3.0 * work_deviation; }
+  bool takesEnergy() const { return work_forward > leastWork() || work > std::max(3.0 * work_deviation, 1e-9); }
 
   // By which the measured force is too large, if nothing else is wrong: of a damper by hundreds alone.
   std::optional<double> scale() const {
@@ -185,6 +182,8 @@ struct Shown {
     }
     return force_correlation > 0.8 && isLarge(force_ratio) ? std::optional(force_ratio) : std::nullopt;
   }
+
+  bool isScaled() const { return !own && scale() && record.units != log::UnitsAre::accepted; }
 
   // Log-likelihood of the measured phases [nat], where an explanation makes these of the expected ones.
   template <class Phase>
@@ -206,8 +205,7 @@ RigFinding fatal(const std::string& log, const char* finding, double value, cons
 RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& unit, std::string remedy = "") {
   if (remedy.empty()) {
     remedy = fmt::format(
-        "name the right one, as in --unit force=kN, or --columns force={:.4g}*NAME or "
-        "displacement={:.4g}*NAME",
+        "name the right one, as in --unit force=kN, or --columns force={:.4g}*NAME or displacement={:.4g}*NAME",
         1.0 / unit.factor, unit.factor);
   }
   return fatal(log, finding::kUnitFactor, ratio, "1",
@@ -218,25 +216,25 @@ RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& u
 
 RigFinding componentFinding(const std::string& log, double ratio, const Sheet& sheet, const std::string& logs) {
   return fatal(log, finding::kOtherComponent, ratio, "1",
-               "the measured stiffness is {:.3g} times the configured one{}, more than tolerances and "
-               "effects explain ({:.2g} to {:.2g}), and no factor of units: check that measurement and "
-               "component file are of the same component; if they are, --accept-units",
+               "the measured stiffness is {:.3g} times the configured one{}, more than tolerances and effects explain "
+               "({:.2g} to {:.2g}), and no factor of units: check that measurement and component file are of the same "
+               "component; if they are, --accept-units",
                ratio, logs, sheet.least(), sheet.most());
 }
 
 RigFinding peakToPeakFinding(const std::string& log, double ratio, const std::string& remedy) {
   return fatal(
       log, finding::kPeakToPeak, ratio, "1",
-      "the measured stiffness is {:.3g} times the configured one in all motions, and nothing else differs: the {} "
-      "is a value from peak to peak, or {} components are clamped: {}; if it is right, --accept-units",
+      "the measured stiffness is {:.3g} times the configured one in all motions, and nothing else differs: the {} is a "
+      "value from peak to peak, or {} components are clamped: {}; if it is right, --accept-units",
       ratio, ratio > 1.0 ? "force" : "displacement", ratio > 1.0 ? "two parallel" : "two such in a row of", remedy);
 }
 
 RigFinding signFinding(const Shown& log) {
   return fatal(log.record.name, finding::kSign, -1.0, "1",
-               "the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m), "
-               "and its loops take no energy ({:.2g} of the most that there could be), which a mass in fast "
-               "motion would: the sign of one channel is reversed; multiply it by -1, --columns force=-NAME{}",
+               "the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m), and its "
+               "loops take no energy ({:.2g} of the most that there could be), which a mass in fast motion would: the "
+               "sign of one channel is reversed; multiply it by -1, --columns force=-NAME{}",
                log.measured.stiffness, log.simulated_slope.stiffness, log.work,
                log.ratio >= 0.0 || log.configured.sheet.plausible(-log.ratio)
                    ? ""
@@ -246,36 +244,26 @@ RigFinding signFinding(const Shown& log) {
 }
 
 RigFinding swapFinding(const Shown& log) {
-  return fatal(log.record.name, finding::kSwappedColumns, log.ratio, "1",
-               "force and displacement look exchanged (stiffness {:.3g} N/m, configured {:.3g} N/m; loss {:.2g} "
-               "of a loop's most, negative: energy out of nothing): swap the columns, "
-               "--columns displacement=NAME force=NAME",
-               log.measured.stiffness, log.simulated_slope.stiffness, log.work_forward);
-}
-
-// True if the force at a constant displacement exceeds its part that no motion causes, such as hum, which continues in
-// a hold.
-bool isOfAMotion(const log::Record& record, const DeadPart& dead) {
-  constexpr double kMore = 1.25;  // two parts of a log tell a hum within a quarter
-  const Index length = dead.end - dead.begin;
-  return gap::standardDeviation(record.force.segment(dead.begin, length)) >
-         kMore * deviationOfNoMotion(record.raw_displacement, record.force, dead);
+  return fatal(
+      log.record.name, finding::kSwappedColumns, log.ratio, "1",
+      "force and displacement look exchanged (stiffness {:.3g} N/m, configured {:.3g} N/m; loss {:.2g} of a "
+      "loop's most, negative: energy out of nothing): swap the columns, --columns displacement=NAME force=NAME",
+      log.measured.stiffness, log.simulated_slope.stiffness, log.work_forward);
 }
 
 // True if a constant force is that of an open contact: it is the least of its sign, and the displacement is beyond all
 // with more force.
 bool isOfASlackContact(const log::Record& record, const DeadPart& dead) {
-  constexpr double kStill = 0.01;  // of the range: twice what a part may have that stands still
-  const auto part = [&](const VectorXd& column) { return column.segment(dead.begin, dead.end - dead.begin); };
-  const double still = kStill * rangeOf(record.force);
-  const double slack = part(record.force).mean();
-  const auto isOfSide = [&](double side) {
-    const auto carries = side * (record.force.array() - slack) > still;
-    const double least = carries.select(side * record.displacement.array(), HUGE_VAL).minCoeff();
-    return (side * (record.force.array() - slack)).minCoeff() >= -still &&
-           (side * part(record.displacement).array()).maxCoeff() <= least;
-  };
-  return isOfSide(1.0) || isOfSide(-1.0);
+  const auto part = [&](const VectorXd& column) { return column.segment(dead.begin, dead.end - dead.begin).array(); };
+  const double still = 0.01 * rangeOf(record.force);  // twice what a part may have that stands still
+  for (const double side : {1.0, -1.0}) {
+    const Eigen::ArrayXd more = side * (record.force.array() - part(record.force).mean());
+    const double nearest = (more > still).select(side * record.displacement.array(), HUGE_VAL).minCoeff();
+    if (more.minCoeff() >= -still && (side * part(record.displacement)).maxCoeff() <= nearest) {
+      return true;
+    }
+  }
+  return false;
 }
 
 // A channel measured nothing, all along or in a part of the log.
@@ -290,17 +278,17 @@ Explanation deadChannel(const Shown& log) {
     const char* const unit = is_force ? "N" : "m";
     if (rangeOf(channel) <= 1e-12 * channel.cwiseAbs().maxCoeff()) {
       return fatal(record.name, finding::kConstant, channel[0], unit,
-                   "the {} is {:.4g} {} from the first sample to the last: check the channel's cable, and "
-                   "which column it is, --columns {}=NAME",
+                   "the {} is {:.4g} {} from the first sample to the last: check the channel's cable, and which column "
+                   "it is, --columns {}=NAME",
                    name, channel[0], unit, name);
     }
     const DeadPart dead = deadPart(channel, other, is_force ? kFarther : kAsMuch);
-    if (dead.end > dead.begin && (is_force ? !isOfASlackContact(record, dead) : isOfAMotion(record, dead))) {
+    if (dead.end > dead.begin && (is_force ? !isOfASlackContact(record, dead) : isOfAMotion(other, channel, dead))) {
       const double begin = static_cast<double>(dead.begin) * record.dt;
       const double end = static_cast<double>(dead.end) * record.dt;
       return fatal(record.name, finding::kConstant, static_cast<double>(dead.end - dead.begin) * record.dt, "s",
-                   "the {} stands still from {:.4g} to {:.4g} s of {:.4g} s, while the {} continues: check "
-                   "the channel's cable, and leave this part out",
+                   "the {} stands still from {:.4g} to {:.4g} s of {:.4g} s, while the {} continues: check the "
+                   "channel's cable, and leave this part out",
                    name, begin, end, record.duration(), is_force ? "displacement" : "force");
     }
   }
@@ -342,8 +330,8 @@ Explanation rectified(const Shown& log) {
   for (const auto& [name, correlation] : {std::pair("force", of_force), {"displacement", of_displacement}}) {
     if (correlation > kFollows && correlation * correlation > as_recorded + kClearly) {
       return fatal(log.record.name, finding::kRectified, correlation, "1",
-                   "the {} has lost its sign: it follows the magnitude of what belongs to it (correlation "
-                   "{:.2f}, with the sign {:.2f}): record it unrectified",
+                   "the {} has lost its sign: it follows the magnitude of what belongs to it (correlation {:.2f}, with "
+                   "the sign {:.2f}): record it unrectified",
                    name, correlation, log.force_correlation);
     }
   }
@@ -367,8 +355,8 @@ Explanation silent(const Shown& log) {
     return std::nullopt;
   }
   return fatal(record.name, finding::kConstant, log.force_ratio, "1",
-               "the force does not answer to the displacement: it scatters by {:.3g} N, {:.2g} % of what the "
-               "component gives: check the clamps and the channel's cable",
+               "the force does not answer to the displacement: it scatters by {:.3g} N, {:.2g} % of what the component "
+               "gives: check the clamps and the channel's cable",
                record.force_deviation, 100.0 * log.force_ratio);
 }
 
@@ -413,7 +401,7 @@ Explanation reversedSign(const Shown& log) {
   if (!log.falls() || (!gives && (log.takesEnergy() || log.force_correlation > -0.9))) {
     return std::nullopt;
   }
-  return Explained(signFinding(log), isTurnedAsByMass(log) ? Likewise::mass : Likewise::nothing, gives);
+  return Explained(signFinding(log), isTurnedAsByMass(log) ? Likewise::mass : Likewise::nothing, gives ? 1.0 : 0.0);
 }
 
 // Columns of exchanged size. A factor may be that of units as well; what gives no energy is the simpler one.
@@ -432,7 +420,7 @@ Explanation assumedUnit(const Shown& log) {
   if (!unit) {
     return std::nullopt;
   }
-  return Explained(unitFinding(log.record.name, *scale, *unit), soft ? Likewise::mass : Likewise::nothing, soft);
+  return Explained(unitFinding(log.record.name, *scale, *unit), soft ? Likewise::mass : Likewise::nothing);
 }
 
 // The late force of most likelihood, from so much of a typical period to three quarters of it: samples, and nats less
@@ -479,10 +467,9 @@ Explanation turnedPhases(const Shown& log) {
               "the loops give energy: the force is {:.3g} s {} the displacement, {:.2g} of a cycle: bring both "
               "channels to one time",
               std::abs(delay * log.record.dt), delay > 0.0 ? "behind" : "ahead of", std::abs(delay) / log.period),
-        Likewise::delay, true};
+        Likewise::delay};
   }
-  return Explained{sign > swap ? signFinding(log) : swapFinding(log), as_stiff ? Likewise::delay : Likewise::nothing,
-                   as_stiff};
+  return Explained{sign > swap ? signFinding(log) : swapFinding(log), as_stiff ? Likewise::delay : Likewise::nothing};
 }
 
 // The force is that of the component whose contact carries the other sign, whatever the log seems to be then: as
@@ -491,19 +478,18 @@ Explanation turnedContact(const Shown& log) {
   if (!log.configured.turned) {
     return std::nullopt;
   }
-  auto& [component, type] = *log.configured.turned;
   const log::Record& record = log.record;
   const double as_configured =
       std::max(0.0, correlationOf(record.force, simulate(log.configured.component, record.displacement, record)));
-  const double as_turned = correlationOf(record.force, simulate(component, record.displacement, record));
+  const double as_turned = correlationOf(record.force, simulate(*log.configured.turned, record.displacement, record));
   if (as_turned <= kFollows || as_turned * as_turned <= as_configured * as_configured + kClearly) {
     return std::nullopt;
   }
   return fatal(record.name, finding::kContactSide, as_turned, "1",
-               "the contact `{}` of the component is open where this log has a force, which follows the "
-               "component with `side` of the other sign (correlation {:.2f}, as configured {:.2f}): correct "
-               "`side`, or the signs of displacement and force",
-               type, as_turned, as_configured);
+               "the contact `{}` of the component is open where this log has a force, which follows the component with "
+               "`side` of the other sign (correlation {:.2f}, as configured {:.2f}): correct `side`, or the signs of "
+               "displacement and force",
+               log.configured.contact, as_turned, as_configured);
 }
 
 // What a log shows whose channels measured something.
@@ -527,52 +513,49 @@ void compare(Shown& log) {
   log.expected = CrossSpectrum(record.displacement, log.simulated).octaves();
 }
 
-// The explanations of one log, the likeliest first: of its channels, and of its force beside the simulated one. Columns
-// of exchanged size come before units and phases, since their loops give energy, too.
-using Explain = Explanation (*)(const Shown& log);
-constexpr Explain kOfChannels[] = {turnedContact, deadChannel, tooShort};
-constexpr Explain kOfForces[] = {rectified, silent, reversedSign, exchangedSizes, assumedUnit, turnedPhases};
-
-template <std::size_t count>
-Explanation likeliest(const Explain (&explanations)[count], const Shown& log) {
-  Explanation found;
-  std::any_of(explanations, explanations + count, [&](Explain explain) { return (found = explain(log)).has_value(); });
-  return found;
+// The first of these explanations that holds.
+Explanation firstOf(std::initializer_list<Explanation (*)(const Shown&)> explanations, const Shown& log) {
+  for (const auto& explain : explanations) {
+    if (Explanation found = explain(log)) {
+      return found;
+    }
+  }
+  return std::nullopt;
 }
 
+// Explanations of channels leave no others; columns of exchanged size come before units and phases, since their loops
+// give energy, too.
 Shown shownBy(const log::Record& record, Configured& configured) {
   Shown log{configured, record};
-  log.own = likeliest(kOfChannels, log);
+  log.own = firstOf({turnedContact, deadChannel, tooShort}, log);
   if (log.own) {
     return log;
   }
   log.simulated = simulate(configured.component, record.displacement, record);
   if (log.simulated.allFinite()) {
     compare(log);
-    log.own = likeliest(kOfForces, log);
+    log.own = firstOf({rectified, silent, reversedSign, exchangedSizes, assumedUnit, turnedPhases}, log);
   }
   return log;
 }
 
 // What all logs of a bench show together.
 struct Bench {
-  explicit Bench(const std::vector<Shown>& logs);
+  explicit Bench(const std::vector<Shown>& logs) {
+    for (const Shown& log : logs) {
+      const bool right = log.own ? log.own->nats == 0.0 && log.rises() : !log.falls();
+      nats += log.own && !right ? log.own->nats : -1.0;
+      fastest_right = right ? std::max(fastest_right, log.record.mean_frequency) : fastest_right;
+      if (log.isScaled()) {
+        scaled.push_back(&log);
+      }
+    }
+  }
 
-  double nats = 0.0;
+  double nats = 0.0;                 // for an error of all logs
   double fastest_right = 0.0;        // of the logs that are not turned [Hz]
   std::vector<const Shown*> scaled;  // whose scale tells of the bench
 };
-
-Bench::Bench(const std::vector<Shown>& logs) {
-  for (const Shown& log : logs) {
-    const bool right = log.own ? log.own->nats == 0.0 && log.rises() : !log.falls();
-    nats += log.own && !right ? log.own->nats : -1.0;
-    fastest_right = right ? std::max(fastest_right, log.record.mean_frequency) : fastest_right;
-    if (!log.own && log.scale() && log.record.units != log::UnitsAre::accepted) {
-      scaled.push_back(&log);
-    }
-  }
-}
 
 double medianScale(const std::vector<const Shown*>& logs) {
   return medianOf(element::each(logs, [](const Shown* log) { return *log->scale(); }));
@@ -616,8 +599,7 @@ std::optional<RigFinding> explanationOf(const Shown& log, const Bench& bench) {
                         (log.own->likewise == Likewise::mass && log.record.mean_frequency > bench.fastest_right);
     return effect && bench.nats < 0.0 ? std::nullopt : std::optional(log.own->finding);
   }
-  const bool scaled = std::find(bench.scaled.begin(), bench.scaled.end(), &log) != bench.scaled.end();
-  return scaled ? scaleOf(log, bench.scaled) : std::nullopt;
+  return log.isScaled() ? scaleOf(log, bench.scaled) : std::nullopt;
 }
 
 // The force brought forward by some samples; the ends that have no partner go.
@@ -636,36 +618,31 @@ void bringForward(Index samples, log::Record& record) {
 std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
                                             const std::vector<element::ElementDescription>& elements,
                                             const log::Record& record) {
-  BenchCorrection correction{"", record};
-  log::Record& corrected = correction.record;
+  log::Record corrected = record;
   if (finding.finding == finding::kSign) {
-    correction.text = "force times -1";
     corrected.force *= -1.0;
-  } else if (finding.finding == finding::kUnitFactor || finding.finding == finding::kPeakToPeak) {
+    return BenchCorrection{"force times -1", corrected};
+  }
+  if (finding.finding == finding::kUnitFactor || finding.finding == finding::kPeakToPeak) {
     const auto unit = assumedFactorOf(finding.value);
     const double factor = unit ? unit->factor : finding.value > 1.0 ? kPeakToPeak : 1.0 / kPeakToPeak;
-    correction.text = fmt::format("force divided by {:.4g}", factor);
     corrected.force /= factor;
-  } else if (finding.finding == finding::kSwappedColumns) {
-    gap::LogDriver component(elements);
-    const auto units = unitsOfSwap(component, record, kUsualSheet);
-    if (!units) {
-      return std::nullopt;
-    }
-    correction.text = "columns exchanged";
-    corrected.displacement = corrected.raw_displacement = *units * record.force;
-    corrected.force = record.raw_displacement / *units;
-  } else if (finding.finding == finding::kDelay && finding.fatal) {
-    const auto samples = static_cast<Index>(std::lround(finding.value / record.dt));
-    if (2 * std::abs(samples) > record.size()) {
-      return std::nullopt;
-    }
-    correction.text = fmt::format("force brought forward by {:.3g} s", finding.value);
+    return BenchCorrection{fmt::format("force divided by {:.4g}", factor), corrected};
+  }
+  const auto samples = static_cast<Index>(std::lround(finding.value / record.dt));
+  if (finding.finding == finding::kDelay && finding.fatal && 2 * std::abs(samples) <= record.size()) {
     bringForward(samples, corrected);
-  } else {
+    return BenchCorrection{fmt::format("force brought forward by {:.3g} s", finding.value), corrected};
+  }
+  gap::LogDriver component(elements);
+  const auto units =
+      finding.finding == finding::kSwappedColumns ? unitsOfSwap(component, record, kUsualSheet) : std::nullopt;
+  if (!units) {
     return std::nullopt;
   }
-  return correction;
+  corrected.displacement = corrected.raw_displacement = *units * record.force;
+  corrected.force = record.raw_displacement / *units;
+  return BenchCorrection{"columns exchanged", corrected};
 }
 
 bool isFarOff(const RigFinding& finding) {
@@ -700,7 +677,7 @@ std::optional<RigFinding> checkTable(const std::string& table, const std::vector
 
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& records, double tolerance) {
-  Configured configured{gap::LogDriver(elements), withContactsTurned(elements), Sheet(tolerance)};
+  Configured configured(elements, tolerance);
   const auto logs = element::each(records, [&](const log::Record& record) { return shownBy(record, configured); });
   const Bench bench(logs);
   std::vector<RigFinding> findings;

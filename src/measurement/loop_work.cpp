@@ -1,8 +1,9 @@
 // Stiffness and work of a log's loops; channels that measured nothing.
 #include "measurement/loop_work.h"
 
+#include "measurement/spectrum.h"
 #include "measurement/statistics.h"
-#include "numerics/fourier.h"
+#include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -11,17 +12,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-std::vector<std::complex<double>> spectrumOf(const VectorXd& values) {
-  constexpr std::size_t kShortest = 16;
-  std::vector<double> windowed(static_cast<std::size_t>(values.size()));
-  const double mean = values.mean();
-  for (Index i = 0; i < values.size(); ++i) {
-    const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(values.size());
-    windowed[static_cast<std::size_t>(i)] = (0.5 - 0.5 * std::cos(2.0 * element::kPi * place)) * (values[i] - mean);
-  }
-  return numerics::paddedSpectrum(std::move(windowed), kShortest);
-}
 
 std::pair<double, double> jackknife(const std::vector<double>& energies, const std::vector<double>& scales) {
   double energy = 0.0;
@@ -147,8 +137,9 @@ std::vector<Octave> CrossSpectrum::octaves() const {
 }
 
 void CrossSpectrum::add(const VectorXd& displacement, const VectorXd& force) {
-  const auto z = spectrumOf(displacement);
-  const auto f = spectrumOf(force);
+  constexpr std::size_t kShortest = 16;
+  const auto z = hannSpectrum(displacement, kShortest);
+  const auto f = hannSpectrum(force, kShortest);
   double most = 0.0;
   for (std::size_t i = 1; i < z.size(); ++i) {
     most = std::max(most, std::norm(z[i]));
@@ -202,21 +193,20 @@ DeadPart deadPart(const VectorXd& channel, const VectorXd& other, double least_o
   return goes_on ? longest : DeadPart{};
 }
 
-double deviationOfNoMotion(const VectorXd& displacement, const VectorXd& force, const DeadPart& dead) {
+bool isOfAMotion(const VectorXd& force, const VectorXd& displacement, const DeadPart& dead) {
+  constexpr double kMore = 1.25;  // two parts of a log tell a hum within a quarter
+  const Index length = dead.end - dead.begin;
   const auto rest = [&](const VectorXd& values) {
-    VectorXd kept(values.size() - (dead.end - dead.begin));
+    VectorXd kept(values.size() - length);
     kept << values.head(dead.begin), values.tail(values.size() - dead.end);
     return VectorXd(kept.array() - kept.mean());
   };
-  const auto without = [](const VectorXd& values, const VectorXd& direction) -> VectorXd {
-    const double square = direction.squaredNorm();
-    return square > 0.0 ? values - values.dot(direction) / square * direction : values;
-  };
   VectorXd rate = VectorXd::Zero(displacement.size());
-  rate.tail(displacement.size() - 1) =
-      displacement.tail(displacement.size() - 1) - displacement.head(displacement.size() - 1);
-  const VectorXd position = rest(displacement);
-  return gap::standardDeviation(without(without(rest(force), position), without(rest(rate), position)));
+  rate.tail(rate.size() - 1) = displacement.tail(rate.size() - 1) - displacement.head(rate.size() - 1);
+  Eigen::MatrixXd motion(displacement.size() - length, 2);
+  motion << rest(displacement), rest(rate);
+  const VectorXd hum = rest(force) - motion * numerics::solveLeastNorm(motion, rest(force));
+  return gap::standardDeviation(force.segment(dead.begin, length)) > kMore * gap::standardDeviation(hum);
 }
 
 double correlationOf(const VectorXd& one, const VectorXd& other) {

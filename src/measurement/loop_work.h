@@ -72,8 +72,9 @@ struct DeadPart {
 /// within a free play, which is smaller than that of the rest.
 DeadPart deadPart(const Eigen::VectorXd& channel, const Eigen::VectorXd& other, double least_of_other);
 
-/// Standard deviation of the force that follows neither displacement nor rate, in the rest of the log [N].
-double deviationOfNoMotion(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force, const DeadPart& dead);
+/// True if the force at a dead displacement exceeds its part that no motion causes, such as hum, which continues in a
+/// hold: what follows neither displacement nor rate in the rest of the log.
+bool isOfAMotion(const Eigen::VectorXd& force, const Eigen::VectorXd& displacement, const DeadPart& dead);
 
 /// Correlation of two signals about their means; 0 where one does not change.
 double correlationOf(const Eigen::VectorXd& one, const Eigen::VectorXd& other);

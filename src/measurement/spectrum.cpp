@@ -2,7 +2,6 @@
 #include "measurement/spectrum.h"
 
 #include <cmath>
-#include <complex>
 
 #include "measurement/statistics.h"
 #include "numerics/fourier.h"
@@ -17,17 +16,8 @@ using Eigen::VectorXd;
 // |FFT|^2 of the windowed signal, padded to a power of two; one-sided density.
 VectorXd periodogram(const VectorXd& signal) {
   constexpr std::size_t kShortest = 64;
-  const Index count = signal.size();
-  std::vector<double> windowed(static_cast<std::size_t>(count));
-  const double mean = signal.mean();
-  double power = 0.0;
-  for (Index i = 0; i < count; ++i) {
-    const double window =
-        0.5 - 0.5 * std::cos(2.0 * element::kPi * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
-    windowed[static_cast<std::size_t>(i)] = window * (signal[i] - mean);
-    power += window * window;
-  }
-  const std::vector<std::complex<double>> spectrum = numerics::paddedSpectrum(std::move(windowed), kShortest);
+  const double power = 0.375 * static_cast<double>(signal.size());  // of a Hann window
+  const std::vector<std::complex<double>> spectrum = hannSpectrum(signal, kShortest);
   VectorXd density(static_cast<Index>(spectrum.size()));
   for (Index i = 0; i < density.size(); ++i) {
     density[i] = 2.0 * std::norm(spectrum[static_cast<std::size_t>(i)]) / power;
@@ -45,6 +35,13 @@ double levelOf(const Eigen::Ref<const VectorXd>& lines) {
 }
 
 }  // namespace
+
+std::vector<std::complex<double>> hannSpectrum(const VectorXd& signal, std::size_t shortest) {
+  const auto count = static_cast<double>(signal.size());
+  const Eigen::ArrayXd place = Eigen::ArrayXd::LinSpaced(signal.size(), 0.5 / count, 1.0 - 0.5 / count);
+  const VectorXd windowed = (0.5 - 0.5 * (2.0 * element::kPi * place).cos()) * (signal.array() - signal.mean());
+  return numerics::paddedSpectrum({windowed.begin(), windowed.end()}, shortest);
+}
 
 std::vector<SpectrumBand> spectrumBands(const VectorXd& signal, const Mask& mask) {
   constexpr double kBandRatio = 1.122462048309373;  // 2^(1/6)

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 #include <vector>
 
 #include "rubber_suspension/measurement/noise_model.h"
 
 namespace rubber_suspension::measurement {
+
+/// Spectrum of a signal about its mean under a Hann window, padded to a power of two of at least this length.
+std::vector<std::complex<double>> hannSpectrum(const Eigen::VectorXd& signal, std::size_t shortest);
 
 /// Mean of the periodogram over a band.
 struct SpectrumBand {

@@ -20,7 +20,7 @@ namespace rubber_suspension::measurement {
 /// - rectified: a channel follows the magnitude of the other;
 /// - contact_side: the force is that of the component whose contact, or compliance of one side, has the other sign;
 /// - sign: the force falls where the displacement rises, and the loops give energy, which no mass in fast motion does;
-///   of a spring without loss, where no slower log has the right sign;
+///   of a spring without loss, unless it is faster than all logs of the right sign, as a mass turns it;
 /// - swapped_columns: the loops give energy while the stiffness is positive, or the stiffness is that of force and
 ///   displacement exchanged;
 /// - delay: the loops give energy because the force is late by an eighth of a period or more;
