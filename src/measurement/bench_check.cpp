@@ -591,8 +591,9 @@ std::optional<RigFinding> scaleOf(const Shown& log, const std::vector<const Show
 }
 
 // The likeliest explanation of a log, by all logs; nothing where effects on a right bench explain it as well. A
-// reversed sign, exchanged columns or a wrong unit affect all logs of a bench, so each right one is a nat against them.
-// A mass turns or softens the fastest logs.
+// reversed sign, exchanged columns or a wrong unit affect all logs of a bench: each log that shows one is a nat for
+// them, each right log a nat against them, and a reversed spring without loss neither. A mass turns or softens the
+// fastest logs alone.
 std::optional<RigFinding> explanationOf(const Shown& log, const Bench& bench) {
   if (log.own) {
     const bool effect = log.own->likewise == Likewise::delay ||
