@@ -14,7 +14,7 @@ struct Options {
   std::string output;
 
   OptionTable table() {
-    return {Option("--component", component, "NAME", "name of the component, where the bag has several"),
+    return {Option("--component", component, "NAME", "name of the component; needed if the bag has several components"),
             Option("--log", input, "FILE", "bag to read").required().reads(),
             Option("--output", output, "FILE", "CSV file to write").required().writes(io::file_kind::force_csv)};
   }

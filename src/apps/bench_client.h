@@ -38,9 +38,9 @@ inline ros_interface::PlayOptions withNotes(ros_interface::PlayOptions play, con
 inline command_line::OptionTable playerTable(ros_interface::PlayOptions& play, const std::string& partner) {
   using command_line::Option;
   return {Option("--playback-speed", play.rate, "FACTOR",
-                 "multiple of the log's own speed, 0: as fast as the " + partner + " answers")
+                 "playback speed as a multiple of the log's own speed; 0: as fast as the " + partner + " answers")
               .within(0, 1e6),
-          Option("--in-flight", play.in_flight, "COUNT", "samples sent and not yet answered, at most")
+          Option("--in-flight", play.in_flight, "COUNT", "largest number of samples that are sent but not yet answered")
               .rare()
               .within(1, 100000),
           Option("--timeout", play.answer_timeout, "SECONDS", "time to wait for an answer").rare().within(0.01, 1e6),

@@ -15,12 +15,11 @@ struct Options {
 };
 
 OptionTable Options::table() {
-  OptionTable options = {
-      Option("--quick", quick, "shorter logs and fewer runs: a few seconds"),
-      Option("--long-log", long_log, "SECONDS",
-             "only diagnose one log of that length, which is made as it is read, and print JSON: the time, and the "
-             "memory that the process took")
-          .within(1, 604800)};
+  OptionTable options = {Option("--quick", quick, "use shorter logs and fewer runs; takes a few seconds"),
+                         Option("--long-log", long_log, "SECONDS",
+                                "only diagnose one log of this length, which is generated while it is read; print the "
+                                "time and the memory of the process as JSON")
+                             .within(1, 604800)};
   return options.excludes({"--quick"}, {"--long-log"});
 }
 
@@ -46,11 +45,12 @@ int main(int argc, char** argv) {
   return runCommand<Options>(
       argc, argv,
       {"benchmark",
-       "Measures how long the library takes on this machine for forces, an estimation and a diagnosis, and prints a "
-       "Markdown table. The component is a spring, five Maxwell elements and friction, at 1 kHz. Times are CPU times "
-       "of the thread, so that other programs matter little; for the diagnosis they are wall times.",
+       "Measures the time that forces, an estimation and a diagnosis take on this machine, and prints a Markdown "
+       "table. The component consists of a spring, five Maxwell elements and friction; the sampling rate is 1 kHz. "
+       "Times are CPU times of the thread, so that other programs have little influence; those of the diagnosis are "
+       "wall-clock times.",
        {{"In a few seconds", "--quick"},
-        {"Time and memory for a log of five minutes, which is searched whole", "--long-log 300"},
-        {"For a log of an hour, of which excerpts are searched", "--long-log 3600"}}},
+        {"Time and memory for a log of five minutes, of which all samples are searched", "--long-log 300"},
+        {"Time and memory for a log of one hour, of which only excerpts are searched", "--long-log 3600"}}},
       run);
 }

@@ -57,37 +57,41 @@ struct Options {
   OptionTable table() {
     OptionTable options = {
         Option("task", task, "",
-               "make: from a jobs file to the folder of a campaign, with every input checked; run: work off what is "
-               "not done; submit: the same as a job array of Slurm; status: what is done, failed, missing, running; "
-               "collect: tables of the results and the fleet report")
+               "make: create the campaign's folder from a jobs file and check every input; run: run the jobs that are "
+               "not done; submit: run them as a Slurm job array; status: count the jobs that are done, failed, running "
+               "and missing; collect: write the tables of results and the fleet report")
             .required()
             .oneOf({"make", "run", "submit", "status", "collect"}),
-        Option("folder", folder, "", "folder of the campaign, for all but make").standsFor([this] {
+        Option("folder", folder, "", "folder of the campaign; for every task except make").standsFor([this] {
           return collectedFiles();
         }),
-        Option("--jobs", jobs, "FILE", "jobs file, for make").reads(),
-        Option("--output", output, "FOLDER", "folder of the campaign to make").standsFor([this] {
+        Option("--jobs", jobs, "FILE", "jobs file; for make").reads(),
+        Option("--output", output, "FOLDER", "folder of the campaign to create; for make").standsFor([this] {
           return madeFiles();
         }),
-        Option("--shard", shard, "I/N", "run every N-th job only, from the I-th on, such as 3/8; for run").rare(),
+        Option("--shard", shard, "I/N", "run only every N-th job, starting with the I-th, such as 3/8; for run").rare(),
         Option("--threads", threads, "COUNT",
-               "jobs at a time, for run and in each element of submit; threads that check inputs, for make")
+               "run and submit: number of jobs that run at the same time, with submit in each array task; make: number "
+               "of threads that check the inputs")
             .within(1, 1024),
         Option("--job-minutes", job_minutes, "MINUTES",
-               "a job that takes longer is ended and has failed, for run and in each element of submit; 0: no limit")
+               "time limit of each job, for run and submit: a job that takes longer is stopped and counts as failed; "
+               "0: no limit")
             .rare()
             .within(0, 1000000),
-        Option("--retry-failed", run.retry_failed, "work failed jobs off again, for run").rare(),
-        Option("--engine", engine, "ENGINE", "what works the jobs off, for submit").rare().oneOf({"slurm"}),
-        Option("--shard-minutes", slurm.shard_minutes, "MINUTES", "work of an element of the array, for submit")
+        Option("--retry-failed", run.retry_failed, "run failed jobs again; for run").rare(),
+        Option("--engine", engine, "ENGINE", "batch system that runs the jobs; for submit").rare().oneOf({"slurm"}),
+        Option("--shard-minutes", slurm.shard_minutes, "MINUTES", "intended run time of each array task; for submit")
             .rare()
             .within(0.001, 10000),
-        Option("--max-running", slurm.max_running, "COUNT", "elements that run at a time, for submit; all if absent")
+        Option("--max-running", slurm.max_running, "COUNT",
+               "largest number of array tasks that run at the same time; for submit; default: all")
             .rare()
             .within(1, 1000000),
-        Option("--partition", slurm.partition, "NAME", "partition of the cluster, for submit; its default if absent")
+        Option("--partition", slurm.partition, "NAME",
+               "partition of the cluster; for submit; default: the cluster's default partition")
             .rare(),
-        Option("--dry-run", dry_run, "print the array's script and submit nothing").rare()};
+        Option("--dry-run", dry_run, "print the script of the job array without submitting it").rare()};
     options.needs({"--jobs", "--output"}, {"task make"});
     options.needs({"--force"}, {"task make", "task collect"});
     options.needs({"--shard", "--retry-failed"}, {"task run"});
@@ -101,7 +105,7 @@ struct Options {
 void checkUse(const Options& options) {
   element::refuseIf<UsageError>(
       options.task == "make" && (options.jobs.empty() || options.output.empty() || !options.folder.empty()),
-      "make: accepted: campaign make --jobs FILE --output FOLDER");
+      "make: needs --jobs and --output, and no other folder; accepted: campaign make --jobs FILE --output FOLDER");
   element::refuseIf<UsageError>(options.task != "make" && options.folder.empty(),
                                 "{}: the folder of the campaign is missing; accepted: campaign {} FOLDER", options.task,
                                 options.task);
@@ -136,12 +140,11 @@ int run(const Options& options) {
   settings.workers = options.threads;
   settings.job_minutes = options.job_minutes;
   const campaign::RunSummary summary = campaign::run(options.folder, version(), settings, readLog, say);
-  std::cout << fmt::format(
-      "{} jobs done, {} failed, {} passed over because they have a result{}{}\n", summary.done, summary.failed,
-      summary.passed_over,
-      summary.failed_before > 0 ? fmt::format(", {} of them a failure", summary.failed_before) : "",
-      summary.not_done > 0 ? fmt::format("; {} not done", summary.not_done) : "");
-  element::refuseIf<std::runtime_error>(summary.interrupted, "interrupted; the same command continues");
+  std::cout << fmt::format("{} jobs done, {} failed, {} skipped because they have a result{}{}\n", summary.done,
+                           summary.failed, summary.passed_over,
+                           summary.failed_before > 0 ? fmt::format(", {} of which failed", summary.failed_before) : "",
+                           summary.not_done > 0 ? fmt::format("; {} not done", summary.not_done) : "");
+  element::refuseIf<std::runtime_error>(summary.interrupted, "interrupted; run the same command again to continue");
   return summary.failed + summary.failed_before + summary.not_done == 0 ? kSuccess : kFailed;
 }
 
@@ -149,7 +152,7 @@ int submit(const Options& options) {
   element::refuseIf<UsageError>(options.engine.empty(), "submit: --engine is missing; accepted: --engine slurm");
   campaign::SlurmOptions settings = options.slurm;
   element::refuseIf<UsageError>(settings.partition.find_first_of(" \t\n\r") != std::string::npos,
-                                "--partition: '{}'; accepted: the name of a partition, without blanks",
+                                "--partition: '{}' contains blanks; accepted: the name of a partition, without blanks",
                                 settings.partition);
   const campaign::Manifest manifest = campaign::readManifest(options.folder);
   campaign::requireVersion(manifest, options.folder, version());
@@ -204,10 +207,10 @@ int main(int argc, char** argv) {
   return runCommand<Options>(
       argc, argv,
       {"campaign",
-       "Works off many diagnoses, estimates and replays: from a jobs file to a table of the results, on "
-       "one machine, in shards on several, or as a job array of Slurm.",
-       {{"From a jobs file to a campaign", "make --jobs jobs.yaml --output campaign"},
-        {"Work it off, 4 jobs at a time", "run campaign --threads 4"},
-        {"Tables and the fleet report", "collect campaign"}}},
+       "Runs the diagnoses, estimates and replays of a jobs file, and writes a table of their results. The jobs run on "
+       "one machine, in shards on several machines, or as a Slurm job array.",
+       {{"Create a campaign from a jobs file", "make --jobs jobs.yaml --output campaign"},
+        {"Run its jobs, four at the same time", "run campaign --threads 4"},
+        {"Write the tables and the fleet report", "collect campaign"}}},
       runTask);
 }

@@ -49,18 +49,23 @@ OptionTable Options::table() {
           .required()
           .within(0, 1e9),
       Option("--config", config, "FILE",
-             "component file whose force for this log is the reference; if absent, it is the force measured in the log")
+             "component file whose simulated force for this log is the reference; default: the force measured in the "
+             "log is the reference")
           .reads(),
-      Option("--config-component", config_component, "NAME", "its name in that file, if different").rare(),
-      Option("--skip", skip, "SECONDS", "start of the log that is played but not compared").rare().within(0, 1e9),
+      Option("--config-component", config_component, "NAME",
+             "name of the component in the component file, if it differs from --component")
+          .rare(),
+      Option("--skip", skip, "SECONDS", "length of the start of the log that is played but not compared")
+          .rare()
+          .within(0, 1e9),
       agreement.table(),
       playerTable(play, "bench"),
       Option("--reset", reset, "SERVICE", "service (std_srvs/Trigger) to call before the first sample").rare(),
-      plotOption(plot, "forces over time and displacement, and of their difference,").rare(),
+      plotOption(plot, "forces, and their difference, over time and displacement,").rare(),
       Option("--gtest_output", report, "xml:FILE", "report to write; set by rostest").rare().standsFor([this] {
         return Files{{}, {{"--gtest_output", reportPath(*this), io::file_kind::test_report}}};
       }),
-      Option("--text", text, "accepted without effect; set by rostest --text").rare(),
+      Option("--text", text, "has no effect; rostest --text sets it").rare(),
       log_options.table()};
   return options.needs({"--config-component"}, {"--config"});
 }

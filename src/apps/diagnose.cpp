@@ -68,9 +68,9 @@ std::string takenOut(const diagnosis::Diagnosis& diagnosis) {
   if (phrases.size() > kMostLogs) {
     const std::size_t more = phrases.size() - kMostLogs;
     phrases.resize(kMostLogs);
-    phrases.push_back(fmt::format("{} more, in the report", more));
+    phrases.push_back(fmt::format("{} more, listed in the report", more));
   }
-  return phrases.empty() ? "" : log::oneLine(fmt::format("taken out of the logs: {}", fmt::join(phrases, "; "))) + "\n";
+  return phrases.empty() ? "" : log::oneLine(fmt::format("removed from the logs: {}", fmt::join(phrases, "; "))) + "\n";
 }
 
 int run(const DiagnoseOptions& options) {
@@ -98,67 +98,67 @@ OptionTable DiagnoseOptions::table() {
   OptionTable options = {
       component.table(),
       Option("--direction", directions, "NAME",
-             "of six directions: which to diagnose; the report of each goes into a folder of its name, and a map says "
-             "where they couple")
+             "directions to diagnose, for a component of six directions; the report of each is written into a folder "
+             "with its name, and a map shows which directions are coupled")
           .oneOf({"x", "y", "z", "rx", "ry", "rz"}),
       Option("--log", logs, "FILE",
              "measured logs of one component in the order of recording; text (CSV), .mat, HDF5, RPC III or .bag")
           .readsEachOnce(),
       Option("--plan", plan, "FILE",
-             "instead of --log: programmes with time and displacement alone; says which effects such logs would show, "
-             "which they would take for which, and the least size that they would show")
+             "instead of --log: displacement programmes (time and displacement only); predicts which effects their "
+             "logs would show, which effects they would confuse, and the smallest size of each that they would show")
           .readsEachOnce(),
       Option("--from-table", table_path, "FILE",
-             "instead of --log: measured table of stiffness and loss angle over frequency and amplitude; with mean "
-             "displacement and temperature where it has them")
+             "instead of --log: measured table of stiffness and loss angle over frequency and amplitude, optionally "
+             "with mean displacement and temperature")
           .reads(),
       Option("--uncertainty", uncertainty, "SHARE ANGLE",
-             "with --from-table: standard deviation of its stiffness and of its loss angle, such as \"1 %\" "
-             "\"0.5 deg\"; where not given, repeated rows tell, or what a smooth surface leaves")
+             "with --from-table: standard deviations of its stiffness and loss angle, such as \"1 %\" \"0.5 deg\"; "
+             "default: estimated from repeated rows or from the residual of a smooth surface")
           .rare()
           .values(1, 2),
       Option("--effect-size", share(effect_size, 1e-4, 1.0), "SHARE",
-             "with --plan: size of each effect, as a share of the force's standard deviation")
+             "with --plan: size of each effect as a share of the force's standard deviation")
           .rare()
           .defaultText("10 %"),
       Option("--noise", share(noise, 1e-6, 1.0), "SHARE",
-             "with --plan: noise of the force to be measured, as such a share")
+             "with --plan: noise of the measured force as a share of its standard deviation")
           .rare()
           .defaultText("0.5 %"),
       Option("--hold-out", hold_out, "FILE", "logs that take no part in the fit; each starts with a new component")
           .readsEachOnce(),
       Option("--rig", rig, "KEY=VALUE",
-             "what the rig may do to a log without being a cause; such as force_zero=\"50 N\" or gain=\"1 %\"; see "
-             "`rig:` of component files"),
+             "tolerances of the rig: errors of this size are not reported as effects, such as force_zero=\"50 N\" or "
+             "gain=\"1 %\"; as the key `rig:` of a component file"),
       Option("--exclude", exclude, "EFFECT",
-             "effects that the construction rules out (bonded, dry, no joint), besides `excluded_effects:` of the "
-             "component file; they are not named, and the report says what they would be otherwise")
+             "effects that the design rules out (bonded, dry, no joint), in addition to `excluded_effects:` of the "
+             "component file; they are never named, and the report states how probable they would otherwise be")
           .rare()
           .oneOf(io::effectNames()),
       Option("--limits", limits, "KEY=VALUE",
-             "what the machine may do in the next experiment, such as stroke=\"20 mm\" speed=\"0.3 m/s\" "
-             "frequency=\"15 Hz\" force=\"30 kN\" duration=\"60 s\"; where not given, what the logs reached")
+             "limits of the test machine for the next experiment, such as stroke=\"20 mm\" speed=\"0.3 m/s\" "
+             "frequency=\"15 Hz\" force=\"30 kN\" duration=\"60 s\"; default: the values that the logs reached")
           .rare(),
-      Option("--output", output, "FOLDER", "folder of the report; made if missing").required().standsFor([this] {
+      Option("--output", output, "FOLDER", "folder of the report; created if missing").required().standsFor([this] {
         return reportFiles(*this);
       }),
-      Option("--compare", compare, "FILE",
-             "report.json of an earlier diagnosis: says what changed since, beyond noise and intervals")
+      Option(
+          "--compare", compare, "FILE",
+          "report.json of an earlier diagnosis; prints the values that changed since by more than noise and intervals")
           .rare()
           .reads(),
       Option("--evidence", evidence,
-             "also write evidence.json: what every hypothesis leaves, of which the judgement is made")
+             "also write evidence.json: the residuals of every hypothesis, on which the judgement is based")
           .rare(),
-      Option(
-          "--law", law, "LAW",
-          "full: also write augmented_full.yaml, the laws with all numbers that were judged; simplest: augmented.yaml "
-          "alone, whose laws have few numbers and leave nearly as little")
+      Option("--law", law, "LAW",
+             "simplest: write only augmented.yaml, in which each effect has the simplest law that fits nearly as well "
+             "as the full one; full: also write augmented_full.yaml with the full laws")
           .rare()
           .oneOf({"simplest", "full"}),
-      plotOption(plot, "loops, residuals and the gap").rare(),
+      plotOption(plot, "loops, residuals and gap").rare(),
       Option("--most-samples", most_samples, "COUNT",
-             "samples that the search takes, of all logs together; of longer logs it takes excerpts of all their "
-             "amplitudes")
+             "largest number of samples that are searched in all logs together; if the logs have more, excerpts that "
+             "cover all amplitudes are searched")
           .rare()
           .within(1000, 100000000),
       Option("--threads", threads, "COUNT", "number of threads").rare().within(1, 64),
@@ -222,8 +222,8 @@ void setTolerances(const std::vector<std::string>& assignments, io::ComponentDes
 std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis) {
   return diagnosis.samples.searched == diagnosis.samples.recorded
              ? ""
-             : fmt::format("excerpts: {} of {} samples were searched (--most-samples)\n", diagnosis.samples.searched,
-                           diagnosis.samples.recorded);
+             : fmt::format("only excerpts were searched: {} of {} samples (limit: option --most-samples)\n",
+                           diagnosis.samples.searched, diagnosis.samples.recorded);
 }
 
 std::optional<diagnosis::report::EarlierReport> earlierReport(const DiagnoseOptions& options) {
@@ -267,10 +267,12 @@ int main(int argc, char** argv) {
   return command_line::runCommand(
       argc, argv,
       {"diagnose",
-       "Finds where a model differs from logs, which effect is missing, and how far it closes the gap.",
-       {{"What a model lacks against two logs", "--config component.yaml --log log.csv log_2.csv --output report"},
-        {"On a rig whose force sensor has a zero error of up to 50 N",
+       "Finds where a model differs from measured logs, which effect the model lacks, and how much of the gap this "
+       "effect closes.",
+       {{"Find what a model lacks, from two logs", "--config component.yaml --log log.csv log_2.csv --output report"},
+        {"The same, if the force sensor of the rig has a zero error of about 50 N",
          "--config component.yaml --log log.csv --rig force_zero=\"50 N\" --output report"},
-        {"Which effects a programme would show", "--config component.yaml --plan programme.csv --output plan"}}},
+        {"Predict which effects a programme would show",
+         "--config component.yaml --plan programme.csv --output plan"}}},
       options.table(), [&] { return apps::run(options); });
 }

@@ -57,69 +57,70 @@ OptionTable Options::table() {
   OptionTable options = {
       Option("--config", config, "FILE", "component file").reads(),
       Option("--data-sheet", data_sheet, "FILE",
-             "data sheet instead of --config; prints the component file that follows from it, from hardness and shape, "
-             "a dynamic-to-static ratio, or loss angles at two frequencies")
+             "data sheet, instead of --config, with hardness and shape, a dynamic-to-static ratio, or loss angles at "
+             "two frequencies; prints the component file that follows from it")
           .reads(),
-      Option("--component", component, "NAME", "name of one component; all if absent"),
+      Option("--component", component, "NAME", "name of the component; default: all components"),
       withoutRigOption(without_rig),
       Option("--json", json, "print JSON, in SI units").rare(),
       plotOption(plot, "stiffness and loss angle"),
       Option("--csv", csv, "FILE",
-             "CSV to write: stiffness, loss angle, K', K'' and the equivalent K_e and C_e of each sweep")
+             "CSV to write: stiffness, loss angle, K', K'' and the equivalent K_e and C_e at each point of the sweeps")
           .rare()
           .writes(io::file_kind::characteristics_csv),
       Option("--state-space", state_space, "FILE",
-             "FILE.json or FILE.mat to write: A, B, C, D of the linear part, with the inputs z and dz/dt")
+             "FILE.json or FILE.mat to write: state-space matrices A, B, C, D of the component's linear part, with the "
+             "inputs z and dz/dt")
           .rare()
           .standsFor([this] {
             const io::FileKind kind =
                 log::endsWith(state_space, ".mat") ? io::file_kind::mat : io::file_kind::state_space_json;
             return Files{{}, {{"--state-space", state_space, kind}}};
           }),
-      Option(
-          "--models", models, "MODEL",
-          "models to compare, from the numbers of one specification: M1 to M6 or their names, or a number of Maxwell "
-          "elements, such as M1 M2 5")
+      Option("--models", models, "MODEL",
+             "models to compare, all estimated from the same specification: M1 to M6, their names, or a number of "
+             "Maxwell elements, such as M1 M2 5")
           .rare(),
       Option("--sensitivity",
              Quantity{&sensitivity, "1", {0.0, 0.5, true, false}, "a share up to 50 %, such as '5 %' or 0.05"}, "SHARE",
-             "change each input by this much and show what it does to stiffness and loss angle, such as '5 %'")
+             "change each input by this share, such as '5 %', and show how stiffness and loss angle change")
           .rare(),
-      Option("--frequencies", Quantity{&frequency_range, "Hz"}, "HZ",
-             "ends of the range of frequencies, such as 0.5 20")
+      Option("--frequencies", Quantity{&frequency_range, "Hz"}, "HZ", "lowest and highest frequency, such as 0.5 20")
           .rare()
           .values(2, 2),
       Option("--amplitudes", Quantity{&amplitude_range, "m"}, "METRES",
-             "ends of the range of amplitudes, such as '0.1 mm' '5 mm'")
+             "smallest and largest amplitude, such as '0.1 mm' '5 mm'")
           .rare()
           .values(2, 2),
-      Option("--frequency", Quantity{&sweeps.frequency, "Hz"}, "HZ", "frequency at which the amplitude varies").rare(),
+      Option("--frequency", Quantity{&sweeps.frequency, "Hz"}, "HZ", "frequency of the sweep over amplitudes").rare(),
       Option("--amplitude", Quantity{&sweeps.amplitude, "m"}, "METRES",
-             "amplitude at which the frequency varies, such as '2 mm'")
+             "amplitude of the sweep over frequencies, such as '2 mm'")
           .rare(),
       Option("--product", Quantity{&sweeps.product, "m Hz"}, "PRODUCT",
-             "constant product of amplitude and frequency, such as '8 mm Hz'")
+             "product of amplitude and frequency in the sweep that keeps it constant, such as '8 mm Hz'")
           .rare(),
-      Option("--points", sweeps.points, "COUNT", "points of each range").rare().within(2, 10000),
+      Option("--points", sweeps.points, "COUNT", "number of points in each sweep").rare().within(2, 10000),
       Option("--from-log", logs, "FILE",
-             "measured log with force (text, .mat, HDF5, RPC III or .bag): find the parameters from it; may be given "
-             "several "
-             "times")
+             "measured log (text, .mat, HDF5, RPC III or .bag) from which to identify the parameters; needs a force; "
+             "may be given several times")
           .readsEachOnce(),
       Option("--from-table", table_path, "FILE",
-             "measured table of stiffness and loss angle over frequency and amplitude: find the parameters from it")
+             "measured table of stiffness and loss angle over frequency and amplitude, from which to identify the "
+             "parameters")
           .reads(),
       Option("--series", series, "SERIES",
-             "with --from-table: elements to fit in place of those of the component, for as many decades as the table "
-             "has once its temperatures are one curve")
+             "with --from-table: series of elements to fit in place of the component's own elements; it covers the "
+             "frequencies of the master curve, to which the temperatures of the table are shifted")
           .rare()
           .oneOf({"prony", "springpot"}),
       Option("--hold", identification.held, "ELEMENT.PARAMETER",
-             "parameter to keep fixed with --from-log, such as friction.displacement")
+             "with --from-log: parameter to keep fixed, such as friction.displacement")
           .rare(),
-      Option("--starts", identification.starts, "COUNT", "starts of the search with --from-log").rare().within(1, 1000),
+      Option("--starts", identification.starts, "COUNT", "with --from-log: number of starting points of the search")
+          .rare()
+          .within(1, 1000),
       Option("--output", output, "FILE",
-             "component file to write; with the parameters found by --from-log, --from-table or from --data-sheet")
+             "component file to write, with the parameters that follow from --from-log, --from-table or --data-sheet")
           .writes(io::file_kind::component_file),
       log_options.acceptUnits(),
       log_options.table()};
@@ -140,8 +141,10 @@ void readRange(const std::string& option, const std::vector<double>& ends, const
   if (!ends.empty()) {
     low = ends[0];
     high = ends[1];
-    element::refuseIf<UsageError>(!(*low < *high), "{}: the first, {:g} {}, is not below the second, {:g} {}", option,
-                                  *low, unit, *high, unit);
+    element::refuseIf<UsageError>(
+        !(*low < *high),
+        "{}: the first value, {:g} {}, is not less than the second, {:g} {}; accepted: the lower end first", option,
+        *low, unit, *high, unit);
   }
 }
 
@@ -254,8 +257,8 @@ void writeFiles(const Options& options, const std::vector<io::ComponentDescripti
     for (const io::ComponentDescription& component : components) {
       parts.push_back(command::linearPartOf(component));
       const command::LinearPart& part = parts.back();
-      for (const auto& [what, types] : {std::pair(": taken by their slope: ", part.tangents),
-                                        std::pair(": left out of the linear part: ", part.left_out)}) {
+      for (const auto& [what, types] : {std::pair(": elements that are linearised by their slope: ", part.tangents),
+                                        std::pair(": elements that the linear part omits: ", part.left_out)}) {
         if (!types.empty()) {
           printNote("estimate", part.component + what + log::join(types));
         }
@@ -269,8 +272,8 @@ void writeFiles(const Options& options, const std::vector<io::ComponentDescripti
 void checkStateSpace(const std::string& path, std::size_t components) {
   element::refuseIf<UsageError>(
       !path.empty() && !log::endsWith(path, ".json") && !(log::endsWith(path, ".mat") && components == 1),
-      "--state-space: {} for {} component{}; accepted: FILE.json, or FILE.mat for one (--component NAME, one of "
-      "--models)",
+      "--state-space: {} cannot hold {} component{}; accepted: FILE.json, or FILE.mat for a single component "
+      "(--component NAME, and one of --models)",
       path, components, components == 1 ? "" : "s");
 }
 
@@ -333,8 +336,8 @@ int main(int argc, char** argv) {
        "Estimates the parameters of rubber components from their specifications, from measured logs or "
        "tables or from data sheets, and prints them with stiffness and loss angle over frequency and "
        "amplitude.",
-       {{"From the specification", "--config component.yaml"},
-        {"From a measured log", "--config component.yaml --from-log log.csv --output found.yaml"},
+       {{"Parameters from the specification", "--config component.yaml"},
+        {"Parameters from a measured log", "--config component.yaml --from-log log.csv --output found.yaml"},
         {"A component file from a data sheet", "--data-sheet sheet.yaml --output bush.yaml"}}},
       run);
 }

@@ -44,39 +44,43 @@ struct Options {
     OptionTable options = {
         component.table(),
         Option("--format", format, "FORMAT",
-               "property file of Adams or Altair; table of K and loss angle (CSV); k and c to paste; FMU for "
-               "co-simulation, FMI 2.0 or 3.0")
+               "adams_bus, altair_gbs: bushing property file; table: stiffness and loss angle (CSV); kc: k and c of a "
+               "spring and a dashpot; fmu2, fmu3: FMU for co-simulation")
             .required()
             .oneOf({"adams_bus", "altair_gbs", "table", "kc", "fmu2", "fmu3"}),
         Option("--output", output, "FILE", "file to write").required().standsFor([this] {
           return Files{{}, {{"--output", output, kindOf(format)}}};
         }),
         Option("--frequency", Quantity{&bushing.frequency, "Hz"}, "HZ",
-               "frequency of the sine that the damping is of (nominal_frequency by itself)"),
+               "frequency of the sine for which the damping is computed (default: nominal_frequency)"),
         Option("--amplitude", Quantity{&along.amplitude, "m"}, "METRES",
-               "its amplitude, such as '1 mm' (nominal_amplitude by itself, or 1 mm)"),
+               "amplitude of the sine for which the damping is computed, such as '1 mm' (default: nominal_amplitude, "
+               "or 1 mm)"),
         Option("--largest-displacement", Quantity{&along.largest, "m"}, "METRES",
-               "the curves of forces go as far to both sides, such as '10 mm' (5 amplitudes by themselves)")
+               "largest displacement of the force curves to either side, such as '10 mm' (default: 5 amplitudes)")
             .rare(),
         Option("--rotation-amplitude", Quantity{&about.amplitude, "rad"}, "RADIANS",
-               "amplitude of this sine about an axis, such as '2 deg' (1 degree by itself)")
+               "amplitude of the sine for rotations, such as '2 deg' (default: 1 degree)")
             .rare(),
         Option("--largest-rotation", Quantity{&about.largest, "rad"}, "RADIANS",
-               "the curves of moments go as far to both sides, such as '10 deg' (5 amplitudes by themselves)")
+               "largest rotation of the moment curves to either side, such as '10 deg' (default: 5 amplitudes)")
             .rare(),
-        Option("--axis", axis, "AXIS", "axis of the bushing for a component of one direction, by default z")
+        Option("--axis", axis, "AXIS", "axis of the bushing along which a component of one direction acts (default: z)")
             .rare()
             .oneOf({"x", "y", "z"}),
-        Option("--points", bushing.points, "COUNT", "points of the curves, an odd number").rare().within(3, 100001),
-        Option("--frequencies", Quantity{&grid.frequencies, "Hz"}, "HZ",
-               "frequencies of the table, such as 1 4 '10 Hz' (nominal_frequency and a decade to both sides by "
-               "themselves)")
+        Option("--points", bushing.points, "COUNT", "number of points of each curve; an odd number")
+            .rare()
+            .within(3, 100001),
+        Option(
+            "--frequencies", Quantity{&grid.frequencies, "Hz"}, "HZ",
+            "frequencies of the table, such as 1 4 '10 Hz' (default: from a tenth of nominal_frequency to ten times)")
             .rare(),
         Option("--amplitudes", Quantity{&grid.amplitudes, "m"}, "METRES",
-               "amplitudes of the table, such as '0.2 mm' '1 mm' (a tenth to three of nominal_amplitude by themselves)")
+               "amplitudes of the table, such as '0.2 mm' '1 mm' (default: from a tenth of nominal_amplitude to three "
+               "times)")
             .rare(),
         Option("--preloads", Quantity{&grid.preloads, "N", element::Range::any()}, "NEWTONS",
-               "static forces that the sines of the table swing about, such as 0 '10 kN'")};
+               "static preloads of the table, about which the sines oscillate, such as 0 '10 kN'")};
     const std::vector<std::string> property_files = {"--format adams_bus", "--format altair_gbs"};
     options.needs({"--largest-displacement", "--rotation-amplitude", "--largest-rotation", "--axis", "--points"},
                   property_files);
@@ -110,13 +114,15 @@ command::Bushing bushingOf(const io::ComponentDescription& description, const st
     return command::bushingAlong(*component::directionFromString(axis.empty() ? "z" : axis),
                                  description.makeComponent());
   }
-  element::refuseIf<UsageError>(!axis.empty(), "--axis has no effect: the component has directions of its own");
+  element::refuseIf<UsageError>(!axis.empty(),
+                                "--axis has no effect on a component of six directions; accepted: without --axis");
   return command::bushingOf(description.six->makeComponent());
 }
 
 void complete(command::BushingCurve& curve, bool is_there, double amplitude, const char* options) {
-  element::refuseIf<UsageError>(!is_there && (curve.largest > 0.0 || curve.amplitude > 0.0),
-                                "{} have no effect: the component has no such direction", options);
+  element::refuseIf<UsageError>(
+      !is_there && (curve.largest > 0.0 || curve.amplitude > 0.0),
+      "{} have no effect: the component has no direction of this kind; accepted: without them", options);
   curve.amplitude = curve.amplitude > 0.0 ? curve.amplitude : amplitude;
   curve.largest = curve.largest > 0.0 ? curve.largest : 5.0 * curve.amplitude;
 }
@@ -180,14 +186,14 @@ Exported fmu(const Options& options, const io::ComponentDescription& description
   const fmi::FmuParts parts = fmi::installedParts();
   Exported made{fmi::toZip(fmi::fmuFiles(description, version, parts)), {}};
   if (parts.windows_binary.empty()) {
-    made.notes.emplace_back("for Linux alone: this build has no binary for Windows (docs/fmi.md)");
+    made.notes.emplace_back("the FMU runs on Linux only: this build has no binary for Windows (docs/fmi.md)");
   }
   return made;
 }
 #else
 Exported fmu(const Options& options, const io::ComponentDescription&) {
   throw UsageError("--format " + options.format +
-                   ": this build has no FMU; accepted: a build where libzip and TinyXML-2 are installed");
+                   ": this build cannot export an FMU; accepted: a build with libzip and TinyXML-2 installed");
 }
 #endif
 
@@ -215,9 +221,9 @@ int main(int argc, char** argv) {
   return runCommand<Options>(
       argc, argv,
       {"export",
-       "Writes a component for another program, and says in the file and on the terminal what the format cannot say of "
-       "it, in numbers.",
-       {{"A property file of Adams: static curves up to 10 mm, the loss at 4 Hz and 1 mm",
+       "Writes a component in a format of another program. Notes in the file and on the terminal list what the format "
+       "cannot represent, with numbers.",
+       {{"A property file of Adams with static curves up to 10 mm and the damping at 4 Hz and 1 mm",
          "--config component.yaml --format adams_bus --largest-displacement '10 mm' --frequency 4 --amplitude '1 mm' "
          "--output bush.bus"},
         {"Stiffness and loss angle over frequency and amplitude, unloaded and under load",

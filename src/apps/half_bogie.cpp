@@ -81,16 +81,17 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
   const History history = runExchange(scene, *partner(line, options, kind, components), options.delay);
   const History reference = runVariableStep(scene, components, {});
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  std::string text =
-      fmt::format("{} steps of {:g} ms in {:.3g} s\ndisplacements against variable steps without delay: {}\n",
-                  scene.steps(), 1e3 * options.time_step, elapsed.count(),
-                  percentages(kind, displacementDifference(components, history, reference)));
+  std::string text = fmt::format(
+      "{} steps of {:g} ms computed in {:.3g} s\ndifference of the displacements from variable steps without delay: "
+      "{}\n",
+      scene.steps(), 1e3 * options.time_step, elapsed.count(),
+      percentages(kind, displacementDifference(components, history, reference)));
   if (kind == Kind::struts) {
     const double delay = loopDelay(options.time_step, options.delay);
     const History delayed =
         runVariableStep(scene, loadBushes(kind, options.config, {{"time_delay", {{"delay", {delay}}}}}), {});
-    text += fmt::format("displacements against the same with a delay of {:g} ms: {}\n", 1e3 * delay,
-                        percentages(kind, displacementDifference(components, history, delayed)));
+    text += fmt::format("difference of the displacements from variable steps with a delay of {:g} ms: {}\n",
+                        1e3 * delay, percentages(kind, displacementDifference(components, history, delayed)));
   }
   simulating.reset();
   std::cout << text;
@@ -98,7 +99,8 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
     writeHistoryCsv(options.output, kind, components, history);
   }
   drawPlot(options.plot, [&] {
-    return historyFigure(kind, components, history, reference, fmt::format("loop at {:g} ms", 1e3 * options.time_step));
+    return historyFigure(kind, components, history, reference,
+                         fmt::format("loop with steps of {:g} ms", 1e3 * options.time_step));
   });
   return kSuccess;
 }
@@ -107,21 +109,22 @@ OptionTable Options::table() {
   OptionTable options = {
       Option("--config", config, "FILE", "component file of the vehicle (docs/vehicle.md)").required().reads(),
       Option("--vehicle", vehicle, "NAME",
-             "struts: half a bogie on components of one direction; bushes: the same on components of six; body: a body "
-             "on four bushes of six directions")
+             "struts: half a bogie on components of one direction; bushes: half a bogie on components of six "
+             "directions; body: a body on four components of six directions")
           .oneOf({"struts", "bushes", "body"}),
       Option("--track", track, "FILE", "log of the height of the track under the front wheel").required().reads(),
-      Option("--forces", forces, "NAME", "where the forces come from: the library, or a node over topics")
+      Option("--forces", forces, "NAME", "source of the forces: the library in this process, or a node over topics")
           .oneOf({"library", "topics"}),
       Option("--time-step", time_step, "SECONDS", "step of the loop").within(1e-6, 0.1),
-      Option("--delay", delay, "COUNT", "steps that pass before a force acts; 0 waits for each answer")
+      Option("--delay", delay, "COUNT", "number of steps after which a force acts; 0: wait for each force")
           .rare()
           .within(0, 100),
       Option("--speed", speed, "M/S", "speed of the vehicle").rare().within(0.1, 1000),
       Option("--output", output, "FILE", "CSV to write: positions, displacements and forces")
           .writes(io::file_kind::vehicle_csv),
       plotOption(plot, "displacements,"),
-      Option("--reset", reset, "SERVICE", "service of the node to call first, as simulate/reset").rare(),
+      Option("--reset", reset, "SERVICE", "service of the node to call before the first step, such as simulate/reset")
+          .rare(),
       log_options.table()};
   return options.needs({"--reset"}, {"--forces topics"});
 }
@@ -133,10 +136,10 @@ int main(int argc, char** argv) {
   return runCommand<Options>(
       line.argc(), line.argv(),
       {"half_bogie",
-       "Simulates a vehicle on rubber components with Simbody, their forces from the library or, over "
-       "topics, from the node.",
+       "Simulates a vehicle on rubber components with Simbody. The forces come from the library or, over topics, from "
+       "the node.",
        {{"Half a bogie on a track", "--config half_bogie.yaml --track track.csv --plot vehicle.svg"},
-        {"With forces from the node, a step late",
+        {"Forces from the node, one step late",
          "--config half_bogie.yaml --track track.csv --forces topics --delay 1 --output vehicle.csv"},
         {"A body on four bushes of six directions",
          "--config hung_body.yaml --vehicle body --track track.csv --output vehicle.csv"}}},

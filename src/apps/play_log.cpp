@@ -46,9 +46,9 @@ struct Options {
 OptionTable Options::recordTable() {
   return {
       Option("--output", output, "FILE",
-             "CSV file for the forces: time_s,displacement_m,force_N; of poses for the wrenches of the last pass")
+             "CSV file for the forces (time_s,displacement_m,force_N) or, for poses, for the wrenches of the last pass")
           .writes(io::file_kind::force_csv),
-      Option("--gap", gap_output, "FILE", "CSV file for the live gap, where the log has a measured force")
+      Option("--gap", gap_output, "FILE", "CSV file for the live gap; needs a log with a measured force")
           .rare()
           .writes(io::file_kind::gap_csv),
       Option("--bag", bag, "FILE", "bag for displacements, measured forces, forces and gap")
@@ -63,29 +63,32 @@ OptionTable Options::recordTable() {
 
 OptionTable Options::table() {
   OptionTable options = {
-      Option("--component", components, "NAME", "names of the components, one or several").required(),
+      Option("--component", components, "NAME", "name of each component").required(),
       Option("--log", logs, "FILE",
-             "logs to play: text (CSV), .mat, HDF5, RPC III, or .bag with the node's topics; one per component, or one "
-             "for all")
+             "logs to play: text (CSV), .mat, HDF5, RPC III, or .bag with the node's topics; one for each component or "
+             "one for all")
           .required()
           .reads(),
       log_options.table(),
       recordTable(),
       playerTable(play, "node"),
-      Option(
-          "--rotation", rotation, "MEASURE",
-          "the logs have poses of components of six directions (x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg, each in any "
-          "unit, or a bag with COMPONENT/pose), their rotation as `vector` or `cardan`, as the component has it")
+      Option("--rotation", rotation, "MEASURE",
+             "for logs with poses of components of six directions (columns x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg in "
+             "any unit, or a bag with COMPONENT/pose): measure of the rotations, `vector` or `cardan`, as in the "
+             "component file")
           .rare()
           .oneOf({"vector", "cardan"}),
       Option("--loop", passes, "COUNT",
-             "times to play the logs, 0: until interrupted; time continues and the component keeps its state"),
+             "number of times to play the logs, 0: until interrupted; from pass to pass time continues and the "
+             "component keeps its state"),
       Option("--step", step, "COUNT",
-             "step by step: samples of each component per call of the service ~step; ~pause with false resumes")
+             "play step by step: number of samples of each component for each call of the service ~step; ~pause with "
+             "false resumes normal playback")
           .rare(),
-      Option("--paused", paused, "start paused, until the service ~pause is called with false").rare(),
+      Option("--paused", paused, "start paused; the service ~pause with false starts the playback").rare(),
       Option("--listeners", play.listeners, "COUNT",
-             "nodes to wait for that listen to <component>/measured_force besides the one that serves it")
+             "number of further nodes to wait for that subscribe to <component>/measured_force, besides the node that "
+             "serves the component")
           .rare()
           .within(0, 100),
       Option("--reset", reset, "SERVICE",
@@ -95,12 +98,13 @@ OptionTable Options::table() {
 }
 
 void checkCounts(const Options& options) {
-  element::refuseIf<UsageError>(options.logs.size() != 1 && options.logs.size() != options.components.size(),
-                                "--log: {} logs for {} components; accepted: one for all, or one each",
-                                options.logs.size(), options.components.size());
+  element::refuseIf<UsageError>(
+      options.logs.size() != 1 && options.logs.size() != options.components.size(),
+      "--log: {} logs are given for {} components; accepted: one log for all components, or one for each",
+      options.logs.size(), options.components.size());
   element::refuseIf<UsageError>(
       options.components.size() > 1 && !(options.output + options.gap_output + options.bag + options.plot).empty(),
-      "--output, --gap, --bag and --plot go with one component; accepted with several: --folder");
+      "--output, --gap, --bag and --plot accept only one component; accepted with several components: --folder");
 }
 
 ros_interface::RecordPaths recordPaths(const Options& options, const std::string& component) {
@@ -175,9 +179,10 @@ void makeFolder(Options& options) {
     records.insert(records.end(), {names.forces, names.gaps, names.bag});
   }
   const std::string folder = io::makeRunFolder(options.folder, records);
-  printNote("play_log", folder == options.folder ? "records go to " + folder
-                                                 : fmt::format("{} holds the records of an earlier run: these go to {}",
-                                                               options.folder, folder));
+  printNote("play_log", folder == options.folder
+                            ? "records go to " + folder
+                            : fmt::format("{} contains the records of an earlier run; the records of this run go to {}",
+                                          options.folder, folder));
   options.folder = folder;
 }
 
@@ -186,18 +191,19 @@ std::string describe(const ros_interface::BenchCount& count) {
       fmt::format("{}: {} samples, {} answered, {} forces with unexpected stamps; {:.3g} s, {:.0f} samples per second",
                   count.component, count.samples, count.answered, count.unexpected + count.repeated, count.duration,
                   static_cast<double>(count.answered) / std::max(count.duration, 1e-9));
-  return count.gaps > 0 ? text + fmt::format("; gap {} times", count.gaps) : text;
+  return count.gaps > 0 ? text + fmt::format("; gap published {} times", count.gaps) : text;
 }
 
 // A playback without end ends by being interrupted; any other has to come to its end.
 std::string failureOf(const ros_interface::BenchCount& count, bool endless) {
   if (!count.exactlyOneEach()) {
-    return "not every sample had exactly one force";
+    return "not every sample was answered by exactly one force";
   }
-  return count.complete || endless
-             ? ""
-             : fmt::format("interrupted before the end: every sample that was sent, of {}, had exactly one force",
-                           count.of);
+  return count.complete || endless ? ""
+                                   : fmt::format(
+                                         "interrupted before the end of the {} samples: each sample sent so far was "
+                                         "answered by exactly one force",
+                                         count.of);
 }
 
 int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
@@ -205,7 +211,7 @@ int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
   for (const ros_interface::BenchCount& count : counts) {
     const std::string failure = failureOf(count, endless);
     if (failure.empty()) {
-      std::cout << describe(count) << "; every sample had exactly one force\n";
+      std::cout << describe(count) << "; every sample was answered by exactly one force\n";
     } else {
       failed += (failed.empty() ? "" : "; ") + describe(count) + "; " + failure;
     }
@@ -239,7 +245,7 @@ int playAll(ros_interface::RosCommandLine& line, Options& options) {
     warnOf("play_log", options.logs.front(), gap::oddMotion(first_log, player.lastForces(0), {}));
   }
   if (!options.plot.empty() && !counts.front().complete) {
-    printNote("play_log", options.plot + " is not drawn: the log was not played to its end");
+    printNote("play_log", options.plot + " is not drawn because the log was not played to its end");
   } else {
     drawPlot(options.plot,
              [&] { return gap::replayFigure(options.components.front(), first_log, player.lastForces(0)); });
@@ -254,8 +260,8 @@ int main(int argc, char** argv) {
   return runCommand<Options>(
       line.argc(), line.argv(),
       {"play_log",
-       "Plays logs through a running node and records the forces.\n\nThe node answers on <component>/force; see "
-       "launch/replay.launch and launch/bench.launch.",
+       "Plays logs through a running node and records the forces.\n\nThe node publishes the forces on "
+       "<component>/force; see launch/replay.launch and launch/bench.launch.",
        {{"As fast as the node answers", "--component bush --log log.csv --output force.csv"},
         {"In real time, over and over", "--component bush --log log.csv --playback-speed 1 --loop 0 --folder runs/run"},
         {"Two components side by side", "--component left right --log left.csv right.csv --folder runs/run"}}},

@@ -36,14 +36,14 @@ struct Options {
         component.table(),
         Option("--log", log, "FILE", "log to simulate: text (CSV), .mat, HDF5, RPC III or .bag").required().reads(),
         Option("--output", output, "FILE",
-               "CSV to write: time_s,displacement_m,force_N; of six directions time_s,x_m ... rz_rad,Fx_N ... Mz_Nm")
+               "CSV to write: time_s,displacement_m,force_N; for six directions time_s,x_m ... rz_rad,Fx_N ... Mz_Nm")
             .required()
             .writes(io::file_kind::force_csv),
         Option("--compare", compare,
-               "table of the agreement with the measured force: RMS, peak error, energy per cycle, ISO/TS 18571"),
+               "print the agreement with the measured force: RMS error, peak error, energy per cycle, ISO/TS 18571"),
         agreement.table(),
         Option("--remove-offset", remove_offset,
-               "take the mean of the difference to the measured force out of the gap that is printed")
+               "subtract the mean difference between measured and simulated force before the printed gap is computed")
             .rare(),
         plotOption(plot, "forces over time and displacement"),
         log_options.table()};
@@ -53,7 +53,7 @@ struct Options {
 
 void noteBridged(const Options& options, std::uint64_t bridged) {
   if (bridged > 0) {
-    printNote("replay", fmt::format("{}: {} time gaps bridged, displacement linear in between", options.log, bridged));
+    printNote("replay", fmt::format("{}: {} time gaps were bridged with linear displacement", options.log, bridged));
   }
 }
 
@@ -81,8 +81,10 @@ std::vector<gap::ComparedForce> compare(const log::PoseLog& log, const gap::Pose
       }
     }
   }
-  element::refuseIf<log::LogError>(compared.empty(), "{}: --compare: the log has measured no force that changes",
-                                   log.name);
+  element::refuseIf<log::LogError>(
+      compared.empty(),
+      "{}: --compare: the log has no measured force that varies; accepted: a log with a varying measured force",
+      log.name);
   return compared;
 }
 
@@ -121,8 +123,8 @@ int runPoses(const Options& options, const io::ComponentDescription& description
       options.log_options.readPoses("replay", options.log, description.name, component.laws().measure);
   const gap::PoseReplay result = gap::replayPoses(component, log);
   if (result.beyond_valid > 0) {
-    printWarning("replay", fmt::format("{}: {} of {} samples are beyond valid_rotation, {:g} rad", options.log,
-                                       result.beyond_valid, log.size(), component.laws().valid_rotation));
+    printWarning("replay", fmt::format("{}: the rotations of {} of {} samples exceed valid_rotation, {:g} rad",
+                                       options.log, result.beyond_valid, log.size(), component.laws().valid_rotation));
   }
   noteBridged(options, result.counters.bridged);
   return publish(options, description.name, log, result.wrench, result, &log::writeWrenchCsv,
@@ -135,8 +137,8 @@ int run(const Options& options) {
   const io::ComponentDescription description = options.component.readAny("replay");
   if (description.six) {
     element::refuseIf<std::invalid_argument>(
-        options.remove_offset, "--remove-offset: component '{}' has six directions; accepted: one direction",
-        description.name);
+        options.remove_offset,
+        "--remove-offset: component '{}' has six directions; accepted: a component of one direction", description.name);
     return runPoses(options, description);
   }
   const log::Log log = options.log_options.read("replay", options.log, description.name);
@@ -161,7 +163,7 @@ int main(int argc, char** argv) {
       {"replay",
        "Simulates a component on a recorded log: the same forces as the node, to the last bit.",
        {{"The force of a log", "--config component.yaml --log log.csv --output force.csv"},
-        {"The same as a picture, and held against the measured force",
+        {"The same with a figure and the agreement with the measured force",
          "--config component.yaml --log log.csv --output force.csv --plot force.svg --compare"},
         {"Columns without names, in mm and kN",
          "--config component.yaml --log raw.csv --columns time displacement force --unit displacement=mm force=kN "

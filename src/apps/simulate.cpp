@@ -11,8 +11,8 @@ int main(int argc, char** argv) {
   return runCommand(
       line.argc(), line.argv(),
       {"simulate",
-       "Publishes <component>/force for every sample on <component>/displacement. Its private parameters stand in "
-       "--help-all.\n\nPrivate parameters:\n" +
+       "Publishes <component>/force for every sample on <component>/displacement. --help-all lists its private "
+       "parameters.\n\nPrivate parameters:\n" +
            ros_interface::describeNodeSettings(),
        {{"The components of a file", "_config_file:=component.yaml"},
         {"With two threads and short time gaps", "_config_file:=component.yaml _threads:=2 _max_gap:=0.1"},

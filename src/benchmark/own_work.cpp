@@ -20,7 +20,7 @@ void addComponent(std::vector<Work>& all, std::size_t samples) {
     all.push_back({name, "step", static_cast<double>(samples), [run, way] { (*run.*way)(); }});
   };
   add("`Component::step`, constant dt", even, &ExampleRun::step);
-  add("`Component::step`, every dt another", uneven, &ExampleRun::step);
+  add("`Component::step`, dt different at every step", uneven, &ExampleRun::step);
   add("`SampleStream::push`, constant dt", even, &ExampleRun::push);
   add("a log offline, `Component::simulate`", even, &ExampleRun::simulate);
   add("a log offline, `simulateLog`", even, &ExampleRun::simulateWholeLog);

@@ -164,7 +164,7 @@ class Executor {
       rethrowOfTheMachine(error);
       const std::string reason = log::oneLine(error.what());
       record = {};
-      record.error = reason.empty() ? "failed without a reason" : reason;
+      record.error = reason.empty() ? "the job failed without an error message" : reason;
     }
     record.id = job.id;
     record.version = manifest_.version;
@@ -293,11 +293,10 @@ class Executor {
   std::string unchangedPath(std::size_t input) const {
     const InputFile& file = manifest_.inputs[input];
     const io::FileHash hash = io::hashFile(file.path);
-    element::refuseIf<std::runtime_error>(
-        hash.sha256 != file.content.sha256,
-        "{}: has changed since `campaign make` ({} bytes then, {} now); accepted: the file as it was, or `campaign "
-        "make` again",
-        file.path, file.content.size, hash.size);
+    element::refuseIf<std::runtime_error>(hash.sha256 != file.content.sha256,
+                                          "{}: the file has changed since `campaign make` (from {} to {} bytes); "
+                                          "accepted: the unchanged file, or `campaign make` again",
+                                          file.path, file.content.size, hash.size);
     return file.path;
   }
 

@@ -148,7 +148,8 @@ class JobsReader : public io::YamlReader {
     checkMap(entry, {"uniform", "normal"});
     const bool is_normal = bool(entry["normal"]);
     if (is_normal == bool(entry["uniform"])) {
-      refuse(entry, "accepted: one of uniform and normal, as a share such as 5 %, or in " + row.unit);
+      refuse(entry, "needs exactly one of the keys uniform and normal; accepted: a share such as 5 %, or a value in " +
+                        row.unit);
     }
     std::string text;
     load(entry[is_normal ? "normal" : "uniform"], text);
@@ -157,11 +158,13 @@ class JobsReader : public io::YamlReader {
     try {
       width = log::parseQuantity(text, is_share ? "1" : row.unit);
     } catch (const std::invalid_argument& error) {
-      refuse(entry,
-             fmt::format("{}: {}; accepted: a share such as 5 %, or in {}", log::quoted(text), error.what(), row.unit));
+      refuse(entry, fmt::format("{}: {}; accepted: a share such as 5 %, or a value in {}", log::quoted(text),
+                                error.what(), row.unit));
     }
     if (!std::isfinite(width) || width <= 0.0 || (is_share && width >= 1.0)) {
-      refuse(entry, log::quoted(text) + "; accepted: greater than 0, as a share below 100 %");
+      refuse(entry,
+             log::quoted(text) +
+                 " is out of range; accepted: a value greater than 0, or a share from 0 to 100 %, excluding both");
     }
     return {is_normal ? Tolerance::Shape::normal : Tolerance::Shape::uniform, width, is_share};
   }
@@ -201,7 +204,7 @@ class JobsReader : public io::YamlReader {
     group.line = key.node.Mark().line + 1;
     group.options = settings;
     if (group.name.empty() || group.name != log::oneLine(group.name)) {
-      refuse(key, "no name; accepted: text on one line");
+      refuse(key, "the name is empty or has several lines; accepted: text on one line");
     }
     std::vector<Key<Group>> keys = {{"command", to(&Group::command), log::join(kCommands)},
                                     {"folders", to(&Group::folders)},
@@ -225,12 +228,14 @@ class JobsReader : public io::YamlReader {
     const std::vector<std::string>& names = io::effectNames();
     for (const std::string& effect : options.exclude) {
       if (std::find(names.begin(), names.end(), effect) == names.end()) {
-        refuse(entry["exclude"], fmt::format("{} is no effect{}; accepted: {}", log::quoted(effect),
+        refuse(entry["exclude"], fmt::format("{} is not an effect{}; accepted: {}", log::quoted(effect),
                                              element::didYouMean(effect, names), log::join(names)));
       }
     }
     if (options.evidence && options.reports == Reports::none) {
-      refuse(entry, "evidence: true writes a file, and reports: none writes none; accepted: reports: data, full");
+      refuse(entry,
+             "evidence: true needs a report folder, but reports: none writes none; accepted: reports: data, or "
+             "reports: full");
     }
     try {
       logFormat(options);
@@ -250,8 +255,8 @@ class JobsReader : public io::YamlReader {
     for (const auto& [key, commands] : uses) {
       const bool used = std::find(commands.begin(), commands.end(), toString(command)) != commands.end();
       if (const Entry given = entry[key]; given && !used) {
-        const std::string problem =
-            fmt::format("has no effect on {}; accepted: with {}", toString(command), fmt::join(commands, " or "));
+        const std::string problem = fmt::format("has no effect on the command {}; accepted: with the command {}",
+                                                toString(command), fmt::join(commands, " or "));
         attempt([&] { refuse(given, problem); });
       }
     }
@@ -274,8 +279,10 @@ double draw(double nominal, const Tolerance& tolerance, std::mt19937_64& generat
 void checkNames(const estimation::Specification& nominal, const MonteCarlo& study) {
   const auto names = element::joined(nominal.values(), ", ", [](const auto& one) { return one.first; });
   for (const auto& [name, tolerance] : study.tolerances) {
-    element::refuseIf(!nominal.has(name), "monte_carlo.tolerances.{}: the component does not specify it; accepted: {}",
-                      name, names.empty() ? "a component with a specification" : names);
+    element::refuseIf(
+        !nominal.has(name),
+        "monte_carlo.tolerances.{}: the component's specification does not contain this key; accepted: {}", name,
+        names.empty() ? "a component with a specification" : names);
   }
 }
 

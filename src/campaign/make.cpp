@@ -147,7 +147,8 @@ class Maker {
     }
     const std::size_t twice = manifest_.jobs.size() - manifest_.distinctJobs().size();
     if (twice > 0) {
-      notes_.push_back(fmt::format("{} jobs have inputs and options of another one and share its result", twice));
+      notes_.push_back(
+          fmt::format("{} jobs have the same inputs and options as another job and share its result", twice));
     }
     return {std::move(manifest_), std::move(notes_), {}};
   }
@@ -176,15 +177,17 @@ class Maker {
         matches = true;
         std::error_code ignored;
         if (!log::isUtf8(path)) {
-          problem(group, fmt::format("{}: {}: the name is no UTF-8; accepted: another name", key, path));
+          problem(group, fmt::format("{}: {}: the file name is not UTF-8; accepted: a name in UTF-8", key, path));
         } else if (!fs::is_regular_file(path, ignored) && !fs::is_directory(path, ignored)) {
-          problem(group, fmt::format("{}: {}: neither a file nor a folder; accepted: these", key, path));
+          problem(group,
+                  fmt::format("{}: {}: is neither a regular file nor a folder; accepted: a regular file or a folder",
+                              key, path));
         } else {
           paths.push_back(path);
         }
       }
       if (!matches) {
-        problem(group, fmt::format("{}: {} matches nothing in {}; accepted: a pattern of existing files", key,
+        problem(group, fmt::format("{}: {} matches nothing in {}; accepted: a pattern that matches existing files", key,
                                    log::quoted(pattern), folder));
       }
     }
@@ -205,8 +208,8 @@ class Maker {
       }
     }
     if (!matches) {
-      problem(group,
-              fmt::format("folders: {} matches no folder; accepted: a pattern of folders", log::quoted(group.folders)));
+      problem(group, fmt::format("folders: {} matches no folder; accepted: a pattern that matches folders",
+                                 log::quoted(group.folders)));
     }
   }
 
@@ -222,8 +225,8 @@ class Maker {
     }
     refuseTwice(group, place.logs);
     if (configs.size() > 1) {
-      problem(group, fmt::format("config: {} matches {} files in {}; accepted: a pattern of one", group.config,
-                                 configs.size(), folder));
+      problem(group, fmt::format("config: {} matches {} files in {}; accepted: a pattern that matches one file",
+                                 group.config, configs.size(), folder));
     } else if (configs.size() == 1 && has_logs) {
       expandPlace(group, place);
     }
@@ -237,7 +240,7 @@ class Maker {
       if (seen.insert(log.path).second) {
         distinct.push_back(log);
       } else {
-        problem(group, fmt::format("{}: {} is named twice; accepted: once", log.option, log.path));
+        problem(group, fmt::format("{}: {} is given twice; accepted: each log once", log.option, log.path));
       }
     }
     try {
@@ -332,15 +335,15 @@ class Maker {
       } catch (const std::invalid_argument& error) {
         ++unsolvable;
         if (!group.monte_carlo->leave_out_unsolvable) {
-          problem(group, fmt::format("monte_carlo: run {} has no solution: {}; or narrower tolerances, or unsolvable: "
-                                     "leave_out",
+          problem(group, fmt::format("monte_carlo: the specification of run {} has no solution: {}; also accepted: "
+                                     "narrower tolerances, or the key unsolvable: leave_out",
                                      run, error.what()));
         }
       }
     }
     if (unsolvable > 0) {
-      notes_.push_back(
-          fmt::format("{}: {} of {} draws have no solution and are left out", group.name, unsolvable, draws.size()));
+      notes_.push_back(fmt::format("{}: {} of {} drawn specifications have no solution and are omitted", group.name,
+                                   unsolvable, draws.size()));
     }
   }
 
@@ -361,7 +364,8 @@ class Maker {
     if (manifest_.jobs.size() < kMaximumJobs) {
       manifest_.jobs.push_back(job);
     } else {
-      problems_.push_back(fmt::format("{}: more than {} jobs; accepted: that many at most", path_, kMaximumJobs));
+      problems_.push_back(
+          fmt::format("{}: the file has more than {} jobs; accepted: at most this number", path_, kMaximumJobs));
     }
   }
 

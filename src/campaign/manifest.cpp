@@ -67,15 +67,15 @@ void checkJob(const Job& job, std::size_t inputs) {
   files.insert(files.end(), job.hold_out.begin(), job.hold_out.end());
   files.push_back(job.config);
   const std::size_t last = *std::max_element(files.begin(), files.end());
-  element::refuseIf(last >= inputs, "input {} is not among the {} inputs", last, inputs);
+  element::refuseIf(last >= inputs, "a job refers to input {}, but the manifest has only {} inputs", last, inputs);
   const bool has_id = job.id.size() == 64 && job.id.find_first_not_of("0123456789abcdef") == std::string::npos;
-  element::refuseIf(!has_id || job.logs.empty(), "a job without id or logs");
+  element::refuseIf(!has_id || job.logs.empty(), "a job has no logs, or its id is not a SHA-256 digest");
 }
 
 Manifest readLines(const std::function<nlohmann::json()>& next) {
   Manifest manifest;
   const nlohmann::json header = next();
-  element::refuseIf(header.at("schema") != kManifestSchema, "another schema");
+  element::refuseIf(header.at("schema") != kManifestSchema, "the value of 'schema' is not that of a manifest");
   header.at("version").get_to(manifest.version);
   const auto inputs = header.at("inputs").get<std::size_t>();
   for (std::size_t i = 0; i < inputs; ++i) {
@@ -195,7 +195,7 @@ Manifest readManifest(const std::string& folder) {
   const auto next = [&] {
     ++number;
     std::string line;
-    element::refuseIf(!std::getline(file, line) || file.eof(), "the file is cut off");
+    element::refuseIf(!std::getline(file, line) || file.eof(), "the file ends early");
     return nlohmann::json::parse(line);
   };
   try {

@@ -58,13 +58,14 @@ ordered_json recordJson(const Record& record) {
 Record recordFromText(const std::string& text) {
   static constexpr int kDeepest = 16;
   const auto json = ordered_json::parse(text, [](int depth, ordered_json::parse_event_t, ordered_json&) {
-    element::refuseIf<std::runtime_error>(depth > kDeepest, "nested deeper than {}", kDeepest);
+    element::refuseIf<std::runtime_error>(depth > kDeepest, "the record is nested deeper than {} levels", kDeepest);
     return true;
   });
   const ordered_json& values = json.at("values");
   const bool nested =
       std::any_of(values.begin(), values.end(), [](const auto& value) { return value.is_structured(); });
-  element::refuseIf<std::runtime_error>(!values.is_object() || nested, "values: accepted: numbers and texts by name");
+  element::refuseIf<std::runtime_error>(!values.is_object() || nested,
+                                        "values: is not a plain map; accepted: numbers and texts by name");
   Record record{json.at("id"), json.at("version"), json.at("error"), values};
   const ordered_json& evidence = json.at("evidence");
   if (evidence.contains("verdict")) {
@@ -93,8 +94,8 @@ std::string otherKind(const std::string& path) {
 void check(const Record& record, const std::string& text, const std::string& folder, const std::string& id,
            const std::string& version, FileCheck files) {
   using Error = std::runtime_error;
-  element::refuseIf<Error>(record.id != id, "the record of another job");
-  element::refuseIf<Error>(record.version != version, "of version {}, not {}", record.version, version);
+  element::refuseIf<Error>(record.id != id, "it is the record of another job");
+  element::refuseIf<Error>(record.version != version, "it was written by version {}, not {}", record.version, version);
   const std::size_t digest = text.rfind(kDigestKey);
   element::refuseIf<Error>(digest == std::string::npos || withDigest(text.substr(0, digest) + "}") != text,
                            "was changed since it was written");
@@ -134,11 +135,12 @@ FoundRecord findRecord(const std::string& folder, const std::string& id, const s
   constexpr std::uintmax_t kLargest = std::uintmax_t{16} << 20;  // bytes; ten thousand values are a fraction of this
   const std::string path = recordPath(folder, id);
   if (const std::string kind = otherKind(path); !kind.empty()) {  // a pipe would have its reader wait
-    return {std::nullopt, path + ": is " + kind + ", not a record"};
+    return {std::nullopt, path + ": is " + kind + "; accepted: a record"};
   }
   std::error_code unknown;  // reported when opening fails
   if (const std::uintmax_t size = fs::file_size(path, unknown); !unknown && size > kLargest) {
-    return {std::nullopt, fmt::format("{}: has {} bytes; a record has at most {}", path, size, kLargest)};
+    return {std::nullopt,
+            fmt::format("{}: the file has {} bytes; accepted: a record of at most {}", path, size, kLargest)};
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) {
@@ -150,7 +152,7 @@ FoundRecord findRecord(const std::string& folder, const std::string& id, const s
     check(record, text, folder, id, version, files);
     return {std::move(record), ""};
   } catch (const ordered_json::exception&) {
-    return {std::nullopt, path + ": cut off, or no record"};
+    return {std::nullopt, path + ": is not a complete record"};
   } catch (const std::exception& error) {
     return {std::nullopt, path + ": " + error.what()};
   }

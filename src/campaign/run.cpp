@@ -74,7 +74,7 @@ std::vector<std::size_t> jobsToDo(const Manifest& manifest, const std::string& f
       continue;
     }
     if (!found.problem.empty()) {
-      say(found.problem + "; the job is done again");
+      say(found.problem + "; the job is run again");
     }
     jobs.push_back(distinct[place]);
   }
@@ -89,14 +89,14 @@ Shard parseShard(const std::string& text) {
   const char* const slash = std::from_chars(text.data(), end, shard.index).ptr;
   const bool complete = slash != end && *slash == '/' && std::from_chars(slash + 1, end, shard.count).ptr == end;
   element::refuseIf(!complete || shard.index == 0 || shard.index > shard.count,
-                    "'{}'; accepted: I/N with whole numbers, I from 1 to N, such as 3/8", text);
+                    "'{}' is not a shard; accepted: I/N with whole numbers, I from 1 to N, such as 3/8", text);
   return shard;
 }
 
 void requireVersion(const Manifest& manifest, const std::string& folder, const std::string& version) {
   element::refuseIf<std::runtime_error>(manifest.version != version,
-                                        "{}: of version {}, and this is {}; accepted: `campaign make` again, or that "
-                                        "version of the program",
+                                        "{}: was written by version {}, but this program has version {}; accepted: "
+                                        "`campaign make` again, or the program of the older version",
                                         manifestPath(folder), manifest.version, version);
 }
 
@@ -127,7 +127,8 @@ RunSummary run(const std::string& folder, const std::string& version, const RunO
     const bool left = end == JobEnd::left;
     ++(left ? summary.not_done : summary.failed);
     progress.clear();
-    say(nameOf(job) + (left ? ": not done: " + reason + "; the next run tries it again" : ": failed: " + reason));
+    say(nameOf(job) +
+        (left ? ": the job was not done: " + reason + "; the next run repeats it" : ": failed: " + reason));
   };
   callbacks.tick = [&](const std::vector<std::size_t>& running) {
     heartbeat.beat(manifest, running);

@@ -36,7 +36,7 @@ struct Said {
 
 Said ask(const std::string& command) {
   std::FILE* const pipe = popen((command + " 2>&1").c_str(), "re");
-  element::refuseIf<std::runtime_error>(pipe == nullptr, "{}: cannot be run", command);
+  element::refuseIf<std::runtime_error>(pipe == nullptr, "{}: the command cannot be run", command);
   Said said;
   std::array<char, 4096> piece{};
   while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), pipe)) {
@@ -65,10 +65,10 @@ void refuseSecond(const std::string& folder) {
   element::refuseIf<std::runtime_error>(said.status != 0 && said.text.find("Invalid job id") == std::string::npos,
                                         "squeue: {}", said.text);
   for (const char* state : {"PENDING", "RUNNING", "COMPLETING", "CONFIGURING", "REQUEUE", "SUSPENDED"}) {
-    element::refuseIf<std::runtime_error>(
-        said.status == 0 && said.text.find(state) != std::string::npos,
-        "{}: array {} of this campaign is {}; accepted: once it has ended (squeue --jobs={}), or after scancel {}",
-        folder, array, log::lowerCase(state), array, array);
+    element::refuseIf<std::runtime_error>(said.status == 0 && said.text.find(state) != std::string::npos,
+                                          "{}: job array {} of this campaign is still {}; accepted: submit again after "
+                                          "it has ended (squeue --jobs={}) or after scancel {}",
+                                          folder, array, log::lowerCase(state), array, array);
   }
 }
 
@@ -86,19 +86,14 @@ SlurmArray planArray(const Status& status, const std::string& folder, const Slur
   const double work = static_cast<double>(left) * seconds / options.workers;
   const double wanted = std::ceil(work / (60.0 * options.shard_minutes));
   array.shards = std::min({static_cast<std::size_t>(std::max(wanted, 1.0)), left, kMostElements});
-  array.note = fmt::format("{} jobs left at {:.3g} s each{}: {} elements of about {:.3g} min", left, seconds,
-                           known ? "" : " (assumed: no job is done yet)", array.shards,
+  array.note = fmt::format("{} jobs remain, {:.3g} s each{}: {} array tasks of about {:.3g} min", left, seconds,
+                           known ? "" : " (assumed, because no job is done yet)", array.shards,
                            work / 60.0 / static_cast<double>(array.shards));
   array.script = fmt::format(
-      "#!/bin/sh\n"
-      "# Works off a campaign; an element that is requeued goes on where it was.\n"
-      "#SBATCH --job-name=rubber_suspension_campaign\n"
-      "#SBATCH --array=1-{}{}\n"
-      "#SBATCH --requeue\n"
-      "#SBATCH --open-mode=append\n"
-      "#SBATCH --cpus-per-task={}\n"
-      "{}"
-      "exec {} run {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --threads {} --job-minutes {}\n",
+      "#!/bin/sh\n# Runs the jobs of a campaign; an array task that is requeued continues where it stopped.\n#SBATCH "
+      "--job-name=rubber_suspension_campaign\n#SBATCH --array=1-{}{}\n#SBATCH --requeue\n#SBATCH "
+      "--open-mode=append\n#SBATCH --cpus-per-task={}\n{}exec {} run {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --threads "
+      "{} --job-minutes {}\n",
       array.shards, options.max_running > 0 ? fmt::format("%{}", options.max_running) : "", options.workers,
       options.partition.empty() ? "" : "#SBATCH --partition=" + options.partition + "\n", shellWord(options.program),
       shellWord(absolutePath(folder)), array.shards, options.workers, options.job_minutes);

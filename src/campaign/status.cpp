@@ -108,7 +108,7 @@ Status statusOf(const Manifest& manifest, const std::string& folder) {
   std::set<std::string> running;
   for (const auto& [where, run] : findRuns(folderOf(folder))) {
     if (run.silent > kSilentForLong) {
-      status.silent_runs.push_back(fmt::format("{}: no sign of life for {:.0f} s, with {} jobs not finished", where,
+      status.silent_runs.push_back(fmt::format("{}: has not reported for {:.0f} s and left {} jobs unfinished", where,
                                                run.silent, run.ids.size()));
     } else {
       running.insert(run.ids.begin(), run.ids.end());
@@ -150,11 +150,11 @@ std::string toText(const Status& status) {
     text += row("all", status.all);
   }
   text += listText("failed:", status.failures);
-  text += listText("broken records, which will be done again:", status.broken);
-  text += listText("runs that ended without saying so (their jobs count as missing):", status.silent_runs);
+  text += listText("broken records, whose jobs will be run again:", status.broken);
+  text += listText("runs that stopped reporting (their jobs count as missing):", status.silent_runs);
   const std::size_t left = status.all.jobs - status.all.done - status.all.failed;
   if (left > 0 && status.seconds_per_job > 0.0) {
-    text += fmt::format("{} jobs left, about {:.3g} min of one worker at {:.3g} s a job\n", left,
+    text += fmt::format("{} jobs remain: about {:.3g} min for one worker, {:.3g} s for each job\n", left,
                         static_cast<double>(left) * status.seconds_per_job / 60.0, status.seconds_per_job);
   }
   return text;

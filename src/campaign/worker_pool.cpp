@@ -46,7 +46,7 @@ void serve(int socket, const PoolCallbacks& callbacks) {
         const std::string error = work(job);
         report(socket, static_cast<char>(error.empty() ? JobEnd::done : JobEnd::failed), error);
       } catch (const std::bad_alloc&) {
-        report(socket, static_cast<char>(JobEnd::left), "there was no memory for it");
+        report(socket, static_cast<char>(JobEnd::left), "there was not enough memory");
       }
     }
   } catch (const std::exception& error) {
@@ -59,8 +59,8 @@ std::string describe(int status) {
     return fmt::format("the process ended with status {}", WEXITSTATUS(status));
   }
   const int signal = WTERMSIG(status);
-  return fmt::format("the process died of signal {} ({}){}", signal, strsignal(signal),
-                     signal == SIGKILL ? ", twice; is there enough memory?" : "");
+  return fmt::format("the process was ended by signal {} ({}){}", signal, strsignal(signal),
+                     signal == SIGKILL ? " twice; is there enough memory?" : "");
 }
 
 struct Worker {
@@ -122,7 +122,7 @@ class Pool {
     const pid_t supervisor = getpid();
     std::fflush(nullptr);
     const pid_t child = connected ? fork() : -1;
-    element::refuseIf<std::runtime_error>(child < 0, "a worker process cannot be made: {}", std::strerror(errno));
+    element::refuseIf<std::runtime_error>(child < 0, "a worker process cannot be started: {}", std::strerror(errno));
     if (child == 0) {
       sigprocmask(SIG_SETMASK, &signals_before_, nullptr);
       prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -200,8 +200,8 @@ class Pool {
     if (isOverdue(worker)) {
       // The text states the limit, not the time taken, so that tables of equal campaigns are equal.
       callbacks_.ended(*worker.job, JobEnd::died,
-                       fmt::format("took longer than the limit of {:.6g} min and was ended; accepted: `campaign run "
-                                   "--retry-failed` with another --job-minutes",
+                       fmt::format("the job took longer than the limit of {:.6g} min and was stopped; accepted: "
+                                   "`campaign run --retry-failed` with a larger --job-minutes",
                                    longest_ / 60.0));
     } else if (from_outside && killed_.insert(*worker.job).second) {
       waiting_.push_front(*worker.job);

@@ -61,10 +61,9 @@ void warnOfSomeTemperatures(const Temperatures& temperatures) {
   const auto one = std::find_if(temperatures.begin(), temperatures.end(), has);
   const auto other = std::find_if_not(temperatures.begin(), temperatures.end(), has);
   if (one != temperatures.end() && other != temperatures.end()) {
-    printWarning("diagnose",
-                 fmt::format("{} has no column temperature_degC, and {} has one: effects of temperature are "
-                             "told only where all logs have it",
-                             other->first, one->first));
+    printWarning("diagnose", fmt::format("{} has no column temperature_degC, but {} has one: effects of temperature "
+                                         "are found only if all logs have this column",
+                                         other->first, one->first));
   }
 }
 

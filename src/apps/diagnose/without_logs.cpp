@@ -66,7 +66,7 @@ int runPlan(const DiagnoseOptions& options) {
   io::ComponentDescription component = options.component.read("diagnose");
   setTolerances(options.rig, component);
   const std::vector<log::Log> programmes = readLogs(options.plan, component, options);
-  std::optional<io::Activity> planning("finding what the programmes would show");
+  std::optional<io::Activity> planning("predicting which effects the programmes would show");
   diagnosis::Plan plan = diagnosis::plan(component, programmes, settings);
   plan.run = runRecord(options);
   const std::string problem = diagnosis::writePlan(plan, options.output);
