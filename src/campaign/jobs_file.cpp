@@ -162,9 +162,7 @@ class JobsReader : public io::YamlReader {
                                 error.what(), row.unit));
     }
     if (!std::isfinite(width) || width <= 0.0 || (is_share && width >= 1.0)) {
-      refuse(entry,
-             log::quoted(text) +
-                 " is out of range; accepted: a value greater than 0, or a share from 0 to 100 %, excluding both");
+      refuse(entry, log::quoted(text) + " is out of range; accepted: greater than 0 and, for a share, below 100 %");
     }
     return {is_normal ? Tolerance::Shape::normal : Tolerance::Shape::uniform, width, is_share};
   }

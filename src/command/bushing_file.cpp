@@ -43,11 +43,12 @@ void checkOptions(const Direction& direction, const BushingFileOptions& options)
   const char* unit = direction.turns() ? "rad" : "m";
   const bool sine = options.frequency > 0.0 && extent.amplitude > 0.0;
   element::refuseIf(!sine || !std::isfinite(options.frequency + extent.amplitude),
-                    "{}: {:g} Hz, {:g} {} make no sine; accepted: both greater than 0",
+                    "{}: a sine of {:g} Hz and {:g} {} is impossible; accepted: both greater than 0",
                     component::toString(direction.direction), options.frequency, extent.amplitude, unit);
   element::refuseIf(
       !(extent.largest > 0.0) || !std::isfinite(extent.largest) || options.points < 3 || options.points % 2 == 0,
-      "{}: {:g} {}, {} points; accepted: greater than 0, an odd number of 3 or more",
+      "{}: a curve up to {:g} {} with {} points is impossible; accepted: a limit greater than 0, an odd number of "
+      "points from 3",
       component::toString(direction.direction), extent.largest, unit, options.points);
 }
 
@@ -174,7 +175,7 @@ std::string lossOf(const std::string& type) {
   static const std::set<std::string> said = {"spring",       "dashpot",   "progressive_stiffness",
                                              "spring_table", "bump_stop", "asymmetric_stiffness"};
   return said.count(type) > 0 ? ""
-                              : type + ": of it the file has the force at rest, and the loss under this one sine alone";
+                              : type + ": the file contains only its force at rest and its loss under this one sine";
 }
 
 // Component and file under the sine: the spring of the curve and the dashpot.
@@ -187,8 +188,8 @@ std::string comparison(const Direction& direction, const BushingFileOptions& opt
                              : fmt::format("{:.4g} kN/mm", 1e-6 * std::abs(value));
   };
   return fmt::format(
-      "{}: at {:g} Hz and {:g} {} the component has {} and {:.3g} degrees, the file {} and {:.3g} degrees: it has a "
-      "static curve and a constant of damping, and neither frequency nor amplitude",
+      "{}: at {:g} Hz and {:g} {} the component has {} and {:.3g} degrees, but the file {} and {:.3g} degrees: with a "
+      "static curve and a damping constant it depends on neither frequency nor amplitude",
       component::toString(direction.direction), options.frequency, direction.lengths() * amplitude,
       direction.turns() ? "degrees" : "mm", stiffness(direction.measured), kDegrees * std::arg(direction.measured),
       stiffness(of_file), kDegrees * std::arg(of_file));
@@ -201,8 +202,9 @@ std::string couplingNote(const Bushing& bushing, const BushingFileOptions& optio
                           : (couplingWord(bushing) == "uncoupled") != (bushing.translation == Coupling::rectangular) ||
                                 bushing.rotation != bushing.translation;
   return !lost   ? ""
-         : adams ? "coupling: the file has curves alone, each direction by itself"
-                 : fmt::format("coupling: the file has one word for forces and moments, '{}'", couplingWord(bushing));
+         : adams ? "coupling: the file cannot represent it; each direction has a curve of its own"
+                 : fmt::format("coupling: the file has the same coupling for forces and moments, '{}'",
+                               couplingWord(bushing));
 }
 
 std::vector<std::string> notesOn(const std::vector<Direction>& directions, const Bushing& bushing,
@@ -217,7 +219,7 @@ std::vector<std::string> notesOn(const std::vector<Direction>& directions, const
     add(comparison(direction, options));
     add(direction.settled
             ? ""
-            : fmt::format("{}: the loop of this sine had not settled", component::toString(direction.direction)));
+            : fmt::format("{}: the loop under this sine did not settle", component::toString(direction.direction)));
     for (const element::ElementDescription& element : direction.component.elements()) {
       add(lossOf(element.type));
     }
@@ -228,7 +230,7 @@ std::vector<std::string> notesOn(const std::vector<Direction>& directions, const
       free.emplace_back(component::toString(static_cast<component::Direction>(i)));
     }
   }
-  add(free.empty() ? "" : fmt::format("{}: free, so the file has no force there", fmt::join(free, ", ")));
+  add(free.empty() ? "" : fmt::format("{}: free; the file has no force in these directions", fmt::join(free, ", ")));
   add(couplingNote(bushing, options));
   for (const std::string& key : bushing.left_out) {
     add(key);
@@ -265,13 +267,13 @@ Bushing bushingOf(const component::SixDirections& component) {
   }
   const auto is_placed = [](const Eigen::Isometry3d& frame) { return !frame.isApprox(Eigen::Isometry3d::Identity()); };
   if (is_placed(laws.on_a) || is_placed(laws.on_b)) {
-    bushing.left_out.emplace_back("frame: the file has none; place the bushing in the model");
+    bushing.left_out.emplace_back("frame: the file cannot represent it; place the bushing in the model accordingly");
   }
   bushing.left_out.emplace_back(
       laws.measure == component::RotationMeasure::vector
-          ? "rotation: the component measures it by its vector, the file leaves that to the program; the two agree to "
+          ? "rotation: the component uses the rotation vector, the other program its own measure; the two agree to "
             "first order of the angle"
-          : "rotation: how angles are measured is up to the program; the component takes body-fixed x-y-z ones");
+          : "rotation: the component uses body-fixed x-y-z angles, the other program its own measure");
   return bushing;
 }
 

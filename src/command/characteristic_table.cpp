@@ -22,12 +22,12 @@ std::vector<std::string> notesOnTable(const component::Component& component) {
       "friction depends on the path: the table does not determine its force under two sines at once";
   // The limits of settled loops under sines, by law: effects that they do not show, or do not tell apart.
   static const std::map<std::string, std::string> losses = {
-      {"stress_softening", "softening goes on over the first cycles; the table has the state after them"},
-      {"self_heating", "heat builds up over minutes; the table has the warm state of each sine"},
-      {"time_delay", "a delay of the force looks like a loss angle that rises with the frequency"},
-      {"force_offset", "a constant force is not seen"},
-      {"force_drift", "a drift of the force is not seen"},
-      {"creep", "creep at rest is not seen; in the table it is a little more stiffness and loss at low frequency"},
+      {"stress_softening", "the force softens over the first cycles; the table holds the state after them"},
+      {"self_heating", "the component heats up over minutes; the table holds the warm state under each sine"},
+      {"time_delay", "the table shows a delay of the force as a loss angle that rises with frequency"},
+      {"force_offset", "the table does not show a constant force"},
+      {"force_drift", "the table does not show a drift of the force"},
+      {"creep", "the table does not show creep at rest, but slightly more stiffness and loss at low frequency"},
       {"friction", kPath},
       {"coulomb_friction", kPath},
       {"iwan", kPath},
@@ -41,8 +41,8 @@ std::vector<std::string> notesOnTable(const component::Component& component) {
   }
   if (!component.linear()) {
     notes.emplace_back(
-        "the component is nonlinear: stiffness and loss angle are those of the whole loop under one sine, "
-        "and the form of the loop is lost");
+        "the component is nonlinear: stiffness and loss angle are those of the whole loop under one sine; the table "
+        "does not contain the shape of the loop");
   }
   return notes;
 }
@@ -84,9 +84,10 @@ double restingDisplacement(const component::Component& component, double force) 
   }
   const double end = at_rest < 0.0 ? kWidest : -kWidest;
   const double at_end = excess(end);
-  element::refuseIf(!(at_rest * at_end <= 0.0),
-                    "preload: {:g} N is not reached within {:g} m; accepted: what the component carries at rest", force,
-                    kWidest);
+  element::refuseIf(
+      !(at_rest * at_end <= 0.0),
+      "preload: {:g} N is not reached within {:g} m of displacement; accepted: a force that the component has at rest",
+      force, kWidest);
   return end > 0.0 ? estimation::rootBetween(excess, 0.0, end, at_rest, at_end)
                    : estimation::rootBetween(excess, end, 0.0, at_end, at_rest);
 }
@@ -95,7 +96,8 @@ CharacteristicTable makeTable(const std::string& name, const component::Componen
   CharacteristicTable table;
   table.component = name;
   table.notes = notesOnTable(component);
-  io::Progress progress("table of " + name, grid.preloads.size() * grid.amplitudes.size() * grid.frequencies.size());
+  io::Progress progress("computing the table of " + name,
+                        grid.preloads.size() * grid.amplitudes.size() * grid.frequencies.size());
   for (const double preload : grid.preloads) {
     const double mean = preload == 0.0 ? 0.0 : restingDisplacement(component, preload);
     for (const double amplitude : grid.amplitudes) {
@@ -103,7 +105,7 @@ CharacteristicTable makeTable(const std::string& name, const component::Componen
         table.rows.push_back(rowAt(component, frequency, amplitude, preload, mean));
         if (!table.rows.back().point.settled) {
           table.notes.push_back(
-              fmt::format("{:g} Hz, {:g} m, {:g} N: the loop had not settled", frequency, amplitude, preload));
+              fmt::format("{:g} Hz, {:g} m, {:g} N: the loop did not settle", frequency, amplitude, preload));
         }
         progress.advance(1);
       }

@@ -32,14 +32,16 @@ struct Sweeps {
 };
 
 std::vector<double> spaced(const std::string& what, double low, double high, int points) {
-  element::refuseIf(!(low > 0.0) || !(high > low) || !std::isfinite(high),
-                    "{} range: {:g} to {:g}; accepted: greater than 0, the second greater than the first", what, low,
-                    high);
+  element::refuseIf(
+      !(low > 0.0) || !(high > low) || !std::isfinite(high),
+      "{} range: {:g} to {:g} is not a range; accepted: both values greater than 0, the second greater than the first",
+      what, low, high);
   return response::logSpaced(low, high, points);
 }
 
 Sweeps complete(const SweepOptions& options, const estimation::Specification& specification) {
-  element::refuseIf(options.points < 2 || options.points > 10000, "points: {}; accepted: 2 to 10000", options.points);
+  element::refuseIf(options.points < 2 || options.points > 10000, "points: {} is out of range; accepted: 2 to 10000",
+                    options.points);
   const bool nominal = specification.has("nominal_frequency");
   const double f_n = specification.valueOr("nominal_frequency", 1.0);
   Sweeps sweeps;
@@ -61,8 +63,8 @@ void addFrictionNote(EstimateReport& report) {
         return element.type == "friction" && element.value("dead_band") == 0.0;
       })) {
     report.notes.push_back(
-        "friction has no dead band: with measured displacements state it as an element with dead_band about 6 "
-        "standard deviations of the sensor noise");
+        "friction has no dead band; for measured displacements, give friction as an element with a dead_band of about "
+        "6 standard deviations of the sensor noise");
   }
 }
 
@@ -87,9 +89,9 @@ void addWholeNote(EstimateReport& report, const component::Component& component)
   }
   const auto angle = estimation::specifiedLossAngle(specification);
   report.notes.push_back(
-      fmt::format("the specification describes the base: the whole component has K {:.6g} N/m ({:.6g} specified) and a "
-                  "loss angle of {:.4g} deg{} at {:g} Hz and {:g} mm; `describes: component` makes the whole component "
-                  "meet it, `describes: base` confirms the base and omits this note",
+      fmt::format("the specification describes only the base: the whole component has K {:.6g} N/m ({:.6g} specified) "
+                  "and a loss angle of {:.4g} deg{} at {:g} Hz and {:g} mm; with `describes: component` the whole "
+                  "component meets the specification, and `describes: base` suppresses this note",
                   whole.stiffness, *stiffness, whole.loss_angle * kDegrees,
                   angle ? fmt::format(" ({:.4g} specified)", *angle * kDegrees) : "", *frequency, 1e3 * amplitude));
 }
@@ -135,7 +137,7 @@ std::string specificationText(const estimation::Specification& specification) {
   if (const estimation::StaticCurve* curve = specification.curve()) {
     text += fmt::format("    {:<20} {} points from {:.6g} to {:.6g} m{}\n", "static_curve", curve->displacement.size(),
                         curve->displacement.front(), curve->displacement.back(),
-                        curve->scales ? ", by whose slope the viscous elements scale" : "");
+                        curve->scales ? "; the viscous elements scale with its slope" : "");
   }
   if (!specification.points().empty()) {
     text += fmt::format("    {:<20} {}\n", "points", specification.points().size());
@@ -169,7 +171,7 @@ nlohmann::ordered_json misfitJson(const estimation::PointMisfit& misfit) {
 
 std::string sensitivityText(const Sensitivity& sensitivity) {
   if (sensitivity.rows.empty()) {
-    return "\n  no sensitivity: there is no specification whose inputs could change\n";
+    return "\n  no sensitivity: the component has no specification whose inputs could be changed\n";
   }
   std::string text = fmt::format("\n  sensitivity to each input, changed by {:g} % up and down\n  {:<26}",
                                  100.0 * sensitivity.share, "");
@@ -365,7 +367,7 @@ EstimateReport makeEstimateReport(const io::ComponentDescription& description, c
     report.over_amplitude.push_back(at(sweeps.frequency, amplitude));
   }
   if (!allSettled(report)) {
-    report.notes.push_back("loops marked * or \"settled\": false did not repeat within the cycles simulated");
+    report.notes.push_back("loops marked * or \"settled\": false had not become periodic when the simulation ended");
   }
   return report;
 }

@@ -43,7 +43,8 @@ WantedModel wantedModel(const std::string& text) {
     return {Model::multi_maxwell, text + " Maxwell elements", std::stod(text)};
   }
   throw std::invalid_argument(fmt::format(
-      "'{}' is no model; accepted: M1 to M6, the names of a component file, or a number of Maxwell elements", text));
+      "'{}' is not a model; accepted: M1 to M6, their names in a component file, or a number of Maxwell elements",
+      text));
 }
 
 void copyFirst(const Specification& from, const std::vector<std::string>& group, std::size_t count, Specification& to) {
@@ -106,7 +107,7 @@ double breakFrequencyByLoss(Specification from) {
     }
   }
   throw std::invalid_argument(
-      "break_frequency is missing; accepted: a number, as M2 along a curve has none of its own");
+      "break_frequency is missing and cannot be taken from model M2; accepted: break_frequency in the specification");
 }
 
 // Splits entries such as "M1,M2".
@@ -139,7 +140,7 @@ Specification completed(const io::ComponentDescription& description, const Wante
         response::characteristicsAt(description.makeComponent(), frequency, from.valueOr("nominal_amplitude", 1e-3),
                                     loopsAbout(estimation::nominalDisplacement(description.specification())));
     const double angle = point.characteristics.loss_angle;
-    add("loss_angle", angle, fmt::format("{:.4g} deg, that of the component", angle * kDegrees));
+    add("loss_angle", angle, fmt::format("{:.4g} deg (from the component)", angle * kDegrees));
   }
   if (wanted.model == Model::multi_maxwell) {
     if (!from.has("loss_angle")) {
@@ -147,13 +148,15 @@ Specification completed(const io::ComponentDescription& description, const Wante
     }
     if (!from.has("maximum_stiffness") && !from.has("high_frequency")) {
       constexpr double kRange = 10.0;  // as in the sweep over frequency
-      add("high_frequency", kRange * frequency, fmt::format("{:g} Hz, the end of the range", kRange * frequency));
+      add("high_frequency", kRange * frequency,
+          fmt::format("{:g} Hz (end of the frequency range)", kRange * frequency));
     }
   } else if (isRequired("break_frequency", wanted.model) && !from.has("break_frequency")) {
     const bool with_dashpot = wanted.model == Model::maxwell_dashpot;
     const double share = with_dashpot ? 1.0 / 3.0 : 1.0;  // M2's own leaves nothing of the loss to the dashpot
     const double found = share * breakFrequencyByLoss(from);
-    add("break_frequency", found, fmt::format("{:.4g} Hz, {}that of M2", found, with_dashpot ? "a third of " : ""));
+    add("break_frequency", found,
+        fmt::format("{:.4g} Hz ({}break_frequency of M2)", found, with_dashpot ? "a third of " : ""));
   }
   return from;
 }
@@ -170,7 +173,8 @@ io::ComponentDescription inModel(const io::ComponentDescription& description, co
       throw;
     }
     io::ComponentDescription result(wanted.label, wanted.model, numbersFor(more, wanted), description.add);
-    notes.push_back(fmt::format("{}: not in the specification: {}", wanted.label, fmt::join(added, "; ")));
+    notes.push_back(fmt::format("{}: these inputs are missing in the specification and were added: {}", wanted.label,
+                                fmt::join(added, "; ")));
     return result;
   }
 }
@@ -226,7 +230,7 @@ std::vector<io::ComponentDescription> inModels(const io::ComponentDescription& d
                                                std::vector<std::string>& notes) {
   element::refuseIf(
       description.model() == Model::elements,
-      "{}: other models cannot be estimated from a list of elements; accepted: a component with a specification",
+      "{}: a list of elements cannot be estimated as another model; accepted: a component with a specification",
       description.name);
   std::vector<io::ComponentDescription> result;
   for (const std::string& text : eachOf(models)) {

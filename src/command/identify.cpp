@@ -28,7 +28,7 @@ namespace {
 
 std::string intervalText(const fit::IdentifiedParameter& parameter) {
   return std::isfinite(parameter.upper) ? fmt::format("{:.6g} to {:.6g}", parameter.lower, parameter.upper)
-                                        : fmt::format("from {:.6g}, without upper limit", parameter.lower);
+                                        : fmt::format("at least {:.6g}, no upper limit", parameter.lower);
 }
 
 std::string directionText(const fit::UndeterminedDirection& direction) {
@@ -253,17 +253,17 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
     result = fit::identify(description.allElements(), repaired, options);
   }
   if (result.elements.empty()) {
-    throw log::LogError(
-        fmt::format("{}: no element of {} has any force in {}; accepted: logs of a component whose force rises with "
-                    "the displacement",
-                    logs.front().name, description.name, logs.size() == 1 ? "this log" : "these logs"));
+    throw log::LogError(fmt::format(
+        "{}: no element of {} contributes to the force in {}; accepted: logs whose force rises with the displacement",
+        logs.front().name, description.name, logs.size() == 1 ? "this log" : "these logs"));
   }
   result.notes.insert(result.notes.end(), bench_notes.begin(), bench_notes.end());
   for (const measurement::RigFinding& finding : findings) {
     result.notes.push_back(fmt::format("{}: {}", finding.log, finding.text));
   }
   if (spread) {
-    result.notes.emplace_back("break frequencies of multi_maxwell are kept as estimated");
+    result.notes.emplace_back(
+        "the break frequencies of multi_maxwell were not identified; they are those of the specification");
   }
   return result;
 }
@@ -282,15 +282,15 @@ std::string toText(const std::string& component, const fit::Identification& resu
                         parameter.unit, intervalText(parameter), parameter.determined ? "" : "  not determined");
   }
   text += fmt::format("  force offset {:.6g} N\n", result.force_offset);
-  text +=
-      fmt::format("  residual {:.6g} N, {:.3g} % of the force's standard deviation; worth {:.0f} independent samples\n",
-                  result.residual, 100.0 * result.relative_residual, result.independent_samples);
-  text += fmt::format("  {} of {} starts ended at this optimum\n", result.starts_at_best, result.starts);
+  text += fmt::format(
+      "  residual {:.6g} N, {:.3g} % of the force's standard deviation; equivalent to {:.0f} independent samples\n",
+      result.residual, 100.0 * result.relative_residual, result.independent_samples);
+  text += fmt::format("  {} of {} starting points led to this optimum\n", result.starts_at_best, result.starts);
   for (const fit::UndeterminedDirection& direction : result.undetermined) {
-    text += fmt::format("  not determined: {} (relative changes that leave the force the same{})\n",
+    text += fmt::format("  not determined: {} (together, these relative changes do not change the force{})\n",
                         directionText(direction),
                         std::isfinite(direction.standard_deviation)
-                            ? fmt::format(" within the noise; standard deviation {:.2g}", direction.standard_deviation)
+                            ? fmt::format(" beyond its noise; standard deviation {:.2g}", direction.standard_deviation)
                             : "");
   }
   for (const std::string& note : result.notes) {
@@ -321,7 +321,7 @@ io::Figure identificationFigure(const io::ComponentDescription& description, con
   for (const log::Log& log : logs) {
     const std::vector<double> force = gap::replay(component, log).force;
     io::Axes loop{log.name, "displacement [mm]", "force [kN]"};
-    io::Axes rest{log.name, "time [s]", "measured less fitted [kN]"};
+    io::Axes rest{log.name, "time [s]", "measured minus fitted [kN]"};
     // Measured broad and below, fitted thin and above: both are to be seen.
     loop.curves = {{"measured", {}, {}, "-", 0, 2.8}, {"fitted", {}, {}, "-", io::kInk, 1.0}};
     rest.curves = {{"", {}, {}, "-", 4}};

@@ -153,8 +153,8 @@ void writeLinearParts(const std::vector<LinearPart>& parts, const std::string& p
     log::writeNewFile(path, jsonOf(parts));
     return;
   }
-  element::refuseIf(!mat || parts.size() != 1, "{}: accepted: a name that ends in .json{}", path,
-                    mat ? ", or one component for .mat" : " or .mat");
+  element::refuseIf(!mat || parts.size() != 1, "{}: cannot hold the linear part; accepted: a name that ends in .json{}",
+                    path, mat ? ", or a single component for .mat" : " or .mat");
   const LinearPart& part = parts.front();
   log::writeMatFile(path, {named("A", part.a), named("B", part.b), named("C", part.c), named("D", part.d)});
 }

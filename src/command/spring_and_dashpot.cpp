@@ -37,14 +37,15 @@ std::string stiffnessText(const component::Component& component, const WorkingPo
 
 SpringAndDashpot springAndDashpot(const component::Component& component, const WorkingPoint& at) {
   element::refuseIf(!(at.frequency > 0.0 && at.amplitude > 0.0) || !std::isfinite(at.frequency + at.amplitude),
-                    "{:g} Hz, {:g} m make no sine; accepted: both greater than 0", at.frequency, at.amplitude);
+                    "a sine of {:g} Hz and {:g} m is impossible; accepted: both greater than 0", at.frequency,
+                    at.amplitude);
   const double omega = 2.0 * element::kPi * at.frequency;
   const std::complex<double> stiffness = stiffnessAt(component, at);
   SpringAndDashpot result{stiffness.real(), std::max(0.0, stiffness.imag()) / omega, {}};
   const auto compare = [&](const WorkingPoint& elsewhere) {
     const std::complex<double> own(result.stiffness, 2.0 * element::kPi * elsewhere.frequency * result.damping);
-    result.notes.push_back(fmt::format("at {} the component has {}, k and c have {}", text(elsewhere),
-                                       text(stiffnessAt(component, elsewhere)), text(own)));
+    result.notes.push_back(fmt::format("at {} the component has {}; the spring and the dashpot have {}",
+                                       text(elsewhere), text(stiffnessAt(component, elsewhere)), text(own)));
   };
   compare({0.1 * at.frequency, at.amplitude});
   compare({10.0 * at.frequency, at.amplitude});
@@ -58,9 +59,8 @@ SpringAndDashpot springAndDashpot(const component::Component& component, const W
 std::string toYaml(const std::string& name, const SpringAndDashpot& values, const WorkingPoint& at) {
   const std::complex<double> stiffness(values.stiffness, 2.0 * element::kPi * at.frequency * values.damping);
   return fmt::format(
-             "# {}, by rubber_suspension: spring and dashpot side by side; they and the component have\n"
-             "# {} at {}\n"
-             "k_N_per_m: {:.9g}\nc_Ns_per_m: {:.9g}\nk_N_per_mm: {:.9g}\nc_Ns_per_mm: {:.9g}\n",
+             "# {}, by rubber_suspension: spring and dashpot in parallel; like the component they have\n# {} at "
+             "{}\nk_N_per_m: {:.9g}\nc_Ns_per_m: {:.9g}\nk_N_per_mm: {:.9g}\nc_Ns_per_mm: {:.9g}\n",
              name, text(stiffness), text(at), values.stiffness, values.damping, 1e-3 * values.stiffness,
              1e-3 * values.damping) +
          asComments(values.notes, "#");

@@ -23,11 +23,11 @@ void requireNoShift(const io::ComponentDescription& component, const fit::Measur
   unshifted.temperature.reset();
   const bool temperatures = std::any_of(table.points.begin(), table.points.end(),
                                         [](const fit::TablePoint& point) { return point.temperature.has_value(); });
-  element::refuseIf<std::runtime_error>(temperatures && unshifted.makeComponent().shiftsWithTemperature(),
-                                        "{}: temperature: {} has an element that shifts with it; accepted: a table "
-                                        "without the column, a component whose shift is under the key 'temperature', "
-                                        "or diagnose --from-table",
-                                        source, component.name);
+  element::refuseIf<std::runtime_error>(
+      temperatures && unshifted.makeComponent().shiftsWithTemperature(),
+      "{}: column temperature: {} has an element that shifts with temperature; accepted: a table without this column, "
+      "a component with its shift under the key 'temperature', or diagnose --from-table",
+      source, component.name);
 }
 
 std::vector<std::string> checkBenchOfTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
@@ -60,9 +60,9 @@ std::string constantText(const fit::ShiftConstant& constant, const element::Elem
 
 std::string toText(const fit::MasterCurve& curve) {
   const bool arrhenius = curve.law.type == "arrhenius_shift";
-  std::string text = fmt::format("  one curve at {:g} degC, shifts by {}\n", curve.law.value("reference"),
+  std::string text = fmt::format("  master curve at {:g} degC, shifts according to {}\n", curve.law.value("reference"),
                                  arrhenius ? "Arrhenius" : "Williams, Landel and Ferry");
-  text += fmt::format("  {:<44} {:>14} {:>14}\n", "temperature [degC]", "by the law", "by itself");
+  text += fmt::format("  {:<44} {:>14} {:>14}\n", "temperature [degC]", "from law", "free");
   for (const fit::FoundShift& shift : curve.shifts) {
     text += fmt::format("  {:<44} {:>14.3f}   log10 a_T {}\n", fmt::format("{:.2f}", shift.temperature),
                         curve.decadesAt(shift.temperature), spread(shift.decades, shift.deviation));
@@ -85,11 +85,11 @@ std::string toText(const fit::TableFit& fit, const fit::MeasuredTable& table) {
         parameter.determined ? fmt::format("  +- {:.2g} %", 196.0 * parameter.deviation) : "  not determined");
   }
   text += fit.master_curve ? toText(*fit.master_curve) : "";
-  text += fmt::format("  mean difference of K*: {:.3g} % as given, {:.3g} % as found\n", 100.0 * fit.misfit_before,
-                      100.0 * fit.misfit);
+  text += fmt::format("  mean difference of K*: {:.3g} % with the given values, {:.3g} % with the found values\n",
+                      100.0 * fit.misfit_before, 100.0 * fit.misfit);
   text +=
-      "  note: settled loops under single sines show no softening, no heating on the way, no offset, no drift; a delay "
-      "of the force looks like loss\n";
+      "  note: a table of settled loops under single sines cannot show softening, heating over time, an offset or a "
+      "drift; a delay of the force appears as loss\n";
   for (const std::string& note : table.notes) {
     text += "  note: " + note + "\n";
   }

@@ -12,16 +12,15 @@
 namespace rubber_suspension::command_line {
 
 OptionTable AgreementOptions::table() {
-  return {
-      Option("--limits", limits_, "NAME=VALUE",
-             "limits of the agreement, exit status 1 beyond them: gap=0.1 rms='50 N' peak='0.2 kN' energy='5 %' at "
-             "most, iso18571=0.8 at least; rms and peak are of forces, not of moments")
-          .rare(),
-      Option("--json", json_, "FILE",
-             "agreement to write as JSON: iso18571 (corridor, phase, magnitude, slope, total), gap, RMS, peak error, "
-             "energy per cycle")
-          .writes(io::file_kind::agreement_json)
-          .rare()};
+  return {Option("--limits", limits_, "NAME=VALUE",
+                 "limits of the agreement: at most gap=0.1 rms='50 N' peak='0.2 kN' energy='5 %', at least "
+                 "iso18571=0.8; beyond a limit the exit status is 1; rms and peak apply to forces, not to moments")
+              .rare(),
+          Option("--json", json_, "FILE",
+                 "JSON file to write with the agreement: iso18571 (corridor, phase, magnitude, slope, total), gap, RMS "
+                 "error, peak error, energy per cycle")
+              .writes(io::file_kind::agreement_json)
+              .rare()};
 }
 
 gap::AgreementLimits AgreementOptions::limits() const {
@@ -35,10 +34,11 @@ gap::AgreementLimits AgreementOptions::limits() const {
   for (const std::string& text : limits_) {
     const std::size_t sign = text.find('=');
     const auto quantity = quantities.find(text.substr(0, sign));
-    element::refuseIf<UsageError>(sign == std::string::npos || quantity == quantities.end(),
-                                  "--limits: '{}'; accepted: NAME=VALUE, of gap, rms, peak, energy, iso18571", text);
+    element::refuseIf<UsageError>(
+        sign == std::string::npos || quantity == quantities.end(),
+        "--limits: '{}' is not a limit; accepted: NAME=VALUE, with NAME one of gap, rms, peak, energy, iso18571", text);
     auto& target = *std::get<std::optional<double>*>(quantity->second.value);
-    element::refuseIf<UsageError>(target.has_value(), "--limits: {} twice; accepted: once", quantity->first);
+    element::refuseIf<UsageError>(target.has_value(), "--limits: {} is given twice; accepted: once", quantity->first);
     target = quantityOf("--limits " + quantity->first, text.substr(sign + 1), quantity->second);
   }
   return limits;

@@ -63,7 +63,7 @@ void checkFiles(const OptionTable& table, bool force) {
     }
   }
   element::refuseIf<UsageError>(force && std::none_of(all.outputs.begin(), all.outputs.end(), isGiven),
-                                "--force has no effect without a file to write; accepted: without it");
+                                "--force has no effect because no file is written; accepted: without --force");
   io::refuseEqualLogs(logs);
   io::checkOutputs(all.inputs, all.outputs, force);
 }
@@ -72,8 +72,9 @@ int runAsked(int argc, char** argv, const Command& command, const OptionTable& o
   bool force = false;
   OptionTable table = own;
   if (std::any_of(own.options().begin(), own.options().end(), writes)) {
-    table = {own,
-             Option("--force", force, "replace an existing file of another kind than the command writes, too").rare()};
+    table = {own, Option("--force", force,
+                         "also replace an existing file of another kind than the one that the command writes")
+                      .rare()};
   }
   // Before the defaults are overwritten.
   const std::string help = helpText(command, table, HelpSize::screen);
@@ -194,9 +195,7 @@ int runCommand(int argc, char** argv, const Command& command, const OptionTable&
     printError(command.name, error.what());
     return kWrongUsage;
   } catch (const std::bad_alloc&) {
-    printError(command.name,
-               "out of memory; accepted: less to do at once, such as shorter logs or fewer --threads, or "
-               "a larger limit (ulimit -v)");
+    printError(command.name, "out of memory; accepted: shorter logs, fewer --threads or a larger limit (ulimit -v)");
     return kFailed;
   } catch (const std::exception& error) {
     printError(command.name, error.what());

@@ -8,14 +8,14 @@ namespace rubber_suspension::command_line {
 
 Option withoutRigOption(bool& without_rig) {
   return Option("--without-rig", without_rig,
-                "leave out what belongs to the rig that measured the component: entries with of_rig, delay, gain, zero "
-                "and drift of the measuring chain")
+                "omit elements that describe the test rig: entries with of_rig, and delay, gain, zero and drift of the "
+                "measuring chain")
       .rare();
 }
 
 OptionTable ComponentOptions::table() {
   return {Option("--config", config, "FILE", "component file").required().reads(),
-          Option("--component", component, "NAME", "name of the component, where there are several"),
+          Option("--component", component, "NAME", "name of the component; needed if the file has several"),
           withoutRigOption(without_rig)};
 }
 
@@ -23,8 +23,8 @@ io::ComponentDescription ComponentOptions::read(const std::string& command) cons
   io::ComponentDescription description = readAny(command);
   element::refuseIf<io::ComponentFileError>(
       description.six != nullptr,
-      "{}: component '{}' has six directions, which {} does not take; accepted: a component of one direction, such as "
-      "one of its `directions` in a file of its own",
+      "{}: component '{}' has six directions, but {} needs one; accepted: a component of one direction, such as one of "
+      "its `directions` in a file of its own",
       config, description.name, command);
   return description;
 }

@@ -13,40 +13,42 @@
 namespace rubber_suspension::command_line {
 
 OptionTable LogOptions::table() {
-  return {
-      Option("--columns", columns_, "QUANTITY=NAME",
-             "columns that the log's header does not tell: time=NAME displacement=NAME force=NAME "
-             "temperature=NAME, where NAME may be a number from 1, with a factor as in force=-NAME and "
-             "force=0.001*NAME; of a bag with other topics, a field such as force=/ft/wrench.force.z; or the words "
-             "alone, in the order of the columns")
-          .rare(),
-      Option("--unit", unit_, "QUANTITY=UNIT", "units of columns, such as displacement=mm force=kN time=ms").rare(),
-      Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ",
-             "sampling rate of a log without a time column, or in place of stamps that are equal, swapped or rounded")
-          .rare(),
-      Option("--decimal", decimal_, "MARK",
-             "decimal mark of a text, a point or a comma: . or ,; of one column, as in force=,")
-          .rare(),
-      Option("--segment", segment_, "NUMBER", "which log of a file that holds several, from 1; all: each of them")
-          .rare(),
-      Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",
-             "longest time without a number that is passed over; 0.5 by itself, where 99 of 100 rows have their "
-             "numbers")
-          .rare(),
-      Option("--sentinel", sentinel_, "NUMBER",
-             "number of the file that stands for no measurement, or none where each number is one; by itself, what "
-             "repeats far beyond all others")
-          .rare(),
-      Option("--clock", clock_, "CLOCK",
-             "times of the messages of a bag: header, that of their stamps, or receipt, where nobody filled these")
-          .rare(),
-      Option("--large", large_, "read a packed file that unpacks to more than a hundred times its size").rare()};
+  return {Option("--columns", columns_, "QUANTITY=NAME",
+                 "columns of the log: time=NAME displacement=NAME force=NAME temperature=NAME, where NAME is a name or "
+                 "a number from 1, optionally with a factor (force=-NAME, force=0.001*NAME); or the quantities alone, "
+                 "in the order of the columns; for a bag with other topics: a field, such as force=/ft/wrench.force.z")
+              .rare(),
+          Option("--unit", unit_, "QUANTITY=UNIT", "units of columns, such as displacement=mm force=kN time=ms").rare(),
+          Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ",
+                 "sampling rate of a log without a time column; it also replaces time stamps that are equal, swapped "
+                 "or rounded")
+              .rare(),
+          Option("--decimal", decimal_, "MARK",
+                 "decimal mark of a text log, . or , (point or comma); for a single column as in force=,")
+              .rare(),
+          Option("--segment", segment_, "NUMBER",
+                 "number (from 1) of the log to read from a file that contains several; all: every log")
+              .rare(),
+          Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",
+                 "longest time without numbers that is bridged by interpolation (default: 0.5 if 99 % of the rows have "
+                 "numbers)")
+              .rare(),
+          Option("--sentinel", sentinel_, "NUMBER",
+                 "number that marks missing values, or none if every number is a measurement (default: a number that "
+                 "recurs far outside the range of all others)")
+              .rare(),
+          Option("--clock", clock_, "CLOCK",
+                 "time of the messages in a bag: header: their time stamps; receipt: time of recording, for messages "
+                 "without time stamps")
+              .rare(),
+          Option("--large", large_, "also read a compressed file that expands to more than a hundred times its size")
+              .rare()};
 }
 
 Option LogOptions::acceptUnits() {
-  return Option("--accept-units", accept_units_,
-                "the units are right, and the component is that of the file: no factor between measured and "
-                "configured stiffness is refused")
+  return Option(
+             "--accept-units", accept_units_,
+             "take the units and the component as correct: accept any factor between measured and configured stiffness")
       .rare();
 }
 
@@ -58,10 +60,11 @@ const std::vector<std::string>& LogOptions::names() {
 
 void LogOptions::requireUse(const std::vector<std::string>& paths) const {
   const bool of_text = !decimal_.empty() || !segment_.empty() || bridge_ >= 0.0;
-  element::refuseIf<UsageError>(of_text && std::all_of(paths.begin(), paths.end(), bag::isBagPath),
-                                "--decimal, --segment and --bridge have no effect on a bag; accepted: without them");
+  element::refuseIf<UsageError>(
+      of_text && std::all_of(paths.begin(), paths.end(), bag::isBagPath),
+      "--decimal, --segment and --bridge have no effect on a bag; accepted: without these options");
   element::refuseIf<UsageError>(!clock_.empty() && std::none_of(paths.begin(), paths.end(), bag::isBagPath),
-                                "--clock has no effect on anything but a bag; accepted: without it");
+                                "--clock has an effect on bags only; accepted: without --clock");
 }
 
 log::Log LogOptions::read(const std::string& command, const std::string& path, const std::string& component) const {
@@ -75,7 +78,8 @@ log::PoseLog LogOptions::readPoses(const std::string& command, const std::string
   const bool is_bag = bag::isBagPath(path);
   element::refuseIf<UsageError>(
       is_bag && !(columns_.empty() && unit_.empty() && clock_.empty() && sampling_rate_ == 0.0),
-      "--columns, --unit, --clock and --sampling-rate have no effect on a bag of poses; accepted: without them");
+      "--columns, --unit, --clock and --sampling-rate have no effect on a bag of poses; accepted: without these "
+      "options");
   log::PoseLog log = during("reading " + path, [&] {
     return is_bag ? bag::readBagPoses(path, component, measure) : log::readPoseLog(path, format());
   });

@@ -27,8 +27,8 @@ std::string outOfBounds(const Option& option, const std::string& text) {
   if (number && *number >= lowest && *number <= highest && (real || *number == std::floor(*number))) {
     return "";
   }
-  return fmt::format("{}; accepted: {} from {} to {}", log::quoted(text), real ? "a number" : "a whole number",
-                     numberText(lowest), numberText(highest));
+  return fmt::format("{} is not valid; accepted: {} from {} to {}", log::quoted(text),
+                     real ? "a number" : "a whole number", numberText(lowest), numberText(highest));
 }
 
 // "a, b or c".
@@ -101,8 +101,9 @@ class Parser {
       parsed.check([&option](const std::string& text) { return outOfBounds(option, text); });
     }
     if (option.placeholder == "FILE" || option.placeholder == "FOLDER") {
-      parsed.check(
-          [](const std::string& text) { return text.empty() ? "an empty name; accepted: that of a file" : ""; });
+      parsed.check([](const std::string& text) {
+        return text.empty() ? "the name is empty; accepted: a name of a file or folder" : "";
+      });
     }
     if (option.problem) {
       parsed.check(option.problem);
@@ -124,12 +125,13 @@ class Parser {
       if (given.rfind("--", 0) == 0) {
         const auto meant = element::nearestWord(given.substr(2), names);
         return "no option " + given + (meant ? " (did you mean --" + *meant + "?)" : "") +
-               "; accepted: those of --help";
+               "; accepted: the options listed by --help";
       }
     }
     const bool lacks_config = std::find(names.begin(), names.end(), "config") != names.end() && !isGiven("--config");
     return lacks_config && !app_.remaining().empty()
-               ? app_.remaining().front() + ": no option precedes it; accepted: --config " + app_.remaining().front()
+               ? app_.remaining().front() + ": is not preceded by an option; accepted: --config " +
+                     app_.remaining().front()
                : "";
   }
 
@@ -173,7 +175,9 @@ class Parser {
     } else if (rule.kind == Rule::Kind::one_of &&
                std::count_if(rule.options.begin(), rule.options.end(),
                              [&](const std::string& option) { return isGiven(option); }) != 1) {
-      throw UsageError(fmt::format("accepted: one of {} (see --help)", fmt::join(rule.options, " and ")));
+      throw UsageError(
+          fmt::format("none or several of the options {} are given; accepted: exactly one of them (see --help)",
+                      fmt::join(rule.options, " and ")));
     }
   }
 

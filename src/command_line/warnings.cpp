@@ -21,8 +21,8 @@ void warnOf(const std::string& command, const std::string& path, const std::opti
 void warnOfTemperature(const std::string& command, const std::string& path, bool has_temperature,
                        const io::ComponentDescription& description) {
   if (!has_temperature && description.makeComponent().shiftsWithTemperature()) {
-    printWarning(command, path + ": has no column temperature_degC: " + description.name +
-                              " stays at its reference temperature");
+    printWarning(command, path + ": the log has no column temperature_degC; " + description.name +
+                              " is simulated at its reference temperature");
   }
 }
 

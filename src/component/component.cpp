@@ -192,15 +192,15 @@ ComponentState Component::makeState() const {
 void Component::restore(ComponentState& state, double displacement, const std::vector<double>& memory) const {
   if (memory.size() != memory_size_) {
     throw std::invalid_argument(
-        fmt::format("state has {} numbers, this component needs {}", memory.size(), memory_size_));
+        fmt::format("the state has {} numbers, but this component needs {}", memory.size(), memory_size_));
   }
   const bool finite = std::isfinite(displacement) &&
                       std::all_of(memory.begin(), memory.end(), [](double value) { return std::isfinite(value); });
   if (!finite) {
-    throw std::invalid_argument("state holds numbers that are not finite");
+    throw std::invalid_argument("the state contains numbers that are not finite");
   }
   if (!acceptsMemory(memory.data())) {
-    throw std::invalid_argument("state holds numbers that none of the elements can have left");
+    throw std::invalid_argument("the state contains numbers that the elements of this component cannot reach");
   }
   state.displacement_ = displacement;
   std::copy(memory.begin(), memory.end(), state.memory_.begin());

@@ -31,9 +31,9 @@ constexpr double kSameToRounding = 1e-9;
     loss += 4.0 * slider.maximumForce() * beyond;
   }
   throw std::invalid_argument(
-      fmt::format("friction (Berg) has no form by the radius; accepted: {{type: iwan, maximum_force: {:g}, "
-                  "displacement: {:g}}}, whose settled loop at an amplitude of {:g} has {:.3g} times the stiffness of "
-                  "this friction and {:.3g} times its loss",
+      fmt::format("friction (Berg) cannot act along the radius of coupled directions; accepted: {{type: iwan, "
+                  "maximum_force: {:g}, displacement: {:g}}}, whose settled loop at an amplitude of {:g} has {:.3g} "
+                  "times the stiffness of this friction and {:.3g} times its loss",
                   berg.maximumForce(), berg.displacement(), amplitude, force / berg.settledForce(amplitude),
                   loss / berg.settledLoss(amplitude)));
 }
@@ -72,11 +72,10 @@ ElementList& listFor(const element::ElementDescription& description, SortedEleme
   if (const auto* berg = dynamic_cast<const element::BergFriction*>(element::parallelLaw(element))) {
     refuseBerg(*berg);
   }
-  throw std::invalid_argument(
-      fmt::format("{} has no form by the radius; accepted: spring, static_curve or spring_table, maxwell, dashpot, "
-                  "springpot, iwan, "
-                  "iwan_table, bump_stop, radial_stiffness; or coupling: rectangular",
-                  description.type));
+  throw std::invalid_argument(fmt::format(
+      "{} cannot act along the radius of coupled directions; accepted: spring, static_curve or spring_table, maxwell, "
+      "dashpot, springpot, iwan, iwan_table, bump_stop, radial_stiffness; or coupling: rectangular",
+      description.type));
 }
 
 SortedElements sort(const std::vector<element::ElementDescription>& elements) {
@@ -102,7 +101,8 @@ std::vector<element::JenkinsSlider> slidersOf(const element::ElementDescription&
 
 void RadialLaw::addCurve(const element::ElementDescription& table) {
   if (hasCurve()) {
-    throw std::invalid_argument("a second static curve or spring_table; accepted: one for all coupled directions");
+    throw std::invalid_argument(
+        "the coupled directions have a second static curve or spring_table; accepted: one for all coupled directions");
   }
   const std::vector<double>& displacement = table.list("displacement");
   const element::ElementPointer law = element::makeElement(
@@ -115,14 +115,15 @@ void RadialLaw::addCurve(const element::ElementDescription& table) {
   for (const double z : displacement) {
     if (both_sides && std::abs(forceAt(law, z) + forceAt(law, -z)) > kSameToRounding * largest) {
       throw std::invalid_argument(
-          fmt::format("the static curve has {:g} at {:g} and {:g} at {:g}, two forces at one radius; accepted: a curve "
-                      "that is odd, or points at displacements from 0 on",
+          fmt::format("the static curve has {:g} at {:g} and {:g} at {:g}, which are two forces at the same radius; "
+                      "accepted: an odd curve, or points at displacements from 0 on",
                       forceAt(law, z), z, forceAt(law, -z), -z));
     }
   }
   if (std::abs(forceAt(law, 0.0)) > kSameToRounding * largest) {
     throw std::invalid_argument(fmt::format(
-        "the static curve has {:g} at 0; accepted: 0 there, as a radius has no direction at 0", forceAt(law, 0.0)));
+        "the static curve has {:g} at displacement 0, where the radius has no direction; accepted: 0 at displacement 0",
+        forceAt(law, 0.0)));
   }
   points_.push_back({0.0, 0.0, 0.0, 0.0});
   for (const double z : displacement) {
@@ -142,7 +143,7 @@ void RadialLaw::addCurve(const element::ElementDescription& table) {
 
 void RadialLaw::addStop(const element::ElementDescription& stop) {
   if (stop.value("side") < 0.0) {
-    throw std::invalid_argument("bump_stop.side: -1, which no radius reaches; accepted: 0 or 1");
+    throw std::invalid_argument("bump_stop.side: is -1, but a radius is never negative; accepted: 0 or 1");
   }
   element::ElementDescription of_radius = stop;
   of_radius.values["side"] = {0.0};
@@ -209,9 +210,10 @@ double RadialLaw::energy(double r) const {
 double RadialLaw::ratioOf(const element::ElementDescription& entry, const std::string& values) const {
   const element::PositionTable table(entry.type, entry.list("displacement"), values, entry.list(values));
   if (!hasCurve()) {
-    throw std::invalid_argument(fmt::format(
-        "{}.{} follows no curve; accepted: a static_curve or spring_table beside it, or maxwell and dashpot",
-        entry.type, values));
+    throw std::invalid_argument(
+        fmt::format("{}.{} has no curve to follow; accepted: a static_curve or spring_table in addition, or maxwell "
+                    "and dashpot instead",
+                    entry.type, values));
   }
   double ratio = 0.0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -222,8 +224,8 @@ double RadialLaw::ratioOf(const element::ElementDescription& entry, const std::s
       ratio = i == 0 && share == 0.25 ? here : ratio;
       if (!(here > 0.0 && std::abs(here - ratio) <= kSameToRounding * ratio)) {
         throw std::invalid_argument(
-            fmt::format("{}.{} is not in proportion to the slope of the static curve at {:g}; "
-                        "accepted: what scale_with: static_curve gives",
+            fmt::format("{}.{} is not proportional to the slope of the static curve at {:g}; accepted: values as "
+                        "scale_with: static_curve computes them",
                         entry.type, values, r));
       }
     }
@@ -250,8 +252,7 @@ RadialCoupling::RadialCoupling(std::vector<Direction> directions, SixElements& e
       one_law_ = one_law_ && sorted.elastic == first.elastic;
       if (sorted.friction != first.friction) {
         throw std::invalid_argument(
-            fmt::format("its friction is not that of {}; accepted: one friction for both, as "
-                        "its limit is round",
+            fmt::format("its friction differs from that of {}; accepted: the same friction in both coupled directions",
                         toString(directions_.front())));
       }
       elements[direction] = std::move(sorted.along);

@@ -134,8 +134,8 @@ void SixDirections::couple(std::vector<Direction> directions, SixElements& eleme
   for (const Direction direction : directions) {
     if (elements[direction].empty() && given > 1) {
       throw std::invalid_argument(
-          fmt::format("{}: missing, though other coupled directions are given; accepted: all of them, or one, which "
-                      "then applies to all",
+          fmt::format("{}: is missing, but other directions coupled with it are given; accepted: all coupled "
+                      "directions, or one for all of them",
                       toString(direction)));
     }
     if (elements[direction].empty()) {
@@ -165,8 +165,8 @@ void SixDirections::coupleRadial(Direction first, SixElements& elements) {
     const bool shares = any && direction != first + laws_.axis;
     if (radial[direction].empty() == shares) {
       throw std::invalid_argument(
-          fmt::format("{}: radial_stiffness acts in two directions; accepted: in both {} and {}, across coupling.axis, "
-                      "or in neither",
+          fmt::format("{}: radial_stiffness acts in the two directions across coupling.axis; accepted: the element in "
+                      "both {} and {}, or in neither",
                       kDirectionNames[direction], toString(across[0]), toString(across[1])));
     }
   }
@@ -422,10 +422,11 @@ void SixDirections::restore(SixDirectionsState& state, const std::vector<double>
   SixDirectionsState restored = makeState();
   const std::size_t size = restored.numbers().size();
   if (numbers.size() != size) {
-    throw std::invalid_argument(fmt::format("state has {} numbers, this component needs {}", numbers.size(), size));
+    throw std::invalid_argument(
+        fmt::format("the state has {} numbers, but this component needs {}", numbers.size(), size));
   }
   if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); })) {
-    throw std::invalid_argument("state holds numbers that are not finite");
+    throw std::invalid_argument("the state contains numbers that are not finite");
   }
   const double* next = numbers.data();
   std::copy_n(next, kDirections, restored.coordinates_.begin());
