@@ -61,7 +61,7 @@ OptionTable Options::table() {
       agreement.table(),
       playerTable(play, "bench"),
       Option("--reset", reset, "SERVICE", "service (std_srvs/Trigger) to call before the first sample").rare(),
-      plotOption(plot, "forces, and their difference, over time and displacement,").rare(),
+      plotOption(plot, "forces, and their difference, over time and displacement").rare(),
       Option("--gtest_output", report, "xml:FILE", "report to write; set by rostest").rare().standsFor([this] {
         return Files{{}, {{"--gtest_output", reportPath(*this), io::file_kind::test_report}}};
       }),

@@ -122,7 +122,7 @@ OptionTable Options::table() {
       Option("--speed", speed, "M/S", "speed of the vehicle").rare().within(0.1, 1000),
       Option("--output", output, "FILE", "CSV to write: positions, displacements and forces")
           .writes(io::file_kind::vehicle_csv),
-      plotOption(plot, "displacements,"),
+      plotOption(plot, "displacements"),
       Option("--reset", reset, "SERVICE", "service of the node to call before the first step, such as simulate/reset")
           .rare(),
       log_options.table()};

@@ -9,9 +9,9 @@
 
 namespace rubber_suspension::command_line {
 
-/// "figure of `what` to draw". Another extension than those of figures is refused before any work is done.
+/// "figure to draw, .svg or .png: `what`". Another extension than those of figures is refused before any work is done.
 inline Option plotOption(std::string& path, const std::string& what) {
-  return Option("--plot", path, "FILE", "figure of " + what + "; .svg or .png")
+  return Option("--plot", path, "FILE", "figure to draw, .svg or .png: " + what)
       .writes(io::file_kind::figure)
       .checkedBy([](const std::string& name) {
         return name.empty() || io::isFigurePath(name) ? "" : name + "; accepted: a name that ends in .svg or .png";

@@ -156,7 +156,7 @@ Diagnosis inWords(const fit::Fitter& fitter, const experiment::NextExperiment& n
                     words::factorNote(fitter.factors(judged.hypothesis, judged.fit.parameters)) + temperature +
                     (result.surrogate ? words::restNote(*result.surrogate) : "");
   result.next.text =
-      words::experimentText(result, next) + (temperature.empty() ? "" : " Record temperature_degC with it.");
+      words::experimentText(result, next) + (temperature.empty() ? "" : " Record temperature_degC at the same time.");
   return result;
 }
 
@@ -221,10 +221,10 @@ log::LogError beyondAllLaws(const std::vector<log::Log>& logs, const char* numbe
   const auto stiffness = [](const log::Log& log) { return largestOf(log.force) / largestOf(log.displacement); };
   const auto log = std::max_element(logs.begin(), logs.end(),
                                     [&](const auto& a, const auto& b) { return stiffness(a) < stiffness(b); });
-  return log::LogError(
-      fmt::format("{}: forces up to {:.3g} at displacements up to {:.3g} [SI] need a parameter beyond the range of "
-                  "every law ({}): check the units of the columns",
-                  log->name, largestOf(log->force), largestOf(log->displacement), number));
+  return log::LogError(fmt::format(
+      "{}: forces up to {:.3g} at displacements up to {:.3g} (SI units) need a parameter outside the range of "
+      "every law ({}): check the units of the columns",
+      log->name, largestOf(log->force), largestOf(log->displacement), number));
 }
 
 }  // namespace
@@ -232,7 +232,7 @@ log::LogError beyondAllLaws(const std::vector<log::Log>& logs, const char* numbe
 SurveyedLogs surveyed(const io::ComponentDescription& component, const log::LogSources& logs,
                       const log::LogSources& hold_out, int threads) {
   if (logs.empty()) {
-    throw log::LogError("no log: a diagnosis needs at least one");
+    throw log::LogError("no log is given; accepted: at least one log");
   }
   const component::Component built = component.makeComponent();
   return {prepare::surveyLogs(logs, built, threads), prepare::surveyLogs(hold_out, built, threads)};

@@ -316,9 +316,9 @@ Diagnosis heldToInvariants(Diagnosis diagnosis) {
   told.answer.verdict = Verdict::defect;
   told.defect = fmt::format("{}", fmt::join(broken, "; "));
   told.sentence = fmt::format(
-      "No verdict: this report would contradict itself ({}). That is a defect of rubber_suspension, not of the logs.",
+      "No verdict: this report would contradict itself ({}). This is a defect of rubber_suspension, not of the logs.",
       told.defect);
-  told.next.text = "None: report the defect, with report.json and evidence.json (option --evidence).";
+  told.next.text = "None: please report the defect with report.json and evidence.json (option --evidence).";
   told.samples = diagnosis.samples;
   for (const Admission& log : diagnosis.logs.admission) {
     told.logs.admission.push_back(asRecorded(log));

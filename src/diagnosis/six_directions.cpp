@@ -54,14 +54,15 @@ void requireDirection(const io::SixDirectionsDescription& six, Direction directi
   const std::string accepted = acceptedDirections(six);
   const std::string others = accepted.empty() ? "" : "one of " + accepted;
   if (!six.directions[direction]) {
-    throw std::invalid_argument(fmt::format("direction {}: is free; accepted: {}", toString(direction),
-                                            others.empty() ? "a direction that the file gives" : others));
+    throw std::invalid_argument(fmt::format("direction {}: the component is free in this direction; accepted: {}",
+                                            toString(direction),
+                                            others.empty() ? "a direction that the component file defines" : others));
   }
   if (isCoupled(six.arrangement, direction)) {
     const char* const force = std::array{"Fx", "Fy", "Fz", "Mx", "My", "Mz"}[direction];
     throw std::invalid_argument(fmt::format(
-        "direction {}: its force depends on the radius, which it shares with others (key coupling); accepted: {}"
-        "rectangular coupling; or a component of one direction for a log along {} alone, with --columns time=time "
+        "direction {}: its force depends on a radius that it shares with other directions (key coupling); accepted: "
+        "{}rectangular coupling; or, for a log along {} only, a component of one direction with --columns time=time "
         "displacement={} force={}",
         toString(direction), others.empty() ? "" : others + "; ", toString(direction), toString(direction), force));
   }
@@ -73,8 +74,8 @@ std::vector<SixLogs> measuredDirections(const component::SixDirections& componen
   for (const log::PoseLog& log : logs) {
     if (log.wrench[0].empty()) {
       throw log::LogError(log.name +
-                          ": no measured wrench; accepted: a log with Fx_N ... Mz_Nm, or a bag with the topic "
-                          "measured_wrench");
+                          ": the log has no measured wrench; accepted: a log with the columns Fx_N ... Mz_Nm, or a bag "
+                          "with the topic measured_wrench");
     }
     directions.push_back(gap::directionLogs(component, log, log.wrench));
   }
@@ -167,8 +168,8 @@ void requireDirections(const io::ComponentDescription& component, const std::vec
     throw std::invalid_argument("has one direction; accepted: without --direction");
   }
   if (directions.empty()) {
-    throw std::invalid_argument(
-        fmt::format("has six directions; accepted: --direction with some of {}", acceptedDirections(*component.six)));
+    throw std::invalid_argument(fmt::format("has six directions; accepted: --direction with one or more of {}",
+                                            acceptedDirections(*component.six)));
   }
   for (const Direction direction : directions) {
     requireDirection(*component.six, direction);

@@ -19,7 +19,7 @@ std::string toString(Verdict verdict) { return kWords.at(static_cast<std::size_t
 Verdict verdictOf(const std::string& word) {
   const auto* const found = std::find(kWords.begin(), kWords.end(), word);
   if (found == kWords.end()) {
-    throw std::invalid_argument("no verdict: " + word);
+    throw std::invalid_argument("unknown verdict: " + word);
   }
   return static_cast<Verdict>(found - kWords.begin());
 }

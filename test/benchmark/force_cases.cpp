@@ -37,7 +37,7 @@ void addSteps(std::vector<Case>& cases, std::size_t samples) {
     cases.push_back(forceCase(bench, name, [way](Bench& work) { (work.run.*way)(); }, loop, &Bench::plainLoop));
   };
   add(even, "`SampleStream::push`, constant dt", &ExampleRun::push);
-  add(uneven, "`Component::step`, every dt another", &ExampleRun::step);
+  add(uneven, "`Component::step`, dt different at every step", &ExampleRun::step);
   add(uneven, "`SampleStream::push`, every dt another", &ExampleRun::push);
   for (const int count : {1, 5, 10, 20}) {
     add(std::make_shared<Bench>(count, Stamps::even, samples),

@@ -74,7 +74,7 @@ TEST(JobsFile, TellsEveryProblemAtOnce) {
                   HasSubstr("jobs.two.monte_carlo.runs: '1.5'; accepted: a whole number from 1"),
                   HasSubstr("jobs.two.monte_carlo.seed: missing; accepted: a whole number from 0"),
                   AllOf(HasSubstr("jobs.two.monte_carlo.tolerances.static_stiffness"), HasSubstr("5 kg")),
-                  AllOf(HasSubstr("jobs.yaml:11: jobs.two.hold_out: has no effect on replay"))));
+                  AllOf(HasSubstr("jobs.yaml:11: jobs.two.hold_out: has no effect on the command replay"))));
 }
 
 TEST(JobsFile, EvidenceNeedsAReportAndADiagnosis) {
@@ -86,10 +86,10 @@ TEST(JobsFile, EvidenceNeedsAReportAndADiagnosis) {
   EXPECT_EQ(groups.at(0).test_rig, "hexapod");
   EXPECT_THAT(
       problemsOf("settings: {reports: none}\njobs:\n  a: {command: diagnose, config: c, log: l, evidence: true}\n"),
-      ElementsAre(HasSubstr("reports: none writes none; accepted: reports: data, full")));
+      ElementsAre(HasSubstr("reports: none writes none; accepted: reports: data, or reports: full")));
   EXPECT_THAT(
       problemsOf("jobs:\n  a: {command: replay, config: c, log: l, evidence: true, test_rig: hexapod}\n"),
-      ElementsAre(HasSubstr("evidence: has no effect on replay"), HasSubstr("test_rig: has no effect on replay")));
+      ElementsAre(HasSubstr("evidence: has no effect on the command replay"), HasSubstr("test_rig: has no effect on the command replay")));
 }
 
 TEST(JobsFile, ExcludesKnownEffects) {
@@ -98,7 +98,7 @@ TEST(JobsFile, ExcludesKnownEffects) {
   const std::vector<campaign::JobGroup> groups = campaign::parseJobsFile(entry + "backlash]}\n", "jobs.yaml", problems);
   EXPECT_THAT(problems, IsEmpty());
   EXPECT_THAT(groups.at(0).options.exclude, ElementsAre("free_play", "backlash"));
-  EXPECT_THAT(problemsOf(entry + "slack]}\n"), ElementsAre(HasSubstr("exclude: 'slack' is no effect")));
+  EXPECT_THAT(problemsOf(entry + "slack]}\n"), ElementsAre(HasSubstr("exclude: 'slack' is not an effect")));
 }
 
 TEST(JobsFile, TheSamplingRateHasOneName) {

@@ -217,14 +217,14 @@ TEST_F(ToleranceStudy, DrawsWithoutSolutionAreToldOrLeftOut) {
   const std::string wide = "dynamic_stiffness: {uniform: 46 %}";
   const auto found = problems(study(40, wide));
   ASSERT_GT(found.size(), 1U);
-  EXPECT_THAT(found[0], AllOf(HasSubstr("monte_carlo: run "), HasSubstr("has no solution"), HasSubstr("accepted")));
+  EXPECT_THAT(found[0], AllOf(HasSubstr("monte_carlo: the specification of run "), HasSubstr("has no solution"), HasSubstr("accepted")));
   const campaign::Manifest left = make(study(40, wide, ", unsolvable: leave_out"));
   EXPECT_EQ(left.jobs.size() + found.size(), 40U);
 }
 
 TEST_F(ToleranceStudy, AToleranceOfWhatIsNotSpecifiedIsRefused) {
   EXPECT_THAT(problems(study(2, "loss_angle: {uniform: 5 %}")),
-              ElementsAre(AllOf(HasSubstr("loss_angle: the component does not specify it"),
+              ElementsAre(AllOf(HasSubstr("loss_angle: the component's specification does not contain this key"),
                                 HasSubstr("accepted: break_frequency, dynamic_stiffness"))));
 }
 

@@ -134,8 +134,8 @@ TEST_F(RunCampaign, TellsAndRedoesWhatIsCutOffOrOfAnotherVersion) {
   const campaign::RunSummary summary = run();
   EXPECT_EQ(summary.done, 5U);
   EXPECT_EQ(summary.passed_over, 7U);
-  EXPECT_THAT(said_, ElementsAre(HasSubstr("cut off, or no record; the job is done again"),
-                                 HasSubstr("of version 0.9, not 1.0; the job is done again"),
+  EXPECT_THAT(said_, ElementsAre(HasSubstr("is not a complete record; the job is run again"),
+                                 HasSubstr("written by version 0.9, not 1.0; the job is run again"),
                                  HasSubstr("the record of another job"), HasSubstr("cut off"),
                                  AllOf(HasSubstr("force.csv has 10 bytes, not"), HasSubstr("done again"))));
   EXPECT_THAT(statusOf(manifest).broken, IsEmpty());
@@ -178,7 +178,7 @@ TEST_F(RunCampaign, ADigitThatChangesIsToldAndDoneAgain) {
   EXPECT_GT(digits, 100);
   EXPECT_THAT(collect().broken, ElementsAre(HasSubstr(path)));
   EXPECT_EQ(run().done, 1U);
-  EXPECT_THAT(said_, ElementsAre(HasSubstr("the job is done again")));
+  EXPECT_THAT(said_, ElementsAre(HasSubstr("the job is run again")));
 }
 
 // A digit of a force that changes leaves the file's size as it was.
@@ -200,7 +200,7 @@ TEST_F(RunCampaign, AHugeRecordIsNotRead) {
   const campaign::Manifest manifest = make();
   run();
   std::filesystem::resize_file(recordPath(manifest, 0), std::uintmax_t{5} << 30);
-  EXPECT_THAT(statusOf(manifest).broken, ElementsAre(HasSubstr("has 5368709120 bytes; a record has at most 16777216")));
+  EXPECT_THAT(statusOf(manifest).broken, ElementsAre(HasSubstr("has 5368709120 bytes; accepted: a record of at most 16777216")));
 }
 
 TEST_F(RunCampaign, APipeOrFolderInPlaceOfARecordIsToldAndDoneAgain) {
@@ -214,7 +214,7 @@ TEST_F(RunCampaign, APipeOrFolderInPlaceOfARecordIsToldAndDoneAgain) {
   ASSERT_EQ(mkfifo(paths[0].c_str(), 0600), 0);
   std::filesystem::create_directories(paths[1] + "/kept");
   EXPECT_THAT(statusOf(manifest).broken,
-              ElementsAre(paths[0] + ": is a pipe, not a record", paths[1] + ": is a folder, not a record"));
+              ElementsAre(paths[0] + ": is a pipe; accepted: a record", paths[1] + ": is a folder; accepted: a record"));
   EXPECT_THAT(collect().broken, SizeIs(2));
   EXPECT_EQ(run().done, 2U);
   EXPECT_THAT(said_, SizeIs(2));
@@ -351,7 +351,7 @@ TEST_F(RunCampaign, AManifestOfAnotherVersionIsRefused) {
   make();
   EXPECT_THAT([&] { campaign::run(folder_.path("out"), "2.0", {}, readTestLog, [](const std::string&) {}); },
               ::testing::ThrowsMessage<std::runtime_error>(
-                  AllOf(HasSubstr("of version 1.0, and this is 2.0"), HasSubstr("accepted: `campaign make` again"))));
+                  AllOf(HasSubstr("written by version 1.0, but this program has version 2.0"), HasSubstr("accepted: `campaign make` again"))));
 }
 
 TEST_F(RunCampaign, StatusTellsWhatIsMissing) {

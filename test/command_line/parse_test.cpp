@@ -127,7 +127,7 @@ TEST(Parse, RefusesBothOrNoneOfAlternatives) {
 }
 
 TEST(Parse, NamesTheOptionThatWasMeant) {
-  EXPECT_EQ(refusal({"--thread", "1"}), "no option --thread (did you mean --threads?); accepted: those of --help");
+  EXPECT_EQ(refusal({"--thread", "1"}), "no option --thread (did you mean --threads?); accepted: the options listed by --help");
   EXPECT_THAT(refusal({"--ech"}), Not(HasSubstr("echo")));
 }
 

@@ -125,7 +125,7 @@ TEST(Lines, AreRemovedBeforeALogIsJudged) {
   const RigEffect mains = line(50.0, 120.0);
   const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), runRigs({1, 2, 4}, mains), runRigs({3}, mains));
   EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::none) << result.sentence;
-  EXPECT_THAT(result.sentence, HasSubstr("A line that the motion does not cause is removed: 50.0 Hz, "));
+  EXPECT_THAT(result.sentence, HasSubstr("A spectral line that the motion does not cause is removed: 50.0 Hz, "));
   const auto lines = std::count_if(result.rig_findings.begin(), result.rig_findings.end(),
                                    [](const auto& finding) { return finding.finding == "line"; });
   EXPECT_EQ(lines, 4);

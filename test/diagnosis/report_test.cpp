@@ -170,9 +170,9 @@ TEST(ReportText, TellsTheEndsOfAnIntervalApart) {
             "1.5496 to 1.5502 kN/mm");
   EXPECT_EQ(diagnosis::words::intervalText({"", "", "N", 0.0, 5.0, {5.0, 5.0}}), "5 to 5 N");
   EXPECT_EQ(diagnosis::words::intervalText({"", "", "N", 0.0, 5.0, {4.0, 5.0}, {false, true}}),
-            "4 N or more, the fit ends at a bound");
+            "4 N or more (the fit ended at a bound)");
   EXPECT_EQ(diagnosis::words::intervalText({"", "", "N", 0.0, 4.0, {4.0, 5.0}, {true, false}}),
-            "5 N or less, the fit ends at a bound");
+            "5 N or less (the fit ended at a bound)");
 }
 
 diagnosis::Diagnosis withSizes(std::vector<diagnosis::SizedValue> sizes) {
@@ -200,7 +200,7 @@ TEST(Candidates, AreOutForAReason) {
   creep.gap = 0.11;
   creep.interval = {0.05, 0.1};
   creep.testable = true;
-  EXPECT_EQ(diagnosis::words::whyOut(d, creep), "the gap with its full law is 11.0 %, and 2.0 % with what is named");
+  EXPECT_EQ(diagnosis::words::whyOut(d, creep), "the gap is 11.0 % with its full law, and 2.0 % with the named effects");
   creep.interval = {-0.1, 0.1};
   EXPECT_THAT(diagnosis::words::whyOut(d, creep), HasSubstr("may remove nothing"));
   creep.testable = false;
@@ -301,7 +301,7 @@ TEST(Sentence, SaysWhatIsWithheld) {
   const std::string said = diagnosis::words::sentence(d);
   EXPECT_THAT(said,
               HasSubstr("Friction is not written: with it, the gap of the component file would be 3.10 % on log sweep, "
-                        "and as configured it is 2.40 %."));
+                        "but it is 2.40 % as configured."));
   EXPECT_THAT(said, Not(HasSubstr("Adding it removes")));
   EXPECT_THAT(said, Not(HasSubstr("friction removes")));
   d.law.withheld.push_back({"values", "", 0.024, 0.026});
@@ -358,7 +358,7 @@ TEST(Sentence, ListsWhatMayBeWhereNoEffectIsLikely) {
   d.candidates[2].probability = 0.03;
   const std::string list = "friction (43 %), something that is not in the list (21 %)";
   EXPECT_THAT(diagnosis::words::sentence(d),
-              StartsWith("What the model lacks stays open with these logs: it may be " + list + " and creep (19 %)."));
+              StartsWith("What the model lacks remains open with these logs: it may be " + list + " and creep (19 %)."));
   EXPECT_THAT(diagnosis::words::headline(d), HasSubstr(list + ", creep (19 %)"));
   EXPECT_THAT(diagnosis::words::headline(d), Not(HasSubstr("lacks creep")));
   d.candidates[1].probability = 0.51;

@@ -34,7 +34,7 @@ TEST(JudgeRest, WhatIsPredictedInEachLogIsAFunctionOfTheMotion) {
   EXPECT_TRUE(surrogate.function_of_the_motion);
   // 1 - (mean of 4, 6.25 and 9 e-4, less 1e-4)/(1e-2 - 1e-4)
   EXPECT_NEAR(surrogate.share, 1.0 - 5.4167e-4 / 99e-4, 1e-4);
-  EXPECT_THAT(words::restNote(surrogate), HasSubstr("is a function of the motion that is not in the list"));
+  EXPECT_THAT(words::restNote(surrogate), HasSubstr("depends on the motion by a law that is not in the list"));
   EXPECT_THAT(words::restNote(surrogate), HasSubstr("predicts 95 %"));
 }
 
@@ -48,7 +48,7 @@ TEST(JudgeRest, ASmallPartOfItIsCalledThat) {
 TEST(JudgeRest, WhatIsNotPredictedIsNoFunctionOfTheMotion) {
   const Surrogate surrogate = judged({0.1, 0.101, 0.0999});
   EXPECT_FALSE(surrogate.function_of_the_motion);
-  EXPECT_THAT(words::restNote(surrogate), HasSubstr("do not tell whether the motion causes it"));
+  EXPECT_THAT(words::restNote(surrogate), HasSubstr("do not show whether the motion causes it"));
 }
 
 // A noise floor that is higher than what is left cannot be right; it must not make all of the rest predicted.
@@ -84,7 +84,7 @@ class UnlistedEffect : public testing::Test {
 TEST_F(UnlistedEffect, IsSeenToBeAFunctionOfTheMotion) {
   ASSERT_TRUE(result()->surrogate) << result()->sentence;
   EXPECT_TRUE(result()->surrogate->function_of_the_motion) << result()->sentence;
-  EXPECT_THAT(result()->sentence, HasSubstr("The rest is a function of the motion"));
+  EXPECT_THAT(result()->sentence, HasSubstr("The rest depends on the motion"));
 }
 
 // Closed on the log that took no part in anything: the goal of surrogates, 60 % of the gap beyond the noise.
@@ -135,7 +135,7 @@ TEST(SurrogateOfHum, IsNoFunctionOfTheMotion) {
   ASSERT_EQ(result.answer.verdict, diagnosis::Verdict::unknown);
   ASSERT_TRUE(result.surrogate);
   EXPECT_FALSE(result.surrogate->function_of_the_motion) << result.sentence;
-  EXPECT_THAT(result.sentence, HasSubstr("do not tell whether the motion causes it"));
+  EXPECT_THAT(result.sentence, HasSubstr("do not show whether the motion causes it"));
   // It may not harm: as the augmented component, within a hundredth.
   EXPECT_LT(result.surrogate->gap, 1.01 * result.gap_as_recorded.augmented);
 }

@@ -100,7 +100,7 @@ TEST(TableDiagnosis, RefusesWhatItCannotUse) {
       "{model: elements, elements: [{type: maxwell, stiffness: 1.0e6, break_frequency: 1.0}], temperature: "
       "{shift: arrhenius, reference: 20.0, activation_energy: 5.0e4}}");
   EXPECT_THAT([&] { diagnoseTable(shifting, table); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("bush: shifts with temperature, and lab has no column")));
+              ThrowsMessage<std::invalid_argument>(HasSubstr("bush: shifts with temperature, but lab has no column")));
 }
 
 // Over six decades of reduced frequency, of which the model has three. What it lacks is the temperature; what its three
@@ -124,13 +124,13 @@ TEST(TableDiagnosis, NamesTemperatureWhereOneCurveHoldsAllRows) {
   const Diagnosis found = checkedTable(model, table);
   EXPECT_THAT(found.answer.verdict, testing::AnyOf(Verdict::named, Verdict::partly));
   EXPECT_THAT(found.answer.effects, testing::ElementsAre("temperature"));
-  EXPECT_THAT(found.gaps.noise_source, HasSubstr("the residual of one curve through the table"));
+  EXPECT_THAT(found.gaps.noise_source, HasSubstr("the residual of a master curve through the table"));
 }
 
 TEST(TableDiagnosis, ProposesARowThatIsNew) {
   EXPECT_THAT(ofFrictionTable().next.text, testing::AnyOf(HasSubstr("Measure a row at"), HasSubstr("Record a log")));
   const Diagnosis none = checkedTable(without(kZener), Laboratory(1).table(without(kZener)));
-  EXPECT_THAT(none.next.text, HasSubstr("None is needed for what a table can show. Record a log"));
+  EXPECT_THAT(none.next.text, HasSubstr("None is needed for the effects that a table can show. Record a log"));
 }
 
 TEST(TableDiagnosis, WritesTheReport) {

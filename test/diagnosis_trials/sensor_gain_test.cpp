@@ -31,7 +31,7 @@ TEST(SensorGain, IsToldBesideWrongValues) {
     const bool is_alternative = std::any_of(result.answer.alternatives.begin(), result.answer.alternatives.end(),
                                             [&](const auto& other) { return other.effects == named; });
     EXPECT_TRUE(is_alternative ||
-                result.sentence.find("or all stiffnesses and damping of the model are off by as much") !=
+                result.sentence.find("or all stiffness and damping values of the model are wrong by this share") !=
                     std::string::npos)
         << result.sentence;
     const auto found = std::find_if(result.candidates.begin(), result.candidates.end(),

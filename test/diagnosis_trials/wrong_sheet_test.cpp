@@ -54,7 +54,7 @@ TEST(WrongSheet, IsNoMissingEffect) {
     const diagnosis::Diagnosis result = diagnoseSheet(sheet(k_st, k_n));
     EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::parameter_error) << result.sentence;
     EXPECT_LT(result.gaps.unseen.re_estimated, 1.2 * true_sheet);
-    EXPECT_THAT(result.sentence, testing::HasSubstr("In tolerances of the data sheet: K_st")) << result.sentence;
+    EXPECT_THAT(result.sentence, testing::HasSubstr("Deviations in tolerances of the data sheet: K_st")) << result.sentence;
     ASSERT_FALSE(result.parameters.sheet_deviations.empty());
     for (const diagnosis::SheetDeviation& number : result.parameters.sheet_deviations) {
       const double off = number.name == "static_stiffness"    ? -std::log(k_st)
@@ -105,7 +105,7 @@ TEST(WrongSheet, OfAGuessIsIdentified) {
   for (const auto& [k_st, k_n] : {std::pair(1.0, 1.0), std::pair(1.12, 0.90)}) {
     const diagnosis::Diagnosis result = diagnoseSheet(sheet(k_st, k_n, "guess"));
     EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::parameter_error) << result.sentence;
-    EXPECT_THAT(result.sentence, testing::HasSubstr("Values identified: K_n 1.2")) << result.sentence;
+    EXPECT_THAT(result.sentence, testing::HasSubstr("Identified values: K_n 1.2")) << result.sentence;
   }
 }
 

@@ -207,7 +207,7 @@ class OnSlurm(unittest.TestCase):
         self.assertEqual(submitted.returncode, 0, submitted.stderr)
         second = self.campaign(*submit)
         self.assertEqual(second.returncode, 1, second.stdout)
-        self.assertIn("accepted: once it has ended", second.stderr)
+        self.assertIn("accepted: submit again after it has ended", second.stderr)
 
         wait_for("the second node at work", 60, lambda: self.cluster.kill_node("n2"))
         wait_for("the end of the array, the tasks of the dead node requeued", 400,

@@ -140,13 +140,13 @@ class SixDirections(unittest.TestCase):
     def test_a_direction_has_to_be_named(self):
         status, _, errors = run("diagnose", "--config", self.model, "--log", self.logs[0], "--output", self.folder / "none")
         self.assertEqual(status, 2)
-        self.assertIn("bush.yaml: component 'bush' has six directions; accepted: --direction with some of x, z, rz", errors)
+        self.assertIn("bush.yaml: component 'bush' has six directions; accepted: --direction with one or more of x, z, rz", errors)
 
     def test_a_log_without_wrenches_is_refused(self):
         status, _, errors = run("diagnose", "--config", self.model, "--log", self.folder / "programme_1.csv", "--output",
                                 self.folder / "none", "--direction", "x")
         self.assertEqual(status, 1)
-        self.assertIn("programme_1: no measured wrench; accepted: ", errors)
+        self.assertIn("programme_1: the log has no measured wrench; accepted: ", errors)
 
 
 if __name__ == "__main__":

@@ -215,7 +215,7 @@ CouldShow couldShow(const Search& search) {
   const double gap = gap::residualAboveFloor(search.configured_gap, search.noise.floor);
   return kOfGap * gap > std::max(judge::fittedNumbers().accepted, search.noise.floor)
              ? couldShow(search, kOfGap * gap, "a third of the gap")
-             : couldShow(search, kOfForce, "10 % of the force, since there is next to no gap");
+             : couldShow(search, kOfForce, "10 % of the force, because there is hardly any gap");
 }
 
 }  // namespace rubber_suspension::diagnosis::experiment

@@ -14,7 +14,7 @@ namespace rubber_suspension::diagnosis {
 const std::vector<ExperimentLimitInfo>& experimentLimitTable() {
   static const std::vector<ExperimentLimitInfo> table = {
       {"stroke", "m", "largest displacement to either side of 0", &ExperimentLimits::stroke},
-      {"speed", "m/s", "largest rate of the displacement", &ExperimentLimits::speed},
+      {"speed", "m/s", "largest speed of the displacement", &ExperimentLimits::speed},
       {"frequency", "Hz", "highest frequency of a motion", &ExperimentLimits::frequency},
       {"force", "N", "largest force to either side of 0", &ExperimentLimits::force},
       {"duration", "s", "duration of the whole log", &ExperimentLimits::duration},
@@ -26,10 +26,10 @@ void setExperimentLimit(ExperimentLimits& limits, const std::string& assignment)
   const std::size_t equal = assignment.find('=');
   if (equal == std::string::npos) {
     throw std::invalid_argument(
-        fmt::format("{}: no '='; accepted: KEY=VALUE, as stroke=20 mm", log::quoted(assignment)));
+        fmt::format("{}: '=' is missing; accepted: KEY=VALUE, such as stroke=20 mm", log::quoted(assignment)));
   }
   const std::string key = log::trimmed(assignment.substr(0, equal));
-  const ExperimentLimitInfo row = io::namedRow(experimentLimitTable(), key, "no limit of an experiment");
+  const ExperimentLimitInfo row = io::namedRow(experimentLimitTable(), key, "not a limit of an experiment");
   const std::string text = log::trimmed(assignment.substr(equal + 1));
   const std::string accepted = fmt::format("a number in {} or text with such a unit, above 0", row.unit);
   double value = 0.0;

@@ -59,7 +59,7 @@ PlannedLog plannedLog(const log::Record& record) {
 
 Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>& logs, const PlanOptions& options) {
   if (logs.empty()) {
-    throw log::LogError("no log: a plan needs at least one");
+    throw log::LogError("no programme is given; accepted: at least one programme");
   }
   std::vector<log::Log> simulated = logs;
   simulateForces(component::Component(component.allElements()), options.noise, simulated);
@@ -68,7 +68,7 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
                    [&](std::size_t i) { records[i] = measurement::prepareLog(simulated[i]).record; });
   for (const log::Record& record : records) {
     if (!log::bothChange(record)) {
-      throw log::LogError(record.name + ": the displacement does not change; accepted: a programme that moves");
+      throw log::LogError(record.name + ": the displacement does not change; accepted: a programme with motion");
     }
   }
   const fit::ModelParameters model(component, fit::Level::specification);

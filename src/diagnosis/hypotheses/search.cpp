@@ -677,7 +677,7 @@ std::vector<std::string> excludedEffects(const io::ComponentDescription& compone
   std::vector<std::string> excluded = component.excluded_effects;
   const std::vector<std::string>& names = io::effectNames();
   for (const std::string& effect : options.excluded) {
-    element::refuseIf(!isAmong(names, effect), "excluded: no effect '{}'{}; accepted: {}", effect,
+    element::refuseIf(!isAmong(names, effect), "excluded: '{}' is not an effect{}; accepted: {}", effect,
                       element::didYouMean(effect, names), log::join(names));
     excluded.push_back(effect);
   }

@@ -37,8 +37,8 @@ std::string placeOf(const std::vector<gap::GapCell>& cells) {
   const gap::GapCell& cell = cells.front();
   const std::string band =
       cell.frequency[0] > 0.0 ? fmt::format("{:.3g} to {:.3g} Hz, ", cell.frequency[0], cell.frequency[1]) : "";
-  return fmt::format("{:.0f} % of it {} at {}{:.3g} to {:.3g} mm", 100.0 * cell.share, gap::toString(cell.quantity),
-                     band, 1e3 * cell.amplitude[0], 1e3 * cell.amplitude[1]);
+  return fmt::format("{:.0f} % of the gap: {} at {}{:.3g} to {:.3g} mm", 100.0 * cell.share,
+                     gap::toString(cell.quantity), band, 1e3 * cell.amplitude[0], 1e3 * cell.amplitude[1]);
 }
 
 double probabilityOf(const std::string& effect, const Diagnosis& diagnosis) {
@@ -148,7 +148,7 @@ void LiveDiagnosis::restart() {
   augmented_model_.reset();
   block_.reset();
   findings_ = LiveFindings();
-  findings_.sentence = "too few samples with a measured force so far";
+  findings_.sentence = "there are too few samples with a measured force so far";
   candidate_.reset();
   last_look_ = 0;
   last_window_ = 0.0;
@@ -297,7 +297,7 @@ LiveFindings LiveDiagnosis::findings() const {
   LiveFindings findings = findings_;
   findings.now = judgement_.now();
   if (!findings.now.verdict && augmented_model_) {
-    findings.sentence = fmt::format("Not confirmed on new samples yet (evidence {:.2g}, {:.2g} needed): {}",
+    findings.sentence = fmt::format("Not yet confirmed on new samples (evidence {:.2g}, required {:.2g}): {}",
                                     findings.now.evidence, findings.now.threshold, findings_.sentence);
   }
   return findings;

@@ -67,7 +67,7 @@ gap::Quantity quantityOf(const std::string& word) {
       return quantity;
     }
   }
-  throw std::invalid_argument("no quantity: " + word);
+  throw std::invalid_argument("unknown quantity: " + word);
 }
 
 gap::GapCell readCell(const json& cell) {
@@ -235,10 +235,10 @@ class Comparer {
 EarlierReport::EarlierReport(const std::string& path) : path_(path) {
   const json report = json::parse(log::readInput(path, kLargestReport), nullptr, false);
   if (!report.is_object()) {
-    refuse(path, "is no JSON object");
+    refuse(path, "the file is not a JSON object");
   }
   if (!report.contains("schema") || report["schema"] != kReportSchema) {
-    refuse(path, "schema is " + (report.contains("schema") ? report["schema"].dump() : "missing"));
+    refuse(path, "the value of 'schema' is " + (report.contains("schema") ? report["schema"].dump() : "missing"));
   }
   try {
     report_ = readReport(report);
@@ -262,7 +262,7 @@ std::string toText(const Comparison& comparison) {
                            return "  " + log::oneLine(change.what + ": " + change.before + " -> " + change.after) +
                                   "\n";
                          }) +
-         fmt::format("  {} of {} values are as they were, within noise and intervals\n",
+         fmt::format("  {} of {} values have not changed by more than noise and intervals\n",
                      comparison.changes.size() - differing.size(), comparison.changes.size());
 }
 

@@ -25,8 +25,8 @@ using words::spoken;
 // Outcomes, and their names in the report.
 constexpr std::pair<const char*, const char*> kOutcomes[] = {{"found", "found"},
                                                              {"confounded", "found in a set"},
-                                                             {"taken_for", "taken for another"},
-                                                             {"unexplained", "left unexplained"},
+                                                             {"taken_for", "named as another"},
+                                                             {"unexplained", "unexplained"},
                                                              {"out_of_reach", "out of reach"}};
 
 std::string outcomeText(const std::string& outcome) {
@@ -95,9 +95,9 @@ ordered_json implantedJson(const CouldShow& could_show, const ImplantedEffect& r
 }  // namespace
 
 std::string toText(const CouldShow& could_show) {
-  std::string text = fmt::format("effects of {} of the force ({}), noise {}\n", percentText(could_show.size),
-                                 could_show.why, percentText(could_show.noise));
-  text += fmt::format("{:<25}{:<19}{:>10}  {}\n", "implanted", "would be", "least size", "with, or as");
+  std::string text = fmt::format("simulated effects with {} of the force ({}), noise {}\n",
+                                 percentText(could_show.size), could_show.why, percentText(could_show.noise));
+  text += fmt::format("{:<25}{:<19}{:>10}  {}\n", "implanted", "would be", "least size", "other effects");
   for (const ImplantedEffect& row : could_show.implanted) {
     text += fmt::format("{:<25}{:<19}{:>10}  {}\n", row.effect, outcomeText(row.outcome), leastSizeText(row.least_size),
                         namesText(row.taken_for, 4));

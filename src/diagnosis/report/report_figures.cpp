@@ -189,7 +189,7 @@ io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
   io::Figure figure{"Mean residual over displacement"};
   for (const std::size_t r : worstRecords(diagnosis)) {
     const log::Record& record = diagnosis.workings->simulated.records[r];
-    io::Axes axes{record.name, "displacement [mm]", "measured less simulated [kN]"};
+    io::Axes axes{record.name, "displacement [mm]", "measured minus simulated [kN]"};
     for (const bool after : {false, true}) {
       const auto& simulated =
           after ? diagnosis.workings->simulated.augmented : diagnosis.workings->simulated.configured;
@@ -262,8 +262,8 @@ io::Axes missingAxes(const MissingForce& map, const std::vector<double>& force, 
 io::Figure missingForceFigure(const MissingForce& map) {
   io::Figure figure;
   figure.title = "Force that the model lacks, over displacement and velocity";
-  figure.axes.push_back(missingAxes(map, map.measured, "measured less augmented"));
-  figure.axes.push_back(missingAxes(map, map.surrogate, "what the surrogate adds"));
+  figure.axes.push_back(missingAxes(map, map.measured, "measured minus augmented"));
+  figure.axes.push_back(missingAxes(map, map.surrogate, "force of the surrogate"));
   return figure;
 }
 
@@ -281,12 +281,12 @@ std::vector<ReportFigure> figuresOf(const Diagnosis& diagnosis) {
   std::vector<ReportFigure> figures = {
       {kLoopsFigure, "Force over displacement: about three cycles where the stroke is largest.", loops(diagnosis)},
       {kWhere, "Where the squared gap lies, over the frequencies that the logs excite.", gapMapFigure(diagnosis)},
-      {kResidual, "Mean of measured less simulated force, apart for rising and falling displacement.",
+      {kResidual, "Mean of measured minus simulated force, separately for rising and falling displacement.",
        residualOverDisplacement(diagnosis)},
-      {kTime, "Gap over time, the logs one after the other.", residualOverTime(diagnosis)}};
+      {kTime, "Gap over time, one log after the other.", residualOverTime(diagnosis)}};
   if (diagnosis.surrogate) {
     figures.push_back({kMissing,
-                       "Force that the model lacks, over displacement and velocity, and what a surrogate adds.",
+                       "Force that the model lacks, over displacement and velocity, and the force of a surrogate.",
                        missingForceFigure(diagnosis.surrogate->missing)});
   }
   return figures;

@@ -221,34 +221,33 @@ ordered_json changeJson(const ReportChange& change) {
 ordered_json experimentJson(const Diagnosis& d) {
   const ProposedExperiment& experiment = d.next.proposed;
   const double duration = static_cast<double>(experiment.displacement.size() - 1) * experiment.dt;
-  return {
-      {"motion", experiment.description},
-      {"duration_s", duration},
-      {"sampling_rate_hz", 1.0 / experiment.dt},
-      {"decides", experiment.decides},
-      {"against", experiment.against},
-      {"expected_difference_N", experiment.difference},
-      {"open_before_bit", experiment.open_before},
-      {"open_after_bit", experiment.open_after},
-      {"confidence", experiment.probability},
-      {"how_to_play", fmt::format("play next_experiment.csv ({:.3g} s at {:.4g} Hz; from rest at 0 to rest at 0; as "
-                                  "a drive file of RPC III next_experiment.drv)",
-                                  duration, 1.0 / experiment.dt)},
-      {"command", fmt::format("roslaunch rubber_suspension bench.launch config:=$PWD/augmented.yaml "
-                              "component:={} log:=$PWD/next_experiment.csv output:=$PWD/next_run",
-                              d.component)}};
+  return {{"motion", experiment.description},
+          {"duration_s", duration},
+          {"sampling_rate_hz", 1.0 / experiment.dt},
+          {"decides", experiment.decides},
+          {"against", experiment.against},
+          {"expected_difference_N", experiment.difference},
+          {"open_before_bit", experiment.open_before},
+          {"open_after_bit", experiment.open_after},
+          {"confidence", experiment.probability},
+          {"how_to_play", fmt::format("play next_experiment.csv ({:.3g} s at {:.4g} Hz; starts and ends at rest at 0) "
+                                      "or the same motion as an RPC III drive file, next_experiment.drv",
+                                      duration, 1.0 / experiment.dt)},
+          {"command", fmt::format("roslaunch rubber_suspension bench.launch config:=$PWD/augmented.yaml "
+                                  "component:={} log:=$PWD/next_experiment.csv output:=$PWD/next_run",
+                                  d.component)}};
 }
 
 std::string meaningOf(Verdict verdict) {
   static const std::map<Verdict, std::string> meanings = {
       {Verdict::none, "no gap beyond the noise"},
-      {Verdict::parameter_error, "the model's own values are off; nothing is missing"},
+      {Verdict::parameter_error, "the model's parameter values are wrong; no effect is missing"},
       {Verdict::named, "the model lacks what is named here"},
-      {Verdict::partly, "the model lacks what is named here, and something else"},
-      {Verdict::confounded, "several sets of effects cannot be told apart here"},
-      {Verdict::unknown, "no effect of the list explains the gap"},
+      {Verdict::partly, "the model lacks the effects named here and something else"},
+      {Verdict::confounded, "several sets of effects explain the logs about equally well"},
+      {Verdict::unknown, "no listed effect explains the gap"},
       {Verdict::check_bench, "a log cannot be what it says"},
-      {Verdict::defect, "none is told"}};
+      {Verdict::defect, "there is no verdict"}};
   return meanings.at(verdict);
 }
 

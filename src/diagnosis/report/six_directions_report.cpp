@@ -25,8 +25,8 @@ using words::percent;
 
 constexpr double kSaid = 0.1;  // share of a squared residual from which a pair is named
 constexpr const char* kSixDirectionsMeaning =
-    "Share of what the augmented component leaves of the squared force of a direction, that the displacement of "
-    "another predicts beyond the motion of the direction itself, on parts of the logs that took no part in the fit";
+    "Share of a direction's squared residual force, with the augmented component, that the displacement of another "
+    "direction predicts beyond the motion of the direction itself, on parts of the logs that took no part in the fit";
 
 std::string forceText(const CrossShare& pair) {
   return words::quantity(pair.force, component::isRotation(pair.of) ? "N m" : "N");
@@ -104,8 +104,9 @@ std::string componentText(const SixDirectionsDiagnosis& diagnosis) {
     const auto found = placeIn(diagnosis, place);
     return found ? report::augmentedStyle(*found->first).note(found->second) : "";
   };
-  style.head = fmt::format("# Diagnosis of {} by direction; others are as configured, but for a radial_stiffness.\n",
-                           diagnosis.component);
+  style.head = fmt::format(
+      "# Diagnosis of {} by direction; other directions are as configured, except for a radial_stiffness.\n",
+      diagnosis.component);
   for (const auto& [direction, d] : diagnosis.directions) {
     style.head += fmt::format("# {}: {}. Gap {} as configured, {} with this file; noise floor {}.\n",
                               toString(direction), toString(d.answer.verdict), percent(d.gaps.unseen.as_configured),
@@ -122,15 +123,14 @@ std::string crossMapSentence(const SixDirectionsDiagnosis& diagnosis) {
     return fmt::format("{} couples with {} ({} % of the squared residual, {} RMS)", toString(pair.of),
                        toString(pair.by), words::wholePercent(pair.share), forceText(pair));
   });
-  return pairs.empty() ? fmt::format(
-                             "No displacement predicts {} % or more of what is left of the squared force of "
-                             "another direction.",
-                             words::wholePercent(kSaid))
-                       : words::enumerated(pairs) + ".";
+  return pairs.empty()
+             ? fmt::format("No displacement predicts {} % or more of the squared residual force of another direction.",
+                           words::wholePercent(kSaid))
+             : words::enumerated(pairs) + ".";
 }
 
 std::string crossMapText(const SixDirectionsDiagnosis& diagnosis) {
-  std::string text = fmt::format("left of by{:>7}", fmt::join(directionNames(), ""));
+  std::string text = fmt::format("gap in, by{:>7}", fmt::join(directionNames(), ""));
   for (const DirectionDiagnosis& found : diagnosis.directions) {
     text += fmt::format("\n{:<10}{:>7}", toString(found.direction),
                         fmt::join(shareTexts(diagnosis.cross_map, found.direction), ""));

@@ -217,29 +217,28 @@ hypotheses::Noise MeasuredRows::estimateNoise(const hypotheses::FittedHypothesis
   hypotheses::Noise noise;
   noise.floor = noise.floor_with_rig = std::min(scatter_.level, best.fit.held_out);
   noise.of_logs.assign(loops_->points().size(), noise.floor);
-  noise.source = scatter_.source + (noise.floor < scatter_.level ? ", no more than what a model leaves" : "");
+  noise.source = scatter_.source + (noise.floor < scatter_.level ? ", limited to the residual of the model" : "");
   return noise;
 }
 
 Scatter scatterOf(const Points& points, std::optional<double> stated) {
   if (stated) {
-    return {*stated, "as stated by the laboratory"};
+    return {*stated, "given by --uncertainty"};
   }
   if (const Rest rest = repeats(points); rest.free >= kFewestFree) {
     return {upperEnd(rest), "repeated rows of the table"};
   }
   if (const auto left = fit::leftBySuperposition(points); left && left->free >= kFewestFree) {
     return {std::min(upperEnd({left->squares, left->free}), kMostRough),
-            fmt::format("the residual of one curve through the table with shifted temperatures, {:g} % at most",
-                        100.0 * kMostRough)};
+            fmt::format("the residual of a master curve through the table, at most {:g} %", 100.0 * kMostRough)};
   }
   if (const Rest rest = smoothness(points); rest.free >= kFewestFree) {
     return {std::min(upperEnd(rest), kMostRough),
-            fmt::format("the residual of a smooth surface over frequency and amplitude, {:g} % at most",
+            fmt::format("the residual of a smooth surface over frequency and amplitude, at most {:g} %",
                         100.0 * kMostRough)};
   }
   return {kAssumed,
-          fmt::format("assumed, since the table has too few rows for an estimate ({:g} %)", 100.0 * kAssumed)};
+          fmt::format("assumed ({:g} %), because the table has too few rows for an estimate", 100.0 * kAssumed)};
 }
 
 }  // namespace rubber_suspension::diagnosis::table

@@ -130,7 +130,7 @@ std::string recordALog() {
 std::string nextRow(const MeasuredRows& measured, const Workings& workings) {
   const hypotheses::Search& search = workings.search;
   if (workings.answer.verdict == Verdict::none) {
-    return "None is needed for what a table can show. " + recordALog();
+    return "None is needed for the effects that a table can show. " + recordALog();
   }
   const std::vector<experiment::Explanation> explanations = experiment::explanationsOf(workings);
   if (explanations.size() < 2) {
@@ -147,7 +147,7 @@ std::string nextRow(const MeasuredRows& measured, const Workings& workings) {
       return fmt::format(
           "Measure a row at {:.3g} Hz and {}{}: {} and {} differ there by {} of K*, {:.1f} times the noise floor.",
           best.row.frequency, words::quantity(best.row.amplitude, "m"),
-          beyond > 1.0 ? ", beyond what the table covers" : "", names,
+          beyond > 1.0 ? ", beyond the range of the table" : "", names,
           experiment::nameOf(search, *explanations[best.rival].fitted), words::percent(best.size),
           best.size / search.noise.floor);
     }
@@ -370,28 +370,30 @@ judge::Evidence evidenceOfRows(const MeasuredRows& measured, const hypotheses::S
 
 void checkRows(const io::ComponentDescription& component, const fit::MeasuredTable& table) {
   if (table.points.size() < kFewestRows) {
-    throw std::invalid_argument(fmt::format("{}: {} rows; accepted: at least {}, over frequency and amplitude",
-                                            table.name, table.points.size(), kFewestRows));
+    throw std::invalid_argument(
+        fmt::format("{}: the table has only {} rows; accepted: at least {} rows over frequency and amplitude",
+                    table.name, table.points.size(), kFewestRows));
   }
   const component::Component built = component.makeComponent();
   for (const element::ElementDescription& element : built.elements()) {
     if (const std::string& reason = effectNamed(element.type).not_beside_tables; !reason.empty()) {
-      throw std::invalid_argument(fmt::format("{}: has {}, {}; accepted: logs, or the component without it",
-                                              component.name, element.type, reason));
+      throw std::invalid_argument(
+          fmt::format("{}: has the element {}, {}; accepted: logs, or the component without this element",
+                      component.name, element.type, reason));
     }
   }
   const auto has_temperature = [](const fit::TablePoint& point) { return point.temperature.has_value(); };
   const auto having = std::count_if(table.points.begin(), table.points.end(), has_temperature);
   if (built.shiftsWithTemperature() && having == 0) {
     throw std::invalid_argument(
-        fmt::format("{}: shifts with temperature, and {} has no column temperature; accepted: "
-                    "a table with 'temperature [degC]'",
+        fmt::format("{}: shifts with temperature, but {} has no column temperature; accepted: a table with the column "
+                    "'temperature [degC]'",
                     component.name, table.name));
   }
   for (const fit::TablePoint& point : table.points) {
     if (point.temperature && !built.temperatures().contains(*point.temperature)) {
-      throw std::invalid_argument(fmt::format("{}: temperature {:g} degC; accepted: {}", table.name, *point.temperature,
-                                              element::describe(built.temperatures()) + " degC"));
+      throw std::invalid_argument(fmt::format("{}: temperature {:g} degC is out of range; accepted: {}", table.name,
+                                              *point.temperature, element::describe(built.temperatures()) + " degC"));
     }
   }
 }

@@ -44,22 +44,24 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
     case Out::named:
       return "";
     case Out::of_no_table:
-      return "no table of settled loops shows it: record a log";
+      return "a table of settled loops cannot show it: record a log";
     case Out::not_testable:
       return fmt::format(
-          "not testable with {}: other parameter values absorb all but {} % of a typical one, too little to see",
+          "not testable with {}: other parameter values absorb all but {} % of a typical effect, which is too little "
+          "to detect",
           sourceOf(d), wholePercent(c.visible_share));
     case Out::removes_nothing:
-      return "on further logs it may remove nothing";
+      return "it may remove nothing of the gap on further logs";
     case Out::gap_remains:
-      return fmt::format("the gap with its full law is {}, and {} with other values alone", percent(c.gap),
+      return fmt::format("the gap is {} with its full law, and {} with other parameter values only", percent(c.gap),
                          percent(d.gaps.unseen.re_estimated));
     case Out::more_than_named:
-      return fmt::format("the gap with its full law is {}, and {} with what is named", percent(c.gap),
+      return fmt::format("the gap is {} with its full law, and {} with the named effects", percent(c.gap),
                          percent(d.gaps.unseen.augmented));
     default:
-      return fmt::format("the gap with its full law is {}, no larger than with what is named, but it is less probable",
-                         percent(c.gap));
+      return fmt::format(
+          "the gap is {} with its full law, no larger than with the named effects, but it is less probable",
+          percent(c.gap));
   }
 }
 
@@ -68,7 +70,7 @@ std::string notTestableText(const Diagnosis& d) {
   const auto names = element::each(hidden, [](const CandidateResult& c) { return spoken(c.effect); });
   return names.empty() ? "Every candidate would show in " + sourceOf(d) + "."
                        : "A typical " + enumerated(names) + " would not show in " + sourceOf(d) +
-                             ", so whether it is there stays open.";
+                             ", so these effects remain possible.";
 }
 
 std::string numbersText(const Diagnosis& d, const CandidateResult& candidate) {

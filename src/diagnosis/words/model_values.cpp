@@ -22,7 +22,7 @@ bool isChanged(const SizedValue& size) {
 }
 
 std::string boundText(const SizedValue& size) {
-  return isAtBound(size) ? ", a bound of the fit: these logs do not determine it" : "";
+  return isAtBound(size) ? ", which is a bound of the fit: these logs do not determine it" : "";
 }
 
 // If effects depend on the temperature, all values refer to their reference temperature.

@@ -27,7 +27,7 @@ std::string otherwise(const Diagnosis& diagnosis) {
   std::vector<std::string> texts;
   for (const Alternative& other : diagnosis.answer.alternatives) {
     const std::string what = other.verdict == Verdict::none              ? "no gap"
-                             : other.verdict == Verdict::parameter_error ? "wrong values of the model alone"
+                             : other.verdict == Verdict::parameter_error ? "only wrong values of the model"
                              : other.verdict == Verdict::unknown         ? "something that is not in the list"
                                                                          : setText(other.effects);
     texts.push_back(fmt::format("{} ({} %)", what, chance(other.probability)));
@@ -79,7 +79,7 @@ std::string effectsText(const Diagnosis& diagnosis) {
 
 std::string ownValuesText(const Diagnosis& diagnosis) {
   const SizedValue* const value = headlineValue(diagnosis);
-  return value == nullptr ? "The model's parameters are off" : offText(*value);
+  return value == nullptr ? "The model's parameter values are wrong" : offText(*value);
 }
 
 bool isWithheld(const Diagnosis& diagnosis, const std::string& effect) {
@@ -96,7 +96,7 @@ std::string withheldNote(const Diagnosis& diagnosis) {
   for (const Withheld& one : diagnosis.law.withheld) {
     const bool values = one.effect == "values";
     note += fmt::format(
-        " {} not written: with {}, the gap of the component file would be {} on {}, and as configured it is {}.",
+        " {} not written: with {}, the gap of the component file would be {} on {}, but it is {} as configured.",
         values ? "Other values are" : capitalised(spoken(one.effect)) + " is", values ? "them" : "it",
         percent(one.after, 2), one.log == "all logs" ? one.log : "log " + one.log, percent(one.before, 2));
   }
@@ -110,7 +110,7 @@ std::string linesNote(const Diagnosis& diagnosis) {
   for (const measurement::RigFinding& finding : diagnosis.rig_findings) {
     if (finding.finding == measurement::finding::kLine && (log.empty() || finding.log == log)) {
       log = finding.log;
-      note += fmt::format(" A line that the motion does not cause is removed: {}.", finding.text);
+      note += fmt::format(" A spectral line that the motion does not cause is removed: {}.", finding.text);
     }
   }
   return note;
@@ -191,9 +191,10 @@ std::vector<std::string> openTexts(const Diagnosis& diagnosis, std::size_t most)
     return texts;
   }
   const Posterior& posterior = diagnosis.answer.posterior;
-  std::vector<std::pair<double, std::string>> open = {{posterior.none, "nothing, as configured"},
-                                                      {posterior.parameter_error, "nothing but right values"},
-                                                      {posterior.none_of_these, "something that is not in the list"}};
+  std::vector<std::pair<double, std::string>> open = {
+      {posterior.none, "nothing (right as configured)"},
+      {posterior.parameter_error, "nothing (only its values are wrong)"},
+      {posterior.none_of_these, "something that is not in the list"}};
   for (const CandidateResult& candidate : diagnosis.candidates) {
     open.emplace_back(candidate.probability, spoken(candidate.effect));
   }
@@ -251,7 +252,7 @@ std::string deviationsText(const Diagnosis& diagnosis) {
   }
   return texts.empty() || diagnosis.parameters.guess
              ? ""
-             : fmt::format(" In tolerances of the data sheet: {}.", fmt::join(texts, ", "));
+             : fmt::format(" Deviations in tolerances of the data sheet: {}.", fmt::join(texts, ", "));
 }
 
 // Parameters at a bound of the fit, and identified values of a guess.
@@ -264,7 +265,7 @@ std::string identifiedText(const Diagnosis& diagnosis) {
         values.push_back(valueName(size) + " " + quantity(size.value, size.unit));
       }
     }
-    text += fmt::format(" Values identified: {}.", fmt::join(values, ", "));
+    text += fmt::format(" Identified values: {}.", fmt::join(values, ", "));
   }
   for (const std::string& name : diagnosis.parameters.at_bounds) {
     text += fmt::format(" {} is at a bound of the fit: these logs do not determine it.", capitalised(spoken(name)));
@@ -330,19 +331,19 @@ std::string proposedText(const Diagnosis& d, const NextExperiment& next) {
           : fmt::format("If {} is right, {} would be off by {} there after a refit. ", next.names.front(), next.nearest,
                         quantity(next.proposed.difference, unitOf(d, "N")));
   return fmt::format(
-      "{}. It decides between {}. {}The entropy of the names is expected to fall to {}. The right one alone remains in "
-      "{} % of cases.",
+      "{}. It decides between {}. {}The entropy of these explanations is expected to fall to {}. Only the right one "
+      "remains in {} % of cases.",
       inUnits(d, next.motion), enumerated(next.names), nearest, openText(next.open_after, next),
       chance(next.proposed.probability));
 }
 
 std::string noneText(const Diagnosis& d, const NextExperiment& next) {
   return fmt::format(
-             "None within the limits: the entropy of the names of {} would fall to {} only. The best motion is this: "
+             "None within the limits: the entropy of the explanations {} would only fall to {}. The best motion is: "
              "{}. ",
              enumerated(next.names), openText(next.open_after, next), inUnits(d, next.motion)) +
          (next.proposal == Proposal::beyond_limits
-              ? fmt::format("A better one needs {}: {}, after which {} remain.", limitText(d, next),
+              ? fmt::format("A better motion needs {}: {}, after which {} would remain.", limitText(d, next),
                             inUnits(d, next.wider_motion), openText(next.wider_open_after, next))
               : "Twice the stroke, twice the speed or five times the time would not be enough.");
 }
@@ -365,7 +366,7 @@ std::string judgementText(const Diagnosis& diagnosis) {
   const std::vector<std::string> open =
       diagnosis.answer.effects.empty() ? std::vector<std::string>{} : openTexts(diagnosis, kMost);
   if (!open.empty()) {
-    return fmt::format("What the model lacks stays open with {}: it may be {}. The component file has {}: {}.",
+    return fmt::format("What the model lacks remains open with {}: it may be {}. The component file has {}: {}.",
                        sourceOf(diagnosis), enumerated(open),
                        writesAnEffect(diagnosis) ? effectsText(diagnosis) : "no such effect", sharesText(diagnosis)) +
            closes + values + remarkText(diagnosis);
@@ -410,14 +411,14 @@ std::string headline(const Diagnosis& diagnosis) {
   const std::vector<std::string> open =
       diagnosis.answer.effects.empty() ? std::vector<std::string>{} : openTexts(diagnosis, kMost);
   if (!open.empty()) {
-    return "It stays open what the model lacks: " + fmt::format("{}", fmt::join(open, ", ")) + "; " + falls.substr(2);
+    return "It remains open what the model lacks: " + fmt::format("{}", fmt::join(open, ", ")) + "; " + falls.substr(2);
   }
   switch (diagnosis.answer.verdict) {
     case Verdict::none:
       return agreement(diagnosis);
     case Verdict::parameter_error: {
       const ChangeTexts moved(gap.as_configured, gap.re_estimated, gap.noise_floor);
-      return fmt::format("{}: others lower the gap from {} to {}{}, noise {}.",
+      return fmt::format("{}: other values lower the gap from {} to {}{}, noise {}.",
                          diagnosis.parameters.guess ? "The data sheet is a guess" : "Values of the model are wrong",
                          moved.before, moved.after, furtherText(diagnosis), moved.noise);
     }
@@ -434,7 +435,7 @@ std::string headline(const Diagnosis& diagnosis) {
                  : fmt::format("Check the bench: {} in log {}.", spoken(diagnosis.rig_findings.front().finding),
                                diagnosis.rig_findings.front().log);
     case Verdict::defect:
-      return "This report contradicts itself and names nothing.";
+      return "This report contradicts itself and gives no verdict.";
     default:
       return fmt::format("No effect of the list explains the gap of {}{}, noise {}.", percent(gap.re_estimated),
                          furtherText(diagnosis), percent(gap.noise_floor));
@@ -448,8 +449,8 @@ std::string temperatureNote(const std::vector<std::string>& effects, const fit::
     return "";
   }
   return fmt::format(
-      " Without a recorded temperature {} is not certain: rubber that warmed by itself would look alike. Logs with the "
-      "column temperature_degC would settle it.",
+      " Without a recorded temperature {} is not certain: rubber that was warmed from outside would look the same. "
+      "Logs with the column temperature_degC would decide.",
       fmt::join(doubtful, " and "));
 }
 
@@ -460,13 +461,14 @@ std::string restNote(const Surrogate& surrogate) {
       "(gap {:.1f} % without, {:.1f} % with the surrogate)",
       100.0 * surrogate.share, 100.0 * surrogate.unseen_before, 100.0 * surrogate.unseen_after);
   if (surrogate.function_of_the_motion) {
-    return " The rest is a function of the motion that is not in the list: " + prediction + ".";
+    return " The rest depends on the motion by a law that is not in the list: " + prediction + ".";
   }
   if (surrogate.beyond_chance && surrogate.share >= kLeastPart) {
-    return " Only part of the rest is a function of the motion: " + prediction +
-           ". The other part takes other logs to learn, or the motion does not cause it (hum, cross-talk, a plug).";
+    return " Only part of the rest depends on the motion: " + prediction +
+           ". The other part can only be learned from other logs, or the motion does not cause it (hum, cross-talk, a "
+           "loose plug).";
   }
-  return " No surrogate predicts the rest in parts of the logs that it was not fitted to: these logs do not tell "
+  return " No surrogate predicts the rest in parts of the logs that it was not fitted to: these logs do not show "
          "whether the motion causes it.";
 }
 
@@ -474,8 +476,8 @@ std::string factorNote(const std::vector<double>& factors) {
   const auto texts = element::each(factors, [](double factor) { return fmt::format("{:.2f}", factor); });
   return factors.empty() ? ""
                          : fmt::format(
-                               " Friction differs between the logs, in their order {} times that of the file: "
-                               "pressure, current or tension changed between them.",
+                               " Friction differs between the logs: in their order, it is {} times that of the file. "
+                               "Pressure, current or tension changed between the logs.",
                                enumerated(texts));
 }
 
@@ -488,11 +490,12 @@ std::string excludedNote(const Diagnosis& diagnosis) {
       const auto& of_file = diagnosis.configured.excluded_effects;
       const bool in_file = std::find(of_file.begin(), of_file.end(), one.effect) != of_file.end();
       if (in_file == by_file && one.probability_otherwise >= kWorthSaying) {
-        texts.push_back(fmt::format("{} would be {} %", one.effect, chance(one.probability_otherwise)));
+        texts.push_back(
+            fmt::format("{} would have a probability of {} %", one.effect, chance(one.probability_otherwise)));
       }
     }
     if (!texts.empty()) {
-      note += fmt::format(" Excluded by {}; without that, {}.", by_file ? "the component file" : "--exclude",
+      note += fmt::format(" Excluded by {}: otherwise {}.", by_file ? "the component file" : "--exclude",
                           enumerated(texts));
     }
   }
@@ -504,13 +507,13 @@ std::string experimentText(const Diagnosis& d, const NextExperiment& next) {
     case Proposal::agrees:
       return "None is needed: the model agrees with the measurement as far as these logs can show.";
     case Proposal::sure:
-      return fmt::format("None is needed: the verdict stands at {} %.", chance(d.answer.probability));
+      return fmt::format("None is needed: the verdict has a probability of {} %.", chance(d.answer.probability));
     case Proposal::no_rival:
       return "None: no second explanation was fitted.";
     case Proposal::same_effects:
-      return fmt::format("None: {} name the same effects.", enumerated(next.names));
+      return fmt::format("None: the explanations {} name the same effects.", enumerated(next.names));
     case Proposal::no_motion:
-      return "None: no motion of the menu stays within the limits of stroke, speed, force and duration.";
+      return "None: every available motion exceeds the limits of stroke, speed, force and duration.";
     case Proposal::within_limits:
       return proposedText(d, next);
     default:

@@ -121,12 +121,13 @@ std::string quantity(double value, const std::string& unit) {
 std::string intervalText(const SizedValue& size, const std::string& least, const std::string& most,
                          const std::string& unit) {
   if (size.at_bound[1] && size.value >= size.interval_95[1]) {
-    return least + unit + " or more, the fit ends at a bound";
+    return least + unit + " or more (the fit ended at a bound)";
   }
   if (size.at_bound[0] && size.value <= size.interval_95[0]) {
-    return most + unit + " or less, the fit ends at a bound";
+    return most + unit + " or less (the fit ended at a bound)";
   }
-  const char* const ends[] = {"", ", the lower end is a bound", ", the upper end is a bound", ", both are bounds"};
+  const char* const ends[] = {"", " (the lower end is a bound of the fit)", " (the upper end is a bound of the fit)",
+                              " (both ends are bounds of the fit)"};
   return least + " to " + most + unit + ends[(size.at_bound[0] ? 1 : 0) + (size.at_bound[1] ? 2 : 0)];
 }
 

@@ -22,9 +22,10 @@ void addAsymmetricStiffness(const fit::Excitation& excitation, fit::Candidate& c
   }
 }
 
-const EffectEntry kAsymmetricStiffness({60, "asymmetric_stiffness",
-                                        "even stiffness: second harmonic, mean force grows with amplitude squared",
-                                        false, addAsymmetricStiffness});
+const EffectEntry kAsymmetricStiffness(
+    {60, "asymmetric_stiffness",
+     "even stiffness: a second harmonic, and a mean force that grows with amplitude squared", false,
+     addAsymmetricStiffness});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -40,11 +40,10 @@ void addBacklash(const fit::Excitation& excitation, fit::Candidate& candidate) {
 }
 
 Effect backlash() {
-  Effect effect{
-      85, "backlash",
-      "friction or damper with a clearance of its own: no loss force for some travel after each reversal, none "
-      "at small amplitude",
-      true, addBacklash};
+  Effect effect{85, "backlash",
+                "friction or damper with a clearance of its own: no loss force for some travel after each reversal, "
+                "and none at all at small amplitude",
+                true, addBacklash};
   effect.contains = {"friction"};
   effect.labels = {{"gap", "gap on each side"}};
   return effect;

@@ -15,8 +15,9 @@ void addInertia(const fit::Excitation& excitation, fit::Candidate& candidate) {
   candidate.one_form = true;
 }
 
-const EffectEntry kInertia({120, "inertia", "moving fixture: error of stiffness grows with frequency squared, in phase",
-                            true, addInertia});
+const EffectEntry kInertia({120, "inertia",
+                            "mass of the moving fixture: the error of the stiffness grows with frequency squared", true,
+                            addInertia});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -102,8 +102,8 @@ std::vector<std::string> carried(const Effect::Entries& augmented) {
 // A contact with a stiffness or a preload while open is a compliance of one side.
 Effect liftOff() {
   Effect effect{115, "lift_off",
-                "contact that carries one sign of force, as of a chevron, strap or spring that is not glued: slack on "
-                "the way back, no force beyond; with a preload, the force of the other sign stays at that",
+                "contact that carries only one sign of force, such as a chevron, strap or spring that is not bonded: "
+                "once it opens, the force is 0 or, with a preload, stays at the preload",
                 false, addLiftOff};
   effect.contains = {"series_compliance"};
   effect.headline = whatHoldsIt;

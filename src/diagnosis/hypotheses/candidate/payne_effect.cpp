@@ -28,7 +28,7 @@ void addPayneEffect(const fit::Excitation& excitation, fit::Candidate& candidate
 // Over a long travel the effect resembles relaxation, so that it is named only if relaxation fails.
 Effect payneEffect() {
   Effect effect{165, "payne_effect",
-                "Payne effect of filled rubber: stiffness falls while motion lasts and returns at rest", false,
+                "Payne effect of filled rubber: stiffness falls during motion and recovers at rest", false,
                 addPayneEffect};
   effect.contains = {"relaxation"};
   return effect;

@@ -22,11 +22,10 @@ void addRadialCoupling(const fit::Excitation& excitation, fit::Candidate& candid
   }
 }
 
-const EffectEntry kRadialCoupling(
-    {65, "radial_coupling",
-     "stiffening along the radius of two directions across an axis: the gap in one goes with the displacement of the "
-     "other, as a bush of six directions is diagnosed",
-     false, addRadialCoupling});
+const EffectEntry kRadialCoupling({65, "radial_coupling",
+                                   "stiffening with the radius of two directions across an axis: the gap in one "
+                                   "depends on the displacement of the other; only for components of six directions",
+                                   false, addRadialCoupling});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -47,11 +47,10 @@ void addRateAmplitudeCoupling(const fit::Excitation& excitation, fit::Candidate&
 // Flow at a limit of the force is friction, and flow at any force is relaxation: the effect is named only if these
 // fail.
 Effect rateAmplitudeCoupling() {
-  Effect effect{
-      160, "rate_amplitude_coupling",
-      "flow that large forces or fast motion accelerate: stiffness falls with amplitude, and more so at higher "
-      "frequency",
-      false, addRateAmplitudeCoupling};
+  Effect effect{160, "rate_amplitude_coupling",
+                "flow that large forces or fast motion accelerate: stiffness falls with amplitude, the more the higher "
+                "the frequency",
+                false, addRateAmplitudeCoupling};
   effect.contains = {"friction", "relaxation"};
   return effect;
 }

@@ -21,8 +21,8 @@ void addRelaxation(const fit::Excitation& excitation, fit::Candidate& candidate)
 }
 
 const EffectEntry kRelaxation({20, "relaxation",
-                               "further relaxation: error in stiffness and loss depends on frequency only, or grows "
-                               "with strain as the branches of a nonlinear spring do",
+                               "further relaxation: the error of stiffness and loss depends only on frequency, or "
+                               "grows with strain like the slope of a nonlinear spring",
                                false, addRelaxation});
 
 }  // namespace

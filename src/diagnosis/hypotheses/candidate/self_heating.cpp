@@ -14,10 +14,11 @@ void addSelfHeating(const fit::Excitation& excitation, fit::Candidate& candidate
 }
 
 Effect selfHeating() {
-  Effect effect{100,   "self_heating", "heating by loss: stiffness falls over minutes of hard work, recovers at rest",
-                false, addSelfHeating, InSettledLoops::over_before};
+  Effect effect{
+      100,   "self_heating", "heating by loss: stiffness falls over minutes of large motion and recovers at rest",
+      false, addSelfHeating, InSettledLoops::over_before};
   effect.falls_like_warming = true;
-  effect.not_beside_tables = "which a table has in the state that each sine ends in";
+  effect.not_beside_tables = "but a table contains only the warm state at the end of each sine";
   return effect;
 }
 

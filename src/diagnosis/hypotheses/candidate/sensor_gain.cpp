@@ -25,8 +25,8 @@ std::string gainOrValues(const std::map<std::string, double>& numbers) {
   const auto gain = numbers.find("gain");
   return gain == numbers.end() ? ""
                                : fmt::format(
-                                     " The force channel reads {:.1f} % too {}, or all stiffnesses and damping of the "
-                                     "model are off by as much: a known weight on the load cell decides.",
+                                     " The force channel reads {:.1f} % too {}, or all stiffness and damping values of "
+                                     "the model are wrong by this share: a known weight on the load cell decides.",
                                      100.0 * std::abs(gain->second), gain->second > 0.0 ? "much" : "little");
 }
 
@@ -34,8 +34,8 @@ std::string gainOrValues(const std::map<std::string, double>& numbers) {
 // their gains differ, which no values explain.
 Effect sensorGain() {
   Effect effect{145, "sensor_gain",
-                "force channel of wrong gain, beyond the rig's tolerance: one factor on all forces, as stiffnesses and "
-                "damping that are all off by it, or another one in each log",
+                "wrong gain of the force channel, beyond the rig's tolerance: a factor on all forces, which looks like "
+                "wrong stiffness and damping, or a different factor in each log",
                 true, addSensorGain};
   effect.remark = gainOrValues;
   effect.beside_values = " A known weight on the load cell decides.";

@@ -74,8 +74,8 @@ std::vector<HeadlineValue> eachOf(const Effect::Entries& compliances) {
 
 Effect seriesCompliance() {
   Effect effect{110, "series_compliance",
-                "rig, bracket or joint that yields, to both sides alike or not: error grows with stiffness whatever "
-                "the frequency",
+                "compliance of rig, bracket or joint, equal to both sides or not: the error grows with stiffness at "
+                "any frequency",
                 true, addSeriesCompliance};
   effect.tidy = mergeSides;
   effect.headline = eachOf;

@@ -106,8 +106,8 @@ std::vector<HeadlineValue> changesPerKelvin(const Effect::Entries& entries) {
 
 Effect temperature() {
   Effect effect{105, "temperature",
-                "rates and stiffness that follow the temperature: the gap goes with the column temperature_degC, which "
-                "logs need for it",
+                "rates and stiffness that depend on temperature: the gap follows the column temperature_degC, which "
+                "the logs need",
                 false, addTemperature};
   effect.headline = changesPerKelvin;
   effect.headline_types = {"arrhenius_shift", "transition_shift", "vertical_shift", "wlf_shift"};

@@ -17,7 +17,7 @@ void addTimeDelay(const fit::Excitation& excitation, fit::Candidate& candidate) 
 }
 
 const EffectEntry kTimeDelay({130, "time_delay",
-                              "displacement or force recorded late: error of phase grows with frequency", true,
+                              "displacement or force recorded late: the phase error grows with frequency", true,
                               addTimeDelay});
 
 }  // namespace
