@@ -24,9 +24,13 @@ double momentOverStep(double x, const Relaxation& relaxation) {
 
 // Row of the displacements of all three.
 ParameterInfo pointsParameter() {
-  return {
-      "displacement", "m", Role::choice, Range::any(), "displacements of the points, not decreasing; constant beyond",
-      std::nullopt,   true};
+  return {"displacement",
+          "m",
+          Role::choice,
+          Range::any(),
+          "displacements of the points, not decreasing; the law is constant beyond the last points",
+          std::nullopt,
+          true};
 }
 
 PositionTable tableOf(const ElementDescription& description, const std::string& name) {
@@ -40,8 +44,8 @@ PositionTable grownTable(const ElementDescription& description, double growth, i
   const std::vector<double>& stiffness = description.list("stiffness");
   if (reach.size() != 1 || stiffness.size() != 1 || !(reach.front() > 0.0)) {
     throw std::invalid_argument(
-        fmt::format("{}.growth: {:g} with {} displacements and {} stiffnesses; accepted: one displacement greater than "
-                    "0 and one stiffness, or no growth",
+        fmt::format("{}.growth: is {:g} with {} displacements and {} stiffness values; accepted: one displacement "
+                    "greater than 0 and one stiffness, or no growth",
                     description.type, growth, reach.size(), stiffness.size()));
   }
   std::vector<double> displacement;
@@ -137,26 +141,28 @@ class SlidersAlongCurve final : public ParallelElement {
 };
 
 const ElementEntry kMaxwellAlongCurveEntry(
-    170, {"maxwell_along_curve",
-          "Maxwell element whose stiffness follows the displacement, dF/dt = k(z) dz/dt - 2 pi f_b F.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k at the points", std::nullopt, true},
-           pointsParameter(),
-           {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b"},
-           {"growth", "1", Role::shape, Range::closed(0.0, 20.0),
-            "b of k(z) = stiffness exp(b ((z/z_r)^2 - 1)) up to the one displacement z_r", 0.0},
-           {"side", "1", Role::choice, Range::closed(-1.0, 1.0),
-            "1: it grows with z > 0 only; -1: with z < 0 only; 0: with both", 0.0}},
-          [](const ElementDescription& description) -> ElementPointer {
-            const double growth = description.value("growth");
-            const int side = sideOf(description, "z");
-            return std::make_shared<const MaxwellAlongCurve>(
-                growth > 0.0 ? grownTable(description, growth, side) : tableOf(description, "stiffness"),
-                description.value("break_frequency"));
-          }});
+    170,
+    {"maxwell_along_curve",
+     "Maxwell element whose stiffness depends on the displacement, dF/dt = k(z) dz/dt - 2 pi f_b F.",
+     {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k at the points", std::nullopt, true},
+      pointsParameter(),
+      {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b"},
+      {"growth", "1", Role::shape, Range::closed(0.0, 20.0),
+       "growth b in k(z) = stiffness exp(b ((z/z_r)^2 - 1)), up to the displacement z_r, which is then the only point",
+       0.0},
+      {"side", "1", Role::choice, Range::closed(-1.0, 1.0),
+       "side on which the stiffness grows: 1: z > 0 only; -1: z < 0 only; 0: both", 0.0}},
+     [](const ElementDescription& description) -> ElementPointer {
+       const double growth = description.value("growth");
+       const int side = sideOf(description, "z");
+       return std::make_shared<const MaxwellAlongCurve>(
+           growth > 0.0 ? grownTable(description, growth, side) : tableOf(description, "stiffness"),
+           description.value("break_frequency"));
+     }});
 
 const ElementEntry kDashpotAlongCurveEntry(
     180, {"dashpot_along_curve",
-          "Dashpot whose damping follows the displacement, F = c(z) dz/dt.",
+          "Dashpot whose damping depends on the displacement, F = c(z) dz/dt.",
           {pointsParameter(),
            {"damping", "N s/m", Role::scale, Range::positive(), "damping c at the points", std::nullopt, true}},
           [](const ElementDescription& description) -> ElementPointer {
@@ -165,7 +171,7 @@ const ElementEntry kDashpotAlongCurveEntry(
 
 const ElementEntry kSlidersAlongCurveEntry(
     190, {"sliders_along_curve",
-          "Friction sliders whose force follows the displacement: that of iwan_table times a factor b(z).",
+          "Friction sliders whose force depends on the displacement: the force of iwan_table times a factor b(z).",
           {pointsParameter(),
            {"factor", "1", Role::reference, Range::nonNegative(), "factor b at the points", std::nullopt, true},
            {"yield_displacement", "m", Role::shape, Range::positive(),

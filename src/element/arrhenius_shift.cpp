@@ -60,7 +60,7 @@ const ElementEntry kArrheniusShiftEntry(
           "Shift of all rates with temperature by Arrhenius, ln a_T = E/R (1/T - 1/T_0); the key `temperature` of a "
           "component makes one.",
           {{"activation_energy", "J/mol", Role::shape, Range::closed(-kMost, kMost),
-            "activation energy E; negative only where it takes back another shift"},
+            "activation energy E; negative only to cancel another shift"},
            referenceParameter(),
            verticalParameter("vertical", 0.0)},
           makes<ArrheniusShift, ArrheniusShift::Parameters>("activation_energy", "reference", "vertical")});

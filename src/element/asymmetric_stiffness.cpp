@@ -70,20 +70,23 @@ const ElementEntry kAsymmetricStiffnessEntry(
          "k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), on top of a linear spring.",
          {{"quadratic", "N/m^2", Role::scale, Range::any(), "coefficient k2, of either sign", 0.0},
           {"slope_difference", "N/m", Role::scale, Range::any(),
-           "stiffness k_d at z > 0 beyond that at z < 0, the mean of both kept; of either sign", 0.0},
+           "stiffness k_d at z > 0 minus stiffness at z < 0, for the same mean of both; of either sign", 0.0},
           {"tension_stiffness", "N/m", Role::scale, Range::any(), "extra stiffness k_t at z > 0, of either sign", 0.0},
           {"even_exponential", "N/m", Role::scale, Range::any(),
            "stiffness k_h of the even exponential, of either sign", 0.0},
           {"exponential", "N/m", Role::scale, Range::any(),
            "stiffness k_e of the one-sided exponential, of either sign", 0.0},
           {"exponential_scale", "m", Role::shape, Range::any(),
-           "displacement s over which they grow by e; negative: towards negative z; 0: no exponential", 0.0}},
+           "displacement s over which the exponentials grow by a factor of e; negative: towards negative z; 0: no "
+           "exponentials",
+           0.0}},
          [](const ElementDescription& description) -> ElementPointer {
            const double scale = description.value("exponential_scale");
            const AsymmetricStiffness::Exponentials exponentials{description.value("exponential"),
                                                                 description.value("even_exponential"), scale};
            if (scale == 0.0 && (exponentials.one_sided != 0.0 || exponentials.even != 0.0)) {
-             refuseValue(description.type, "exponential_scale", scale, "m", "not 0 beside an exponential");
+             refuseValue(description.type, "exponential_scale", scale, "m",
+                         "a value other than 0 if an exponential is given");
            }
            return std::make_shared<const AsymmetricStiffness>(description.value("quadratic"),
                                                               description.value("tension_stiffness"), exponentials,

@@ -141,28 +141,28 @@ auto makesBehindPlay(Names... names) {
 
 const ElementEntry kMaxwellBehindPlayEntry(
     150, {"maxwell_behind_play",
-          "Spring and dashpot in series behind a clearance of their own: a damper with backlash.",
+          "Spring and dashpot in series with a clearance: a damper with backlash.",
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
            {"break_frequency", "Hz", Role::shape, Range::positive(),
-            "break frequency f_b; high for a dashpot c = k/(2 pi f_b)"},
+            "break frequency f_b; for a dashpot alone, a high one with c = k/(2 pi f_b)"},
            {"gap", "m", Role::shape, Range::positive(), "clearance g to either side"}},
           makesBehindPlay<Damper>("break_frequency")});
 
 const ElementEntry kPowerDashpotBehindPlayEntry(
-    160,
-    {"power_dashpot_behind_play",
-     "Spring and dashpot of any power in series behind a clearance of their own: a hydraulic damper in a worn eye, "
-     "F = k y (v/v_r)^p in steady flow.",
-     {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
-      {"displacement", "m", Role::shape, Range::positive(), "displacement y of the spring in flow at the rate v_r"},
-      {"reference_rate", "m/s", Role::shape, Range::positive(), "rate v_r"},
-      {"exponent", "1", Role::shape, Range::closed(0.1, 4.0), "power p; 1: a linear dashpot"},
-      {"gap", "m", Role::shape, Range::positive(), "clearance g to either side"}},
-     makesBehindPlay<PowerDamper>("displacement", "reference_rate", "exponent")});
+    160, {"power_dashpot_behind_play",
+          "Spring and power-law dashpot in series with a clearance: a hydraulic damper in a worn eye, F = k y "
+          "(v/v_r)^p in steady flow.",
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
+           {"displacement", "m", Role::shape, Range::positive(),
+            "displacement y of the spring in steady flow at the rate v_r"},
+           {"reference_rate", "m/s", Role::shape, Range::positive(), "rate v_r"},
+           {"exponent", "1", Role::shape, Range::closed(0.1, 4.0), "power p; 1: a linear dashpot"},
+           {"gap", "m", Role::shape, Range::positive(), "clearance g to either side"}},
+          makesBehindPlay<PowerDamper>("displacement", "reference_rate", "exponent")});
 
 const ElementEntry kFrictionBehindPlayEntry(
     310, {"friction_behind_play",
-          "Friction behind a clearance of its own: missing over 2 g of travel after each reversal.",
+          "Friction in series with a clearance: there is no friction over 2 g of travel after each reversal.",
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
            {"yield_displacement", "m", Role::shape, Range::positive(),
             "displacement y beyond the clearance at which it slides"},

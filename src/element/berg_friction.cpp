@@ -72,15 +72,14 @@ double BergFriction::settledLoss(double amplitude) const {
 namespace {
 
 const ElementEntry kBergFrictionEntry(
-    230,
-    {"friction",
-     "Berg's friction element: smooth, rate-independent, amplitude-dependent stiffness and loss.",
-     {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max that friction tends to"},
-      {"displacement", "m", Role::shape, Range::positive(),
-       "displacement z2 from rest at which friction reaches half of its maximum"},
-      {"dead_band", "m", Role::choice, Range::nonNegative(),
-       "travel back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise", 0.0}},
-     makes<BergFriction>("maximum_force", "displacement", "dead_band")});
+    230, {"friction",
+          "Berg's friction element: smooth, rate-independent, amplitude-dependent stiffness and loss.",
+          {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max that the friction approaches"},
+           {"displacement", "m", Role::shape, Range::positive(),
+            "displacement z2 from rest at which friction reaches half of its maximum"},
+           {"dead_band", "m", Role::choice, Range::nonNegative(),
+            "smallest travel back from an extremum that counts as a reversal; about 6 standard deviations of the sensor noise", 0.0}},
+          makes<BergFriction>("maximum_force", "displacement", "dead_band")});
 
 }  // namespace
 }  // namespace rubber_suspension::element

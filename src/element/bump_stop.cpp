@@ -43,13 +43,13 @@ class BumpStop final : public ParallelElement {
 const ElementEntry kBumpStopEntry(
     60,
     {"bump_stop",
-     "Bump stop: F = k_s d (d/d_ref)^(p-1) beyond a gap, d being the depth of contact.",
+     "Bump stop: F = k_s d (d/d_ref)^(p-1) with the depth d of contact beyond a gap.",
      {{"stiffness", "N/m", Role::scale, Range::positive(), "secant stiffness k_s at the reference depth"},
       {"gap", "m", Role::shape, Range::nonNegative(), "displacement at which the stop comes into contact"},
       {"exponent", "1", Role::shape, Range::closed(1.0, 3.0), "exponent p of the force over the depth; 1 is linear",
        1.0},
-      {"reference_depth", "m", Role::reference, Range::positive(), "depth d_ref at which the stop has its stiffness",
-       0.001},
+      {"reference_depth", "m", Role::reference, Range::positive(),
+       "depth d_ref at which the stop has the stiffness k_s", 0.001},
       {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: stop at z > 0 only, -1: at z < 0 only, 0: both", 0.0}},
      [](const ElementDescription& description) -> ElementPointer {
        return std::make_shared<const BumpStop>(description.value("stiffness"), description.value("gap"),

@@ -36,7 +36,7 @@ const ElementType& requireType(const std::string& name) {
 void checkValue(const ElementType& type, const ParameterInfo& parameter, const std::vector<double>& values) {
   if (!parameter.is_list && values.size() != 1) {
     throw std::invalid_argument(
-        fmt::format("{}.{}: takes one number, not {}", type.name, parameter.name, values.size()));
+        fmt::format("{}.{}: has {} numbers; accepted: one number", type.name, parameter.name, values.size()));
   }
   for (const double value : values) {
     if (!parameter.range.contains(value)) {
@@ -82,7 +82,7 @@ ElementDescription complete(const ElementDescription& description) {
       continue;
     }
     if (!parameter.default_value) {
-      throw std::invalid_argument(fmt::format("{}.{} is missing; needed is {} [{}], {}", type.name, parameter.name,
+      throw std::invalid_argument(fmt::format("{}.{} is missing; accepted: {} [{}], {}", type.name, parameter.name,
                                               parameter.documentation, parameter.unit, describe(parameter.range)));
     }
     result.values[parameter.name] = {*parameter.default_value};

@@ -40,18 +40,18 @@ void checkTimes(const ElementDescription& description) {
   const double most = shortest * std::pow(10.0, kMaximumDecadesOfTime);
   if (!(longest > shortest && longest <= most)) {
     refuseValue(description.type, "longest_time", longest, "s",
-                fmt::format("in ({:g}, {:g}], above shortest_time by {:g} decades at most", shortest, most,
+                fmt::format("in ({:g}, {:g}], which is at most {:g} decades above shortest_time", shortest, most,
                             kMaximumDecadesOfTime));
   }
 }
 
 const ElementEntry kCreepEntry(
     210, {"creep",
-          "Slow relaxation: the force under a hold falls linearly in log t.",
+          "Slow relaxation: while the displacement is held, the force falls linearly with log t.",
           {{"stiffness_per_decade", "N/m", Role::scale, Range::positive(),
             "fall of the force per displacement and decade of time"},
-           {"shortest_time", "s", Role::choice, Range::positive(), "time at which the fall begins", 1.0},
-           {"longest_time", "s", Role::choice, Range::positive(), "time at which it ends", 10000.0}},
+           {"shortest_time", "s", Role::choice, Range::positive(), "time at which the relaxation begins", 1.0},
+           {"longest_time", "s", Role::choice, Range::positive(), "time at which the relaxation ends", 10000.0}},
           [](const ElementDescription& description) -> ElementPointer {
             checkTimes(description);
             return std::make_shared<const MaxwellBank>(creepBank(description.value("stiffness_per_decade"),

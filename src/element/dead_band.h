@@ -6,7 +6,7 @@
 namespace rubber_suspension::element {
 
 /// Purpose of the parameter of that name.
-constexpr const char* kDeadBand = "ten standard deviations of the displacement's noise; 0 for simulated ones";
+constexpr const char* kDeadBand = "ten standard deviations of the displacement's noise; 0 for simulated displacements";
 
 /// The displacement [m] behind play of this width: it follows only what moves on beyond a dead band [m].
 inline double followed(double displacement, double dead_band, double before) {

@@ -78,20 +78,20 @@ class FirstLoading final : public ParallelElement {
 };
 
 const ElementEntry kFirstLoadingEntry(
-    320,
-    {"first_loading",
-     "What a new test piece carries beyond displacements that were reached before: k beyond them, k b |z|/(1 + b) "
-     "at most, and gone within some cycles.",
-     {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k just beyond the largest past displacement"},
-      {"yield_share", "1", Role::shape, Range::closed(1e-3, 1e3),
-       "share b of the displacement over which the force approaches its limit"},
-      {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: at z > 0 only, -1: at z < 0 only, 0: both", 0.0},
-      {"dead_band", "m", Role::choice, Range::nonNegative(), kDeadBand, 0.0}},
-     [](const ElementDescription& description) -> ElementPointer {
-       return std::make_shared<const FirstLoading>(description.value("stiffness"), description.value("yield_share"),
-                                                   static_cast<FirstLoading::Side>(sideOf(description, "z")),
-                                                   description.value("dead_band"));
-     }});
+    320, {"first_loading",
+          "Additional force of a new test piece beyond the largest past displacement: stiffness k there, force at most "
+          "k b |z|/(1 + b); it vanishes within some cycles.",
+          {{"stiffness", "N/m", Role::scale, Range::positive(),
+            "additional stiffness k just beyond the largest past displacement"},
+           {"yield_share", "1", Role::shape, Range::closed(1e-3, 1e3),
+            "share b of the displacement over which the force approaches its limit"},
+           {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: at z > 0 only, -1: at z < 0 only, 0: both", 0.0},
+           {"dead_band", "m", Role::choice, Range::nonNegative(), kDeadBand, 0.0}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const FirstLoading>(
+                description.value("stiffness"), description.value("yield_share"),
+                static_cast<FirstLoading::Side>(sideOf(description, "z")), description.value("dead_band"));
+          }});
 
 }  // namespace
 }  // namespace rubber_suspension::element

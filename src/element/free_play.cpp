@@ -25,13 +25,13 @@ class FreePlay final : public DisplacementEffect {
   double share_;
 };
 
-const ElementEntry kFreePlayEntry(
-    390,
-    {"free_play",
-     "Dead zone of displacement in which the test piece does not move.",
-     {{"gap", "m", Role::shape, Range::positive(), "width g of the dead zone to either side of zero"},
-      {"share", "1", Role::shape, Range::openBelow(0.0, 1.0), "part s of the motion within the gap that is lost", 1.0}},
-     makes<FreePlay>("gap", "share")});
+const ElementEntry kFreePlayEntry(390, {"free_play",
+                                        "Dead zone of displacement in which the test piece does not move.",
+                                        {{"gap", "m", Role::shape, Range::positive(),
+                                          "width g of the dead zone to either side of zero"},
+                                         {"share", "1", Role::shape, Range::openBelow(0.0, 1.0),
+                                          "share s of the motion within the dead zone that is lost", 1.0}},
+                                        makes<FreePlay>("gap", "share")});
 
 }  // namespace
 }  // namespace rubber_suspension::element

@@ -274,8 +274,8 @@ ElementPointer makeInertiaTrack(const ElementDescription& description) {
                                                 value("quadratic_resistance") * area * area * area);
   }
   throw std::invalid_argument(
-      fmt::format("{}: {}; accepted: all of {}, and quadratic_damping, or all of {}, and quadratic_resistance, each "
-                  "greater than 0",
+      fmt::format("{}: {}; accepted: all of {}, optionally with quadratic_damping, or all of {}, optionally with "
+                  "quadratic_resistance, each greater than 0",
                   description.type,
                   any_mechanical && any_fluid ? "mechanical and fluid parameters are mixed" : "parameters are missing",
                   fmt::join(kMechanical, ", "), fmt::join(kFluid, ", ")));
@@ -284,19 +284,20 @@ ElementPointer makeInertiaTrack(const ElementDescription& description) {
 ElementType inertiaTrackType() {
   const Range range = Range::nonNegative();
   return {"inertia_track",
-          "Fluid in a hydraulic mount, m d2q/dt2 + c dq/dt + c_2 |dq/dt| dq/dt = F, F = k_h (z - q), by mass, damping "
-          "and stiffness or by the numbers of the fluid; 0: not given.",
+          "Fluid in a hydraulic mount, m d2q/dt2 + c dq/dt + c_2 |dq/dt| dq/dt = F, F = k_h (z - q), given by mass, "
+          "damping and stiffness or by the quantities of the fluid; 0: not given.",
           {{"mass", "kg", Role::shape, range, "mass m of the column, referred to the pumping area", 0.0},
            {"damping", "N s/m", Role::shape, range, "damping c of the track, referred to the pumping area", 0.0},
-           {"stiffness", "N/m", Role::shape, range, "stiffness k_h of the upper chamber by its bulge", 0.0},
+           {"stiffness", "N/m", Role::shape, range, "bulge stiffness k_h of the upper chamber", 0.0},
            {"inertance", "kg/m^4", Role::shape, range, "inertance I of the track, m = I A_p^2", 0.0},
            {"resistance", "Pa s/m^3", Role::shape, range, "resistance R of the track, c = R A_p^2", 0.0},
            {"compliance", "m^3/Pa", Role::shape, range, "compliance C of the upper chamber, k_h = A_p^2/C", 0.0},
-           {"pumping_area", "m^2", Role::reference, range, "area A_p of the piston that the rubber makes", 0.0},
+           {"pumping_area", "m^2", Role::reference, range, "effective piston area A_p of the rubber", 0.0},
            {"free_travel", "m", Role::shape, range, "free travel d of a decoupler to either side; 0: none", 0.0},
-           {"quadratic_damping", "N s^2/m^2", Role::shape, range, "damping c_2 by the square of the rate", 0.0},
+           {"quadratic_damping", "N s^2/m^2", Role::shape, range, "damping c_2 proportional to the square of the rate",
+            0.0},
            {"quadratic_resistance", "Pa s^2/m^6", Role::shape, range,
-            "resistance R_2 by the square of the flow, c_2 = R_2 A_p^3", 0.0}},
+            "resistance R_2 proportional to the square of the flow, c_2 = R_2 A_p^3", 0.0}},
           makeInertiaTrack};
 }
 

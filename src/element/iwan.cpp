@@ -29,7 +29,7 @@ std::vector<JenkinsSlider> slidersFromTable(const ElementDescription& descriptio
   const std::vector<double>& stiffness = description.list("stiffness");
   if (yield.empty() || yield.size() > kMaximumSliders || stiffness.size() != yield.size()) {
     throw std::invalid_argument(fmt::format(
-        "{}.stiffness: {} values for {} yield displacements; accepted: two lists of one length from 1 to {}",
+        "{}.stiffness: has {} values for {} yield displacements; accepted: two lists of equal length, from 1 to {}",
         description.type, stiffness.size(), yield.size(), kMaximumSliders));
   }
   std::vector<JenkinsSlider> sliders;
@@ -66,27 +66,28 @@ std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement
 namespace {
 
 const ElementEntry kIwanEntry(
-    260, {"iwan",
-          "Friction with memory: a bank of Jenkins sliders (Iwan) whose curve from rest is a hyperbola.",
-          {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max once all sliders slide"},
-           {"displacement", "m", Role::shape, Range::positive(),
-            "displacement z2 from rest at which friction reaches half of its maximum"},
-           {"sliders", "1", Role::choice, Range::closed(2.0, kMaximumSliders), "number of sliders, whole", 16.0}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const SliderBank>(iwanSliders(
-                description.value("maximum_force"), description.value("displacement"), sliderCount(description)));
-          }});
+    260,
+    {"iwan",
+     "Friction with memory: a bank of Jenkins sliders (Iwan) whose initial loading curve is a hyperbola.",
+     {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max when all sliders slide"},
+      {"displacement", "m", Role::shape, Range::positive(),
+       "displacement z2 from rest at which friction reaches half of its maximum"},
+      {"sliders", "1", Role::choice, Range::closed(2.0, kMaximumSliders), "number of sliders, a whole number", 16.0}},
+     [](const ElementDescription& description) -> ElementPointer {
+       return std::make_shared<const SliderBank>(iwanSliders(
+           description.value("maximum_force"), description.value("displacement"), sliderCount(description)));
+     }});
 
-const ElementEntry kIwanTableEntry(270,
-                                   {"iwan_table",
-                                    "Friction with memory: a bank of Jenkins sliders (Iwan) given one by one.",
-                                    {{"yield_displacement", "m", Role::shape, Range::positive(),
-                                      "displacement of each slider's spring at which it slides", std::nullopt, true},
-                                     {"stiffness", "N/m", Role::scale, Range::positive(),
-                                      "stiffness of each slider's spring", std::nullopt, true}},
-                                    [](const ElementDescription& description) -> ElementPointer {
-                                      return std::make_shared<const SliderBank>(slidersFromTable(description));
-                                    }});
+const ElementEntry kIwanTableEntry(
+    270,
+    {"iwan_table",
+     "Friction with memory: a bank of Jenkins sliders (Iwan), each given by its own values.",
+     {{"yield_displacement", "m", Role::shape, Range::positive(),
+       "displacement of each slider's spring at which it slides", std::nullopt, true},
+      {"stiffness", "N/m", Role::scale, Range::positive(), "stiffness of each slider's spring", std::nullopt, true}},
+     [](const ElementDescription& description) -> ElementPointer {
+       return std::make_shared<const SliderBank>(slidersFromTable(description));
+     }});
 
 }  // namespace
 }  // namespace rubber_suspension::element

@@ -44,18 +44,19 @@ class LiftOff final : public SeriesElement {
 };
 
 const ElementEntry kLiftOffEntry(
-    410, {"lift_off",
-          "Contact that carries one sign of force, as of a chevron, strap or spring that is not glued to the plate: "
-          "slack, the test piece has no force, or that of the preload, and recovers.",
-          {{"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: carries F > -P only, -1: F < P only"},
-           {"slack_stiffness", "N/m", Role::shape, Range::nonNegative(),
-            "stiffness k_s of what holds an open contact; 0: nothing", 0.0},
-           {"preload", "N", Role::shape, Range::nonNegative(),
-            "force P of the contact where the measured force is 0: it opens at a force of P of the other sign", 0.0}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const LiftOff>(static_cast<LiftOff::Carries>(sideOf(description, "F", false)),
-                                                   description.value("slack_stiffness"), description.value("preload"));
-          }});
+    410,
+    {"lift_off",
+     "Contact that carries only one sign of force, such as a chevron, strap or spring that is not bonded to its plate: "
+     "while the contact is open, the test piece recovers, with no force or that of the preload.",
+     {{"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: carries only F > -P; -1: carries only F < P"},
+      {"slack_stiffness", "N/m", Role::shape, Range::nonNegative(),
+       "stiffness k_s in parallel with the open contact; 0: none", 0.0},
+      {"preload", "N", Role::shape, Range::nonNegative(),
+       "preload P of the contact at a measured force of 0: the contact opens at a force P of the opposite sign", 0.0}},
+     [](const ElementDescription& description) -> ElementPointer {
+       return std::make_shared<const LiftOff>(static_cast<LiftOff::Carries>(sideOf(description, "F", false)),
+                                              description.value("slack_stiffness"), description.value("preload"));
+     }});
 
 }  // namespace
 }  // namespace rubber_suspension::element

@@ -51,13 +51,13 @@ class NonlinearMaxwell final : public ParallelElement {
 
 const ElementEntry kNonlinearMaxwellEntry(
     120, {"nonlinear_maxwell",
-          "Maxwell element whose dashpot yields, dF/dt = k dz/dt - 2 pi f_b F (1 + (|F|/(k y))^p): rate and amplitude "
-          "dependence that are coupled.",
+          "Maxwell element whose dashpot yields, dF/dt = k dz/dt - 2 pi f_b F (1 + (|F|/(k y))^p): coupled dependence "
+          "on rate and amplitude.",
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
            {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b at small amplitude"},
            {"displacement", "m", Role::shape, Range::positive(), "displacement y at which the dashpot yields"},
            {"power", "1", Role::choice, Range::closed(0.5, 10.0),
-            "p; the larger, the more y is a limit of the spring's displacement", 1.0}},
+            "exponent p; the larger, the sharper y limits the displacement of the spring", 1.0}},
           makes<NonlinearMaxwell>("stiffness", "break_frequency", "displacement", "power")});
 
 }  // namespace

@@ -46,15 +46,15 @@ class Overstress final : public ParallelElement {
 };
 
 const ElementEntry kOverstressEntry(
-    300,
-    {"overstress",
-     "Spring that flows beyond a limit of its force, the faster the farther beyond: F = k y (1 + (v/v_r)^(1/m)) at "
-     "a steady rate v, k y after a hold.",
-     {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
-      {"yield_displacement", "m", Role::shape, Range::positive(), "displacement y of the spring at the limit k y"},
-      {"reference_rate", "m/s", Role::shape, Range::positive(), "rate v_r that doubles the force in flow"},
-      {"power", "1", Role::shape, Range::closed(0.25, 10.0), "m, by which what is beyond the limit flows", 2.0}},
-     makes<Overstress, Overstress::Parameters>("stiffness", "yield_displacement", "reference_rate", "power")});
+    300, {"overstress",
+          "Spring that flows when its force exceeds k y, the faster the larger the excess: F = k y (1 + (v/v_r)^(1/m)) "
+          "at a steady rate v, F = k y after a hold.",
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
+           {"yield_displacement", "m", Role::shape, Range::positive(), "displacement y of the spring at the limit k y"},
+           {"reference_rate", "m/s", Role::shape, Range::positive(), "rate v_r at which the force is 2 k y"},
+           {"power", "1", Role::shape, Range::closed(0.25, 10.0),
+            "exponent m: the rate of flow is proportional to the power m of the excess force", 2.0}},
+          makes<Overstress, Overstress::Parameters>("stiffness", "yield_displacement", "reference_rate", "power")});
 
 }  // namespace
 }  // namespace rubber_suspension::element

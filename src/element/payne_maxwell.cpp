@@ -66,13 +66,13 @@ class PayneMaxwell final : public ParallelElement {
 
 const ElementEntry kPayneMaxwellEntry(
     140, {"payne_maxwell",
-          "Maxwell element whose rate of relaxation 2 pi f_b + q/s grows with the mean speed q of the last while T: "
-          "stiffness "
-          "falls while motion lasts and returns at rest (Payne effect).",
+          "Maxwell element whose relaxation rate 2 pi f_b + q/s grows with the mean speed q over the past time T: "
+          "stiffness falls during motion and recovers at rest (Payne effect).",
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k at small amplitude"},
            {"break_frequency", "Hz", Role::shape, Range::nonNegative(), "break frequency f_b at rest"},
            {"recovery_time", "s", Role::shape, Range::nonNegative(), "time T over which the speed is averaged"},
-           {"travel", "m", Role::shape, Range::positive(), "travel s over which the force relaxes by e, in motion"},
+           {"travel", "m", Role::shape, Range::positive(),
+            "travel s over which the force relaxes by a factor of e during motion"},
            {"dead_band", "m", Role::choice, Range::nonNegative(), kDeadBand, 0.0}},
           makes<PayneMaxwell, PayneMaxwell::Parameters>("stiffness", "break_frequency", "recovery_time", "travel",
                                                         "dead_band")});

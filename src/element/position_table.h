@@ -23,13 +23,13 @@ class PositionTable {
       : displacement_(std::move(displacement)), value_(std::move(value)) {
     if (displacement_.empty() || displacement_.size() != value_.size()) {
       throw std::invalid_argument(
-          fmt::format("{}.{}: {} values for {} displacements; accepted: as many as displacements", type, name,
-                      value_.size(), displacement_.size()));
+          fmt::format("{}.{}: has {} values for {} displacements; accepted: one value for each displacement", type,
+                      name, value_.size(), displacement_.size()));
     }
     for (std::size_t i = 1; i < displacement_.size(); ++i) {
       if (!(displacement_[i] >= displacement_[i - 1])) {
         refuseValue(type, "displacement", displacement_[i], "m",
-                    fmt::format("at least {:g}, the value before it", displacement_[i - 1]));
+                    fmt::format("at least {:g}, which is the preceding value", displacement_[i - 1]));
       }
     }
   }

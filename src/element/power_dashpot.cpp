@@ -33,7 +33,7 @@ const ElementEntry kPowerDashpotEntry(
     80, {"power_dashpot",
          "Dashpot whose force follows a power of the rate, F = c v_r sign(v) |v/v_r|^p, v = dz/dt.",
          {{"damping", "N s/m", Role::scale, Range::positive(), "damping constant c at the rate v_r"},
-          {"reference_rate", "m/s", Role::reference, Range::positive(), "rate v_r at which the damping holds"},
+          {"reference_rate", "m/s", Role::reference, Range::positive(), "rate v_r at which the damping is c"},
           {"exponent", "1", Role::shape, Range::openBelow(0.0, 4.0), "power p; 1: a linear dashpot"}},
          makes<PowerDashpot>("damping", "reference_rate", "exponent")});
 

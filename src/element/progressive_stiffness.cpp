@@ -58,7 +58,7 @@ const ElementEntry kProgressiveStiffnessEntry(
           {"quintic", "N/m^5", Role::scale, Range::nonNegative(), "coefficient k5", 0.0},
           {"exponential", "N/m", Role::scale, Range::nonNegative(), "stiffness k_e of the exponential", 0.0},
           {"exponential_scale", "m", Role::shape, Range::nonNegative(),
-           "displacement s over which it grows by e; 0: no exponential", 0.0}},
+           "displacement s over which the exponential grows by a factor of e; 0: no exponential", 0.0}},
          [](const ElementDescription& description) -> ElementPointer {
            const double quadratic = description.value("quadratic");
            const double cubic = description.value("cubic");
@@ -67,10 +67,11 @@ const ElementEntry kProgressiveStiffnessEntry(
            const double scale = description.value("exponential_scale");
            if (quadratic == 0.0 && cubic == 0.0 && quintic == 0.0 && exponential == 0.0) {
              refuseValue(description.type, "cubic", cubic, "N/m^3",
-                         "greater than 0, or else quadratic, quintic or exponential greater than 0");
+                         "at least one of cubic, quadratic, quintic and exponential greater than 0");
            }
            if (scale == 0.0 && exponential != 0.0) {
-             refuseValue(description.type, "exponential_scale", scale, "m", "greater than 0 beside an exponential");
+             refuseValue(description.type, "exponential_scale", scale, "m",
+                         "greater than 0 if an exponential is given");
            }
            return std::make_shared<const ProgressiveStiffness>(cubic, quintic, quadratic, exponential, scale);
          }});

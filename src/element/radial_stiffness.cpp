@@ -30,21 +30,21 @@ namespace {
 
 const ElementEntry kRadialStiffnessEntry(
     40, {"radial_stiffness",
-         "Stiffness that rises with the radius r of two directions across an axis: F = x (h(r) - (1 - a) h(|x|)), "
-         "h(r) = k2 r + k3 r^2 + k5 r^4, in both of them; one direction by itself has r = |x|.",
+         "Stiffness that rises with the radius r of two directions across an axis: in each of them F = x (h(r) - (1 - "
+         "a) h(|x|)) with h(r) = k2 r + k3 r^2 + k5 r^4; a single direction has r = |x|.",
          {{"quadratic", "N/m^2", Role::scale, Range::nonNegative(),
            "coefficient k2; one of the coefficients must be greater than 0", 0.0},
           {"cubic", "N/m^3", Role::scale, Range::nonNegative(), "coefficient k3", 0.0},
           {"quintic", "N/m^5", Role::scale, Range::nonNegative(), "coefficient k5", 0.0},
           {"alone", "1", Role::choice, Range::closed(0.0, 1.0),
-           "share a that acts on a motion along one of the directions alone", 1.0}},
+           "share a of the force that remains for motion along only one of the directions", 1.0}},
          [](const ElementDescription& description) -> ElementPointer {
            const double quadratic = description.value("quadratic");
            const double cubic = description.value("cubic");
            const double quintic = description.value("quintic");
            if (quadratic == 0.0 && cubic == 0.0 && quintic == 0.0) {
              refuseValue(description.type, "cubic", cubic, "N/m^3",
-                         "greater than 0, or else quadratic or quintic greater than 0");
+                         "at least one of cubic, quadratic and quintic greater than 0");
            }
            return std::make_shared<const RadialStiffness>(quadratic, cubic, quintic, description.value("alone"));
          }});

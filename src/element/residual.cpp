@@ -66,7 +66,7 @@ void advanceResonators(double increment, double* memory) {
 void checkSize(const char* parameter, std::size_t size, std::size_t accepted) {
   if (size != accepted) {
     throw std::invalid_argument(
-        fmt::format("{}.{}: {} values; accepted: {}", kResidualName, parameter, size, accepted));
+        fmt::format("{}.{}: has {} values; accepted: {} values", kResidualName, parameter, size, accepted));
   }
 }
 
@@ -86,15 +86,17 @@ void readResonators(const ElementDescription& description, ResidualBasis::Layout
   layout.resonant = !isNone(description.list("resonances"));
   if (!layout.resonant) {
     if (!isNone(description.list("resonance_weights"))) {
-      throw std::invalid_argument(fmt::format("{}.resonance_weights: {} values; accepted: 0 alone, without resonances",
-                                              kResidualName, description.list("resonance_weights").size()));
+      throw std::invalid_argument(
+          fmt::format("{}.resonance_weights: has {} values without resonances; accepted: the single value 0",
+                      kResidualName, description.list("resonance_weights").size()));
     }
     return;
   }
   layout.frequencies = listOf<kResonators>(description, "resonances");
   for (const double frequency : layout.frequencies) {
     if (!(frequency > 0.0)) {
-      refuseValue(kResidualName, "resonances", frequency, "Hz", "greater than 0, or 0 alone for none");
+      refuseValue(kResidualName, "resonances", frequency, "Hz",
+                  "frequencies greater than 0, or the single value 0 for no resonators");
     }
   }
   weights.resonators = description.list("resonance_weights");
@@ -130,17 +132,17 @@ ResidualBasis::ResidualBasis(const Layout& layout)
     : layout_(layout), per_stroke_(1.0 / layout.stroke), stops_(layout.stops.data()) {
   if (layout.points < 2) {
     throw std::invalid_argument(
-        fmt::format("{}.characteristic: {} values; accepted: at least 2", kResidualName, layout.points));
+        fmt::format("{}.characteristic: has {} values; accepted: at least 2 values", kResidualName, layout.points));
   }
 
   if (layout.lowest < -layout.stroke) {
     refuseValue(kResidualName, "lowest", layout.lowest, "m",
-                fmt::format("in [{:g}, 0], within the stroke", -layout.stroke));
+                fmt::format("in [{:g}, 0], which is within the stroke", -layout.stroke));
   }
   const double narrowest = layout.lowest + kNarrowestRange * layout.stroke;
   if (layout.highest < narrowest || layout.highest > layout.stroke) {
     refuseValue(kResidualName, "highest", layout.highest, "m",
-                fmt::format("in [{:g}, {:g}], above lowest and within the stroke", narrowest, layout.stroke));
+                fmt::format("in [{:g}, {:g}], which is above lowest and within the stroke", narrowest, layout.stroke));
   }
   spacing_ = static_cast<double>(layout.points - 1) * layout.stroke / (layout.highest - layout.lowest);
   lowest_share_ = layout.lowest * per_stroke_;
@@ -327,25 +329,26 @@ ElementType residualType() {
   return {
       kResidualName,
       "Surrogate: a bounded force learned from logs, as a diagnosis writes it where no effect explains the gap.",
-      {{"stroke", "m", Role::choice, stroke, "displacement S that the weights belong to"},
-       {"lowest", "m", Role::choice, negative, "lowest displacement that was seen; the force below is that of there"},
+      {{"stroke", "m", Role::choice, stroke, "displacement S to which the weights refer"},
+       {"lowest", "m", Role::choice, negative, "lowest displacement in the logs; the force is constant below it"},
        {"highest", "m", Role::choice, Range::nonNegative(),
-        "highest displacement that was seen; the force above is that of there"},
-       {"lowest_force", "N", Role::choice, negative, "the force is never below this"},
-       {"highest_force", "N", Role::choice, Range::nonNegative(), "the force is never above this"},
-       {"stops", "1", Role::choice, positive, "widths of the 6 stops, in strokes", std::nullopt, true},
-       {"relaxation_times", "s", Role::choice, time, "of the 4 relaxing shares", std::nullopt, true},
-       {"amplitude_time", "s", Role::choice, time, "time over which the amplitude of the motion is taken"},
-       {"weights", "N", Role::scale, any,
-        "44 forces: of each stop, of each relaxing share and of the displacement, times 1, q, q^2 and the amplitude",
+        "highest displacement in the logs; the force is constant above it"},
+       {"lowest_force", "N", Role::choice, negative, "lower bound of the force"},
+       {"highest_force", "N", Role::choice, Range::nonNegative(), "upper bound of the force"},
+       {"stops", "1", Role::choice, positive, "widths of the 6 stop operators, as shares of the stroke",
         std::nullopt, true},
-       {"characteristic", "N", Role::scale, any,
-        "forces over the displacement at points spread evenly from lowest to highest", std::nullopt, true},
+       {"relaxation_times", "s", Role::choice, time, "relaxation times of the 4 relaxing shares", std::nullopt, true},
+       {"amplitude_time", "s", Role::choice, time, "time over which the amplitude of the motion is determined"},
+       {"weights", "N", Role::scale, any,
+        "44 forces: for each stop, each relaxing share and the displacement, multiplied by 1, q, q^2 and the amplitude",
+        std::nullopt, true},
+       {"characteristic", "N", Role::scale, any, "forces at equally spaced displacements from lowest to highest",
+        std::nullopt, true},
        {"resonances", "Hz", Role::choice, Range::closed(0.0, kHighestFrequency),
-        "natural frequencies of the 8 resonators; 0: there are none", 0.0, true},
+        "natural frequencies of the 8 resonators; 0: no resonators", 0.0, true},
        {"resonance_damping", "1", Role::choice, Range::closed(1e-3, 10.0), "damping ratio of the resonators", 0.15},
        {"resonance_weights", "N", Role::scale, any,
-        "16 forces: of the displacement and of the velocity of each resonator", 0.0, true}},
+        "16 forces: for the displacement and the velocity of each resonator", 0.0, true}},
       makeResidual};
 }
 

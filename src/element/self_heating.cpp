@@ -51,7 +51,7 @@ class SelfHeating final : public ForceEffect {
 const ElementEntry kSelfHeatingEntry(
     340,
     {"self_heating",
-     "Softening by the heat of the component's own loss: stiffness falls slowly under hard work and recovers at rest.",
+     "Softening by heat from the component's own loss: stiffness falls slowly under large motion and recovers at rest.",
      {{"energy_sensitivity", "1/J", Role::shape, Range::positive(), "relative softening per energy lost"},
       {"time_constant", "s", Role::shape, Range::positive(), "time constant of cooling"}},
      makes<SelfHeating>("energy_sensitivity", "time_constant")});

@@ -27,7 +27,7 @@ class SensorGain final : public ForceEffect {
 
 const ElementEntry kSensorGainEntry(
     440, {"sensor_gain",
-          "Wrong gain of the force's channel: the recorded force is 1 + g times that of the test piece.",
+          "Wrong gain of the force channel: the recorded force is 1 + g times the force of the test piece.",
           {{"gain", "1", Role::shape, Range::closed(-0.9, 9.0), "error g of the gain"}},
           makes<SensorGain>("gain")});
 

@@ -35,8 +35,8 @@ class SlidingMaxwell final : public ParallelElement {
 const ElementEntry kSlidingMaxwellEntry(
     130,
     {"sliding_maxwell",
-     "Maxwell element with a slider, dF/dt = k dz/dt - 2 pi f_b F and |F| <= k y: rate and amplitude dependence "
-     "that are coupled.",
+     "Maxwell element with a slider, dF/dt = k dz/dt - 2 pi f_b F and |F| <= k y: coupled dependence on rate and "
+     "amplitude.",
      {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
       {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b"},
       {"yield_displacement", "m", Role::shape, Range::positive(), "displacement y of the spring at which it slides"}},

@@ -18,9 +18,9 @@ constexpr double kRelativeOffset = 1e-9;
 
 void checkLengths(const std::vector<double>& displacement, const std::vector<double>& force) {
   if (displacement.size() < 2 || force.size() != displacement.size()) {
-    throw std::invalid_argument(
-        fmt::format("{}.force: {} values for {} displacements; accepted: as many as displacements, at least 2",
-                    kTableName, force.size(), displacement.size()));
+    throw std::invalid_argument(fmt::format(
+        "{}.force: has {} values for {} displacements; accepted: one force for each of at least 2 displacements",
+        kTableName, force.size(), displacement.size()));
   }
 }
 
@@ -28,11 +28,11 @@ void checkOrder(const std::vector<double>& displacement, const std::vector<doubl
   for (std::size_t i = 1; i < displacement.size(); ++i) {
     if (!(displacement[i] > displacement[i - 1])) {
       refuseValue(kTableName, "displacement", displacement[i], "m",
-                  fmt::format("greater than {:g}, the value before it", displacement[i - 1]));
+                  fmt::format("greater than {:g}, which is the preceding value", displacement[i - 1]));
     }
     if (monotone && !(force[i] >= force[i - 1])) {
       refuseValue(kTableName, "force", force[i], "N",
-                  fmt::format("at least {:g}, the value before it, or monotone: 0", force[i - 1]));
+                  fmt::format("at least {:g}, which is the preceding value, or monotone: 0", force[i - 1]));
     }
   }
 }
@@ -52,7 +52,7 @@ class SpringTable final : public ParallelElement {
     if (monotone_ &&
         std::abs(at_zero) > kRelativeOffset * std::max(std::abs(force_.front()), std::abs(force_.back()))) {
       refuseValue(kTableName, "force", at_zero, "N at displacement 0",
-                  "0 there (give a preload as force_offset), or monotone: 0");
+                  "0 N at displacement 0 (give a preload as force_offset), or monotone: 0");
     }
   }
 
@@ -77,7 +77,7 @@ class SpringTable final : public ParallelElement {
 const ElementEntry kSpringTableEntry(
     50,
     {kTableName,
-     "Spring with a characteristic given by points, linear between them, with the end slopes beyond.",
+     "Spring whose characteristic is given by points, linear between them and with the end slopes beyond.",
      {{"displacement", "m", Role::choice, Range::any(), "displacements of the points, increasing", std::nullopt, true},
       {"force", "N", Role::scale, Range::any(), "forces of the points", std::nullopt, true},
       {"monotone", "1", Role::choice, Range::closed(0.0, 1.0),

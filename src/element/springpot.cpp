@@ -78,7 +78,7 @@ void checkRange(const ElementDescription& description) {
   const double most = low * std::pow(10.0, kMaximumDecadesOfFrequency);
   if (!(high > low && high <= most)) {
     refuseValue(description.type, "high_frequency", high, "Hz",
-                fmt::format("in ({:g}, {:g}], above low_frequency by {:g} decades at most", low, most,
+                fmt::format("in ({:g}, {:g}], which is at most {:g} decades above low_frequency", low, most,
                             kMaximumDecadesOfFrequency));
   }
 }
@@ -87,11 +87,12 @@ const ElementEntry kSpringpotEntry(
     200, {"springpot",
           "Fractional element, K* = K_r (i f/f_r)^alpha: constant loss angle of 90 degrees times alpha.",
           {{"stiffness", "N/m", Role::scale, Range::positive(), "magnitude K_r of K* at the reference frequency"},
-           {"order", "1", Role::shape, Range::open(0.0, 1.0), "order alpha; towards 0 a spring, towards 1 a dashpot"},
+           {"order", "1", Role::shape, Range::open(0.0, 1.0), "order alpha; 0 would be a spring, 1 a dashpot"},
            {"reference_frequency", "Hz", Role::reference, Range::positive(), "reference frequency f_r", 1.0},
            {"low_frequency", "Hz", Role::choice, Range::positive(),
-            "lower end of the range in which K* holds within 0.1 %; far below the element relaxes", 0.001},
-           {"high_frequency", "Hz", Role::choice, Range::positive(), "upper end of that range", 1000.0}},
+            "lower end of the frequency range in which K* is exact to 0.1 %; far below, the element relaxes", 0.001},
+           {"high_frequency", "Hz", Role::choice, Range::positive(),
+            "upper end of the frequency range in which K* is exact to 0.1 %", 1000.0}},
           [](const ElementDescription& description) -> ElementPointer {
             checkRange(description);
             return std::make_shared<const MaxwellBank>(springpotBank(

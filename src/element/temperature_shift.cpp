@@ -20,7 +20,7 @@ ParameterInfo verticalParameter(const std::string& name, const std::optional<dou
 
 ParameterInfo referenceParameter() {
   return {"reference", "degC", Role::choice, Range::openBelow(-kZeroCelsius, 1000.0),
-          "temperature T_0 at which all other values of the component hold"};
+          "temperature T_0 to which all other values of the component refer"};
 }
 
 }  // namespace rubber_suspension::element

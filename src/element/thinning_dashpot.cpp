@@ -27,9 +27,9 @@ class ThinningDashpot final : public SmoothRateDashpot {
 
 const ElementEntry kThinningDashpotEntry(
     90, {"thinning_dashpot",
-         "Dashpot that thins under shear, F = c v/(1 + |v|/v_h), v = dz/dt: c v_h at most.",
+         "Dashpot with shear thinning, F = c v/(1 + |v|/v_h), v = dz/dt; the force is at most c v_h.",
          {{"damping", "N s/m", Role::scale, Range::positive(), "damping constant c at slow motion"},
-          {"half_rate", "m/s", Role::shape, Range::positive(), "rate v_h at half of the damping"}},
+          {"half_rate", "m/s", Role::shape, Range::positive(), "rate v_h at which the damping is c/2"}},
          makes<ThinningDashpot>("damping", "half_rate")});
 
 }  // namespace

@@ -71,12 +71,13 @@ class TransientNetwork final : public ParallelElement {
 
 const ElementEntry kTransientNetworkEntry(
     145, {"transient_network",
-          "Network whose intact share m falls with motion and recovers at rest, dm/dt = (1 - m)/T - m |dz/dt|/s: "
+          "Network whose intact share m falls during motion and recovers at rest, dm/dt = (1 - m)/T - m |dz/dt|/s: a "
           "friction whose limit falls with the mean speed (Payne effect).",
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the intact network"},
            {"break_frequency", "Hz", Role::shape, Range::nonNegative(), "break frequency f_b of the network at rest"},
-           {"recovery_time", "s", Role::shape, Range::positive(), "time T over which the network forms again"},
-           {"travel", "m", Role::shape, Range::positive(), "travel s over which motion breaks it by e"},
+           {"recovery_time", "s", Role::shape, Range::positive(), "time T over which the network recovers"},
+           {"travel", "m", Role::shape, Range::positive(),
+            "travel s over which motion reduces the intact share by a factor of e"},
            {"dead_band", "m", Role::choice, Range::nonNegative(), kDeadBand, 0.0}},
           makes<TransientNetwork, TransientNetwork::Parameters>("stiffness", "break_frequency", "recovery_time",
                                                                 "travel", "dead_band")});

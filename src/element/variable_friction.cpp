@@ -78,16 +78,17 @@ class VariableFriction final : public ParallelElement {
 const ElementEntry kVariableFrictionEntry(
     280,
     {"variable_friction",
-     "Friction behind a contact spring that slides at k y m (1 + |z|/d): grows with displacement, wears with "
-     "travel (m), builds up at rest.",
+     "Friction behind a contact spring that slides at k y m (1 + |z|/d): the limit grows with displacement, wears with "
+     "travel (m) and builds up again at rest.",
      {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
       {"yield_displacement", "m", Role::shape, Range::positive(),
-       "displacement y at which it slides about zero displacement, unworn"},
+       "displacement y of the spring at which the unworn friction slides near zero displacement"},
       {"growth_displacement", "m", Role::shape, Range::nonNegative(),
        "displacement d at which the limit is twice that at zero; 0: no growth", 0.0},
-      {"travel", "m", Role::shape, Range::nonNegative(), "travel s over which it wears by e; 0: no wear", 0.0},
-      {"build_up_time", "s", Role::shape, Range::nonNegative(), "time T_b over which it builds up again; 0: never",
-       0.0},
+      {"travel", "m", Role::shape, Range::nonNegative(),
+       "travel s over which the limit wears by a factor of e; 0: no wear", 0.0},
+      {"build_up_time", "s", Role::shape, Range::nonNegative(),
+       "time T_b over which the limit builds up again; 0: never", 0.0},
       {"dead_band", "m", Role::choice, Range::nonNegative(), kDeadBand, 0.0}},
      makes<VariableFriction, VariableFriction::Parameters>("stiffness", "yield_displacement", "growth_displacement",
                                                            "travel", "build_up_time", "dead_band")});

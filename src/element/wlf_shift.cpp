@@ -52,7 +52,7 @@ const ElementEntry kWlfShiftEntry(
           "T_0); the key `temperature` of a component makes one.",
           {{"c1", "1", Role::shape, Range::openBelow(0.0, 100.0), "constant C_1 at the reference temperature"},
            {"c2", "K", Role::shape, Range::openBelow(0.0, 1000.0),
-            "constant C_2 at the reference temperature, a difference of temperatures"},
+            "constant C_2 at the reference temperature, a temperature difference"},
            referenceParameter(),
            verticalParameter("vertical", 0.0)},
           makes<WlfShift, WlfShift::Parameters>("c1", "c2", "reference", "vertical")});

@@ -39,13 +39,13 @@ void checkRanges(const Values& values) {
 
 void requireAll(const Values& values, const std::vector<std::string>& keys, const std::string& purpose) {
   for (const std::string& key : keys) {
-    element::refuseIf(values.count(key) == 0, "{}: missing; needed for {}", key, purpose);
+    element::refuseIf(values.count(key) == 0, "{}: is missing; it is needed for {}", key, purpose);
   }
 }
 
 void refuseBoth(const Values& values, const std::string& derived, const std::string& direct) {
   element::refuseIf(values.count(derived) != 0 && values.count(direct) != 0,
-                    "{}: given beside {}; accepted: one of the two", derived, direct);
+                    "{}: is given together with {}; accepted: only one of the two", derived, direct);
 }
 
 double blockStiffness(const Values& values, double hardness, LoadDirection direction) {
@@ -61,29 +61,31 @@ void addStaticStiffness(const Values& values, LoadDirection direction, DataSheet
   static const std::vector<std::string> keys = {"shore_a", "loaded_area", "layer_thickness", "shape_factor"};
   if (values.count("shore_a") == 0) {
     for (const char* key : {"loaded_area", "layer_thickness", "shape_factor", "layers"}) {
-      element::refuseIf(values.count(key) != 0,
-                        "{}: given without shore_a; the shape alone does not determine a stiffness", key);
+      element::refuseIf(
+          values.count(key) != 0,
+          "{}: is given without shore_a, but the shape alone does not determine a stiffness; accepted: both or neither",
+          key);
     }
     return;
   }
   refuseBoth(values, "shore_a", "static_stiffness");
   requireAll(values, keys, "a static stiffness from hardness");
   const double shape_factor = values.at("shape_factor");
-  element::refuseIf(direction == LoadDirection::shear && shape_factor < kLowestShearShapeFactor,
-                    "shape_factor: {:g} is out of range in shear, where a slender block bends; "
-                    "accepted: at least {:g}",
-                    shape_factor, kLowestShearShapeFactor);
+  element::refuseIf(
+      direction == LoadDirection::shear && shape_factor < kLowestShearShapeFactor,
+      "shape_factor: {:g} is out of range in shear, because a slender block bends; accepted: at least {:g}",
+      shape_factor, kLowestShearShapeFactor);
   const double hardness = values.at("shore_a");
   const double stiffness = blockStiffness(values, hardness, direction);
   const double softest = blockStiffness(values, std::max(kLowestHardness, hardness - kHardnessTolerance), direction);
   const double hardest = blockStiffness(values, std::min(kHighestHardness, hardness + kHardnessTolerance), direction);
   result.specification.set("static_stiffness", stiffness);
   result.notes.push_back(fmt::format(
-      "static_stiffness {:.6g} N/m from Shore A {:g}: Young's modulus {:.4g} MPa (Gent 1958){}; a hardness within {:g} "
-      "degrees means {:.4g} to {:.4g} N/m",
+      "static_stiffness {:.6g} N/m follows from Shore A {:g}: Young's modulus {:.4g} MPa (Gent 1958){}; a hardness "
+      "tolerance of {:g} degrees means {:.4g} to {:.4g} N/m",
       stiffness, hardness, modulusFromShoreA(hardness) * 1e-6,
       direction == LoadDirection::shear
-          ? ", shear modulus a third of it"
+          ? ", shear modulus one third of it"
           : fmt::format(", times 1 + 2 S^2 = {:.4g} (Gent and Lindley 1959)", compressionFactor(shape_factor)),
       kHardnessTolerance, softest, hardest));
 }
@@ -92,15 +94,14 @@ void addDynamicStiffness(const Values& values, DataSheetResult& result) {
   if (values.count("dynamic_to_static_ratio") != 0) {
     refuseBoth(values, "dynamic_to_static_ratio", "dynamic_stiffness");
     element::refuseIf(!result.specification.has("static_stiffness"),
-                      "static_stiffness: missing; needed for dynamic_to_static_ratio");
+                      "static_stiffness: is missing; it is needed for dynamic_to_static_ratio");
     const double stiffness = values.at("dynamic_to_static_ratio") * result.specification.at("static_stiffness");
     result.specification.set("dynamic_stiffness", stiffness);
     result.notes.push_back(fmt::format("dynamic_stiffness {:.6g} N/m from dynamic_to_static_ratio", stiffness));
   } else if (values.count("dynamic_stiffness") == 0) {
     throw std::invalid_argument(
-        "dynamic_stiffness: missing, and does not follow from hardness or static stiffness, as it depends on the "
-        "filler; "
-        "accepted: dynamic_stiffness or dynamic_to_static_ratio from the data sheet or a test");
+        "dynamic_stiffness: is missing; it does not follow from hardness or static stiffness because it depends on the "
+        "filler; accepted: dynamic_stiffness or dynamic_to_static_ratio from the data sheet or a test");
   }
 }
 
@@ -120,10 +121,10 @@ double breakFrequencyForSecondAngle(const Specification& specification, double f
   if (at_lowest * at_top > 0.0) {
     const double a = at_lowest + angle;
     const double b = at_top + angle;
-    throw std::invalid_argument(fmt::format(
-        "second_loss_angle: {:g} rad at {:g} Hz is not reached by one Maxwell element and a dashpot with the "
-        "other inputs; accepted: in ({:.6g}, {:.6g}) rad",
-        angle, frequency, std::min(a, b), std::max(a, b)));
+    throw std::invalid_argument(
+        fmt::format("second_loss_angle: {:g} rad at {:g} Hz cannot be reached by one Maxwell element and a dashpot "
+                    "with the other inputs; accepted: in ({:.6g}, {:.6g}) rad",
+                    angle, frequency, std::min(a, b), std::max(a, b)));
   }
   return std::exp(rootBetween(mismatch, lowest, top, at_lowest, at_top, 48));
 }
@@ -132,12 +133,12 @@ void addSecondAngle(const Values& values, DataSheetResult& result) {
   requireAll(values, {"second_frequency", "second_loss_angle"}, "a second loss angle");
   if (result.model != Model::maxwell_dashpot) {
     throw std::invalid_argument("second_loss_angle: model " + toString(result.model) +
-                                " has no parameter to meet it; accepted: model maxwell_dashpot");
+                                " has no parameter for a second loss angle; accepted: model maxwell_dashpot");
   }
   refuseBoth(values, "second_loss_angle", "break_frequency");
   Specification& specification = result.specification;
   element::refuseIf(values.at("second_frequency") == specification.at("nominal_frequency"),
-                    "second_frequency: is the nominal frequency; accepted: another one");
+                    "second_frequency: is equal to the nominal frequency; accepted: a different frequency");
   specification.set("break_frequency", 1.0);  // for the checks; found below
   checkSpecification(Model::maxwell_dashpot, specification);
   for (const auto& obstacle : {stiffnessObstacle(specification), storageObstacle(specification)}) {
@@ -178,11 +179,10 @@ double modulusFromShoreA(double hardness) {
 }
 
 double compressionFactor(double shape_factor) {
-  element::refuseIf(
-      !(shape_factor >= kLowestShapeFactor && shape_factor <= kHighestShapeFactor),
-      "shape_factor: {:g} is outside the range of 1 + 2 S^2 (below, a block bends; above, the rubber's own "
-      "compressibility counts); accepted: in [{:g}, {:g}]",
-      shape_factor, kLowestShapeFactor, kHighestShapeFactor);
+  element::refuseIf(!(shape_factor >= kLowestShapeFactor && shape_factor <= kHighestShapeFactor),
+                    "shape_factor: {:g} is outside the range of the formula 1 + 2 S^2 (below it a block bends, above "
+                    "it the compressibility of rubber matters); accepted: in [{:g}, {:g}]",
+                    shape_factor, kLowestShapeFactor, kHighestShapeFactor);
   return 1.0 + 2.0 * shape_factor * shape_factor;
 }
 
@@ -194,11 +194,11 @@ const std::vector<element::ParameterInfo>& dataSheetParameters() {
       {"loaded_area", "m^2", Role::shape, Range::positive(), "loaded area of one layer"},
       {"layer_thickness", "m", Role::shape, Range::positive(), "thickness of one layer of rubber"},
       {"shape_factor", "1", Role::shape, Range::closed(kLowestShapeFactor, 50.0),
-       "loaded area over force-free area of one layer"},
-      {"layers", "1", Role::choice, Range::closed(1.0, 100.0), "layers in series", 1.0},
+       "ratio of loaded area to force-free area of one layer"},
+      {"layers", "1", Role::choice, Range::closed(1.0, 100.0), "number of layers in series", 1.0},
       {"dynamic_to_static_ratio", "1", Role::shape, Range::openBelow(1.0, 10.0), "K_n/K_st at the nominal frequency"},
       {"second_frequency", "Hz", Role::reference, Range::positive(), "frequency of the second loss angle"},
-      {"second_loss_angle", "rad", Role::shape, Range::open(0.0, 0.5 * element::kPi), "loss angle there"},
+      {"second_loss_angle", "rad", Role::shape, Range::open(0.0, 0.5 * element::kPi), "loss angle at second_frequency"},
   };
   return table;
 }

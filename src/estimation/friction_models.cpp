@@ -66,7 +66,7 @@ double viscousShare(const Specification& specification) { return valueOrDefault(
 // Even Coulomb friction, which loses most for its force, cannot lose what is asked: its stiffness is too high already.
 Obstacle tooLossy(double k_lowest) {
   return {"dynamic_stiffness",
-          fmt::format("is less than the {:.6g} N/m that friction with this loss per cycle brings at least", k_lowest)};
+          fmt::format("is less than {:.6g} N/m, the least stiffness of friction with this loss per cycle", k_lowest)};
 }
 
 // M4 and M5. A dashpot has no force at the turning points, where the stiffness is taken: K_n = K_st + F_f0/A_n.

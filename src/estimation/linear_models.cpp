@@ -44,8 +44,8 @@ std::optional<Obstacle> storageObstacle(const Specification& specification) {
     return std::nullopt;
   }
   const std::string key = specification.has("loss_angle") ? "loss_angle" : "relative_damping";
-  return Obstacle{key, fmt::format("leaves a storage stiffness K_n cos(delta) of {:.6g} N/m, not above {}", storage,
-                                   inputText(specification, "static_stiffness"))};
+  return Obstacle{key, fmt::format("gives a storage stiffness K_n cos(delta) of {:.6g} N/m, which is not above {}",
+                                   storage, inputText(specification, "static_stiffness"))};
 }
 
 double breakFrequencyForHighStiffness(const Specification& specification) {
@@ -82,7 +82,7 @@ std::optional<Obstacle> maxwellObstacle(const Specification& specification) {
     auto obstacle = highFrequencyObstacle(specification);
     // A break frequency far above f_h makes a dashpot, and with it the steepest rise.
     if (!obstacle && !std::isfinite(breakFrequencyForHighStiffness(specification))) {
-      obstacle = Obstacle{"high_frequency_stiffness", "rises more from f_n to f_h than one Maxwell element can"};
+      obstacle = Obstacle{"high_frequency_stiffness", "rises more from f_n to f_h than one Maxwell element allows"};
     }
     return obstacle;
   }

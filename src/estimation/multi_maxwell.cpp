@@ -259,9 +259,9 @@ std::optional<Obstacle> spreadObstacle(const std::string& key, const Inputs& inp
   if (embraces(b, frequency)) {
     return std::nullopt;
   }
-  return Obstacle{key, fmt::format("needs a break frequency of {:.6g} Hz on average, which is outside those of the {} "
-                                   "elements, {:.6g} to {:.6g} Hz",
-                                   frequency, b.size(), b.front(), b.back())};
+  return Obstacle{key,
+                  fmt::format("needs a mean break frequency of {:.6g} Hz, but the {} elements have {:.6g} to {:.6g} Hz",
+                              frequency, b.size(), b.front(), b.back())};
 }
 
 std::optional<Obstacle> highStiffnessObstacle(const Inputs& inputs) {
@@ -278,19 +278,19 @@ std::optional<Obstacle> highStiffnessObstacle(const Inputs& inputs) {
     return std::nullopt;
   }
   const WrittenUnit unit = inputs.specification.writtenUnit("high_frequency_stiffness");
-  return Obstacle{"high_frequency_stiffness",
-                  fmt::format("is not reached by {} elements that meet K_n, which have {:.6g} to {:.6g} {} there",
-                              b.size(), low / unit.size, high / unit.size, unit.name)};
+  return Obstacle{
+      "high_frequency_stiffness",
+      fmt::format("cannot be reached by {} elements that meet K_n; they reach {:.6g} to {:.6g} {} at high_frequency",
+                  b.size(), low / unit.size, high / unit.size, unit.name)};
 }
 
 std::optional<Obstacle> highFrequencyForAngleObstacle(const Inputs& inputs) {
   if (highFrequencyForAngle(inputs)) {
     return std::nullopt;
   }
-  return Obstacle{
-      "loss_angle",
-      fmt::format("is not reached with the other inputs by {} elements, whatever the high frequency above {}",
-                  inputs.elements, inputText(inputs.specification, "nominal_frequency"))};
+  return Obstacle{"loss_angle",
+                  fmt::format("cannot be reached by {} elements with the other inputs at any high_frequency above {}",
+                              inputs.elements, inputText(inputs.specification, "nominal_frequency"))};
 }
 
 }  // namespace

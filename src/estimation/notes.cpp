@@ -44,9 +44,8 @@ std::string highFrequencyNote(const Specification& specification, double high_fr
   const double stiffness = std::abs(stiffnessAt(estimateTangent(Model::multi_maxwell, specification), high_frequency));
   const WrittenUnit unit = specification.writtenUnit("maximum_stiffness");
   return fmt::format(
-      "at high_frequency, {:.6g} Hz, K is {:.6g} {}: maximum_stiffness is that far above; give "
-      "high_frequency_stiffness "
-      "for K at high_frequency",
+      "K at high_frequency, {:.6g} Hz, is only {:.6g} {}, because maximum_stiffness is the limit at any frequency; to "
+      "specify K at high_frequency, give high_frequency_stiffness",
       high_frequency, stiffness / unit.size, unit.name);
 }
 
@@ -58,14 +57,14 @@ std::vector<std::string> multiMaxwellNotes(const Specification& specification) {
   }
   if (!specification.has("low_frequency")) {
     notes.push_back(
-        fmt::format("low_frequency is {:.6g} Hz by f_l = n_M f_h/10^(n_M-1), a reconstruction of the "
-                    "illegible Eq. 22 of the paper; give low_frequency to choose it",
+        fmt::format("low_frequency is {:.6g} Hz, from f_l = n_M f_h/10^(n_M-1), a reconstruction of the illegible Eq. "
+                    "22 of the paper; give low_frequency for another value",
                     band.low_frequency));
   }
   if (!specification.has("high_frequency")) {
     notes.push_back(
-        fmt::format("high_frequency found from the loss angle is {:.6g} Hz; where several give it, this is "
-                    "the lowest above nominal_frequency",
+        fmt::format("high_frequency is {:.6g} Hz, from the loss angle; if several values fit, this is the lowest above "
+                    "nominal_frequency",
                     band.high_frequency));
   }
   return notes;
@@ -77,8 +76,9 @@ void addSharpFriction(std::vector<std::string>& notes, Model model, const Specif
   for (const element::ElementDescription& entry : estimateTangent(model, specification)) {
     if (entry.type == "friction" && entry.value("displacement") < kSharp * specification.at("nominal_amplitude")) {
       notes.push_back(fmt::format(
-          "friction reaches half of its limit at z2 = {:.2g} m, {:.2g} % of the amplitude: it is nearly Coulomb's, as "
-          "the loss angle is close to the most that this dynamic stiffness allows; rubber has z2 near the amplitude",
+          "friction reaches half of its limit at z2 = {:.2g} m, {:.2g} % of the amplitude, and is nearly Coulomb "
+          "friction, because the loss angle is close to the largest that this dynamic stiffness allows; rubber has z2 "
+          "near the amplitude",
           entry.value("displacement"), 100.0 * entry.value("displacement") / specification.at("nominal_amplitude")));
     }
   }
@@ -88,7 +88,9 @@ void addSharpFriction(std::vector<std::string>& notes, Model model, const Specif
 
 std::vector<std::string> estimationNotes(Model model, const Specification& specification) {
   if (!specification.preloads().empty()) {
-    return {"Maxwell elements and dashpots are linear in the displacement between the preloads, and constant beyond"};
+    return {
+        "Maxwell elements and dashpots vary linearly with the displacement between the preloads and are constant "
+        "beyond them"};
   }
   if (model == Model::multi_maxwell) {
     return multiMaxwellNotes(specification);
@@ -103,8 +105,8 @@ std::vector<std::string> estimationNotes(Model model, const Specification& speci
   }
   if (model == Model::friction_dashpot) {
     notes.push_back(
-        "dynamic_stiffness holds between the turning points, where the dashpot has no force; the peak of the loop "
-        "comes a little earlier and is a little higher");
+        "dynamic_stiffness is the stiffness between the turning points of the loop, where the dashpot has no force; "
+        "the largest force occurs slightly earlier and is slightly higher");
   }
   if (model == Model::friction || model == Model::friction_dashpot || model == Model::berg) {
     addSharpFriction(notes, model, specification);

@@ -50,7 +50,8 @@ class PointFit {
       const numerics::Optimum found = numerics::searchLeast(misfit, start(i), limits());
       best = found.cost < best.cost ? found : best;
     }
-    element::refuseIf(!std::isfinite(best.cost), "points: no model comes near them; accepted: points of one component");
+    element::refuseIf(!std::isfinite(best.cost),
+                      "points: the model cannot be fitted to them; accepted: points of a single component");
     return result(best.search);
   }
 
@@ -76,8 +77,9 @@ class PointFit {
     }
     for (const auto& [key, value] : given_.values()) {
       if (std::find(accepted.begin(), accepted.end(), key) == accepted.end()) {
-        throw std::invalid_argument(fmt::format("{}: given beside points, which are fitted{}; accepted: {}", key,
-                                                element::didYouMean(key, accepted), fmt::join(accepted, ", ")));
+        throw std::invalid_argument(
+            fmt::format("{}: is given although it follows from the fit to points{}; accepted: {}", key,
+                        element::didYouMean(key, accepted), fmt::join(accepted, ", ")));
       }
     }
   }
@@ -89,10 +91,10 @@ class PointFit {
     for (std::size_t i = 0; i < given_.points().size(); ++i) {
       const SpecifiedPoint& point = given_.points()[i];
       element::refuseIf(!point.stiffness && !point.loss_angle,
-                        "points[{}] has no number to meet; accepted: stiffness, loss_angle or both", i);
+                        "points[{}] has neither stiffness nor loss_angle; accepted: stiffness, loss_angle or both", i);
       element::refuseIf(
           point.amplitude == 0.0 && !isLinear() && !given_.has("nominal_amplitude"),
-          "points[{}].amplitude is missing; accepted: the amplitude of the point, as the component is nonlinear", i);
+          "points[{}].amplitude is missing, but the component is nonlinear; accepted: the amplitude of the point", i);
     }
   }
 
@@ -184,9 +186,10 @@ class PointFit {
   void checkCount() const {
     const auto moved = std::count_if(numbers_.begin(), numbers_.end(), [](const auto& number) { return !number.kept; });
     if (moved > residualCount()) {
-      throw std::invalid_argument(fmt::format(
-          "points: {} numbers for the {} that model {} has free; accepted: at least as many, or static_stiffness{}",
-          residualCount(), moved, toString(model_), hasMaxwell() ? " and break_frequency" : ""));
+      throw std::invalid_argument(
+          fmt::format("points: they have {} values for {} free parameters of model {}; accepted: at least as many "
+                      "values, or static_stiffness{}",
+                      residualCount(), moved, toString(model_), hasMaxwell() ? " and break_frequency" : ""));
     }
   }
 
@@ -397,7 +400,7 @@ class PointFit {
 
 Resolved fitPoints(Model model, const Specification& specification, const FitEntries& add) {
   element::refuseIf(model == Model::elements,
-                    "points: model elements has nothing to estimate; accepted: any other model");
+                    "points: the model elements has no parameters to estimate; accepted: any other model");
   return PointFit(model, specification, add).fit();
 }
 

@@ -35,7 +35,7 @@ std::vector<element::ElementDescription> noElements(const Specification& /*speci
 const std::vector<NamedModel>& models() {
   static const std::vector<NamedModel> table = {
       {{Model::kelvin_voigt,
-        "M1: spring and dashpot; the spring is K_n, static stiffness takes no part",
+        "M1: spring and dashpot; the spring has K_n, and static_stiffness is not used",
         {"dynamic_stiffness", "nominal_frequency"},
         {{"relative_damping", "loss_angle"}},
         {"static_stiffness"},
@@ -71,7 +71,8 @@ const std::vector<NamedModel>& models() {
        frictionObstacle,
        estimateFriction},
       {{Model::friction_dashpot,
-        "M5: spring, Berg friction and dashpot; K_n holds between the turning points, where the dashpot has no force",
+        "M5: spring, Berg friction and dashpot; K_n is the stiffness between the turning points, where the dashpot has "
+        "no force",
         {"static_stiffness", "dynamic_stiffness", "nominal_frequency", "nominal_amplitude"},
         {{"relative_damping", "loss_angle"}},
         {"viscous_share"},
@@ -98,7 +99,7 @@ const std::vector<NamedModel>& models() {
        "multi_maxwell",
        multiMaxwellObstacle,
        estimateMultiMaxwell},
-      {{Model::elements, "a list of elements, nothing to estimate", {}, {}, {}, {}},
+      {{Model::elements, "a list of elements; nothing is estimated", {}, {}, {}, {}},
        "elements",
        noObstacle,
        noElements},
@@ -192,11 +193,13 @@ void checkHighFrequency(const NamedModel& model, const Specification& specificat
   element::refuseIf(stiffness && !specification.has("high_frequency"),
                     "high_frequency is missing; accepted: the frequency at which high_frequency_stiffness holds");
   element::refuseIf(!stiffness && model.info.model == Model::maxwell,
-                    "high_frequency: not an input of model maxwell without high_frequency_stiffness; accepted: both");
+                    "high_frequency: is given without high_frequency_stiffness, but model maxwell uses only both; "
+                    "accepted: both or neither");
   for (const char* other : {"maximum_stiffness", "loss_angle"}) {
-    element::refuseIf(stiffness && specification.has(other),
-                      "{0}: given beside high_frequency_stiffness, which takes its place; accepted: one of both",
-                      other);
+    element::refuseIf(
+        stiffness && specification.has(other),
+        "{0}: is given together with high_frequency_stiffness, which replaces it; accepted: only one of the two",
+        other);
   }
 }
 
@@ -241,15 +244,16 @@ Specification tangentOf(Model model, const Specification& specification) {
     return specification;
   }
   const char* key = model == Model::kelvin_voigt ? "dynamic_stiffness" : "static_stiffness";
-  element::refuseIf(specification.has(key), "{}: given beside static_curve, whose tangent it is; accepted: one of both",
+  element::refuseIf(specification.has(key),
+                    "{}: is given together with static_curve, whose tangent replaces it; accepted: only one of the two",
                     key);
   Specification tangent = specification;
   const double stiffness = specification.curve()->tangentAt(nominalDisplacement(specification));
   if (!(stiffness > 0.0)) {
-    throw std::invalid_argument(fmt::format(
-        "static_curve: its tangent at the working point, {:g} m, is {:.6g} N/m; accepted: a nominal_displacement or "
-        "nominal_force where it rises",
-        nominalDisplacement(specification), stiffness));
+    throw std::invalid_argument(
+        fmt::format("static_curve: its tangent at the working point, {:g} m, is {:.6g} N/m; accepted: a "
+                    "nominal_displacement or nominal_force at which the curve rises",
+                    nominalDisplacement(specification), stiffness));
   }
   tangent.set(key, stiffness);
   tangent.eraseCurve();
@@ -262,10 +266,10 @@ void checkWorkingPoint(const Specification& specification) {
   if (specification.curve() != nullptr) {
     specification.curve()->check();
   } else if (specification.has("nominal_force")) {
-    throw std::invalid_argument("nominal_force: given without static_curve; accepted: nominal_displacement");
+    throw std::invalid_argument("nominal_force: is given without static_curve; accepted: nominal_displacement");
   }
   element::refuseIf(specification.has("nominal_force") && specification.has("nominal_displacement"),
-                    "nominal_force: given beside nominal_displacement; accepted: one of both");
+                    "nominal_force: is given together with nominal_displacement; accepted: only one of the two");
 }
 
 }  // namespace
@@ -291,22 +295,23 @@ const std::vector<element::ParameterInfo>& specificationParameters() {
       {"maximum_stiffness", "N/m", Role::shape, Range::positive(), "stiffness K_max at very high frequency"},
       {"high_frequency", "Hz", Role::shape, Range::positive(), "upper end f_h of the frequencies of interest"},
       {"low_frequency", "Hz", Role::shape, Range::positive(),
-       "lower end f_l of the frequencies of interest; n_M f_h/10^(n_M-1) if absent"},
+       "lower end f_l of the frequencies of interest (default: n_M f_h/10^(n_M-1))"},
       {"maxwell_elements", "1", Role::choice, Range::closed(2, 20),
        "number n_M of Maxwell elements; one element is the model maxwell", 5.0},
       {"nominal_amplitude", "m", Role::reference, Range::openBelow(0.0, 1.0),
        "amplitude A_n at which K_n and loss angle hold, half of peak to peak, in metres"},
       {"loss_angle", "rad", Role::shape, Range::open(0.0, 0.5 * element::kPi), "loss angle at the nominal frequency"},
       {"relative_damping", "1", Role::shape, Range::openBelow(0.0, 1.0),
-       "relative damping D_n = tan(loss angle)/2, 0.05 for 5 %"},
+       "relative damping D_n = tan(loss angle)/2; 0.05 means 5 %"},
       {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b of the Maxwell element"},
       {"viscous_share", "1", Role::choice, Range::openAbove(0.0, 1.0), "viscous share of the loss energy at (f_n, A_n)",
        0.2},
       {"high_frequency_stiffness", "N/m", Role::shape, Range::positive(),
-       "stiffness K at f_h and A_n, in place of K_max"},
+       "stiffness K at f_h and A_n, instead of K_max"},
       {"nominal_displacement", "m", Role::reference, Range::any(),
        "displacement about which K_n and loss angle hold, and at which K_st is the tangent of static_curve", 0.0},
-      {"nominal_force", "N", Role::reference, Range::any(), "the same by the force that static_curve has there"},
+      {"nominal_force", "N", Role::reference, Range::any(),
+       "instead of nominal_displacement: the force of static_curve at this displacement"},
   };
   return table;
 }
@@ -362,7 +367,7 @@ bool isSolvable(Model model, const Specification& specification) {
 
 std::vector<element::ElementDescription> estimateTangent(Model model, const Specification& given) {
   element::refuseIf(!given.points().empty() || given.describes() == Describes::component,
-                    "describes: the numbers are not those of a base; accepted: those that resolve() gives");
+                    "describes: the numbers do not describe a base; accepted: the numbers that resolve() returns");
   checkSpecification(model, given);
   const Specification specification = tangentOf(model, given);
   if (const auto obstacle = findObstacle(entry(model), specification)) {
@@ -398,8 +403,8 @@ std::vector<element::ElementDescription> joined(const std::vector<double>& displ
       element::refuseIf(
           scale == "stiffness" &&
               std::abs(block[i].value("break_frequency") / blocks.front()[i].value("break_frequency") - 1.0) > 1e-9,
-          "preloads: their break frequencies differ; accepted: break_frequency, or model multi_maxwell with "
-          "high_frequency, outside of the blocks");
+          "preloads: the break frequencies of the blocks differ; accepted: break_frequency, or high_frequency of the "
+          "model multi_maxwell, outside of the blocks");
       element.values[scale].push_back(block[i].value(scale));
     }
     if (scale == "stiffness") {
@@ -411,14 +416,13 @@ std::vector<element::ElementDescription> joined(const std::vector<double>& displ
 }
 
 void checkPreloads(Model model, const Specification& given) {
-  element::refuseIf(given.curve() == nullptr, "preloads: given without static_curve; accepted: both");
+  element::refuseIf(given.curve() == nullptr, "preloads: are given without static_curve; accepted: both or neither");
   element::refuseIf(given.describes() == Describes::component || !given.points().empty(),
-                    "preloads: they describe the base; accepted: describes: base, and no points");
-  element::refuseIf(
-      model == Model::friction || model == Model::friction_dashpot || model == Model::berg,
-      "preloads: the friction of model {} is that at any preload; accepted: kelvin_voigt, maxwell, maxwell_dashpot, "
-      "multi_maxwell",
-      toString(model));
+                    "preloads: these are numbers of the base; accepted: with describes: base and without points");
+  element::refuseIf(model == Model::friction || model == Model::friction_dashpot || model == Model::berg,
+                    "preloads: the friction of model {} cannot vary with the preload; accepted: kelvin_voigt, maxwell, "
+                    "maxwell_dashpot, multi_maxwell",
+                    toString(model));
 }
 
 std::vector<element::ElementDescription> estimatePreloads(Model model, const Specification& given) {
@@ -429,7 +433,7 @@ std::vector<element::ElementDescription> estimatePreloads(Model model, const Spe
     by_displacement[nominalDisplacement(specification)] = estimateTangent(model, specification);
   }
   element::refuseIf(by_displacement.size() != given.preloads().size(),
-                    "preloads: two blocks at one displacement; accepted: one of each");
+                    "preloads: two blocks have the same displacement; accepted: one block for each displacement");
   std::vector<double> displacement;
   std::vector<std::vector<element::ElementDescription>> blocks;
   for (auto& [place, elements] : by_displacement) {
@@ -509,7 +513,7 @@ std::optional<Obstacle> ratioObstacle(const Specification& specification) {
   }
   for (const char* key : {"dynamic_stiffness", "maximum_stiffness", "high_frequency_stiffness"}) {
     if (specification.valueOr(key, 0.0) > kLargestStiffnessRatio * k_st) {
-      return Obstacle{key, fmt::format("is more than {:g} times {}, which no rubber component reaches",
+      return Obstacle{key, fmt::format("is more than {:g} times {}, which is impossible for a rubber component",
                                        kLargestStiffnessRatio, inputText(specification, "static_stiffness"))};
     }
   }

@@ -35,21 +35,21 @@ std::vector<double> StaticCurve::slopes() const {
 void StaticCurve::check() const {
   element::refuseIf(
       displacement.size() < 2 || force.size() != displacement.size(),
-      "static_curve: {} forces for {} displacements; accepted: as many forces as displacements, at least 2",
+      "static_curve: has {} forces for {} displacements; accepted: one force for each of at least 2 displacements",
       force.size(), displacement.size());
   for (std::size_t i = 1; i < displacement.size(); ++i) {
     if (!(displacement[i] > displacement[i - 1])) {
       throw std::invalid_argument(
-          fmt::format("static_curve: displacement {:g} m after {:g} m; accepted: displacements that increase",
+          fmt::format("static_curve: the displacement {:g} m follows {:g} m; accepted: displacements that increase",
                       displacement[i], displacement[i - 1]));
     }
     const double rise = force[i] - force[i - 1];
     const std::string place = fmt::format("static_curve: the force {} from {:g} m to {:g} m",
                                           rise < 0.0 ? "falls" : "does not rise", displacement[i - 1], displacement[i]);
-    element::refuseIf(
-        scales && !(rise > 0.0),
-        "{}, where elements scaled along the curve would make energy; accepted: forces that rise, or scale_with: none",
-        place);
+    element::refuseIf(scales && !(rise > 0.0),
+                      "{}, where elements that scale with the curve would create energy; accepted: forces that rise, "
+                      "or scale_with: none",
+                      place);
     element::refuseIf(monotone && rise < 0.0, "{}; accepted with monotone: true: forces that do not fall", place);
   }
 }
@@ -76,11 +76,10 @@ double StaticCurve::displacementAt(double wanted) const {
       found.push_back(z);
     }
   }
-  element::refuseIf(
-      found.size() != 1,
-      "nominal_force: static_curve has {} displacements of {:g} N; accepted: a force that it has once, or "
-      "nominal_displacement",
-      found.size(), wanted);
+  element::refuseIf(found.size() != 1,
+                    "nominal_force: static_curve has {} displacements with a force of {:g} N; accepted: a force that "
+                    "occurs exactly once, or nominal_displacement",
+                    found.size(), wanted);
   return found.front();
 }
 
@@ -140,9 +139,10 @@ element::ElementDescription scaledAlong(const StaticCurve& curve, double nominal
   if (auto scaled = scaledEntry(SlopeFactor(curve, nominal_displacement), entry)) {
     return *scaled;
   }
-  throw std::invalid_argument(fmt::format(
-      "{}.scale_with: does not scale along a curve; accepted: maxwell, dashpot, coulomb_friction, iwan, iwan_table",
-      entry.type));
+  throw std::invalid_argument(
+      fmt::format("{}.scale_with: this element cannot scale with a curve; accepted: maxwell, dashpot, "
+                  "coulomb_friction, iwan, iwan_table",
+                  entry.type));
 }
 
 element::ElementDescription springOf(const StaticCurve& curve) {

@@ -73,13 +73,13 @@ class Whole {
   Whole(Model model, const Specification& given, const Entries& add) : model_(model), given_(given), base_(given) {
     base_.describe(Describes::base);
     element::refuseIf(model == Model::kelvin_voigt && given.curve() != nullptr,
-                      "describes: component: the spring of model kelvin_voigt is static_curve, so that it has no "
-                      "parameter to meet a stiffness; accepted: base, or another model");
+                      "describes: component: model kelvin_voigt has static_curve as its spring, and thus no parameter "
+                      "to meet a stiffness; accepted: base, or another model");
     mean_ = nominalDisplacement(given);
     std::copy_if(add.begin(), add.end(), std::back_inserter(add_), settles);
     element::refuseIf(!given.has("nominal_amplitude") && !isLinear(),
-                      "nominal_amplitude is missing; accepted: the amplitude at which the whole component has K_n, as "
-                      "its static curve or what is added is nonlinear");
+                      "nominal_amplitude is missing, but the static curve or an element under add: is nonlinear; "
+                      "accepted: the amplitude at which the whole component has K_n");
     subtract();
   }
 
@@ -137,8 +137,8 @@ class Whole {
       }
       if (!(given_.at(key) > stiffness)) {
         const WrittenUnit unit = given_.writtenUnit(key);
-        obstacle_ =
-            Obstacle{key, fmt::format("is not above the {:.6g} {} of what is added", stiffness / unit.size, unit.name)};
+        obstacle_ = Obstacle{key, fmt::format("is not above {:.6g} {}, the stiffness of the elements under add:",
+                                              stiffness / unit.size, unit.name)};
         return;
       }
       base_.set(key, given_.at(key) - stiffness);
@@ -198,17 +198,18 @@ class Whole {
   Obstacle outOfReach(double lowest, double highest) const {
     const WrittenUnit unit = given_.writtenUnit("dynamic_stiffness");
     return {"dynamic_stiffness",
-            highest > 0.0 ? fmt::format("is not reached by the whole component with the other inputs, which can have "
-                                        "{:.6g} to {:.6g} {}",
-                                        lowest / unit.size, highest / unit.size, unit.name)
-                          : "is not reached by the whole component: with what is added, no base has a solution"};
+            highest > 0.0
+                ? fmt::format(
+                      "cannot be reached by the whole component with the other inputs, which allow {:.6g} to {:.6g} {}",
+                      lowest / unit.size, highest / unit.size, unit.name)
+                : "cannot be reached by the whole component: with the elements under add:, no base has a solution"};
   }
 
   std::string accepted(double lowest, double highest) const {
     const WrittenUnit unit = given_.writtenUnit("dynamic_stiffness");
     return highest > 0.0 ? fmt::format("dynamic_stiffness in ({:.6g}, {:.6g}) {}", lowest / unit.size,
                                        highest / unit.size, unit.name)
-                         : "less in add:";
+                         : "smaller values under add:";
   }
 
   // Open interval in which a base has a solution.
@@ -318,7 +319,7 @@ class Whole {
     }
     const double least = std::asin(std::clamp(lossOfAdded() / given_.at("dynamic_stiffness"), 0.0, 1.0));
     return {given_.has("loss_angle") ? "loss_angle" : "relative_damping",
-            fmt::format("is not reached by the whole component: what is added has {:.4g} deg by itself",
+            fmt::format("cannot be reached by the whole component: the elements under add: alone have {:.4g} deg",
                         least * 180.0 / element::kPi)};
   }
 
@@ -337,10 +338,11 @@ std::vector<std::string> notesOf(const Entries& add) {
       names.push_back(entry.type);
     }
   }
-  return names.empty() ? std::vector<std::string>{}
-                       : std::vector<std::string>{fmt::format(
-                             "left out of what the specification describes, as it never settles under a sine: {}",
-                             fmt::join(names, ", "))};
+  return names.empty()
+             ? std::vector<std::string>{}
+             : std::vector<std::string>{fmt::format(
+                   "the specification does not include these elements, because they never settle under a sine: {}",
+                   fmt::join(names, ", "))};
 }
 
 bool hasSolution(Model model, const Specification& specification, const Entries& add) {

@@ -108,7 +108,7 @@ HypothesisFitter::Place HypothesisFitter::placeAt(const Hypothesis& hypothesis, 
 HypothesisFitter::Place HypothesisFitter::startAt(const Hypothesis& hypothesis, const ParameterVector& start) const {
   Place place = placeAt(hypothesis, start);
   if (place.forces.empty()) {
-    throw std::invalid_argument("the model has no solution at the parameters that a fit starts from");
+    throw std::invalid_argument("the model has no solution at the starting parameters of the fit");
   }
   return place;
 }

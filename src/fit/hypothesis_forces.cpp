@@ -177,7 +177,7 @@ gap::Forces HypothesisForces::moreThanWith(const Eigen::VectorXd& scales, const 
     auto forces = at(hypothesis, parameters);
     const auto others = at(hypothesis, {parameters.model, scales});
     if (!forces || !others) {
-      throw std::invalid_argument("the model has no solution at the parameters to be compared");
+      throw std::invalid_argument("the model has no solution at the parameters that are compared");
     }
     for (std::size_t r = 0; r < forces->size(); ++r) {
       (*forces)[r] -= (*others)[r];
@@ -257,7 +257,7 @@ std::vector<ForceColumn> HypothesisForces::columnsBehind(std::vector<element::El
   const HypothesisForces forces(behind, model_);
   const auto base = forces.at(hypothesis, parameters);
   if (!base) {
-    throw std::invalid_argument("the model has no solution where derivatives are taken");
+    throw std::invalid_argument("the model has no solution at the parameters where derivatives are computed");
   }
   const Place there{hypothesis, parameters, *base, forces.interactionOf(hypothesis, parameters)};
   const auto size = static_cast<std::size_t>(model().size());

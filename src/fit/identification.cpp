@@ -36,8 +36,8 @@ constexpr double kSameResidual = 1e-4;      // relative, by which starts count a
 void checkLog(const log::Log& log, std::size_t number) {
   const std::size_t size = log.stamp.size();
   refuseIf(log.force.size() != size || log.displacement.size() != size,
-           "log {}: needs displacement and force for every sample", number);
-  refuseIf(size < kFewestCompared, "log {}: {} samples are too few; accepted: at least {}", number, size,
+           "log {}: displacement or force is missing for some samples; accepted: both for every sample", number);
+  refuseIf(size < kFewestCompared, "log {}: {} samples are too few; accepted: at least {} samples", number, size,
            kFewestCompared);
   for (std::size_t i = 0; i < size; ++i) {
     refuseIf(!std::isfinite(log.displacement[i]) || !std::isfinite(log.force[i]), "log {}: sample {} is not finite",
@@ -46,7 +46,7 @@ void checkLog(const log::Log& log, std::size_t number) {
   }
   for (const auto& [name, values] : {std::pair("displacement", &log.displacement), {"force", &log.force}}) {
     const auto [low, high] = std::minmax_element(values->begin(), values->end());
-    refuseIf(*low == *high, "log {}: the {} does not change", number, name);
+    refuseIf(*low == *high, "log {}: the {} does not change; accepted: a log in which it changes", number, name);
   }
 }
 
@@ -69,7 +69,8 @@ void checkRig(const std::vector<Eigen::MatrixXd>& rig, const std::vector<log::Lo
   for (std::size_t i = 0; fits && i < rig.size(); ++i) {
     fits = rig[i].cols() == 0 || rig[i].rows() == static_cast<Eigen::Index>(logs[i].size());
   }
-  refuseIf(!fits, "rig: needs columns over the samples of each log");
+  refuseIf(!fits,
+           "rig: the number of columns or of their samples is wrong; accepted: columns over all samples of each log");
 }
 
 // The samples of all logs whose force was measured.
@@ -261,8 +262,8 @@ void dropElementsWithoutForce(Identification& result) {
       return parameter.index == static_cast<int>(i) && parameter.value == 0.0;
     });
     if (zero) {
-      result.notes.push_back(
-          fmt::format("{} {} has no force in the fit: removed from the elements", result.elements[i].type, i + 1));
+      result.notes.push_back(fmt::format("{} {} has no force in the fit; it was removed from the elements",
+                                         result.elements[i].type, i + 1));
     } else {
       new_index[i] = static_cast<int>(kept.size());
       kept.push_back(result.elements[i]);
@@ -280,8 +281,8 @@ void describeResiduals(Identification& result, const Eigen::VectorXd& residual, 
   result.relative_residual = gap::gapOfResidual(residual, gap::standardDeviation(force));
   if (result.relative_residual > 0.02 && result.independent_samples < count / 50.0) {
     result.notes.push_back(
-        "the residuals are strongly correlated in time: the model leaves something out that is not part of the "
-        "intervals; the command diagnose tells what");
+        "the residuals are strongly correlated in time: the model lacks something that the intervals do not include; "
+        "use the command diagnose to find it");
   }
 }
 
@@ -308,7 +309,7 @@ void describeFit(Identification& result, ForceModel& model, const ModelFit& fit,
 
 Identification identify(const std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
                         const IdentificationOptions& options) {
-  refuseIf(logs.empty(), "no log given");
+  refuseIf(logs.empty(), "no log is given; accepted: at least one log");
   for (std::size_t i = 0; i < logs.size(); ++i) {
     checkLog(logs[i], i + 1);
   }
@@ -323,7 +324,7 @@ Identification identify(const std::vector<element::ElementDescription>& elements
   checkRig(options.rig, logs);
   ForceModel model(completed, logs, compared, options.held, options.rig);
   refuseIf(model.nonlinear().empty() && model.linear().empty(),
-           "no parameter is free, as all are held; accepted: at least one that is not");
+           "all parameters are held; accepted: at least one parameter that is not held");
   const ModelFit best = model.fitAt(searchAll(model, options, result));
   result.force_offset = best.coefficients[static_cast<Eigen::Index>(model.linear().size())];
   describeFit(result, model, best, compared);

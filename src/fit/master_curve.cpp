@@ -62,7 +62,7 @@ double inverseOf(double temperature) { return 1.0 / (temperature + element::kZer
 
 std::vector<double> temperaturesOf(const std::vector<TablePoint>& points) {
   return element::each(points, [](const TablePoint& point) {
-    element::refuseIf(!point.temperature, "table: a row without a temperature; accepted: all rows have one");
+    element::refuseIf(!point.temperature, "table: a row has no temperature; accepted: a temperature in every row");
     return *point.temperature;
   });
 }
@@ -333,10 +333,10 @@ class Superposition {
   Shifted byArrhenius() const {
     const Shifting shifting = [this](const VectorXd& x) { return movesBy(arrheniusLaw(energyOf(x[0]))); };
     const double largest = std::min(largestShift(), element::kMostDecades);
-    element::refuseIf(!(largest > kScan),
-                      "table: the frequencies of neighbouring temperatures do not overlap, so that nothing tells the "
-                      "shift; accepted: several frequencies at each temperature, the highest above those of its "
-                      "neighbours' lowest");
+    element::refuseIf(
+        !(largest > kScan),
+        "table: the curves of neighbouring temperatures do not overlap, so that their shift is undetermined; accepted: "
+        "at each temperature several frequencies, whose range overlaps that of its neighbours");
     double best = std::numeric_limits<double>::infinity();
     VectorXd start(1);
     for (double decades = kScan; decades <= largest; decades += kScan) {

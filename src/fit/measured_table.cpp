@@ -8,14 +8,14 @@
 namespace rubber_suspension::fit {
 
 void checkPoints(const std::vector<TablePoint>& points) {
-  element::refuseIf(points.size() < 2, "table: {} points; accepted: at least 2", points.size());
+  element::refuseIf(points.size() < 2, "table: {} points are too few; accepted: at least 2 points", points.size());
   for (const TablePoint& point : points) {
     const bool good = point.frequency > 0.0 && point.amplitude > 0.0 && point.stiffness > 0.0 &&
                       std::isfinite(point.frequency + point.amplitude + point.stiffness + point.mean) &&
                       std::abs(point.loss_angle) < 1.6;
     element::refuseIf(!good,
-                      "table: {:g} Hz, {:g} m, {:g} N/m, {:g} rad about {:g} m; accepted: the first three greater than "
-                      "0, the angle below 90 degrees, finite numbers",
+                      "table: a point with {:g} Hz, {:g} m, {:g} N/m, {:g} rad about {:g} m is out of range; accepted: "
+                      "frequency, amplitude and stiffness greater than 0, an angle below 90 degrees, all finite",
                       point.frequency, point.amplitude, point.stiffness, point.loss_angle, point.mean);
   }
 }

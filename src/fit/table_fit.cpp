@@ -65,7 +65,7 @@ TableFit fitToOneTemperature(const io::ComponentDescription& description, const 
       moved.push_back(i);
     }
   }
-  element::refuseIf(moved.empty(), "{}: has no parameter that a fit moves", description.name);
+  element::refuseIf(moved.empty(), "{}: has no parameter that can be fitted", description.name);
   const auto residuals = [&](const Eigen::VectorXd& x) {
     return differences(parameters.apply(x).makeComponent(), points);
   };

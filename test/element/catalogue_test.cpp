@@ -74,7 +74,7 @@ const std::vector<Refused> kRefused = {
      {"inertia_track"}},
     {"growth_beside_several_points",
      "maxwell_along_curve stiffness=3e6 displacement=-2e-3,2e-3 break_frequency=1e-6 growth=3 side=0",
-     {"maxwell_along_curve.growth: 3 with 2 displacements and 1 stiffnesses; accepted: one displacement greater than 0 "
+     {"maxwell_along_curve.growth: is 3 with 2 displacements and 1 stiffness values; accepted: one displacement greater than 0 "
       "and one stiffness, or no growth"}},
     {"delay", "time_delay delay=1", {"time_delay.delay", "0.05"}}};
 
@@ -125,7 +125,7 @@ TEST(Range, TellsWhatItAccepts) {
   EXPECT_FALSE(element::Range::closed(0.0, 1.0).contains(1e-101));
   EXPECT_TRUE(element::Range::positive().contains(1e-100));
   EXPECT_TRUE(element::Range::any().contains(5e-324));
-  EXPECT_EQ(element::acceptedFor(5e-324, element::Range::positive()), "greater than 0, not below 1e-100");
+  EXPECT_EQ(element::acceptedFor(5e-324, element::Range::positive()), "greater than 0 and at least 1e-100 in magnitude");
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST(MasterCurve, RefusesTemperaturesThatDoNotMeet) {
               ThrowsMessage<std::invalid_argument>(HasSubstr("neighbouring temperatures do not overlap")));
   points.front().temperature.reset();
   EXPECT_THAT([&] { masterCurve(points, kReference); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("a row without a temperature")));
+              ThrowsMessage<std::invalid_argument>(HasSubstr("a row has no temperature")));
   EXPECT_FALSE(leftBySuperposition(points).has_value());
 }
 
