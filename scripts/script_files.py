@@ -14,7 +14,7 @@ def check_outputs(outputs, force):
     raises ValueError for two that are one file, for a folder, and for a file of another kind unless `force`."""
     for (one, path, _), (other, second, _) in itertools.combinations(outputs, 2):
         if os.path.realpath(path).lower() == os.path.realpath(second).lower():
-            raise ValueError("%s and %s: %s is one file; accepted: one for each" % (one, other, second))
+            raise ValueError("%s and %s: both write %s; accepted: a separate file for each" % (one, other, second))
     for option, path, beginnings in outputs:
         if os.path.isdir(path):
             raise ValueError("%s: %s is a folder; accepted: a file" % (option, path))
@@ -45,9 +45,9 @@ def beside(path):
 def draw(path, figure):
     """Draw a figure, with the fields of include/rubber_suspension/io/figure.h, by plot_figures. Raises ValueError."""
     if not path.endswith((".svg", ".png")):
-        raise ValueError("%s: accepted: a name that ends in .svg or .png" % path)
+        raise ValueError("%s: is not the name of a figure; accepted: a name that ends in .svg or .png" % path)
     script = os.path.join(os.path.dirname(os.path.realpath(__file__)), "plot_figures")
     request = json.dumps({"path": path, "figure": figure})
     drawn = subprocess.run([script], input=request, text=True, stderr=subprocess.PIPE)
     if drawn.returncode != 0:
-        raise ValueError("no figure drawn: " + (drawn.stderr.strip().splitlines() or ["it was ended"])[-1])
+        raise ValueError("the figure was not drawn: " + (drawn.stderr.strip().splitlines() or ["the script was ended"])[-1])

@@ -151,7 +151,7 @@ const ElementEntry kMaxwellAlongCurveEntry(
        "growth b in k(z) = stiffness exp(b ((z/z_r)^2 - 1)), up to the displacement z_r, which is then the only point",
        0.0},
       {"side", "1", Role::choice, Range::closed(-1.0, 1.0),
-       "side on which the stiffness grows: 1: z > 0 only; -1: z < 0 only; 0: both", 0.0}},
+       "1: the stiffness grows with z > 0 only; -1: with z < 0 only; 0: with both", 0.0}},
      [](const ElementDescription& description) -> ElementPointer {
        const double growth = description.value("growth");
        const int side = sideOf(description, "z");

@@ -20,7 +20,7 @@ namespace rubber_suspension::fmi {
 namespace {
 
 constexpr const char* kTool = "rubber_suspension " RUBBER_SUSPENSION_VERSION;
-constexpr const char kUnreadable[] = "{}: cannot be read; accepted: what was built and installed with this program";
+constexpr const char kUnreadable[] = "{}: cannot be read; accepted: the file that was installed with this program";
 
 // 2 January 1980, since zip has no earlier year and keeps local time: the same bytes today and tomorrow.
 constexpr time_t kTimeOfFiles = 315619200;
@@ -52,9 +52,10 @@ std::string binaryWith(const std::string& text, const std::string& path) {
   const bool once = start != std::string::npos && binary.find(marker, start + 1) == std::string::npos;
   element::refuseIf<std::runtime_error>(
       !once || start + sizeof(EmbeddedBlock) > binary.size(),
-      "{}: has no block for a component; accepted: the binary of an FMU of this version", path);
-  element::refuseIf<std::runtime_error>(
-      text.size() > kCapacity, "{}: the component takes {} bytes; accepted: at most {}", path, text.size(), kCapacity);
+      "{}: the binary has no block for a component; accepted: the FMU binary of this version", path);
+  element::refuseIf<std::runtime_error>(text.size() > kCapacity,
+                                        "{}: the component needs {} bytes; accepted: at most {} bytes", path,
+                                        text.size(), kCapacity);
   const std::uint64_t size = text.size();
   std::memcpy(&binary[start + offsetof(EmbeddedBlock, size)], &size, sizeof(size));
   text.copy(&binary[start + offsetof(EmbeddedBlock, text)], text.size());
@@ -96,7 +97,7 @@ std::string toZip(const std::vector<ArchiveEntry>& entries) {
                                                                      zip_source_free);
   std::unique_ptr<zip_t, void (*)(zip_t*)> archive(
       zip_open_from_source(whole.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr), zip_discard);
-  require(archive != nullptr, name, "cannot be begun");
+  require(archive != nullptr, name, "cannot be created");
   zip_source_keep(whole.get());  // which is the archive's, too
   for (const ArchiveEntry& entry : entries) {
     zip_source_t* const content = zip_source_buffer(archive.get(), entry.content.data(), entry.content.size(), 0);
@@ -110,7 +111,8 @@ std::string toZip(const std::vector<ArchiveEntry>& entries) {
   require(zip_close(archive.get()) == 0, name, zip_strerror(archive.get()));
   static_cast<void>(archive.release());  // closed
   zip_stat_t status;
-  require(zip_source_stat(whole.get(), &status) == 0 && zip_source_open(whole.get()) == 0, name, "no bytes");
+  require(zip_source_stat(whole.get(), &status) == 0 && zip_source_open(whole.get()) == 0, name,
+          "cannot be opened again");
   std::string bytes(status.size, '\0');
   const zip_int64_t count = zip_source_read(whole.get(), bytes.data(), bytes.size());
   zip_source_close(whole.get());
@@ -121,7 +123,7 @@ std::string toZip(const std::vector<ArchiveEntry>& entries) {
 FmuParts installedParts() {
   Dl_info info{};
   element::refuseIf<std::runtime_error>(dladdr(reinterpret_cast<const void*>(&installedParts), &info) == 0,
-                                        "the program's own place is unknown");
+                                        "the folder of this program is unknown");
   const std::filesystem::path folder = std::filesystem::path(info.dli_fname).parent_path();
   const std::filesystem::path windows = folder / "rubber_suspension_fmu.dll";
   return {folder / "rubber_suspension_fmu.so", folder / "rubber_suspension_fmu_sources",

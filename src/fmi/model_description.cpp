@@ -177,7 +177,7 @@ BaseUnit baseUnitOf(const std::string& unit) {
     const std::string power = caret == std::string::npos ? "1" : factor.substr(caret + 1);
     element::refuseIf(
         symbol == kSymbols.end() || power.empty() || power.find_first_not_of("0123456789") != std::string::npos,
-        "unit '{}': '{}' has no base units here", unit, factor);
+        "unit '{}': the base units of '{}' are unknown", unit, factor);
     const auto& [name, meaning] = *symbol;
     for (const auto& [base, exponent] : meaning.empty()  ? BaseUnit{{name, 1}}
                                         : meaning == "1" ? BaseUnit{}

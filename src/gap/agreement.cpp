@@ -83,7 +83,7 @@ Row rowOf(const std::string& name, const std::string& value, std::optional<doubl
 
 std::string energyText(const Agreement& a) {
   if (!a.measured_energy) {
-    return "none: the motion has no cycle";
+    return "none, because the motion has no cycle";
   }
   const auto error = a.energyError();
   return fmt::format("{:.6g} J measured, {:.6g} J simulated{}", *a.measured_energy, *a.simulated_energy,
@@ -117,13 +117,13 @@ std::vector<std::string> notesOf(const Iso18571& iso) {
   std::vector<std::string> notes;
   if (iso.repeats) {
     notes.emplace_back(
-        "the measured force repeats itself; ISO/TS 18571 is meant for signals that are not periodic: its shift may "
-        "lead "
-        "to another cycle");
+        "the measured force is periodic, but ISO/TS 18571 applies to signals that are not: its shift may lead to "
+        "another cycle");
   }
   if (iso.blocks > 1) {
     notes.push_back(
-        fmt::format("magnitude of ISO/TS 18571 in {} blocks: longer than {} samples", iso.blocks, kWarpedWhole));
+        fmt::format("the magnitude of ISO/TS 18571 was computed in {} blocks because the log has more than {} samples",
+                    iso.blocks, kWarpedWhole));
   }
   return notes;
 }
@@ -165,15 +165,17 @@ std::optional<double> Agreement::energyError() const {
 }
 
 Agreement agreementOf(const log::Log& log, const std::vector<double>& simulated, std::size_t first) {
-  element::refuseIf(simulated.size() != log.size() || log.force.size() != log.size(),
-                    "{}: {} measured and {} simulated forces of {} samples; accepted: one of each per sample", log.name,
-                    log.force.size(), simulated.size(), log.size());
-  element::refuseIf(first + 2 > log.size(), "{}: less than two samples are left to compare", log.name);
+  element::refuseIf(
+      simulated.size() != log.size() || log.force.size() != log.size(),
+      "{}: there are {} measured and {} simulated forces for {} samples; accepted: one of each for every sample",
+      log.name, log.force.size(), simulated.size(), log.size());
+  element::refuseIf(first + 2 > log.size(), "{}: fewer than two samples remain to be compared", log.name);
   const log::Log both = bothForces(log, simulated, first);
   for (std::size_t i = 0; i < both.size(); ++i) {
-    element::refuseIf(std::abs(both.force[i]) > element::kLargestNumber,
-                      "{}: sample {}, {:g} s after the start: a simulated force of {:g}; accepted: up to {:g}",
-                      log.name, first + i + 1, log.duration(0, first + i), both.force[i], element::kLargestNumber);
+    element::refuseIf(
+        std::abs(both.force[i]) > element::kLargestNumber,
+        "{}: sample {}, {:g} s after the start: the simulated force {:g} N is out of range; accepted: up to {:g} N",
+        log.name, first + i + 1, log.duration(0, first + i), both.force[i], element::kLargestNumber);
   }
   Agreement agreement;
   const std::vector<double> counts =

@@ -49,8 +49,8 @@ std::optional<std::string> oddStiffness(double stroke, double measured, double s
     return std::nullopt;
   }
   return fmt::format(
-      "displacement over {:.3g} m with a measured force over {:.3g} N is {:.2g} times {} than the component, {:.3g} N: "
-      "is the unit of each column right?",
+      "the log has a stroke of {:.3g} m and a measured force range of {:.3g} N, which is {:.2g} times {} than the "
+      "component ({:.3g} N): are the units of the columns right?",
       stroke, measured, ratio < 1.0 ? 1.0 / ratio : ratio, ratio < 1.0 ? "softer" : "stiffer", simulated);
 }
 
@@ -65,7 +65,7 @@ MotionScale motionScaleOf(const io::ComponentDescription& description) {
 std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& scale) {
   if (scale) {
     const double ratio = amplitude / *scale;
-    return ratio > kOddFactor ? std::optional(fmt::format("{:.3g} m is {:.2g} times the component's own {:.3g} m",
+    return ratio > kOddFactor ? std::optional(fmt::format("{:.3g} m is {:.2g} times the component's nominal {:.3g} m",
                                                           amplitude, ratio, *scale))
                               : std::nullopt;
   }
@@ -82,8 +82,7 @@ std::optional<std::string> oddMotion(const log::Log& log, const std::vector<doub
     return oddStiffness(stroke, measured, simulated);
   }
   const std::optional<std::string> odd = oddAmplitude(0.5 * stroke, scale);
-  return odd ? std::optional("an amplitude of " + *odd + ": is the column of displacement in millimetres?")
-             : std::nullopt;
+  return odd ? std::optional("an amplitude of " + *odd + ": is the displacement column in millimetres?") : std::nullopt;
 }
 
 std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDescription& description) {
@@ -104,7 +103,7 @@ std::optional<std::string> beyondValid(const log::Log& log, const io::ComponentD
     return std::nullopt;
   }
   return fmt::format(
-      "{} of {} samples lie beyond valid_displacement ({:g} to {:g} mm), the first is sample {} at {:g} mm",
+      "{} of {} samples lie beyond valid_displacement ({:g} to {:g} mm); the first is sample {} at {:g} mm",
       std::count_if(first, log.displacement.end(), beyond), log.size(), 1e3 * valid->lower, 1e3 * valid->upper,
       first - log.displacement.begin() + 1, 1e3 * *first);
 }

@@ -123,8 +123,7 @@ void checkTemperature(const component::Component& component, const log::Log& log
                                 [&](double temperature) { return !range.contains(temperature); });
   if (bad != log.temperature.end()) {
     throw log::LogError(fmt::format(
-        "{}: sample {}: temperature {:g} degC is out of range; accepted: {} degC, where "
-        "the component's shift holds",
+        "{}: sample {}: temperature {:g} degC is out of range; accepted: {} degC, the range of the component's shift",
         log.name, first + static_cast<std::size_t>(bad - log.temperature.begin()) + 1, *bad, element::describe(range)));
   }
 }

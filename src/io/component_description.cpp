@@ -14,8 +14,8 @@ namespace {
 double preloadAs(bool force, const SixDirectionsDescription& six, component::Direction direction) {
   const std::optional<component::Preload>& preload = six.preload[direction];
   if (!preload || !six.directions[direction]) {
-    throw std::invalid_argument(
-        fmt::format("needs the preload of {}; accepted: preload.{}", toString(direction), toString(direction)));
+    throw std::invalid_argument(fmt::format("needs the preload of {}, which is missing; accepted: the key preload.{}",
+                                            toString(direction), toString(direction)));
   }
   if (preload->is_force == force) {
     return preload->value;
@@ -23,7 +23,7 @@ double preloadAs(bool force, const SixDirectionsDescription& six, component::Dir
   const estimation::StaticCurve* curve = six.directions[direction]->written().curve();
   if (curve == nullptr) {
     throw std::invalid_argument(
-        fmt::format("is over a {}, preload.{} is a {} and {} has no static_curve; accepted: a {}",
+        fmt::format("is a table over a {}, but preload.{} is a {} and {} has no static_curve; accepted: a {}",
                     force ? "force" : "displacement", toString(direction), force ? "displacement" : "force",
                     toString(direction), force ? "table over displacements" : "table over forces"));
   }
@@ -73,7 +73,7 @@ ComponentDescription ComponentDescription::withoutRig() const {
 std::vector<element::ElementDescription> ComponentDescription::allElements() const {
   if (six) {
     throw std::invalid_argument(
-        fmt::format("component '{}' has six directions; accepted here: a component of one direction", name));
+        fmt::format("component '{}' has six directions; accepted: a component of one direction", name));
   }
   std::vector<element::ElementDescription> all = elements_;
   all.insert(all.end(), add.begin(), add.end());
@@ -135,8 +135,8 @@ const ComponentDescription& selectComponent(const std::vector<ComponentDescripti
     names.push_back(component.name);
   }
   const std::string problem =
-      name.empty() ? "more than one component; accepted: the name of one of "
-                   : fmt::format("no component '{}'{}; accepted: ", name, element::didYouMean(name, names));
+      name.empty() ? "there is more than one component; accepted: the name of one of "
+                   : fmt::format("there is no component '{}'{}; accepted: ", name, element::didYouMean(name, names));
   throw ComponentFileError((source.empty() ? "" : source + ": ") + problem + log::join(names));
 }
 

@@ -49,8 +49,8 @@ class Loader : public SpecificationReader {
       refuseContent(components, "a map of components by name");
     }
     if (components.node.size() > kMaximumComponents) {
-      refuse(components,
-             fmt::format("{} components; accepted: at most {}", components.node.size(), kMaximumComponents));
+      refuse(components, fmt::format("the file has {} components; accepted: at most {}", components.node.size(),
+                                     kMaximumComponents));
     }
     checkUnique(components);
     std::vector<ComponentDescription> result;
@@ -77,16 +77,14 @@ class Loader : public SpecificationReader {
   ComponentDescription loadComponent(const YAML::Node& key, const YAML::Node& node) {
     checkCancelled();
     if (!isBaseName(key.Scalar())) {
-      refuse(
-          {key, "components"},
-          fmt::format("{} is not a name of a component; accepted: a letter, then letters, digits and underscores, at "
-                      "most {} in all",
-                      log::quoted(key.Scalar()), kMaximumNameLength));
+      refuse({key, "components"}, fmt::format("{} is not a name of a component; accepted: a letter, then letters, "
+                                              "digits and underscores, at most {} characters",
+                                              log::quoted(key.Scalar()), kMaximumNameLength));
     }
     component_ = key.Scalar();
     units_.clear();
     const Entry content{node, ""};
-    requireMap(content, "a map with the key 'model', or 'directions' for six of them");
+    requireMap(content, "a map with the key 'model', or 'directions' for a component of six directions");
     checkUnique(content);
     return content["directions"] ? loadSixDirections(key, content) : loadOneDirection(key, content);
   }
@@ -141,7 +139,8 @@ class Loader : public SpecificationReader {
     const Entry preload = entry["preload"];
     for (const auto& load : preload.node) {
       if (!six->directions[directionOf(load.first)]) {
-        refuse(keyOf(preload, load.first), "the direction is free; accepted: one of directions");
+        refuse(keyOf(preload, load.first),
+               "the component is free in this direction; accepted: a direction that is listed under directions");
       }
     }
     try {
@@ -173,7 +172,7 @@ class Loader : public SpecificationReader {
 
   void loadDirections(const Entry& directions, SixDirectionsDescription& six) {
     if (!directions.node.IsMap() || directions.node.size() == 0) {
-      refuseContent(directions, "a map of x, y, z, rx, ry, rz");
+      refuseContent(directions, "a map with keys from x, y, z, rx, ry, rz");
     }
     checkKeys(directions, directionNames());
     for (const auto& of_direction : directions.node) {
@@ -186,7 +185,7 @@ class Loader : public SpecificationReader {
   ComponentDescription loadDirection(const YAML::Node& key, const Entry& entry,
                                      const std::optional<component::Preload>& preload) {
     if (!entry.node.IsMap()) {
-      refuseContent(entry, "a map with the key 'model'; a direction that is left out is free");
+      refuseContent(entry, "a map with the key 'model'; a direction that is not given is free");
     }
     place_ = entry.path;
     units_.clear();
@@ -209,7 +208,7 @@ class Loader : public SpecificationReader {
     using Six = SixDirectionsDescription;
     const std::vector<Key<Six>> keys = {into("a", &Six::frame_on_a, by(&Loader::loadFrame)),
                                         into("b", &Six::frame_on_b, by(&Loader::loadFrame))};
-    read(entry, keys, six, "a map with the keys a and b, the bodies");
+    read(entry, keys, six, "a map with the keys a and b, one for each body");
     six.arrangement.on_a = frameOf(six.frame_on_a, six.arrangement.measure);
     six.arrangement.on_b = frameOf(six.frame_on_b, six.arrangement.measure);
   }
@@ -253,14 +252,14 @@ class Loader : public SpecificationReader {
 
   Eigen::Vector3d loadThree(const Entry& entry, const std::string& unit) {
     if (!entry.node.IsSequence() || entry.node.size() != 3) {
-      refuseContent(entry, "a list of three, along or about x, y, z");
+      refuseContent(entry, "a list of three numbers, along or about x, y, z");
     }
     const std::vector<double> values = loadNumbers(entry, anyNumber(unit));
     return {values[0], values[1], values[2]};
   }
 
   void loadPreloads(const Entry& entry, SixDirectionsDescription& six) {
-    checkMap(entry, directionNames(), "a map of a load by direction");
+    checkMap(entry, directionNames(), "a map with a load for each direction");
     for (const auto& load : entry.node) {
       const component::Direction direction = directionOf(load.first);
       six.preload[direction] = loadPreload(entry[load.first.Scalar()], direction);
@@ -280,7 +279,7 @@ class Loader : public SpecificationReader {
     }
     if (unit.empty()) {
       refuseContent(entry,
-                    fmt::format("text with a unit, a static {}", turns ? "moment ('20 N m') or rotation ('2 deg')"
+                    fmt::format("text with a unit: a static {}", turns ? "moment ('20 N m') or rotation ('2 deg')"
                                                                        : "force ('2 kN') or displacement ('1 mm')"));
     }
     preload.value = loadNumber(entry, anyNumber(preload.is_force ? (turns ? "N m" : "N") : (turns ? "rad" : "m")));
@@ -303,20 +302,20 @@ class Loader : public SpecificationReader {
     table.by = direction("by");
     if (const Entry follows = entry["instantaneous"]; follows && loadFlag(follows)) {
       refuse(follows,
-             "true: a stiffness that follows another direction's motion does work over closed loops; accepted: false, "
-             "the factor at the configured preload");
+             "is true, but a stiffness that follows the motion of another direction would create energy over closed "
+             "loops; accepted: false, so that the factor is that of the configured preload");
     }
     const Entry preload = require(entry, "preload", "a list of loads with units");
-    table.factor =
-        loadNumbers(require(entry, "factor", "a list of as many factors"), anyNumber("1", element::Range::positive()));
+    table.factor = loadNumbers(require(entry, "factor", "a list with one factor for each preload"),
+                               anyNumber("1", element::Range::positive()));
     if (!preload.node.IsSequence() || preload.node.size() != table.factor.size()) {
-      refuseContent(preload, fmt::format("a list of {}, as many as factors", table.factor.size()));
+      refuseContent(preload, fmt::format("a list of {} preloads, one for each factor", table.factor.size()));
     }
     for (std::size_t i = 0; i < preload.node.size(); ++i) {
       table.preload.push_back(loadPreload(preload[i], table.by));
       if (i > 0 && !(table.preload[i].is_force == table.preload[0].is_force &&
                      table.preload[i].value > table.preload[i - 1].value)) {
-        refuseContent(preload[i], "loads of one kind that increase");
+        refuseContent(preload[i], "loads that are all forces or all displacements, and that increase");
       }
     }
     try {
@@ -341,7 +340,7 @@ class Loader : public SpecificationReader {
     }
     std::vector<element::ElementDescription> elements = loadElements(list, nullptr, &tolerances.by_key);
     if (elements.empty()) {
-      refuse(list, "an empty list; accepted: at least one element");
+      refuse(list, "the list is empty; accepted: at least one element");
     }
     ComponentDescription description(component_, std::move(elements));
     description.add = loadAdded(add, {});
@@ -357,11 +356,12 @@ class Loader : public SpecificationReader {
     }
     if (entry.node.size() != 2) {
       refuse(entry,
-             fmt::format("{} entries; accepted: a length, or a list of two, the lower one first", entry.node.size()));
+             fmt::format("the list has {} entries; accepted: a length, or a list of two lengths, the lower one first",
+                         entry.node.size()));
     }
     const std::vector<double> ends = loadNumbers(entry, anyNumber("m"));
     if (ends[0] >= ends[1]) {
-      refuse(entry, fmt::format("from {:g} m to {:g} m; accepted: the lower one first", ends[0], ends[1]));
+      refuse(entry, fmt::format("{:g} m is not less than {:g} m; accepted: the lower length first", ends[0], ends[1]));
     }
     return element::Range::closed(ends[0], ends[1]);
   }

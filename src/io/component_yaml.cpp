@@ -228,8 +228,8 @@ std::string toYaml(const std::vector<ComponentDescription>& components, const Ya
   for (const ComponentDescription& component : components) {
     if (!isBaseName(component.name)) {
       throw ComponentFileError(
-          fmt::format("{}: no name of a component; accepted: letters, digits and underscores, a letter "
-                      "first, at most {}",
+          fmt::format("{} is not a name of a component; accepted: a letter, then letters, digits and underscores, at "
+                      "most {} characters",
                       log::quoted(component.name), kMaximumNameLength));
     }
     text += fmt::format("  {}:\n", component.name) +

@@ -85,19 +85,21 @@ double ElementReader::loadNumber(const Entry& entry, const element::ParameterInf
   }
   // "50 degC" is a temperature, and so is 323 K; a parameter in K is a difference of two temperatures.
   if (!unit.empty() && parameter.unit == "K" && log::UnitConversion(unit, parameter.unit)(0.0) != 0.0) {
-    refuse(entry, fmt::format("{} is a temperature, not a difference of two; accepted: {}", text, accepted(parameter)));
+    refuse(entry,
+           fmt::format("{} is a temperature, not a temperature difference; accepted: {}", text, accepted(parameter)));
   }
   constexpr double kLongestTime = 1e12;  // [s], 30,000 years: steps through more never end
   const double most = parameter.unit == "s" ? kLongestTime : element::kLargestNumber;
   if (std::isfinite(value) && std::abs(value) > most) {
-    refuse(entry, fmt::format("{} is beyond what a component can have; accepted: at most {:g} {}", text, most,
+    refuse(entry, fmt::format("{} is larger than any component can have; accepted: at most {:g} {}", text, most,
                               parameter.unit));
   }
   if (!parameter.range.contains(value)) {
     const std::string hint = value > 0.0 && value < element::kSmallestNumber
-                                 ? fmt::format(", not below {:g} {}", element::kSmallestNumber, parameter.unit)
-                             : parameter.name == "maxwell_elements" && value == 1.0 ? ", or model: maxwell for one"
-                                                                                    : "";
+                                 ? fmt::format(", and at least {:g} {}", element::kSmallestNumber, parameter.unit)
+                             : parameter.name == "maxwell_elements" && value == 1.0
+                                 ? ", or model: maxwell for a single element"
+                                 : "";
     refuse(entry, fmt::format("{} is {}; accepted: {}{}", text, std::isfinite(value) ? "out of range" : "not finite",
                               acceptedIn(unit, parameter), hint));
   }
@@ -137,7 +139,7 @@ std::vector<element::ElementDescription> ElementReader::loadElements(const Entry
     refuseContent(list, "a list of elements");
   }
   if (list.node.size() > kMaximumElements) {
-    refuse(list, fmt::format("{} elements; accepted: at most {}", list.node.size(), kMaximumElements));
+    refuse(list, fmt::format("the list has {} elements; accepted: at most {}", list.node.size(), kMaximumElements));
   }
   std::vector<element::ElementDescription> elements;
   for (std::size_t i = 0; i < list.node.size(); ++i) {
@@ -204,7 +206,7 @@ element::ElementDescription ElementReader::loadElement(const Entry& entry,
     if (const Entry mark = entry["of_rig"]) {
       description.of_rig = loadFlag(mark) && !of_chain;
       if (of_chain && !loadFlag(mark)) {
-        refuse(mark, "false; accepted: true, as what a measuring chain does is never of the rubber");
+        refuse(mark, "is false, but this element describes the measuring chain and never the rubber; accepted: true");
       }
     }
     return scaled(description, entry["scale_with"], specification);
@@ -220,7 +222,8 @@ element::ElementDescription ElementReader::scaled(const element::ElementDescript
   }
   const estimation::StaticCurve* curve = specification == nullptr ? nullptr : specification->curve();
   if (curve == nullptr) {
-    refuse(scale, "the component has no static_curve; accepted: none, or a static_curve in its specification");
+    refuse(scale,
+           "the component has no static_curve; accepted: scale_with: none, or a static_curve in its specification");
   }
   element::ElementDescription scaled =
       estimation::scaledAlong(*curve, estimation::nominalDisplacement(*specification), description);
@@ -230,7 +233,7 @@ element::ElementDescription ElementReader::scaled(const element::ElementDescript
 
 const ShiftLaw& ElementReader::loadShift(const Entry& entry) const {
   const std::vector<std::string> names = namesOf(shiftLaws());
-  return shiftLaws()[loadWord(require(entry, "shift", log::join(names)), names, "a law of temperature")];
+  return shiftLaws()[loadWord(require(entry, "shift", log::join(names)), names, "a temperature law")];
 }
 
 double ElementReader::loadVertical(const Entry& entry, const element::ParameterInfo& parameter, double reference) {

@@ -40,8 +40,8 @@ void checkSizes(const Figure& figure) {
   for (const Axes& axes : figure.axes) {
     for (const Curve& curve : axes.curves) {
       if (curve.x.size() != curve.y.size()) {
-        throw FigureError(fmt::format("figure '{}', curve '{}': {} values of x and {} of y", figure.title, curve.label,
-                                      curve.x.size(), curve.y.size()));
+        throw FigureError(fmt::format("figure '{}', curve '{}': the curve has {} values of x but {} of y", figure.title,
+                                      curve.label, curve.x.size(), curve.y.size()));
       }
     }
     for (const HeatMap& map : axes.maps) {
@@ -76,7 +76,7 @@ bool isFigurePath(const std::string& path) { return log::endsWith(path, ".svg") 
 
 void drawFigure(const Figure& figure, const std::string& path) {
   if (!isFigurePath(path)) {
-    throw FigureError(fmt::format("{}: accepted: a name that ends in .svg or .png", path));
+    throw FigureError(fmt::format("{}: is not the name of a figure; accepted: a name that ends in .svg or .png", path));
   }
   checkSizes(figure);
   try {
@@ -85,7 +85,7 @@ void drawFigure(const Figure& figure, const std::string& path) {
     const ScriptResult drawing =
         runScript("plot_figures", {}, request.dump(-1, ' ', false, json::error_handler_t::replace));
     if (!drawing.succeeded) {
-      throw FigureError(fmt::format("no figure drawn: {}", drawing.last_error));
+      throw FigureError(fmt::format("the figure was not drawn: {}", drawing.last_error));
     }
     file.commit();
   } catch (const FigureError&) {

@@ -27,15 +27,15 @@ bool areOneFile(const std::string& one, const std::string& other) {
 void refuseInput(const OutputFile& output, const std::vector<InputFile>& inputs) {
   for (const InputFile& input : inputs) {
     refuseIf<OutputRefused>(!input.path.empty() && areOneFile(output.path, input.path),
-                            "{}: {} is the file that {} reads{}; accepted: another file", output.option, output.path,
+                            "{}: {} is also the input file of {}{}; accepted: another file", output.option, output.path,
                             input.option, output.path == input.path ? "" : ", " + input.path);
   }
 }
 
 void refuseTwin(const OutputFile& output, const OutputFile& other) {
   refuseIf<OutputRefused>(!other.path.empty() && !log::isStream(other.path) && areOneFile(output.path, other.path),
-                          "{} and {}: {} is one file{}; accepted: one for each", output.option, other.option,
-                          output.path, output.path == other.path ? "" : " with " + other.path);
+                          "{} and {}: both write {}{}; accepted: a separate file for each", output.option, other.option,
+                          output.path, output.path == other.path ? "" : ", the same file as " + other.path);
 }
 
 void refusePlace(const OutputFile& output) {
@@ -44,7 +44,7 @@ void refusePlace(const OutputFile& output) {
                           output.path);
   const fs::path parent = fs::path(log::followedPath(output.path)).parent_path();
   refuseIf<OutputRefused>(fs::exists(parent, ignored) && !fs::is_directory(parent, ignored),
-                          "{}: {} is no folder; accepted: a folder", output.option, parent.string());
+                          "{}: {} is not a folder; accepted: a folder", output.option, parent.string());
 }
 
 void refuseOtherKind(const OutputFile& output) {
@@ -134,8 +134,8 @@ void refuseEqualLogs(const std::vector<InputFile>& logs) {
       std::error_code ignored;
       const bool same = fs::equivalent(logs[i].path, logs[j].path, ignored);
       refuseIf<OutputRefused>(same || isCopy(logs[i].path, logs[j].path),
-                              "{}: {} is {} as {} {}; accepted: each log once", logs[i].option, logs[i].path,
-                              same ? "the same file" : "the same to the last byte", logs[j].option, logs[j].path);
+                              "{}: {} is {} as {} {}; accepted: each log only once", logs[i].option, logs[i].path,
+                              same ? "the same file" : "byte by byte the same", logs[j].option, logs[j].path);
     }
   }
 }
@@ -143,7 +143,8 @@ void refuseEqualLogs(const std::vector<InputFile>& logs) {
 bool makeFolder(const std::string& folder) {
   std::error_code error;
   const bool made = fs::create_directories(folder, error);
-  refuseIf<std::runtime_error>(static_cast<bool>(error), "{}: cannot be made: {}", folder, error.message());
+  refuseIf<std::runtime_error>(static_cast<bool>(error), "{}: the folder cannot be created: {}", folder,
+                               error.message());
   return made;
 }
 
@@ -160,7 +161,7 @@ std::string makeRunFolder(const std::string& folder, const std::vector<std::stri
     if (fs::create_directory(path, error) || (!error && !holdsRecord(path, records))) {  // one run alone makes it
       return path;
     }
-    refuseIf<std::runtime_error>(error && error != std::errc::file_exists, "{}: cannot be made: {}", path,
+    refuseIf<std::runtime_error>(error && error != std::errc::file_exists, "{}: the folder cannot be created: {}", path,
                                  error.message());
   }
 }

@@ -17,31 +17,32 @@ constexpr double kMostShare = 0.5;  // of a gain or a clock: beyond, its channel
 
 std::string acceptedTolerance(const RigToleranceInfo& info) {
   const std::string share = fmt::format("a share of {} in %", info.share_of);
-  return info.unit == "1" ? fmt::format("{}, or such a number, from 0 to {:g} %", share, 100.0 * kMostShare)
-                          : fmt::format("a number in {}, text with such a unit, or {}, at least 0", info.unit, share);
+  return info.unit == "1" ? fmt::format("{} or as a number, from 0 to {:g} %", share, 100.0 * kMostShare)
+                          : fmt::format("a number of at least 0 in {}, text with such a unit, or {}", info.unit, share);
 }
 
 const RigToleranceInfo& findRow(const std::string& key) {
-  return namedRow(rigToleranceTable(), key, "no tolerance of a rig");
+  return namedRow(rigToleranceTable(), key, "not a tolerance of a rig");
 }
 
 }  // namespace
 
 const std::vector<RigToleranceInfo>& rigToleranceTable() {
   static const std::vector<RigToleranceInfo> table = {
-      {"force_zero", "N", "the force's range in the log", "zero of the force, new in each log",
+      {"force_zero", "N", "the force's range in the log", "zero error of the force, different in each log",
        &RigTolerances::force_zero},
-      {"displacement_zero", "m", "the displacement's range in the log", "zero of the displacement, new in each log",
-       &RigTolerances::displacement_zero},
-      {"gain", "1", "the force", "gain of the force's channel against that of the displacement", &RigTolerances::gain},
-      {"delay", "s", "a sampling interval", "delay of the force's channel behind that of the displacement",
+      {"displacement_zero", "m", "the displacement's range in the log",
+       "zero error of the displacement, different in each log", &RigTolerances::displacement_zero},
+      {"gain", "1", "the force", "gain error of the force channel relative to the displacement channel",
+       &RigTolerances::gain},
+      {"delay", "s", "a sampling interval", "delay of the force channel relative to the displacement channel",
        &RigTolerances::delay},
-      {"clock", "1", "the time", "difference of the clocks of force and displacement, where each has its own",
+      {"clock", "1", "the time", "difference between the clocks of force and displacement, if they are separate",
        &RigTolerances::clock},
       {"initial_state", "N", "the force's range in the log",
-       "force left from before the log, where it starts in motion", &RigTolerances::initial_state},
+       "force that remains from motion before the log, if the log starts in motion", &RigTolerances::initial_state},
       {"slow_noise", "N", "the force's standard deviation in the log",
-       "noise of the force that is slower than the motion, and drift of its zero", &RigTolerances::slow_noise},
+       "noise of the force that is slower than the motion, and drift of the force's zero", &RigTolerances::slow_noise},
   };
   return table;
 }
@@ -69,7 +70,7 @@ void setRigTolerance(RigTolerances& tolerances, const std::string& assignment) {
   const std::size_t equal = assignment.find('=');
   if (equal == std::string::npos) {
     throw std::invalid_argument(
-        fmt::format("{}: no '='; accepted: KEY=VALUE, as force_zero=50 N", log::quoted(assignment)));
+        fmt::format("{}: '=' is missing; accepted: KEY=VALUE, such as force_zero=50 N", log::quoted(assignment)));
   }
   const std::string key = log::trimmed(assignment.substr(0, equal));
   tolerances.*findRow(key).member = parseRigTolerance(key, assignment.substr(equal + 1));

@@ -27,7 +27,7 @@ using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 std::string scriptPath(const std::string& name) {
   Dl_info info{};
   if (dladdr(reinterpret_cast<const void*>(&scriptPath), &info) == 0) {
-    throw std::runtime_error("the library's own place is unknown");
+    throw std::runtime_error("the folder of this library is unknown");
   }
   const std::filesystem::path folder = std::filesystem::path(info.dli_fname).parent_path() / "rubber_suspension";
   std::ifstream elsewhere(folder / "scripts_folder.txt");
@@ -38,7 +38,7 @@ std::string scriptPath(const std::string& name) {
 FilePointer temporaryFile() {
   FilePointer file(std::tmpfile(), std::fclose);
   if (!file) {
-    throw std::runtime_error(fmt::format("no temporary file can be made: {}", std::strerror(errno)));
+    throw std::runtime_error(fmt::format("a temporary file cannot be created: {}", std::strerror(errno)));
   }
   return file;
 }
@@ -97,12 +97,12 @@ ScriptResult runScript(const std::string& name, const std::vector<std::string>& 
   int status = 0;
   while (waitpid(process, &status, 0) < 0) {
     if (errno != EINTR) {
-      throw std::runtime_error(fmt::format("the process of {} was lost: {}", name, std::strerror(errno)));
+      throw std::runtime_error(fmt::format("waiting for the process of {} failed: {}", name, std::strerror(errno)));
     }
   }
   const bool succeeded = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   const std::string error = lastLine(streams.errors.get());
-  return {succeeded, error.empty() && !succeeded ? name + " was ended" : error};
+  return {succeeded, error.empty() && !succeeded ? name + " was ended by a signal" : error};
 }
 
 }  // namespace rubber_suspension::io

@@ -18,7 +18,7 @@
 namespace rubber_suspension::io {
 namespace {
 
-void require(bool success) { element::refuseIf<std::runtime_error>(!success, "SHA-256: OpenSSL refuses it"); }
+void require(bool success) { element::refuseIf<std::runtime_error>(!success, "OpenSSL failed to compute SHA-256"); }
 
 // Hashes the pieces that `next` returns one by one, until one is empty.
 template <class Next>

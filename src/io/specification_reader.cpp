@@ -48,7 +48,7 @@ void SpecificationReader::preloadSpecification(const Entry& entry, estimation::S
   const std::string own = preload_->is_force ? "nominal_force" : "nominal_displacement";
   for (const char* key : {"nominal_force", "nominal_displacement"}) {
     if (const auto given = specification.find(key); given && !(key == own && *given == preload_->value)) {
-      refuse(entry[key], "given beside another preload of the direction; accepted: one of both");
+      refuse(entry[key], "is given together with another preload of this direction; accepted: only one of them");
     }
   }
   if (specification.curve() != nullptr) {
@@ -89,7 +89,7 @@ void SpecificationReader::loadDescribed(const Entry& entry, estimation::Specific
   if (const Entry curve = entry["static_curve"]) {
     specification.setCurve(loadCurve(curve, entry["scale_with"]));
   } else if (const Entry scale = entry["scale_with"]) {
-    refuse(scale, "given without static_curve; accepted: both");
+    refuse(scale, "is given without static_curve; accepted: both or neither");
   }
   if (const Entry points = entry["points"]) {
     specification.setPoints(
@@ -107,7 +107,7 @@ void SpecificationReader::loadDescribed(const Entry& entry, estimation::Specific
 estimation::SheetTolerance SpecificationReader::loadSheetTolerance(const Entry& entry,
                                                                    const estimation::Specification& specification) {
   if (!entry.node.IsMap()) {
-    return {loadTolerance(entry, ", or a map of such by key")};
+    return {loadTolerance(entry, ", or a map of such values by key")};
   }
   std::vector<std::string> keys = namesOf(estimation::specificationParameters());
   keys.erase(std::remove_if(keys.begin(), keys.end(),

@@ -101,9 +101,9 @@ std::optional<int> lineNestedTooDeep(const std::string& text) {
 
 std::optional<YamlProblem> beyondYamlBounds(const std::string& text) {
   if (const auto line = lineNestedTooDeep(text)) {
-    return YamlProblem{*line,
-                       fmt::format("nested too deep; accepted: at most {} brackets and {} columns of indentation",
-                                   kMaximumNesting, kMaximumIndentation)};
+    return YamlProblem{
+        *line, fmt::format("the file is nested too deeply; accepted: at most {} brackets and {} columns of indentation",
+                           kMaximumNesting, kMaximumIndentation)};
   }
   std::istringstream stream(text);
   YAML::Parser parser(stream);
@@ -111,10 +111,9 @@ std::optional<YamlProblem> beyondYamlBounds(const std::string& text) {
   try {
     parser.HandleNextDocument(counter);
   } catch (const ExpandedTooFar& found) {
-    return YamlProblem{
-        found.line,
-        fmt::format("too many values; accepted: at most {}, where each alias (*name) counts as all that it stands for",
-                    kMaximumValues)};
+    return YamlProblem{found.line, fmt::format("the file has too many values; accepted: at most {}, where each alias "
+                                               "(*name) counts with all values that it stands for",
+                                               kMaximumValues)};
   }
   return std::nullopt;
 }

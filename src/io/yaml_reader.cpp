@@ -17,7 +17,7 @@ constexpr const char* kMerge = "<<";
 // A comma between digits divides a flow map there, so that what follows it stands as a key.
 std::string decimalCommaHint(const std::string& key) {
   const bool digits = !key.empty() && key.find_first_not_of("0123456789eE+-") == std::string::npos;
-  return digits ? " (a decimal comma before it? write a decimal point)" : "";
+  return digits ? " (is there a decimal comma before it? use a decimal point)" : "";
 }
 
 // The first line up to that one which is indented with a tab, from 0; -1 without one.
@@ -93,10 +93,10 @@ void YamlReader::checkUnique(const Entry& map) {
       lines_of_nothing_[entry.second.Mark().pos] = entry.first.Mark().line;
     }
     if (!entry.first.IsScalar()) {
-      refuse({entry.first, map.path}, fmt::format("{} as a key; accepted: a name", kindOf(entry.first)));
+      refuse({entry.first, map.path}, fmt::format("a key is {}; accepted: a name as key", kindOf(entry.first)));
     }
     if (!seen.insert(entry.first.Scalar()).second) {
-      refuse(keyOf(map, entry.first), "given twice; accepted: once");
+      refuse(keyOf(map, entry.first), "is given twice; accepted: once");
     }
   }
   merge(map, 0);
@@ -160,12 +160,13 @@ RigTolerances YamlReader::loadRig(const Entry& entry) {
 
 YAML::Node YamlReader::parse(const std::string& text) const {
   if (text.size() > kMaximumComponentFileSize) {
-    refuseLine(1, "", fmt::format("{} bytes; accepted: at most {}", text.size(), kMaximumComponentFileSize));
+    refuseLine(1, "",
+               fmt::format("the file has {} bytes; accepted: at most {}", text.size(), kMaximumComponentFileSize));
   }
   const std::size_t zero = text.find('\0');
   if (zero != std::string::npos) {
     refuseLine(1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n')),
-               "", "holds a 0 byte; accepted: text in UTF-8");
+               "", "the file contains a 0 byte; accepted: text in UTF-8");
   }
   try {
     if (const auto problem = beyondYamlBounds(text)) {
@@ -176,12 +177,12 @@ YAML::Node YamlReader::parse(const std::string& text) const {
       refuseLine(1, "", fmt::format("the file is empty; accepted: a map with the key '{}'", key_));
     }
     if (const auto line = lineOfSecondDocument(text)) {
-      refuseLine(*line, "", "a second YAML document; accepted: one");
+      refuseLine(*line, "", "the file has a second YAML document; accepted: one");
     }
     return document;
   } catch (const YAML::Exception& error) {
     if (const int line = lineWithTab(text, error.mark.line); line >= 0) {
-      refuseLine(line + 1, "", "not YAML: indented with a tab; accepted: indentation by blanks alone");
+      refuseLine(line + 1, "", "not YAML: the line is indented with a tab; accepted: indentation with blanks only");
     }
     refuseLine(std::max(error.mark.line + 1, 1), "", fmt::format("not YAML: {}; accepted: {}", error.msg, kind_));
   }
@@ -198,7 +199,7 @@ void YamlReader::merge(const Entry& map, int depth) const {
   for (std::size_t i = 0; i < (list ? sources.node.size() : 1); ++i) {
     const Entry source{list ? sources.node[i] : sources.node, sources.path};
     if (!source.node.IsMap() || source.node.is(merged) || depth == kDeepest) {
-      refuseContent(source, "an anchor of another map, or a list of such");
+      refuseContent(source, "an anchor of another map, or a list of such anchors");
     }
     merge({source.node, map.path}, depth + 1);
     for (const auto& entry : source.node) {

@@ -41,9 +41,10 @@ void goOn(component::PoseStream& stream, const SavedStream& saved) { stream.dese
 
 // Refuses a model that cannot be computed beside another.
 void requireOneDirection(const io::ComponentDescription& description) {
-  element::refuseIf(description.six != nullptr,
-                    "{}: a component of six directions cannot be promoted; accepted: one of one direction",
-                    description.name);
+  element::refuseIf(
+      description.six != nullptr,
+      "{}: a model for a component of six directions cannot be promoted; accepted: a component of one direction",
+      description.name);
 }
 
 }  // namespace
@@ -126,7 +127,7 @@ class ComponentChannel::Promotion {
     const component::StreamForce answer = model->one->stream.push(stamp, displacement);
     if (!component::isAccepted(answer.acceptance)) {
       fade.end();
-      note = "its force was not finite";
+      note = "the promoted model was removed because its force was not finite";
       return configured;
     }
     const bool in_place = fade.stage() == RunStage::promoting || fade.stage() == RunStage::promoted;
@@ -137,7 +138,7 @@ class ComponentChannel::Promotion {
   // Out of the shadow, by what was measured meanwhile.
   void judgeShadow(const PairedErrors& errors) {
     const bool is_no_worse = errors.samples == 0 || errors.other <= errors.published;
-    note = (is_no_worse ? "" : "not promoted: in the shadow ") + describeErrors(errors);
+    note = (is_no_worse ? "" : "the model was not promoted because it was worse: ") + describeErrors(errors);
     is_no_worse ? fade.take() : fade.end();
   }
 
@@ -329,7 +330,8 @@ std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::checkState(const 
     const std::lock_guard<std::mutex> lock(mutex_);
     model = model_;
   }
-  element::refuseIf(state.component != name_, "state of component {} does not belong to {}", state.component, name_);
+  element::refuseIf(state.component != name_, "the state of component {} does not belong to component {}",
+                    state.component, name_);
   element::refuseIf(state.model != model->identity(), "{}: the state was saved with other elements or parameters",
                     name_);
   try {
@@ -371,7 +373,8 @@ void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (model_->identity() != model->identity()) {
     std::swap(promotion_, promotion);
-    note_ = promotion ? "the component file was read again and has another model" : "";
+    note_ =
+        promotion ? "the promoted model was removed because the component file was reloaded with another model" : "";
     since_ = model_->save().stamp;
   } else {
     model->restore(model_->save());
@@ -390,8 +393,8 @@ void ComponentChannel::promote(const io::ComponentDescription& description) {
   const std::lock_guard<std::mutex> lock(mutex_);
   dropFinished(finished);
   if (promotion_) {
-    throw std::invalid_argument(fmt::format("{}: another model is {} already; accepted: after a rollback", name_,
-                                            toString(promotion_->fade.stage())));
+    throw std::invalid_argument(fmt::format("{}: another model is already {}; accepted: promote after a rollback",
+                                            name_, toString(promotion_->fade.stage())));
   }
   promotion_ = std::move(promotion);
   keepTemperature();
@@ -401,7 +404,7 @@ void ComponentChannel::promote(const io::ComponentDescription& description) {
 void ComponentChannel::rollBack() {
   const std::lock_guard<std::mutex> lock(mutex_);
   element::refuseIf(!isBeside() || promotion_->fade.stage() == RunStage::rolling_back,
-                    "{}: the configured model gives the force, nothing is promoted", name_);
+                    "{}: no model is promoted; the force is already that of the configured model", name_);
   promotion_->note.clear();
   promotion_->fade.giveBack();
 }

@@ -93,14 +93,14 @@ LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& 
   LiveGap gap;
   gap.samples = samples.size();
   if (samples.empty()) {
-    gap.reason = "no measured force has the stamp of a sample";
+    gap.reason = "no measured force has the same stamp as a sample";
     return gap;
   }
   gap.stamp = samples.back().stamp;
   gap.window = 1e-9 * static_cast<double>(samples.back().stamp - samples.front().stamp);
   // A window that has just begun would show its first transient as a gap; thinned windows are no problem.
   if (samples.size() < kFewest || gap.window < 0.1 * settings.window) {
-    gap.reason = "the window is not filled yet";
+    gap.reason = "the window does not contain enough samples yet";
     return gap;
   }
   try {

@@ -26,7 +26,7 @@ std::string toString(RunStage stage) { return kStages.at(static_cast<std::size_t
 RunStage runStageOf(const std::string& name) {
   const auto* const found = std::find(kStages.begin(), kStages.end(), name);
   if (found == kStages.end()) {
-    throw std::invalid_argument(fmt::format("stage: {}; accepted: {}", name, fmt::join(kStages, ", ")));
+    throw std::invalid_argument(fmt::format("stage: '{}' is unknown; accepted: {}", name, fmt::join(kStages, ", ")));
   }
   return static_cast<RunStage>(found - kStages.begin());
 }
@@ -79,11 +79,11 @@ element::ComponentForce CrossFade::blend(const element::ComponentForce& configur
 
 std::string describeErrors(const PairedErrors& errors) {
   if (errors.samples == 0) {
-    return "no force was measured meanwhile";
+    return "no force was measured in the shadow";
   }
   const double count = static_cast<double>(errors.samples);
-  return fmt::format("RMS error {:.4g} N, configured {:.4g} N, over {} samples", std::sqrt(errors.other / count),
-                     std::sqrt(errors.published / count), errors.samples);
+  return fmt::format("RMS error {:.4g} N, of the configured model {:.4g} N, over {} samples",
+                     std::sqrt(errors.other / count), std::sqrt(errors.published / count), errors.samples);
 }
 
 }  // namespace rubber_suspension::node

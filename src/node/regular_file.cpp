@@ -64,7 +64,7 @@ std::string readRegularFile(const std::string& path, std::size_t most) {
     fail(path, std::strerror(errno));
   }
   if (text.size() > most) {
-    fail(path, fmt::format("larger than {} bytes", most));
+    fail(path, fmt::format("the file is too large; accepted: at most {} bytes", most));
   }
   return text;
 }

@@ -105,7 +105,7 @@ SavedPromotion promotionOf(const json& entry) {
                            runStageOf(entry.at("stage").get<std::string>()),
                            valueOf<double>("weight", entry.at("weight"), "a number")};
   if (entry.at("sha256") != io::sha256(promotion.description)) {
-    throw wrong("promotion: sha256", entry.at("sha256"), "that of its component_file");
+    throw wrong("promotion: sha256", entry.at("sha256"), "the SHA-256 digest of its component_file");
   }
   if (!isWeightOf(promotion.stage, promotion.weight)) {
     throw wrong("weight", entry.at("weight"), "0 in the stage shadow, 1 when promoted, from 0 to 1 in between");
@@ -162,7 +162,7 @@ std::string stateText(const std::vector<SavedState>& states) {
 std::vector<SavedState> parseStates(const std::string& text, const std::string& source) {
   // The parser's message may quote the text, with its line breaks.
   const auto refusal = [&](const std::exception& error) {
-    return FileError(log::oneLine(fmt::format("{}: no state file: {}", source, error.what())));
+    return FileError(log::oneLine(fmt::format("{}: the file is not a state file: {}", source, error.what())));
   };
   try {
     return parse(text);
@@ -175,7 +175,7 @@ std::vector<SavedState> parseStates(const std::string& text, const std::string& 
 
 void writeStateFile(const std::string& path, const std::vector<SavedState>& states) {
   const std::string text = stateText(states);
-  element::refuseIf<FileError>(text.size() > kLargestStateFile, "{}: the state takes {} bytes; accepted: at most {}",
+  element::refuseIf<FileError>(text.size() > kLargestStateFile, "{}: the state has {} bytes; accepted: at most {}",
                                path, text.size(), kLargestStateFile);
   replaceRegularFile(path, text);
 }

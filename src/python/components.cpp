@@ -44,12 +44,13 @@ class Motion {
   }
 
   static void requireFiniteForce(double force, double displacement) {
-    element::refuseIf(!std::isfinite(force), "displacement: {:g} m gives a force that is not finite; accepted: less",
+    element::refuseIf(!std::isfinite(force),
+                      "displacement: {:g} m gives a force that is not finite; accepted: a smaller displacement",
                       displacement);
   }
 
   static void requirePositive(double dt) {
-    element::refuseIf(!(dt > 0.0) || !std::isfinite(dt), "dt: {:g} s; accepted: greater than 0", dt);
+    element::refuseIf(!(dt > 0.0) || !std::isfinite(dt), "dt: {:g} s is out of range; accepted: greater than 0", dt);
   }
 
   const element::ComponentForce& force() const { return force_; }
@@ -64,7 +65,7 @@ class Motion {
 Array simulate(const ComponentDescription& description, const py::object& displacement, double dt) {
   Motion::requirePositive(dt);
   const std::vector<double> path = toVector(displacement, "displacement");
-  element::refuseIf(path.empty(), "displacement: empty; accepted: at least one value");
+  element::refuseIf(path.empty(), "displacement: the array is empty; accepted: at least one value");
   std::vector<double> force(path.size());
   {
     const py::gil_scoped_release others_run;
@@ -110,8 +111,9 @@ py::tuple characteristics(const ComponentDescription& description, const py::obj
                           const py::object& amplitude) {
   const std::vector<double> frequencies = toVector(frequency, "frequency");
   const std::vector<double> amplitudes = toVector(amplitude, "amplitude");
-  element::refuseIf(frequencies.size() != amplitudes.size(), "{} frequencies and {} amplitudes; accepted: as many",
-                    frequencies.size(), amplitudes.size());
+  element::refuseIf(frequencies.size() != amplitudes.size(),
+                    "{} frequencies and {} amplitudes are given; accepted: equally many", frequencies.size(),
+                    amplitudes.size());
   std::vector<double> stiffness;
   std::vector<double> loss_angle;
   {
@@ -119,9 +121,11 @@ py::tuple characteristics(const ComponentDescription& description, const py::obj
     const component::Component component = description.makeComponent();
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
       element::refuseIf(frequencies[i] <= 0.0 || amplitudes[i] <= 0.0,
-                        "{:g} Hz and {:g} m make no loop; accepted: greater than 0", frequencies[i], amplitudes[i]);
+                        "a sine of {:g} Hz and {:g} m is impossible; accepted: both greater than 0", frequencies[i],
+                        amplitudes[i]);
       const response::SweepPoint point = response::characteristicsAt(component, frequencies[i], amplitudes[i]);
-      element::refuseIf(!point.settled, "{:g} Hz and {:g} m: the loop does not settle", frequencies[i], amplitudes[i]);
+      element::refuseIf(!point.settled, "{:g} Hz and {:g} m: the simulated loop does not become periodic",
+                        frequencies[i], amplitudes[i]);
       stiffness.push_back(point.characteristics.stiffness);
       loss_angle.push_back(point.characteristics.loss_angle);
     }
@@ -148,7 +152,7 @@ estimation::SheetTolerance toTolerance(const py::handle& value) {
   estimation::SheetTolerance tolerance;
   for (const auto& [key, share] : py::cast<py::dict>(value)) {
     const auto name = py::cast<std::string>(key);
-    element::refuseIf(!estimation::isOfSheet(name), "tolerance: '{}' is no number of a data sheet", name);
+    element::refuseIf(!estimation::isOfSheet(name), "tolerance: '{}' is not a number of a data sheet", name);
     tolerance.by_key[name] = toShare(share);
   }
   return tolerance;
@@ -188,13 +192,16 @@ ComponentDescription load(const std::string& path, const std::string& name) {
 }
 
 void addMotion(py::module_& module) {
-  py::class_<Motion>(module, "Motion", "A component in motion, which keeps its history; made by Component.start().")
-      .def_static("__new__", [](const py::args&,
-                                const py::kwargs&) { throw py::type_error("a Motion is made by Component.start()"); })
+  py::class_<Motion>(module, "Motion", "A component in motion, with its history; created by Component.start().")
+      .def_static("__new__",
+                  [](const py::args&, const py::kwargs&) {
+                    throw py::type_error("a Motion cannot be created directly; accepted: Component.start()");
+                  })
       .def("step", &Motion::step, py::arg("dt"), py::arg("displacement"),
            "Advance by dt > 0 [s] to a displacement [m], linear in between; returns the force [N]. Raises ValueError.")
-      .def("set_temperature", &Motion::setTemperature, py::arg("temperature"),
-           "The temperature [degC] of the steps that follow, of a component that shifts with it. Raises ValueError.")
+      .def(
+          "set_temperature", &Motion::setTemperature, py::arg("temperature"),
+          "Set the temperature [degC] for the next steps, if the component shifts with temperature. Raises ValueError.")
       .def_property_readonly(
           "force", [](const Motion& motion) { return motion.force().total; }, "[N]")
       .def_property_readonly(
@@ -212,42 +219,46 @@ void addComponents(py::module_& module) {
   py::class_<ComponentDescription> type(module, "Component", "A component as a component file describes it.");
   makeByNew(type)
       .def(py::init(&ofElements), py::arg("elements"), py::arg("name") = "component",
-           "Of a list of elements, {'type': 'spring', 'stiffness': '3 kN/mm'}. Raises ValueError.")
+           "A component from a list of elements such as {'type': 'spring', 'stiffness': '3 kN/mm'}. Raises ValueError.")
       .def_readonly("name", &ComponentDescription::name)
       .def_property_readonly("model", [](const ComponentDescription& d) { return estimation::toString(d.model()); })
       .def_property_readonly(
           "specification", [](const ComponentDescription& d) { return d.specification().values(); },
-          "Inputs of the model in SI units; empty without one.")
+          "Inputs of the model in SI units; empty without a specification.")
       .def_property_readonly(
           "elements", [](const ComponentDescription& d) { return fromElements(d.allElements()); },
-          "All elements: those of the model, and those added.")
+          "All elements, those of the model and those that are added.")
       .def("without_rig", &ComponentDescription::withoutRig,
-           "The component without what belongs to the rig that measured it: entries with of_rig, and what a measuring "
-           "chain does.")
+           "The component without the elements that describe the test rig: entries with of_rig, and those of the "
+           "measuring chain.")
       .def(
           "start",
           [](const ComponentDescription& d, double displacement) {
             return Motion(std::make_shared<component::Component>(d.makeComponent()), displacement);
           },
-          py::arg("displacement") = 0.0, "At rest at a displacement [m], relaxed and never loaded before.")
+          py::arg("displacement") = 0.0,
+          "A Motion that starts at rest at a displacement [m], relaxed and never loaded before.")
       .def("simulate", &simulate, py::arg("displacement"), py::arg("dt"),
-           "Forces [N] of displacements [m] that are dt [s] apart; at rest at the first of them. Raises ValueError.")
-      .def("replay", &replay, py::arg("log"),
-           "Forces [N] at the samples of a log, to the last bit as the command replay and the node. Raises LogError.")
-      .def("stiffness", &stiffness, py::arg("frequency"), py::arg("temperature") = py::none(),
-           "Complex dynamic stiffness [N/m] at a frequency [Hz], or at each of an array, and, for a component that "
-           "shifts with it, a temperature "
-           "[degC]; None of a nonlinear component. Raises ValueError.")
-      .def("characteristics", &characteristics, py::arg("frequency"), py::arg("amplitude"),
-           "Stiffness [N/m] and loss angle [rad] under sines, at each of an array of frequencies [Hz] with an array of "
-           "amplitudes [m]: in closed form of a linear component, of a settled loop of any other. Raises ValueError.")
+           "Forces [N] for displacements [m] at intervals of dt [s]; the component is at rest at the first. Raises "
+           "ValueError.")
       .def(
-          "to_yaml", [](const ComponentDescription& d) { return io::toYaml({d}); }, "The text of a component file.")
+          "replay", &replay, py::arg("log"),
+          "Forces [N] at the samples of a log, identical to those of the command replay and the node. Raises LogError.")
+      .def("stiffness", &stiffness, py::arg("frequency"), py::arg("temperature") = py::none(),
+           "Complex dynamic stiffness [N/m] at a frequency [Hz] or an array of them, and at a temperature [degC] if "
+           "the component shifts with temperature; None for a nonlinear component. Raises ValueError.")
+      .def("characteristics", &characteristics, py::arg("frequency"), py::arg("amplitude"),
+           "Stiffness [N/m] and loss angle [rad] under sines with arrays of frequencies [Hz] and amplitudes [m]: in "
+           "closed form for a linear component, from settled loops for any other. Raises ValueError.")
+      .def(
+          "to_yaml", [](const ComponentDescription& d) { return io::toYaml({d}); },
+          "The component as text of a component file.")
       .def("__repr__", [](const ComponentDescription& d) {
         return fmt::format("<Component {}, model {}>", d.name, estimation::toString(d.model()));
       });
   module.def("load", &load, py::arg("path"), py::arg("component") = "",
-             "The component of that name of a component file; without a name the only one. Raises ComponentFileError.");
+             "Load the component with this name from a component file; without a name, its only component. Raises "
+             "ComponentFileError.");
   module.def("estimate", &estimate, py::arg("model"), py::pos_only(), py::arg("name") = "component",
              "A component from its specification: estimate('multi_maxwell', static_stiffness='3 kN/mm', ...). Raises "
              "ValueError.");

@@ -57,28 +57,30 @@ void addLogs(py::module_& module) {
   makeByNew(type)
       .def(py::init(&makeLog), py::arg("time"), py::arg("displacement"), py::arg("force") = py::none(),
            py::arg("name") = "log",
-           "Of arrays: time [s], which increases, displacement [m] and, if measured, force [N]. Raises LogError and "
-           "ValueError.")
+           "A log from arrays: time [s], which increases, displacement [m] and, if measured, force [N]. Raises "
+           "LogError and ValueError.")
       .def_readonly("name", &log::Log::name)
-      .def_readonly("notes", &log::Log::notes, "What was ignored or taken for what, and why.")
+      .def_readonly("notes", &log::Log::notes, "Notes on columns that were ignored or interpreted, with the reasons.")
       .def_property_readonly("time", &timeOf, "[s]")
       .def_property_readonly(
           "displacement", [](const log::Log& log) { return toArray(log.displacement); }, "[m]")
       .def_property_readonly(
-          "force", [](const log::Log& log) { return toArray(log.force); }, "Measured [N]; empty without.")
+          "force", [](const log::Log& log) { return toArray(log.force); },
+          "Measured force [N]; empty if none was measured.")
       .def_property_readonly(
           "counts", [](const log::Log& log) { return toArray(log.counts); },
-          "1 where the force was measured, 0 where it is interpolated; empty: measured throughout.")
+          "1 where the force was measured, 0 where it is interpolated; empty if it was measured throughout.")
       .def_property_readonly(
-          "temperature", [](const log::Log& log) { return toArray(log.temperature); }, "[degC]; empty without.")
+          "temperature", [](const log::Log& log) { return toArray(log.temperature); },
+          "Temperature [degC]; empty if none was measured.")
       .def("__len__", &log::Log::size)
       .def("__repr__", [](const log::Log& log) { return fmt::format("<Log {}, {} samples>", log.name, log.size()); });
   module.def("read_log", &readLog, py::arg("path"), py::arg("columns") = std::vector<std::string>(),
              py::arg("unit") = "", py::arg("sampling_rate") = 0.0, py::arg("decimal") = "", py::arg("segment") = "",
              py::arg("bridge") = -1.0, py::arg("accept_units") = false, py::arg("large") = false,
              py::arg("sentinel") = "",
-             "Read a log of text (CSV), .mat or HDF5; columns, unit, sampling_rate, decimal, segment, bridge, "
-             "accept_units, large and sentinel as the options of the commands. Raises LogError.");
+             "Read a log from text (CSV), .mat or HDF5; columns, unit, sampling_rate, decimal, segment, bridge, "
+             "accept_units, large and sentinel have the meaning of the commands' options. Raises LogError.");
   module.def(
       "gap",
       [](const py::object& measured, const py::object& simulated) {

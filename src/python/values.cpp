@@ -56,17 +56,17 @@ std::vector<double> toVector(const py::object& values_in, const std::string& nam
   const py::array any = py::array::ensure(values_in);
   if (!any) {
     PyErr_Clear();
-    throw std::invalid_argument(name + ": no array; accepted: real numbers");
+    throw std::invalid_argument(name + " is not an array; accepted: an array of real numbers");
   }
   const bool masked =
       py::hasattr(values_in, "mask") && py::bool_(py::array::ensure(values_in.attr("mask")).attr("any")());
   if (masked || std::string("fiu").find(any.dtype().kind()) == std::string::npos) {
     throw std::invalid_argument(
-        fmt::format("{}: {}; accepted: real numbers", name,
+        fmt::format("{}: has {}; accepted: real numbers", name,
                     masked ? "masked values" : "numbers of type " + py::cast<std::string>(py::str(any.dtype()))));
   }
   const Array array = Array::ensure(any);
-  element::refuseIf(array.ndim() != 1, "{}: {} dimensions; accepted: one", name, array.ndim());
+  element::refuseIf(array.ndim() != 1, "{}: has {} dimensions; accepted: one dimension", name, array.ndim());
   std::vector<double> values(array.data(), array.data() + array.size());
   const auto bad = std::find_if_not(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
   if (bad != values.end()) {
@@ -103,7 +103,7 @@ std::vector<element::ElementDescription> toElements(const py::sequence& entries)
   std::vector<element::ElementDescription> elements;
   for (const py::handle entry : entries) {
     if (!py::isinstance<py::dict>(entry)) {
-      throw std::invalid_argument("an element is no dict; accepted: {'type': NAME, PARAMETER: VALUE, ...}");
+      throw std::invalid_argument("an element is not a dict; accepted: {'type': NAME, PARAMETER: VALUE, ...}");
     }
     const auto fields = py::reinterpret_borrow<py::dict>(entry);
     const element::ElementType& type = findType(fields);
@@ -112,7 +112,7 @@ std::vector<element::ElementDescription> toElements(const py::sequence& entries)
       const auto name = py::cast<std::string>(py::str(key));
       if (name == "of_rig") {
         if (!py::isinstance<py::bool_>(value)) {
-          throw std::invalid_argument(type.name + ".of_rig: no truth value; accepted: True or False");
+          throw std::invalid_argument(type.name + ".of_rig: is not a truth value; accepted: True or False");
         }
         element.of_rig = py::cast<bool>(value);
       } else if (name != "type") {
@@ -148,8 +148,8 @@ py::object madeByInit(const py::handle& type, const py::handle& derived, const p
                       const py::kwargs& values) {
   if (PyType_Check(derived.ptr()) == 0 || PyType_IsSubtype(reinterpret_cast<PyTypeObject*>(derived.ptr()),
                                                            reinterpret_cast<PyTypeObject*>(type.ptr())) == 0) {
-    throw py::type_error("__new__: accepted: " + py::str(type.attr("__name__")).cast<std::string>() +
-                         " or a class that is derived from it");
+    throw py::type_error("__new__: the class is not accepted; accepted: " +
+                         py::str(type.attr("__name__")).cast<std::string>() + " or a class that is derived from it");
   }
   auto object =
       py::reinterpret_steal<py::object>(py::detail::make_new_instance(reinterpret_cast<PyTypeObject*>(derived.ptr())));

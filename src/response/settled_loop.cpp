@@ -26,17 +26,18 @@ using ParallelPointer = std::shared_ptr<const element::ParallelElement>;
 
 void checkArguments(double frequency, double amplitude, const LoopOptions& options) {
   if (!(frequency > 0.0) || !std::isfinite(frequency)) {
-    throw std::invalid_argument(fmt::format("frequency: {:g} Hz makes no loop; accepted: greater than 0", frequency));
+    throw std::invalid_argument(fmt::format("frequency: {:g} Hz is out of range; accepted: greater than 0", frequency));
   }
   if (!(amplitude > 0.0) || !std::isfinite(amplitude)) {
-    throw std::invalid_argument(fmt::format("amplitude: {:g} m makes no loop; accepted: greater than 0", amplitude));
+    throw std::invalid_argument(fmt::format("amplitude: {:g} m is out of range; accepted: greater than 0", amplitude));
   }
   if (!std::isfinite(options.mean)) {
-    throw std::invalid_argument(fmt::format("mean displacement: {:g} m; accepted: finite", options.mean));
+    throw std::invalid_argument(
+        fmt::format("mean displacement: {:g} m is not finite; accepted: a finite number", options.mean));
   }
   if (options.samples < 8 || options.samples % 4 != 0) {
     throw std::invalid_argument(
-        fmt::format("samples: {} per cycle; accepted: a multiple of 4, at least 8", options.samples));
+        fmt::format("samples: {} per cycle are not possible; accepted: a multiple of 4, at least 8", options.samples));
   }
 }
 

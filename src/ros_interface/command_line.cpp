@@ -56,8 +56,8 @@ std::string masterUri(const std::vector<std::string>& arguments) {
   std::string host;
   std::uint32_t port = 0;
   if (!ros::network::splitURI(uri, host, port)) {
-    throw std::runtime_error(
-        fmt::format("ROS_MASTER_URI: {}; accepted: http://HOST:PORT", uri.empty() ? "not set" : log::quoted(uri)));
+    throw std::runtime_error(fmt::format("ROS_MASTER_URI: {} is not an address; accepted: http://HOST:PORT",
+                                         uri.empty() ? "not set" : log::quoted(uri)));
   }
   return uri;
 }
@@ -91,7 +91,7 @@ std::string originOfParameter(const std::string& name) {
   }
   const bool launched = any([](const std::string& argument) { return argument.compare(0, 7, "__log:=") == 0; });
   return fmt::format("the private parameter ~{}{}", name,
-                     launched ? " of a launch file" : ", as it stands at the master");
+                     launched ? " of a launch file" : ", whose value is at the master");
 }
 
 namespace {

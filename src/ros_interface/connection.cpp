@@ -53,7 +53,7 @@ std::string callTrigger(const std::string& resolved_service, double timeout) {
   std_srvs::Trigger trigger;
   waitFor(nothing, timeout, [&] { return ros::service::exists(resolved_service, false); });
   const bool done = callService(resolved_service, trigger) && trigger.response.success != 0U;
-  return done ? "" : fmt::format("service {} failed {}", resolved_service, trigger.response.message);
+  return done ? "" : fmt::format("service {} failed: {}", resolved_service, trigger.response.message);
 }
 
 std::vector<std::string> servedComponents(const std::string& bundle_topic) {

@@ -39,7 +39,7 @@ std::size_t firstCompared(const log::Log& log, double skip) {
   while (first < log.size() && log.duration(0, first) < skip) {
     ++first;
   }
-  element::refuseIf(first + 2 > log.size(), "{}: nothing is left to compare after {:g} s; the log lasts {:g} s",
+  element::refuseIf(first + 2 > log.size(), "{}: no samples remain to be compared after {:g} s; the log lasts {:g} s",
                     log.name, skip, log.duration(0, log.size() - 1));
   return first;
 }
@@ -49,7 +49,8 @@ std::size_t firstCompared(const log::Log& log, double skip) {
 ForceReference measuredReference(const log::Log& log) {
   element::refuseIf(
       log.force.empty(),
-      "{} has no measured force; accepted: a log with one, or a component file to compare with (--config)", log.name);
+      "{} has no measured force; accepted: a log with a measured force, or a component file for comparison (--config)",
+      log.name);
   return {"the force measured in " + log.name, log.force};
 }
 
@@ -60,7 +61,7 @@ ForceReference simulatedReference(const component::Component& component, const l
 
 TestCase checkAnswers(const std::string& component, const log::Log& log, const PlayResult& result) {
   TestCase test{"oneForceForEachDisplacement", result.exactlyOneEach(), "", result.duration};
-  test.message = fmt::format("{}: {} of {} samples answered, {} forces with unexpected stamps", component,
+  test.message = fmt::format("{}: {} of {} samples were answered, {} forces had unexpected stamps", component,
                              result.answered(), log.size(), result.unexpected);
   if (!test.passed && result.answered() == log.size() && result.unexpected == 0) {
     test.message += "; some samples were answered more than once";
@@ -85,14 +86,14 @@ TestCase checkForces(const log::Log& log, const ForceReference& reference, const
                      const std::optional<gap::Agreement>& agreement, double tolerance) {
   TestCase test{"forces", false, "", 0.0};
   if (!agreement) {
-    test.message =
-        fmt::format("not compared with {}: {} samples have no force", reference.name, log.size() - result.answered());
+    test.message = fmt::format("the forces were not compared with {} because {} samples have no force", reference.name,
+                               log.size() - result.answered());
     return test;
   }
   test.passed = agreement->gap <= tolerance;
-  test.message =
-      fmt::format("gap {:.6g} to {}, {} {:g}; largest difference {:.6g} N, {:.6g} s after the start", agreement->gap,
-                  reference.name, test.passed ? "within" : "beyond", tolerance, agreement->peak, agreement->peak_time);
+  test.message = fmt::format(
+      "gap of {:.6g} to {}, {} the limit {:g}; largest difference {:.6g} N, {:.6g} s after the start", agreement->gap,
+      reference.name, test.passed ? "within" : "beyond", tolerance, agreement->peak, agreement->peak_time);
   return test;
 }
 
@@ -126,7 +127,7 @@ std::string testReportXml(const std::string& suite, const std::vector<TestCase>&
 std::string testReportPath(const std::string& gtest_output) {
   const std::string format = "xml:";
   element::refuseIf(gtest_output.compare(0, format.size(), format) != 0 || gtest_output.size() == format.size(),
-                    "--gtest_output={}; accepted: xml:FILE", gtest_output);
+                    "--gtest_output={} is not supported; accepted: xml:FILE", gtest_output);
   return gtest_output.substr(format.size());
 }
 

@@ -120,7 +120,7 @@ void LogPlayer::requireServed() const {
   for (std::string& name : served) {
     name = name.compare(0, space.size(), space) == 0 ? name.substr(space.size()) : name;
   }
-  throw PlayError(fmt::format("no component '{}'{}; accepted: {}, which the running node serves", options_.component,
+  throw PlayError(fmt::format("the running node does not serve the component '{}'{}; accepted: {}", options_.component,
                               element::didYouMean(options_.component, served), log::join(served)));
 }
 
@@ -134,7 +134,7 @@ void LogPlayer::connect() {
       requireServed();
     }
     if (waited > 0.0) {
-      options_.notify(fmt::format("waiting for what serves {} and listens to it: {:.0f} of {:g} s",
+      options_.notify(fmt::format("waiting for the node that serves {} and for all its subscribers: {:.0f} of {:g} s",
                                   displacement_publisher_.getTopic(), waited, options_.connect_timeout));
     }
     connected_ = isConnected(std::min(options_.connect_timeout - waited, kNoteEvery));

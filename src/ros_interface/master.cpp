@@ -183,7 +183,7 @@ void RegistrationKeeper::check() {
     return;
   }
   if (!known) {
-    ROS_WARN_THROTTLE(60.0, "the master does not answer; samples are served on, over the connections that are there");
+    ROS_WARN_THROTTLE(60.0, "the master does not answer; samples are still served over the existing connections");
     return;
   }
   incomplete_ = incomplete_ || static_cast<int>((*known)[0]) != kDone;
@@ -195,7 +195,7 @@ void RegistrationKeeper::check() {
   if (is_ending_()) {
     leaveMaster(kLimit);  // what comes to the master while this node leaves it is taken back
   } else if (!incomplete_) {
-    ROS_WARN("the master did not know this node any more; registered again");
+    ROS_WARN("the master no longer knew this node; the node registered again");
   }
 }
 

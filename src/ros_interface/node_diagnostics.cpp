@@ -35,7 +35,7 @@ constexpr Fault kFaults[] = {
     {"dropped, repeated stamp", "with a repeated stamp (dropped)", &ChannelReport::repeated},
     {"dropped, stepped back", "with a stamp that steps back (dropped)", &ChannelReport::stepped_back},
     {"dropped, no rotation", "with a quaternion whose length is not 1 (dropped)", &ChannelReport::not_a_rotation},
-    {"dropped, beyond measure", "with a rotation beyond the end of its measure (dropped)",
+    {"dropped, beyond measure", "with a rotation that exceeds the range of its measure (dropped)",
      &ChannelReport::beyond_measure},
     {"dropped, disabled", "while disabled (dropped)", &ChannelReport::disabled},
     {"dropped, undecodable", "that cannot be decoded (dropped)", &ChannelReport::undecodable},
@@ -45,7 +45,7 @@ constexpr Fault kFaults[] = {
     {"time gaps bridged", "time gaps longer than max_gap (bridged)", &ChannelReport::bridged},
     {"beyond valid displacement", "beyond valid_displacement (served)", &ChannelReport::beyond_valid},
     {"beyond valid rotation", "beyond valid_rotation (served)", &ChannelReport::beyond_rotation},
-    {"temperatures, refused", "temperatures refused: not finite, or none at which the component's shift holds",
+    {"temperatures, refused", "temperatures refused: not finite, or outside the range of the component's shift",
      &ChannelReport::refused_temperatures},
 };
 
@@ -57,8 +57,8 @@ std::string wordsOf(const Fault& fault, const ChannelReport& before, const Chann
   std::string text = "with an empty header, whose stamp is 0 (dropped)";
   if (before.repeated == 0) {
     text +=
-        ": the sender has to fill it; rostopic pub does with 'header: auto', and a driver that sends Float64 needs a "
-        "message with a header, such as Float64Stamped, whose stamp is copied into Displacement";
+        ": the sender must fill the header; rostopic pub does this with 'header: auto', and a driver that sends "
+        "Float64 needs a message with a header, such as Float64Stamped, whose stamp is copied into Displacement";
   }
   return text;
 }
@@ -106,7 +106,7 @@ void fillStatus(const ChannelReport& before, const ChannelReport& now, double el
     status.add("last displacement [m]", now.displacement);
   }
   if (now.shifts_with_temperature) {
-    status.add("temperature [degC]", now.temperature ? fmt::format("{:g}", *now.temperature) : "none has come");
+    status.add("temperature [degC]", now.temperature ? fmt::format("{:g}", *now.temperature) : "none received");
   }
 }
 
@@ -136,7 +136,7 @@ void addGap(const std::string& direction, const node::LiveGap& gap, const node::
   status.add(of + "gap, trend [1/s]", gap.trend);
   status.add(of + "ISO/TS 18571",
              fmt::format("{:.3f} ({}){}", gap.iso18571.total, gap::iso18571Grade(gap.iso18571.total),
-                         gap.iso18571.repeats ? "; the measured force repeats itself" : ""));
+                         gap.iso18571.repeats ? "; the measured force is periodic" : ""));
   for (std::size_t i = 0; i < gap.share.size(); ++i) {
     status.add(of + "gap, share of " + gap::toString(static_cast<gap::Quantity>(i)), gap.share[i]);
   }
@@ -209,7 +209,7 @@ Running runningMessage(const std::string& component, const node::RunningModel& r
 void fillThreadStatus(const std::string& name, double silence, DiagnosticStatusWrapper& status) {
   constexpr double kStale = 2.0;  // [s], where a thread that is not held up comes round ten times a second
   if (silence > kStale) {
-    status.summaryf(DiagnosticStatus::STALE, "thread `%s` serves nothing since %.1f s", name.c_str(), silence);
+    status.summaryf(DiagnosticStatus::STALE, "thread `%s` has not served anything for %.1f s", name.c_str(), silence);
   } else {
     status.summary(DiagnosticStatus::OK, "serving");
   }

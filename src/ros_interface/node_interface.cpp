@@ -74,57 +74,60 @@ const std::vector<InterfaceEntry>& nodeInterface() {
                           1),
       topic<Force>("COMPONENT/force", Kind::published, "the answer, with the header of the displacement", 1),
       topic<MeasuredForce>("COMPONENT/measured_force", Kind::subscribed,
-                           "optional: with the force of the real component the node watches the gap", 1),
-      topic<sensor_msgs::Temperature>("COMPONENT/temperature", Kind::subscribed,
-                                      "optional [degC]: holds for the samples from its stamp on, where the component "
-                                      "has the key `temperature`"),
-      topic<Gap>("COMPONENT/gap", Kind::published, "once per second, with a measured force: level, where and trend", 1),
+                           "optional: measured force of the real component, with which the node monitors the gap", 1),
+      topic<sensor_msgs::Temperature>(
+          "COMPONENT/temperature", Kind::subscribed,
+          "optional, if the component has the key `temperature`: its temperature [degC] from this stamp on"),
+      topic<Gap>("COMPONENT/gap", Kind::published,
+                 "once per second if a force is measured: level, place and trend of the gap", 1),
       topic<Gap>("COMPONENT/shadow_gap", Kind::published,
-                 "the same for the model that is computed beside the one that gives the force, while there is one", 1),
+                 "while a second model runs in parallel (shadow or after a promotion): gap of the model that does not "
+                 "give the force",
+                 1),
       topic<Running>("COMPONENT/running", Kind::published,
                      "latched: whether the configured or a promoted model gives the force, and its hash"),
-      topic<Diagnosis>("COMPONENT/diagnosis", Kind::published,
-                       "latched: where ~diagnose is true, which effect the model lacks, since when, and how sure that "
-                       "is",
-                       1),
+      topic<Diagnosis>(
+          "COMPONENT/diagnosis", Kind::published,
+          "latched, if ~diagnose is true: which effect the model lacks, since when, and how certain this is", 1),
       topic<geometry_msgs::PoseStamped>("COMPONENT/pose", Kind::subscribed,
-                                        "of six directions, in place of displacement: body B in body A, whose frame is "
-                                        "that of the header; each accepted sample is answered by one wrench",
+                                        "for six directions, instead of displacement: pose of body B in body A, whose "
+                                        "frame is that of the header; each accepted sample is answered by one wrench",
                                         6),
       topic<geometry_msgs::WrenchStamped>("COMPONENT/wrench", Kind::published,
-                                          "the answer, with the header of the pose: what has to be applied to B, at "
-                                          "B's origin, to hold the pose, in A's axes",
+                                          "the answer, with the header of the pose: the wrench that must be applied to "
+                                          "B, at B's origin, to hold the pose, in A's axes",
                                           6),
-      topic<geometry_msgs::WrenchStamped>("COMPONENT/measured_wrench", Kind::subscribed,
-                                          "optional: with the wrench of the real component, likewise, the node watches "
-                                          "the gap of each direction",
-                                          6),
+      topic<geometry_msgs::WrenchStamped>(
+          "COMPONENT/measured_wrench", Kind::subscribed,
+          "optional: measured wrench of the real component, with which the node monitors the gap of each direction", 6),
       topic<Gap>("COMPONENT/DIRECTION/gap", Kind::published,
-                 "of six directions: the gap of each that is not free, x to rz, along and about the axes of the "
+                 "for six directions: gap of each direction (x to rz) that is not free, along or about the axes of the "
                  "component",
                  6),
-      topic<PoseArray>("poses", Kind::subscribed, "all components of six directions in one message"),
+      topic<PoseArray>("poses", Kind::subscribed, "poses of all components of six directions in one message"),
       topic<WrenchArray>("wrenches", Kind::published, "the answer to it"),
-      topic<DisplacementArray>("displacements", Kind::subscribed, "all components of one direction in one message"),
+      topic<DisplacementArray>("displacements", Kind::subscribed,
+                               "displacements of all components of one direction in one message"),
       topic<ForceArray>("forces", Kind::published, "the answer to it"),
-      topic<diagnostic_msgs::DiagnosticArray>("/diagnostics", Kind::published,
-                                              "once per second: rate, drops, rejects, latency and gap per component"),
-      service<std_srvs::Trigger>("~reset", "reset all components: at rest, as new"),
+      topic<diagnostic_msgs::DiagnosticArray>(
+          "/diagnostics", Kind::published, "once per second: rate, dropped samples, latency and gap of each component"),
+      service<std_srvs::Trigger>("~reset", "reset all components; they are then at rest and as new"),
       service<std_srvs::Trigger>("~save_state", "write the state of all components to ~state_file"),
       service<std_srvs::Trigger>("~load_state", "continue from the state in ~state_file"),
       service<std_srvs::Trigger>("~reload", "read the component file again; unchanged components keep their state"),
-      service<std_srvs::SetBool>("~set_enabled", "a disabled component answers no displacement and keeps its state"),
-      service<ResetComponent>("~reset_component", "reset the one of the name `component`: at rest, as new"),
-      service<EnableComponent>("~enable_component", "as ~set_enabled, for the one of the name `component`"),
+      service<std_srvs::SetBool>(
+          "~set_enabled", "enable or disable all components; a disabled component does not answer and keeps its state"),
+      service<ResetComponent>("~reset_component",
+                              "reset the component with the name `component`; it is then at rest and as new"),
+      service<EnableComponent>("~enable_component", "like ~set_enabled, for the component with the name `component`"),
       service<std_srvs::Trigger>(
           "COMPONENT/promote",
-          "where ~diagnose or ~promote_file is set: put the model of ~promote_file in the place "
-          "of the configured one, or the one that the live diagnosis found: first in its shadow, "
-          "then by a cross-fade",
+          "if ~diagnose or ~promote_file is set: replace the configured model by that of ~promote_file or of the live "
+          "diagnosis, first computed in parallel (shadow), then by a cross-fade",
           1),
       service<std_srvs::Trigger>("COMPONENT/rollback",
-                                 "likewise, or where a state with a promoted model was loaded: back to the configured "
-                                 "model, by a cross-fade",
+                                 "if ~diagnose or ~promote_file is set or a loaded state has a promoted model: return "
+                                 "to the configured model by a cross-fade",
                                  1),
   };
   return table;

@@ -35,7 +35,7 @@ node::ComponentChannel& channelNamed(const std::string& name, const node::Channe
     }
     names.push_back(channel->name());
   }
-  throw std::invalid_argument(fmt::format("no component '{}' in this node{}; accepted: {}", name,
+  throw std::invalid_argument(fmt::format("this node has no component '{}'{}; accepted: {}", name,
                                           element::didYouMean(name, names), fmt::join(names, ", ")));
 }
 
@@ -51,7 +51,7 @@ std::vector<const Entry*> matchByName(const std::vector<Entry>& entries, std::st
     const auto found = std::find_if(entries.begin(), entries.end(),
                                     [&](const Entry& entry) { return entry.*name == channel->name(); });
     if (found == entries.end()) {
-      throw std::invalid_argument(fmt::format("component {} is missing", channel->name()));
+      throw std::invalid_argument(fmt::format("component {} of this node is missing", channel->name()));
     }
     matched.push_back(&*found);
   }
@@ -77,7 +77,7 @@ NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_han
   using std_srvs::Trigger;
   advertise<Trigger>(private_handle_, "reset", [this](const Trigger::Request&) {
     group_.reset();
-    return fmt::format("{} components are reset: at rest, as new", group_.channels().size());
+    return fmt::format("{} components were reset; they are at rest and as new", group_.channels().size());
   });
   advertise<Trigger>(private_handle_, "save_state", [this](const Trigger::Request&) { return save(); });
   advertise<Trigger>(private_handle_, "load_state", [this](const Trigger::Request&) { return load(); });
@@ -88,7 +88,7 @@ NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_han
   });
   advertise<ResetComponent>(private_handle_, "reset_component", [this](const ResetComponent::Request& request) {
     channelNamed(request.component, group_).reset();
-    return request.component + " is reset: at rest, as new";
+    return request.component + " was reset; it is at rest and as new";
   });
   advertise<EnableComponent>(private_handle_, "enable_component", [this](const EnableComponent::Request& request) {
     channelNamed(request.component, group_).setEnabled(request.data != 0U);
@@ -112,7 +112,8 @@ void NodeServices::advertisePromotions() {
                        [this, channel](const Trigger::Request&) { return promote(*channel); });
     advertise<Trigger>(handle_, channel->name() + "/rollback", [this, channel](const Trigger::Request&) {
       channel->rollBack();
-      return fmt::format("back to the configured model within {:g} s of stamps", settings_.promotion.fade);
+      return fmt::format("returning to the configured model within {:g} s (time of the stamps)",
+                         settings_.promotion.fade);
     });
   }
 }
@@ -161,14 +162,15 @@ std::string NodeServices::load() {
 
 std::string NodeServices::reload() const {
   constexpr double kLimit = 1.0;  // [s]; the parameters are asked for without a limit, and hold up all services
-  element::refuseIf<std::runtime_error>(!masterAnswers(kLimit),
-                                        "the master, which holds the parameters, did not answer in {} s", kLimit);
+  element::refuseIf<std::runtime_error>(!masterAnswers(kLimit), "the master did not return the parameters within {} s",
+                                        kLimit);
   const io::Cancellable cancellable(isEnding);
   const std::vector<io::ComponentDescription> described = readComponents(private_handle_, settings_);
   std::vector<std::shared_ptr<node::ComponentChannel::Model>> models;
   for (const io::ComponentDescription* description : matchByName(described, &io::ComponentDescription::name, group_)) {
     if (channelNamed(description->name, group_).hasSixDirections() != (description->six != nullptr)) {
-      throw std::invalid_argument(fmt::format("component {} has {} now, which would need a restart", description->name,
+      throw std::invalid_argument(fmt::format("component {} now has {}; accepted: a restart of the node",
+                                              description->name,
                                               description->six ? "six directions" : "one direction"));
     }
     models.push_back(node::ComponentChannel::makeModel(*description, settings_.max_gap));
@@ -181,9 +183,10 @@ std::string NodeServices::promote(node::ComponentChannel& channel) const {
   std::string source = settings_.promote_file;
   io::ComponentDescription model;
   element::refuseIf(source.empty() && live_ == nullptr,
-                    "{}: nothing to promote: neither the parameter ~promote_file nor ~diagnose is set", channel.name());
+                    "{}: there is no model to promote; accepted: the parameter ~promote_file or ~diagnose",
+                    channel.name());
   if (source.empty()) {
-    source = "what the live diagnosis found";
+    source = "the model of the live diagnosis";
     model = live_->found(channel.name());
   } else {
     node::requireRegularFile(source);
@@ -191,8 +194,9 @@ std::string NodeServices::promote(node::ComponentChannel& channel) const {
     model = settings_.without_rig ? model.withoutRig() : model;
   }
   channel.promote(model);
-  return fmt::format("{}: in the shadow for {:g} s of stamps, then a cross-fade of {:g} s", source,
-                     settings_.promotion.shadow, settings_.promotion.fade);
+  return fmt::format(
+      "{}: the model runs in the shadow for {:g} s (time of the stamps), then takes over with a cross-fade of {:g} s",
+      source, settings_.promotion.shadow, settings_.promotion.fade);
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -38,33 +38,35 @@ std::vector<Setting> settingsTable(NodeSettings& settings) {
       {"max_gap", &settings.max_gap, 0, 1e6,
        "longest time between two samples [s]; a longer time gap is reported and bridged exactly (default 0.5)"},
       {"queue_size", &settings.queue_size, 1, 1e6,
-       "samples that may wait per topic before the oldest is lost; four times as many forces, at least 40000, may wait "
-       "for each subscriber (default 10000)"},
-      {"threads", &settings.threads, 1, 64, "serving threads; components are assigned to them in turn (default 1)"},
+       "number of samples that can wait on each topic before the oldest is lost; for each subscriber four times as "
+       "many forces, at least 40000, can wait (default 10000)"},
+      {"threads", &settings.threads, 1, 64,
+       "number of serving threads; components are assigned to them in turn (default 1)"},
       {"realtime_priority", &settings.realtime_priority, 0, 98,
-       "SCHED_FIFO priority of the serving threads where permitted, 0 for none (default 0)"},
-      {"lock_memory", &settings.lock_memory, 0, 0, "keep the process in memory where permitted (default false)"},
+       "SCHED_FIFO priority of the serving threads, if permitted; 0: none (default 0)"},
+      {"lock_memory", &settings.lock_memory, 0, 0, "lock the process in memory, if permitted (default false)"},
       {"without_rig", &settings.without_rig, 0, 0,
-       "leave out what belongs to the rig that measured the components: entries with of_rig, delay, gain, zero and "
-       "drift of the measuring chain (default false)"},
-      {"state_file", &settings.state_file, 0, 0, "where ~save_state and ~load_state keep the state (default none)"},
+       "omit elements that describe the test rig: entries with of_rig, and delay, gain, zero and drift of the "
+       "measuring chain (default false)"},
+      {"state_file", &settings.state_file, 0, 0,
+       "file in which ~save_state and ~load_state store the state (default none)"},
       {"load_state", &settings.load_state, 0, 0, "continue from state_file at the start, if it exists (default false)"},
       {"gap_window", &settings.gap.window, 0, 1e5, "length of the sliding window of the live gap [s] (default 10)"},
       {"gap_warn", &settings.gap.warn, 0, 1e6,
-       "live gap beyond noise, over the measured force's standard deviation, at which to warn (default 0.1)"},
+       "live gap beyond noise, relative to the measured force's standard deviation, at which to warn (default 0.1)"},
       {"gap_error", &settings.gap.error, 0, 1e6, "live gap beyond noise at which to report an error (default 0.3)"},
       {"diagnose", &settings.diagnose, 0, 0,
-       "diagnose the gap to the measured force while the bench runs, on COMPONENT/diagnosis (default false)"},
+       "diagnose the gap to the measured force while the bench runs, and publish COMPONENT/diagnosis (default false)"},
       {"diagnose_memory", &settings.live.memory, 32768, 1e7,
-       "samples with a measured force that the live diagnosis keeps of each component (default 300000); about 70 bytes "
-       "each"},
+       "number of samples with a measured force that the live diagnosis stores for each component, about 70 bytes each "
+       "(default 300000)"},
       {"diagnose_nice", &settings.live.nice, 0, 19,
-       "niceness of the thread that diagnoses; 19 takes what others leave (default 19)"},
+       "niceness of the diagnosing thread; 19: it only uses time that no other process needs (default 19)"},
       {"promote_file", &settings.promote_file, 0, 0,
-       "component file with the models that COMPONENT/promote puts in place (default none: what the live diagnosis "
-       "found)"},
+       "component file with the models that COMPONENT/promote activates (default none: the models of the live "
+       "diagnosis)"},
       {"promote_shadow", &settings.promotion.shadow, 0, 1e5,
-       "time that a model is computed beside the configured one before it takes its place [s] (default 5)"},
+       "time for which a model is computed in parallel before it replaces the configured model [s] (default 5)"},
       {"promote_fade", &settings.promotion.fade, 0, 1e5,
        "time of the cross-fade from one model to the other [s] (default 1)"},
   };
@@ -75,7 +77,7 @@ std::string accepted(const Setting& setting) {
     return fmt::format("a whole number from {:.0f} to {:.0f}", setting.lower, setting.upper);
   }
   if (std::holds_alternative<double*>(setting.value)) {
-    return fmt::format("a number greater than {:.0f}, at most {:.0f}", setting.lower, setting.upper);
+    return fmt::format("a number greater than {:.0f} and at most {:.0f}", setting.lower, setting.upper);
   }
   return std::holds_alternative<bool*>(setting.value) ? "true or false" : "text, the path of a file";
 }
@@ -151,10 +153,9 @@ void checkComponents(const std::vector<io::ComponentDescription>& components, co
   const std::set<std::string> reserved = reservedNames(private_handle);
   for (const io::ComponentDescription& component : components) {
     if (reserved.count(component.name) > 0) {
-      throw std::invalid_argument(
-          fmt::format("{}: component {} is named as the node or as one of its topics or "
-                      "services; accepted: any name but {}",
-                      source, component.name, fmt::join(reserved, ", ")));
+      throw std::invalid_argument(fmt::format(
+          "{}: component {} has the name of the node or of one of its topics or services; accepted: any name except {}",
+          source, component.name, fmt::join(reserved, ", ")));
     }
     const auto warn = [&](const io::ComponentDescription& of) {
       for (const std::string& warning : estimation::specificationWarnings(of.written())) {
@@ -186,7 +187,7 @@ std::vector<io::ComponentDescription> readWhole(const ros::NodeHandle& private_h
   const std::string file_name = private_handle.resolveName("config_file");
   const std::string components_name = private_handle.resolveName("components");
   if (has_file == has_components) {
-    throw std::invalid_argument(fmt::format("{} parameters {} and {}; accepted: exactly one of them",
+    throw std::invalid_argument(fmt::format("{} parameters {} and {} are set; accepted: exactly one of them",
                                             has_file ? "both" : "neither of the", file_name, components_name));
   }
   if (has_components) {
@@ -207,8 +208,7 @@ std::vector<io::ComponentDescription> readWhole(const ros::NodeHandle& private_h
   } catch (const io::Cancelled&) {
     throw;
   } catch (const std::exception& error) {
-    throw std::invalid_argument(
-        fmt::format("{} (the path is that of {})", error.what(), originOfParameter("config_file")));
+    throw std::invalid_argument(fmt::format("{} (path given by {})", error.what(), originOfParameter("config_file")));
   }
 }
 
@@ -226,7 +226,8 @@ NodeSettings readNodeSettings(const ros::NodeHandle& private_handle) {
     }
   }
   if (settings.load_state && settings.state_file.empty()) {
-    throw std::invalid_argument(fmt::format("parameter {} needs {}", private_handle.resolveName("load_state"),
+    throw std::invalid_argument(fmt::format("parameter {} needs the parameter {}, which is not set",
+                                            private_handle.resolveName("load_state"),
                                             private_handle.resolveName("state_file")));
   }
   return settings;
@@ -244,7 +245,8 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
 std::string describeNodeSettings() {
   constexpr const char* kLine = "  ~{:18} {}\n";
   std::string text = fmt::format(kLine, "config_file", "path of the component file") +
-                     fmt::format(kLine, "components", "or what would stand in it under that key");
+                     fmt::format(kLine, "components",
+                                 "instead of config_file: the content of a component file under the key `components`");
   NodeSettings defaults;
   for (const Setting& setting : settingsTable(defaults)) {
     text += fmt::format(kLine, setting.name, setting.documentation + "; " + accepted(setting));

@@ -29,7 +29,7 @@ json ofText(const std::string& text) {
 }
 
 json toJson(const XmlRpcValue& value, int depth) {
-  element::refuseIf(depth > kDeepest, "nested deeper than {} levels", kDeepest);
+  element::refuseIf(depth > kDeepest, "the value is nested too deeply; accepted: at most {} levels", kDeepest);
   json result;
   switch (value.getType()) {
     case XmlRpcValue::TypeBoolean:
@@ -53,7 +53,7 @@ json toJson(const XmlRpcValue& value, int depth) {
       }
       return result;
     default:
-      throw std::invalid_argument("holds a date, binary data or nothing; accepted: numbers, text, lists and maps");
+      throw std::invalid_argument("contains a date, binary data or nothing; accepted: numbers, text, lists and maps");
   }
 }
 

@@ -56,7 +56,7 @@ class PlayControlServices {
     const auto step = [&control](Trigger::Request& /*request*/, Trigger::Response& response) {
       control.step();
       response.success = 1U;
-      response.message = fmt::format("{} samples of each component released so far", control.granted());
+      response.message = fmt::format("{} samples of each component have been released so far", control.granted());
       return true;
     };
     servers_ = {handle_.advertiseService<SetBool::Request, SetBool::Response>("pause", pause),

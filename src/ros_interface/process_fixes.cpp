@@ -74,7 +74,7 @@ std::string keepSlaveApiToLoopback() {
     return {};
   }
   constexpr char kLoopback[] = "lo";
-  std::string refusal = "its socket was not found";
+  std::string refusal = "the socket was not found";
   std::error_code gone;  // a file may be closed while the folder is read
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", gone)) {
     const int file = std::atoi(entry.path().filename().c_str());
@@ -83,7 +83,9 @@ std::string keepSlaveApiToLoopback() {
       refusal = kept ? "" : std::strerror(errno);
     }
   }
-  return refusal.empty() ? refusal : "the slave API listens on all interfaces: " + refusal;
+  return refusal.empty()
+             ? refusal
+             : "the slave API cannot be restricted to the loopback interface and listens on all interfaces: " + refusal;
 }
 
 }  // namespace rubber_suspension::ros_interface

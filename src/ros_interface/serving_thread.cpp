@@ -23,8 +23,8 @@ std::string ServingThread::start(const std::string& name, int realtime_priority)
   parameters.sched_priority = realtime_priority;
   const int error = pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &parameters);
   return error == 0 ? std::string()
-                    : fmt::format("no real-time priority {}: {}; serving at normal priority", realtime_priority,
-                                  std::strerror(error));
+                    : fmt::format("real-time priority {} cannot be set: {}; the node serves at normal priority",
+                                  realtime_priority, std::strerror(error));
 }
 
 void ServingThread::stop() {
@@ -52,7 +52,7 @@ double ServingThread::silence() const {
 
 std::string lockMemory() {
   const bool locked = mlockall(MCL_CURRENT) == 0 && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
-  return locked ? std::string() : fmt::format("memory not locked: {}", std::strerror(errno));
+  return locked ? std::string() : fmt::format("the memory cannot be locked: {}", std::strerror(errno));
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -38,7 +38,7 @@ std::shared_ptr<const std::string> claim(const std::string& component, const std
   const std::lock_guard<std::mutex> lock(mutex);
   if (const auto first = claims[component].lock()) {
     throw std::invalid_argument(
-        fmt::format("component {} is served by {} of the same process already; accepted: another namespace or name",
+        fmt::format("component {} is already served by {} in the same process; accepted: another namespace or name",
                     component, *first));
   }
   auto claimed = std::make_shared<const std::string>(node);
@@ -101,9 +101,10 @@ void requireOpenFiles(std::size_t components) {
   }
   if (limit.rlim_max < needed) {
     const std::string each = components == 0 ? "each component" : fmt::format("each of {} components", components);
-    throw std::runtime_error(fmt::format(
-        "{} open files are needed, two for {} and {} beside; accepted: ulimit -n {}, or LimitNOFILE; now {}", needed,
-        each, needed - 2 * components, needed, limit.rlim_max));
+    throw std::runtime_error(
+        fmt::format("{} open files are needed, two for {} and {} in addition; accepted: a limit of {} (ulimit -n, or "
+                    "LimitNOFILE) instead of {}",
+                    needed, each, needed - 2 * components, needed, limit.rlim_max));
   }
   constexpr rlim_t kTimes = 4;  // peers keep the connections open by which they asked
   limit.rlim_cur = std::max(limit.rlim_cur, std::min(kTimes * needed, limit.rlim_max));
@@ -139,7 +140,7 @@ void runSimulateNode(RosCommandLine& line) {
     node.stopRegistering();
     leave(line);
   } catch (const io::Cancelled&) {
-    ROS_INFO("ended before it served");
+    ROS_INFO("the node ended before it began to serve");
   } catch (const std::bad_alloc&) {
     throw std::runtime_error("out of memory; accepted: a larger limit (ulimit -v, MemoryMax) or fewer components");
   } catch (const boost::thread_resource_error& error) {
@@ -168,7 +169,7 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
     }
     tell(keepSlaveApiToLoopback(), "");
     if (settings_.lock_memory) {
-      tell(lockMemory(), "memory locked");
+      tell(lockMemory(), "the memory is locked");
     }
     startServing();
     advertiseServices();
@@ -210,7 +211,7 @@ void SimulateNode::makeChannels() {
   if (settings_.load_state &&
       std::filesystem::symlink_status(settings_.state_file).type() != std::filesystem::file_type::not_found) {
     loadStates(settings_.state_file, *group_);
-    ROS_INFO("going on from %s", settings_.state_file.c_str());
+    ROS_INFO("continuing from the state in %s", settings_.state_file.c_str());
   }
 }
 

@@ -49,7 +49,7 @@ void Termination::wait() {
       end = Clock::now() + std::chrono::seconds(5);
     }
     if (Clock::now() > end) {  // the process may hang anywhere: nothing that locks
-      constexpr char kLine[] = "ended without leaving the master: it took longer than 5 s\n";
+      constexpr char kLine[] = "ended without unregistering from the master, because this took longer than 5 s\n";
       (void)!write(STDERR_FILENO, kLine, sizeof(kLine) - 1);
       _exit(1);
     }

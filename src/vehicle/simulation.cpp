@@ -38,8 +38,8 @@ class Trials final : public WrenchLaw {
   const Wrenches& accept(double time, const Poses& poses) {
     for (std::size_t i = 0; i < components_.size() && time > time_; ++i) {
       element::refuseIf<std::runtime_error>(!components_[i].holds(components_[i].coordinates(poses[i])),
-                                            "component {} at {:.6g} s: a rotation beyond the end of its measure", i + 1,
-                                            time);
+                                            "component {} at {:.6g} s: the rotation exceeds the range of its measure",
+                                            i + 1, time);
       wrenches_[i] = components_[i].step(accepted_[i], time - time_, poses[i]).wrench;
     }
     time_ = time;
@@ -96,7 +96,7 @@ void prepare(SimTK::Integrator& integrator, const VariableStep& options) {
 void stepTo(SimTK::Integrator& integrator, double time, const std::function<void()>& accepted = [] {}) {
   while (integrator.getTime() < time) {
     element::refuseIf<std::runtime_error>(integrator.stepTo(time) == SimTK::Integrator::EndOfSimulation,
-                                          "the integrator ends at {:.6g} s", integrator.getTime());
+                                          "the integrator cannot continue beyond {:.6g} s", integrator.getTime());
     accepted();
   }
 }

@@ -19,8 +19,8 @@ struct Track::Spline {
 
 Track::Track(const log::Log& log) {
   log::checkLog(log);
-  element::refuseIf<log::LogError>(log.size() < kFewest, "{}: too short for a track; accepted: at least four samples",
-                                   log.name);
+  element::refuseIf<log::LogError>(log.size() < kFewest,
+                                   "{}: the log is too short for a track; accepted: at least four samples", log.name);
   SimTK::Vector time(static_cast<int>(log.size()));
   SimTK::Vector height(static_cast<int>(log.size()));
   for (std::size_t i = 0; i < log.size(); ++i) {

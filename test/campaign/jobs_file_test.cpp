@@ -113,7 +113,7 @@ TEST(JobsFile, RefusesWhatIsNone) {
                            "jobs: {a: {}}\n---\n", "? [x]\n: 1\n", "jobs: {? {a: 1} : 2}", "jobs:\n  a:\n  a:\n"}) {
     EXPECT_THAT(problemsOf(text), ::testing::Not(IsEmpty())) << text;
   }
-  EXPECT_THAT(problemsOf("jobs: " + std::string(100000, '[')), ElementsAre(HasSubstr("nested too deep")));
+  EXPECT_THAT(problemsOf("jobs: " + std::string(100000, '[')), ElementsAre(HasSubstr("the file is nested too deeply")));
 }
 
 TEST(JobsFile, RefusesATolerancesThatIsNone) {

@@ -73,7 +73,7 @@ TEST_F(MakeCampaign, IsTheSameWhereItIsMadeAgainAmongItsInputs) {
 TEST_F(MakeCampaign, TellsCopiesAndWhatIsNoFile) {
   writeFleet();
   std::filesystem::copy_file(folder_.path("fleet/truck_1/log_1.csv"), folder_.path("fleet/truck_1/log_3.csv"));
-  EXPECT_THAT(problems(kFleet), ElementsAre(HasSubstr("log_3.csv is the same to the last byte as log")));
+  EXPECT_THAT(problems(kFleet), ElementsAre(HasSubstr("log_3.csv is byte by byte the same as log")));
   std::filesystem::remove(folder_.path("fleet/truck_1/log_3.csv"));
   std::filesystem::create_symlink("/dev/zero", folder_.path("fleet/truck_1/log_3.csv"));
   EXPECT_THAT(problems(kFleet), ::testing::Contains(HasSubstr("log_3.csv: neither a file nor a folder")));

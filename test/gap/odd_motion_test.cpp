@@ -37,7 +37,7 @@ TEST(OddMotion, ByTheStiffnessOfTheLog) {
 TEST(OddMotion, ByTheComponentsOwnAmplitudeWithoutAForce) {
   EXPECT_EQ(gap::motionScaleOf(withFriction()), 2e-3);
   EXPECT_THAT(gap::oddMotion(sine(1.9, 0.0), withFriction()).value_or(""),
-              HasSubstr("times the component's own 0.002 m"));
+              HasSubstr("times the component's nominal 0.002 m"));
   EXPECT_TRUE(gap::oddMotion(sine(0.25, 0.0), withFriction()));
   EXPECT_FALSE(gap::oddMotion(sine(0.15, 0.0), withFriction()));
 }
@@ -56,7 +56,7 @@ TEST(OddMotion, SaysNothingOfAForceThatStandsStill) {
 
 TEST(OddAmplitude, IsThatOfAnOptionInMetres) {
   EXPECT_THAT(gap::oddAmplitude(5.0, {2e-3}).value_or(""),
-              HasSubstr("5 m is 2.5e+03 times the component's own 0.002 m"));
+              HasSubstr("5 m is 2.5e+03 times the component's nominal 0.002 m"));
   EXPECT_FALSE(gap::oddAmplitude(5e-3, {2e-3}));
 }
 

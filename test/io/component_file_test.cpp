@@ -166,17 +166,17 @@ TEST(ComponentFile, AliasesThatMultiplyAreRefusedAtOnce) {
 }
 
 TEST(ComponentFile, DeepNestingIsRefused) {
-  EXPECT_THAT(errorOf("components: " + std::string(500000, '[')), HasSubstr("file.yaml:1: nested too deep; accepted"));
+  EXPECT_THAT(errorOf("components: " + std::string(500000, '[')), HasSubstr("file.yaml:1: the file is nested too deeply; accepted"));
   std::string nested;
   for (int depth = 0; depth < 1200; ++depth) {
     nested += std::string(static_cast<std::size_t>(depth), ' ') + "a:\n";
   }
-  EXPECT_THAT(errorOf(nested), HasSubstr("file.yaml:202: nested too deep; accepted"));
+  EXPECT_THAT(errorOf(nested), HasSubstr("file.yaml:202: the file is nested too deeply; accepted"));
   std::string dashes;
   for (int i = 0; i < 200000; ++i) {
     dashes += "- ";
   }
-  EXPECT_THAT(errorOf(dashes), HasSubstr("file.yaml:1: nested too deep; accepted"));
+  EXPECT_THAT(errorOf(dashes), HasSubstr("file.yaml:1: the file is nested too deeply; accepted"));
 }
 
 TEST(ComponentFile, SizesAreBounded) {
@@ -248,7 +248,7 @@ TEST(SelectComponent, TakesTheNamedOrTheOnlyOne) {
   const std::string message =
       messageOf<io::ComponentFileError>([&] { io::selectComponent(two, "left_secondry", "file.yaml"); });
   EXPECT_EQ(message,
-            "file.yaml: no component 'left_secondry' (did you mean 'left_secondary'?); accepted: left_secondary, bush");
+            "file.yaml: there is no component 'left_secondry' (did you mean 'left_secondary'?); accepted: left_secondary, bush");
   EXPECT_THROW(io::selectComponent(two, ""), io::ComponentFileError);
   const auto one = parse("components: {a: {model: elements, elements: [{type: spring, stiffness: 1}]}}");
   EXPECT_EQ(io::selectComponent(one, "").name, "a");

@@ -51,7 +51,7 @@ TEST_F(CheckOutputs, RefusesAnInputByAnyName) {
         std::string("again/log.csv"), std::string("again/./log.csv")}) {
     const std::string error = refusal(log, {{"--output", path(name), io::file_kind::force_csv}}, true);
     EXPECT_THAT(error, HasSubstr("--output: ")) << name;
-    EXPECT_THAT(error, HasSubstr("is the file that --log reads")) << name;
+    EXPECT_THAT(error, HasSubstr("is also the input file of --log")) << name;
     EXPECT_THAT(error, HasSubstr("accepted: another file")) << name;
   }
   EXPECT_EQ(refusal(log, {{"--output", path("other.csv"), io::file_kind::force_csv}}), "");
@@ -64,10 +64,10 @@ TEST_F(CheckOutputs, RefusesTwoOutputsThatAreOneFile) {
                    {{"--output", path(one), io::file_kind::figure}, {"--plot", path(other), io::file_kind::figure}});
   };
   EXPECT_THAT(both("a.svg", "a.svg"), HasSubstr("--plot and --output"));
-  EXPECT_THAT(both("a.svg", "./x/../a.svg"), HasSubstr("is one file with"));
-  EXPECT_THAT(both("a.svg", "A.SVG"), HasSubstr("is one file with"));  // on a disk that does not tell the case
+  EXPECT_THAT(both("a.svg", "./x/../a.svg"), HasSubstr("the same file as"));
+  EXPECT_THAT(both("a.svg", "A.SVG"), HasSubstr("the same file as"));  // on a disk that does not tell the case
   fs::create_symlink("a.svg", path("dangling.svg"));
-  EXPECT_THAT(both("a.svg", "dangling.svg"), HasSubstr("is one file with"));
+  EXPECT_THAT(both("a.svg", "dangling.svg"), HasSubstr("the same file as"));
   EXPECT_EQ(both("a.svg", "b.svg"), "");
   file("b.svg", "<svg>");
   file("B.svg", "<svg>");

@@ -135,7 +135,7 @@ TEST(Promotion, AWorseModelStaysInTheShadow) {
   }
   const node::RunningModel running = channel.running();
   EXPECT_EQ(running.stage, RunStage::configured);
-  EXPECT_THAT(running.note, HasSubstr("not promoted: in the shadow RMS error"));
+  EXPECT_THAT(running.note, HasSubstr("the model was not promoted because it was worse: RMS error"));
 }
 
 TEST(Promotion, ABetterModelIsPromotedAndStaysWhenTheMeasuredForceIsLost) {

@@ -116,7 +116,7 @@ class Errors(unittest.TestCase):
     def test_of_values(self):
         component = rs.Component([{"type": "spring", "stiffness": 1e6}])
         for displacement, dt, message in (([0.0, float("nan")], 1e-3, r"displacement\[1\]: nan is not finite"),
-                                          ([[0.0], [1.0]], 1e-3, "2 dimensions; accepted: one"),
+                                          ([[0.0], [1.0]], 1e-3, "has 2 dimensions; accepted: one"),
                                           ([], 1e-3, "empty"), ([0.0], 0.0, "dt: 0 s"), ([0.0], -1.0, "dt: -1 s"),
                                           ([0.0], float("inf"), "dt: inf s")):
             with self.assertRaisesRegex(ValueError, message):
@@ -133,7 +133,7 @@ class Errors(unittest.TestCase):
                                ({"type": "spring", "stiffness": "1 kn/mm"}, r"did you mean 'kN/mm'"),
                                ({"type": "spring", "stiffness": None}, "is not a number"),
                                ({"type": "spring", "stiffness": -1.0}, "out of range"),
-                               ("spring", "is no dict")):
+                               ("spring", "is not a dict")):
             with self.assertRaisesRegex(ValueError, message):
                 rs.Component([entry])
 
@@ -142,7 +142,7 @@ class Errors(unittest.TestCase):
                                 ({"dynamic_stiffness": 2e6}, "is not above static_stiffness"),
                                 ({"loss_angle": 0.1}, "exactly two of"),
                                 ({"tolerance": 2.0}, "tolerance: 2 is out of range"),
-                                ({"tolerance": {"nominal_frequency": 0.1}}, "no number of a data sheet")):
+                                ({"tolerance": {"nominal_frequency": 0.1}}, "not a number of a data sheet")):
             with self.assertRaisesRegex(ValueError, message):
                 rs.estimate("multi_maxwell", **{**FIVE_INPUTS, **change})
         with self.assertRaisesRegex(ValueError, "accepted: kelvin_voigt"):

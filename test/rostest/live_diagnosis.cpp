@@ -136,7 +136,7 @@ TEST_F(LiveDiagnosisTopic, NamesTheFrictionPromotesItAndGoesBack) {
   EXPECT_EQ(running_.stage, Running::CONFIGURED);
   const auto early = call("bush/promote");
   EXPECT_FALSE(early.response.success);
-  EXPECT_NE(early.response.message.find("nothing to promote"), std::string::npos) << early.response.message;
+  EXPECT_NE(early.response.message.find("there is no model to promote"), std::string::npos) << early.response.message;
   EXPECT_FALSE(call("bush/rollback").response.success);
 
   play(kOnset, [&] { return !diagnosis_.effects.empty(); });

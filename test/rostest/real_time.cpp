@@ -130,7 +130,7 @@ TEST(RealTime, UsedWherePermittedAndSaidSo) {
   EXPECT_EQ(timelyThreads(process), timely ? 2 : 0);
   EXPECT_EQ(lockedMemory(process) > 0, locks);
   node.end();
-  EXPECT_EQ(node.hasSaid("memory locked"), locks) << node.text();
+  EXPECT_EQ(node.hasSaid("the memory is locked"), locks) << node.text();
   EXPECT_EQ(node.hasSaid("serving at SCHED_FIFO priority 7"), timely) << node.text();
   EXPECT_EQ(node.exitStatus(), 0);
 }
@@ -148,7 +148,7 @@ TEST(RealTime, SaysSoWhereNotPermittedAndServes) {
   EXPECT_EQ(timelyThreads(process), 0);
   EXPECT_EQ(lockedMemory(process), 0);
   node.end();
-  EXPECT_TRUE(node.hasSaid("memory not locked")) << node.text();
+  EXPECT_TRUE(node.hasSaid("the memory cannot be locked")) << node.text();
   EXPECT_TRUE(node.hasSaid("serving at normal priority")) << node.text();
   EXPECT_EQ(node.exitStatus(), 0);
 }

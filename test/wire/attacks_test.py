@@ -441,7 +441,7 @@ class Masters(Attack):
         node = self.network.start([SIMULATE], "simulate")
         self.assertEqual(node.process.wait(20.0), 1)
         self.assertIn("/nowhere/kept.yaml", node.output())
-        self.assertIn("the private parameter ~config_file, as it stands at the master", node.output())
+        self.assertIn("the private parameter ~config_file, whose value is at the master", node.output())
         self.assertEqual(self.network.master.getParam(tcpros.CALLER, NODE + "/config_file")[2], "/nowhere/kept.yaml")
         node = self.start()
         self.network.call(NODE + "/reset")
@@ -459,7 +459,7 @@ class Masters(Attack):
         self.assertTrue(tcpros.trigger(self.network.call(NODE + "/enable_component", request + b"\0"))[0])
         done, message = tcpros.trigger(self.network.call(NODE + "/reset_component", tcpros.text("c70")))
         self.assertFalse(done)
-        self.assertIn("no component 'c70'", message)
+        self.assertIn("does not serve the component 'c70'", message)
 
     def test_all_leave_the_master_at_each_signal(self):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):

@@ -70,12 +70,12 @@ FMI_CALL(2, SetRealInputDerivatives,
 
 // No step is ever under way when one of these is called.
 FMI_CALL(2, GetRealStatus, (void* c, fmi2StatusKind kind, double* value),
-         getStatus(kind == fmi2LastSuccessfulTime, "not a real number; accepted: the last successful time", value,
-                   instance.time()))
+         getStatus(kind == fmi2LastSuccessfulTime,
+                   "this status is not a real number; accepted: the last successful time", value, instance.time()))
 FMI_CALL(2, GetBooleanStatus, (void* c, fmi2StatusKind kind, fmi2Boolean* value),
-         getStatus(kind == fmi2Terminated, "not a boolean; accepted: terminated", value, 0))
+         getStatus(kind == fmi2Terminated, "this status is not a boolean; accepted: terminated", value, 0))
 #define FMI_NO_STATUS(name, Value) \
-  FMI_CALL(2, name, (void* c, fmi2StatusKind, Value*), throw Discarded("status: no step is under way"))
+  FMI_CALL(2, name, (void* c, fmi2StatusKind, Value*), throw Discarded("status: no step is in progress"))
 FMI_NO_STATUS(GetStatus, fmi2Status)
 FMI_NO_STATUS(GetIntegerStatus, int)
 FMI_NO_STATUS(GetStringStatus, fmiString)

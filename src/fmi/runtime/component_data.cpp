@@ -70,7 +70,7 @@ ComponentData fromJson(const std::string& text) {
     return data;
   }
   const auto model = estimation::modelFromString(content.at("model").get<std::string>());
-  element::refuseIf(!model, "model: unknown");
+  element::refuseIf(!model, "the model is unknown");
   data.model = *model;
   data.specification.describe(estimation::Describes::base);  // the whole was taken apart when the FMU was made
   for (const auto& [name, value] : content.at("specification").items()) {

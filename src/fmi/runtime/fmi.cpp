@@ -97,14 +97,14 @@ void* instantiate(const char* token, bool logging_on, const char* refused, Logge
   try {
     const Log log = logTo(logger...);
     try {
-      refuseIf(refused != nullptr, "{}; accepted: co-simulation without event mode", refused);
+      refuseIf(refused != nullptr, "{} is not supported; accepted: co-simulation without event mode", refused);
       ComponentData data = fromJson(embeddedText());
-      refuseIf(token == nullptr || data.guid != token, "the GUID is not that of this binary, {}", data.guid);
+      refuseIf(token == nullptr || data.guid != token, "the GUID differs from that of this binary, {}", data.guid);
       auto instance = std::make_unique<Instance>(std::move(data), log);
       instance->logEvents(logging_on);
       return instance.release();
     } catch (const std::exception& error) {
-      log(Status::error, std::string("no instance: ") + error.what());
+      log(Status::error, std::string("the instance cannot be created: ") + error.what());
     }
   } catch (...) {  // where even the message fails
   }
@@ -114,7 +114,7 @@ void* instantiate(const char* token, bool logging_on, const char* refused, Logge
 // Target of a pointer of the importer. Throws for a null pointer, which becomes an error.
 template <class Value>
 Value& at(Value* pointer, const char* call) {
-  return pointer != nullptr ? *pointer : throw std::invalid_argument(std::string(call) + ": a null pointer");
+  return pointer != nullptr ? *pointer : throw std::invalid_argument(std::string(call) + ": the pointer is null");
 }
 
 // Switch debugging on or off, for all categories or for those listed.
@@ -125,7 +125,7 @@ void setLogging(Instance& instance, bool on, std::size_t count, const fmiString*
     const std::string name = given == nullptr ? "" : given;
     refuseIf(std::none_of(std::begin(kLogCategories), std::end(kLogCategories),
                           [&](const LogCategory& category) { return category.name == name; }),
-             "debug logging: '{}' is no category; accepted: logEvents, logStatusDiscard, logStatusError", name);
+             "debug logging: '{}' is not a category; accepted: logEvents, logStatusDiscard, logStatusError", name);
     events = events || name == categoryOf(Status::ok);
   }
   if (events) {
@@ -134,12 +134,13 @@ void setLogging(Instance& instance, bool on, std::size_t count, const fmiString*
 }
 
 void requireAsMany(std::size_t count, std::size_t values) {
-  refuseIf(values != count, "the number of values is not that of the variables; accepted: one value each");
+  refuseIf(values != count,
+           "the number of values differs from the number of variables; accepted: one value for each variable");
 }
 
 // Refuses requests for variables of a type that no FMU of this package has.
 void refuseType(std::size_t count, const char* type) {
-  refuseIf(count > 0, "no variable is of the type {}; accepted: real numbers", type);
+  refuseIf(count > 0, "no variable has the type {}; accepted: real numbers", type);
 }
 
 void refuse(const char* call) { refuseIf(true, "{}: not supported by this FMU", call); }
@@ -186,7 +187,7 @@ void sizeOfState(const void* held, std::size_t* size) {
 
 void writeState(const void* held, void* bytes, std::size_t size) {
   const std::string written = serialise(stateIn(held, "serialisation of a state"));
-  refuseIf(size < written.size(), "serialisation of a state: too few bytes");
+  refuseIf(size < written.size(), "serialisation of a state: the buffer has too few bytes");
   written.copy(&at(static_cast<char*>(bytes), "serialisation of a state"), written.size());
 }
 

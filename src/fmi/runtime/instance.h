@@ -35,7 +35,7 @@ struct LogCategory {
   const char* description;
 };
 constexpr LogCategory kLogCategories[] = {{Status::ok, "logEvents", "changes of the phase"},
-                                          {Status::discard, "logStatusDiscard", "values that are refused"},
+                                          {Status::discard, "logStatusDiscard", "refused values"},
                                           {Status::error, "logStatusError", "errors"}};
 
 /// A component of one direction or of six that an importer drives. A step takes the displacement, linear in time, from

@@ -64,13 +64,13 @@ SavedState deserialise(const char* bytes, std::size_t size) {
   }
   // The memory of a component includes indices, so changed bytes must not be used.
   element::refuseIf(words[0] != kMagic || words[1] != checksumOf(bytes, size),
-                    "the bytes are no serialised state, or were changed");
+                    "the bytes are not a serialised state, or they were changed");
   const double phase = numbers[0];
   const double parameters = numbers[2];
   element::refuseIf(!std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }) ||
                         !(phase >= 0.0 && phase <= static_cast<double>(Phase::terminated)) ||
                         !(parameters >= 0.0 && parameters <= static_cast<double>(numbers.size() - kHead)),
-                    "the serialised state holds a number that none has");
+                    "the serialised state contains a number that is out of range");
   SavedState state;
   state.fingerprint = words[2];
   auto next = numbers.begin();

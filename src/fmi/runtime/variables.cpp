@@ -37,7 +37,7 @@ void VariableTable::addOne(const ComponentData& data) {
       {"displacement", "m",
        "displacement of " + data.name + " at the end of the next step; positive gives a positive force",
        Causality::input, 0.0});
-  variables_.push_back({"force", "N", "force that has to be applied to hold the displacement", Causality::output});
+  variables_.push_back({"force", "N", "force that must be applied to hold the displacement", Causality::output});
   for (const std::string part : {"elastic", "viscous", "friction"}) {
     variables_.push_back({"force_" + part, "N", part + " part of the force", Causality::output});
   }
@@ -75,7 +75,7 @@ void VariableTable::addSix(const ComponentData& data) {
   for (const char* name : {"Fx", "Fy", "Fz", "Mx", "My", "Mz"}) {
     variables_.push_back(
         {name, name[0] == 'F' ? "N" : "N m",
-         "of the wrench that has to be applied to body B, at B's origin, to hold the pose; in A's axes",
+         "component of the wrench that must be applied to body B, at B's origin, to hold the pose; in the axes of A",
          Causality::output});
   }
   first_parameter_ = static_cast<Reference>(variables_.size());
@@ -139,7 +139,8 @@ std::vector<double> VariableTable::calculatedValues(const Elements& model_elemen
   });
 } catch (const std::out_of_range&) {
   throw std::invalid_argument(
-      "the specification leads to other elements than that of the FMU; accepted: one that changes their numbers alone");
+      "the specification leads to other elements than those of the FMU; accepted: a specification that only changes "
+      "their values");
 }
 
 void Place::put(ComponentData& data, double value) const {

@@ -84,7 +84,7 @@ void DiagnosisThread::stop() {
 // On Linux niceness belongs to the thread.
 void DiagnosisThread::run() {
   if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), settings_.nice) != 0) {
-    ROS_WARN("the live diagnosis runs at normal priority");
+    ROS_WARN("the priority of the live diagnosis cannot be lowered; it runs at normal priority");
   }
   const std::future<void> woken = wake_.get_future();
   do {
@@ -123,8 +123,8 @@ void DiagnosisThread::serve(Watched& watched) {
 void DiagnosisThread::tell(Watched& watched) {
   diagnosis::live::LiveFindings findings = watched.live->findings();
   if (findings.looks == 0 && watched.channel->gap().counters().not_finite > 0) {
-    findings.sentence += fmt::format("; measured forces were dropped; accepted: finite, at most {:g} N in size",
-                                     element::kLargestNumber);
+    findings.sentence += fmt::format(
+        "; measured forces were dropped; accepted: finite forces of magnitude {:g} N at most", element::kLargestNumber);
   }
   auto found = watched.live->found();
   const diagnosis::live::LiveVerdict& told = watched.findings.now;
@@ -148,8 +148,8 @@ void DiagnosisThread::tell(Watched& watched) {
 io::ComponentDescription DiagnosisThread::found(const std::string& component) const {
   const Watched& watched = watched_.at(component);
   const std::lock_guard<std::mutex> lock(mutex_);
-  element::refuseIf(!watched.found, "{}: nothing to promote: the live diagnosis says `{}`: {}", component,
-                    toString(watched.findings.now), watched.findings.sentence);
+  element::refuseIf(!watched.found, "{}: there is no model to promote; the verdict of the live diagnosis is `{}`: {}",
+                    component, toString(watched.findings.now), watched.findings.sentence);
   return *watched.found;
 }
 
