@@ -54,11 +54,11 @@ class SeriesBalance {
   }
 
  private:
-  /// slope z + offset + compliance friction(z) = 0, where nothing hardens.
+  /// The balance slope z + offset + compliance friction(z) = 0, which applies if no element hardens.
   struct Equation {
     double slope;       // [-]
     double offset;      // [m]
-    double compliance;  // of the side [m/N]
+    double compliance;  // for the sign of the force [m/N]
   };
 
   Equation equationOf(const kernel::BasicLawsKernel& laws, const kernel::LinearForce& linear,

@@ -12,9 +12,9 @@ namespace rubber_suspension::element {
 /// F = x (h(r) - (1 - a) h(|x|)), h(r) = k2 r + k3 r^2 + k5 r^4, r = sqrt(x^2 + y^2), to be added to the linear laws of
 /// a direction x beside another one y. No loss. With the same law in both directions the force has the potential
 /// U = W(r) - (1 - a)(W(|x|) + W(|y|)), W' = r h, which is nowhere less than 0, so that it does no work over closed
-/// loops. With a = 1 it is stiffening along the radius; with a = 0 it is nothing along x or y alone, and so what is
-/// missing where both have laws of their own and a bush of one radius stands behind them. A component of one direction
-/// has y = 0. Validity: within the radii that the coefficients were fitted to.
+/// loops. With a = 1 it is stiffening along the radius. With a = 0 it vanishes for motion along x or y alone; it then
+/// completes the separate laws of the two directions to those of a bush that stiffens along the radius. A component of
+/// one direction has y = 0. Validity: within the radii that the coefficients were fitted to.
 /// Source: a radial law F = G(r) (x, y)/r, as the cylindrical coupling of multibody programs, its G by a power series
 /// as in progressive_stiffness. The type's make() throws std::invalid_argument.
 class RadialStiffness final : public ParallelElement {
@@ -27,7 +27,7 @@ class RadialStiffness final : public ParallelElement {
   double alongRadius(double r) const { return r * secant(r); }
   double energy(double r) const { return r * r * r * (quadratic_ / 3.0 + r * (cubic_ / 4.0 + r * r * quintic_ / 6.0)); }
 
-  /// Force of a displacement by the law along its direction alone, without that of the radius [N].
+  /// The term x (1 - a) h(|x|), which the force subtracts and which depends only on this displacement [N].
   double own(double displacement) const { return (1.0 - alone_) * displacement * secant(std::abs(displacement)); }
 
   double force(double displacement, double across) const {
@@ -50,7 +50,7 @@ class RadialStiffness final : public ParallelElement {
 /// Returns the radial stiffnesses among elements. Throws std::invalid_argument as their make() does.
 std::vector<RadialStiffness> radialLaws(const std::vector<ElementDescription>& elements);
 
-/// Adds to the forces [N] of components that have these laws what displacements across change of them.
+/// Adds the change that the displacements `across` cause to the force [N] at each sample of a component with `laws`.
 void addAcross(const std::vector<RadialStiffness>& laws, const double* displacement, const double* across,
                std::size_t count, double* force);
 
