@@ -71,12 +71,10 @@ struct Options {
         }),
         Option("--shard", shard, "I/N", "run only every N-th job, starting with the I-th, such as 3/8; for run").rare(),
         Option("--threads", threads, "COUNT",
-               "run and submit: number of jobs that run at the same time, with submit in each array task; make: number "
-               "of threads that check the inputs")
+               "run, submit: number of parallel jobs, with submit in each array task; make: number of threads")
             .within(1, 1024),
         Option("--job-minutes", job_minutes, "MINUTES",
-               "time limit of each job, for run and submit: a job that takes longer is stopped and counts as failed; "
-               "0: no limit")
+               "time limit of a job, for run and submit: a slower job is stopped and counts as failed; 0: none")
             .rare()
             .within(0, 1000000),
         Option("--retry-failed", run.retry_failed, "run failed jobs again; for run").rare(),
@@ -85,11 +83,11 @@ struct Options {
             .rare()
             .within(0.001, 10000),
         Option("--max-running", slurm.max_running, "COUNT",
-               "largest number of array tasks that run at the same time; for submit; default: all")
+               "largest number of parallel array tasks; for submit; default: all")
             .rare()
             .within(1, 1000000),
         Option("--partition", slurm.partition, "NAME",
-               "partition of the cluster; for submit; default: the cluster's default partition")
+               "partition of the cluster; for submit; default: that of the cluster")
             .rare(),
         Option("--dry-run", dry_run, "print the script of the job array without submitting it").rare()};
     options.needs({"--jobs", "--output"}, {"task make"});

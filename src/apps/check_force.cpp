@@ -49,15 +49,11 @@ OptionTable Options::table() {
           .required()
           .within(0, 1e9),
       Option("--config", config, "FILE",
-             "component file whose simulated force for this log is the reference; default: the force measured in the "
-             "log is the reference")
+             "component file whose simulated force is the reference (default: the force measured in the log)")
           .reads(),
-      Option("--config-component", config_component, "NAME",
-             "name of the component in the component file, if it differs from --component")
+      Option("--config-component", config_component, "NAME", "name in that file, if it differs from --component")
           .rare(),
-      Option("--skip", skip, "SECONDS", "length of the start of the log that is played but not compared")
-          .rare()
-          .within(0, 1e9),
+      Option("--skip", skip, "SECONDS", "start of the log to play without comparison").rare().within(0, 1e9),
       agreement.table(),
       playerTable(play, "bench"),
       Option("--reset", reset, "SERVICE", "service (std_srvs/Trigger) to call before the first sample").rare(),

@@ -26,8 +26,7 @@ struct Options {
 
 int convert(const Options& options) {
   element::refuseIf<UsageError>(bag::isBagPath(options.input),
-                                "--log: {} is already a bag; accepted: a log as text (CSV), .mat or HDF5",
-                                options.input);
+                                "--log: {} is already a bag; accepted: text (CSV), .mat or HDF5", options.input);
   const log::Log log = options.log_options.read("csv_to_bag", options.input, options.component);
   const io::Activity writing("writing " + options.output);
   bag::writeBagLog(options.output, options.component, log);

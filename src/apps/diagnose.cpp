@@ -142,9 +142,8 @@ OptionTable DiagnoseOptions::table() {
       Option("--output", output, "FOLDER", "folder of the report; created if missing").required().standsFor([this] {
         return reportFiles(*this);
       }),
-      Option(
-          "--compare", compare, "FILE",
-          "report.json of an earlier diagnosis; prints the values that changed since by more than noise and intervals")
+      Option("--compare", compare, "FILE",
+             "report.json of an earlier diagnosis; prints the values that changed beyond noise and intervals")
           .rare()
           .reads(),
       Option("--evidence", evidence,
@@ -267,12 +266,10 @@ int main(int argc, char** argv) {
   return command_line::runCommand(
       argc, argv,
       {"diagnose",
-       "Finds where a model differs from measured logs, which effect the model lacks, and how much of the gap this "
-       "effect closes.",
+       "Finds where a model differs from logs, which effect it lacks, and how much of the gap this effect closes.",
        {{"Find what a model lacks, from two logs", "--config component.yaml --log log.csv log_2.csv --output report"},
         {"The same, if the force sensor of the rig has a zero error of about 50 N",
          "--config component.yaml --log log.csv --rig force_zero=\"50 N\" --output report"},
-        {"Predict which effects a programme would show",
-         "--config component.yaml --plan programme.csv --output plan"}}},
+        {"Predict what a programme would show", "--config component.yaml --plan programme.csv --output plan"}}},
       options.table(), [&] { return apps::run(options); });
 }

@@ -69,8 +69,7 @@ OptionTable Options::table() {
           .rare()
           .writes(io::file_kind::characteristics_csv),
       Option("--state-space", state_space, "FILE",
-             "FILE.json or FILE.mat to write: state-space matrices A, B, C, D of the component's linear part, with the "
-             "inputs z and dz/dt")
+             "FILE.json or FILE.mat to write: matrices A, B, C, D of the linear part, with the inputs z and dz/dt")
           .rare()
           .standsFor([this] {
             const io::FileKind kind =
@@ -105,8 +104,7 @@ OptionTable Options::table() {
              "may be given several times")
           .readsEachOnce(),
       Option("--from-table", table_path, "FILE",
-             "measured table of stiffness and loss angle over frequency and amplitude, from which to identify the "
-             "parameters")
+             "measured table of stiffness and loss angle from which to identify the parameters")
           .reads(),
       Option("--series", series, "SERIES",
              "with --from-table: series of elements to fit in place of the component's own elements; it covers the "
@@ -116,7 +114,7 @@ OptionTable Options::table() {
       Option("--hold", identification.held, "ELEMENT.PARAMETER",
              "with --from-log: parameter to keep fixed, such as friction.displacement")
           .rare(),
-      Option("--starts", identification.starts, "COUNT", "with --from-log: number of starting points of the search")
+      Option("--starts", identification.starts, "COUNT", "with --from-log: number of starting points")
           .rare()
           .within(1, 1000),
       Option("--output", output, "FILE",
@@ -141,10 +139,8 @@ void readRange(const std::string& option, const std::vector<double>& ends, const
   if (!ends.empty()) {
     low = ends[0];
     high = ends[1];
-    element::refuseIf<UsageError>(
-        !(*low < *high),
-        "{}: the first value, {:g} {}, is not less than the second, {:g} {}; accepted: the lower end first", option,
-        *low, unit, *high, unit);
+    element::refuseIf<UsageError>(!(*low < *high), "{}: the first value, {:g} {}, is not below the second, {:g} {}",
+                                  option, *low, unit, *high, unit);
   }
 }
 

@@ -54,8 +54,7 @@ struct Options {
         Option("--frequency", Quantity{&bushing.frequency, "Hz"}, "HZ",
                "frequency of the sine for which the damping is computed (default: nominal_frequency)"),
         Option("--amplitude", Quantity{&along.amplitude, "m"}, "METRES",
-               "amplitude of the sine for which the damping is computed, such as '1 mm' (default: nominal_amplitude, "
-               "or 1 mm)"),
+               "amplitude of this sine, such as '1 mm' (default: nominal_amplitude, or 1 mm)"),
         Option("--largest-displacement", Quantity{&along.largest, "m"}, "METRES",
                "largest displacement of the force curves to either side, such as '10 mm' (default: 5 amplitudes)")
             .rare(),
@@ -68,16 +67,12 @@ struct Options {
         Option("--axis", axis, "AXIS", "axis of the bushing along which a component of one direction acts (default: z)")
             .rare()
             .oneOf({"x", "y", "z"}),
-        Option("--points", bushing.points, "COUNT", "number of points of each curve; an odd number")
-            .rare()
-            .within(3, 100001),
-        Option(
-            "--frequencies", Quantity{&grid.frequencies, "Hz"}, "HZ",
-            "frequencies of the table, such as 1 4 '10 Hz' (default: from a tenth of nominal_frequency to ten times)")
+        Option("--points", bushing.points, "COUNT", "odd number of points of each curve").rare().within(3, 100001),
+        Option("--frequencies", Quantity{&grid.frequencies, "Hz"}, "HZ",
+               "frequencies of the table, such as 1 4 '10 Hz' (default: 0.1 to 10 times nominal_frequency)")
             .rare(),
         Option("--amplitudes", Quantity{&grid.amplitudes, "m"}, "METRES",
-               "amplitudes of the table, such as '0.2 mm' '1 mm' (default: from a tenth of nominal_amplitude to three "
-               "times)")
+               "amplitudes of the table, such as '0.2 mm' '1 mm' (default: 0.1 to 3 times nominal_amplitude)")
             .rare(),
         Option("--preloads", Quantity{&grid.preloads, "N", element::Range::any()}, "NEWTONS",
                "static preloads of the table, about which the sines oscillate, such as 0 '10 kN'")};
@@ -114,15 +109,13 @@ command::Bushing bushingOf(const io::ComponentDescription& description, const st
     return command::bushingAlong(*component::directionFromString(axis.empty() ? "z" : axis),
                                  description.makeComponent());
   }
-  element::refuseIf<UsageError>(!axis.empty(),
-                                "--axis has no effect on a component of six directions; accepted: without --axis");
+  element::refuseIf<UsageError>(!axis.empty(), "--axis has no effect on a component of six directions");
   return command::bushingOf(description.six->makeComponent());
 }
 
 void complete(command::BushingCurve& curve, bool is_there, double amplitude, const char* options) {
-  element::refuseIf<UsageError>(
-      !is_there && (curve.largest > 0.0 || curve.amplitude > 0.0),
-      "{} have no effect: the component has no direction of this kind; accepted: without them", options);
+  element::refuseIf<UsageError>(!is_there && (curve.largest > 0.0 || curve.amplitude > 0.0),
+                                "{} have no effect: the component has no such direction", options);
   curve.amplitude = curve.amplitude > 0.0 ? curve.amplitude : amplitude;
   curve.largest = curve.largest > 0.0 ? curve.largest : 5.0 * curve.amplitude;
 }

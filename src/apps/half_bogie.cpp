@@ -82,16 +82,15 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
   const History reference = runVariableStep(scene, components, {});
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   std::string text = fmt::format(
-      "{} steps of {:g} ms computed in {:.3g} s\ndifference of the displacements from variable steps without delay: "
-      "{}\n",
+      "{} steps of {:g} ms in {:.3g} s\ndifference of displacements from variable steps without delay: {}\n",
       scene.steps(), 1e3 * options.time_step, elapsed.count(),
       percentages(kind, displacementDifference(components, history, reference)));
   if (kind == Kind::struts) {
     const double delay = loopDelay(options.time_step, options.delay);
     const History delayed =
         runVariableStep(scene, loadBushes(kind, options.config, {{"time_delay", {{"delay", {delay}}}}}), {});
-    text += fmt::format("difference of the displacements from variable steps with a delay of {:g} ms: {}\n",
-                        1e3 * delay, percentages(kind, displacementDifference(components, history, delayed)));
+    text += fmt::format("difference of displacements from variable steps with a delay of {:g} ms: {}\n", 1e3 * delay,
+                        percentages(kind, displacementDifference(components, history, delayed)));
   }
   simulating.reset();
   std::cout << text;
@@ -100,7 +99,7 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
   }
   drawPlot(options.plot, [&] {
     return historyFigure(kind, components, history, reference,
-                         fmt::format("loop with steps of {:g} ms", 1e3 * options.time_step));
+                         fmt::format("steps of {:g} ms", 1e3 * options.time_step));
   });
   return kSuccess;
 }
@@ -123,8 +122,7 @@ OptionTable Options::table() {
       Option("--output", output, "FILE", "CSV to write: positions, displacements and forces")
           .writes(io::file_kind::vehicle_csv),
       plotOption(plot, "displacements"),
-      Option("--reset", reset, "SERVICE", "service of the node to call before the first step, such as simulate/reset")
-          .rare(),
+      Option("--reset", reset, "SERVICE", "service of the node to call first, such as simulate/reset").rare(),
       log_options.table()};
   return options.needs({"--reset"}, {"--forces topics"});
 }

@@ -79,16 +79,13 @@ OptionTable Options::table() {
           .rare()
           .oneOf({"vector", "cardan"}),
       Option("--loop", passes, "COUNT",
-             "number of times to play the logs, 0: until interrupted; from pass to pass time continues and the "
-             "component keeps its state"),
+             "passes through the logs, 0: until interrupted; time continues and the component keeps its state"),
       Option("--step", step, "COUNT",
-             "play step by step: number of samples of each component for each call of the service ~step; ~pause with "
-             "false resumes normal playback")
+             "play step by step: samples of each component per call of the service ~step; ~pause with false resumes")
           .rare(),
       Option("--paused", paused, "start paused; the service ~pause with false starts the playback").rare(),
       Option("--listeners", play.listeners, "COUNT",
-             "number of further nodes to wait for that subscribe to <component>/measured_force, besides the node that "
-             "serves the component")
+             "number of subscribers of <component>/measured_force to wait for, besides the node that serves it")
           .rare()
           .within(0, 100),
       Option("--reset", reset, "SERVICE",
@@ -98,10 +95,9 @@ OptionTable Options::table() {
 }
 
 void checkCounts(const Options& options) {
-  element::refuseIf<UsageError>(
-      options.logs.size() != 1 && options.logs.size() != options.components.size(),
-      "--log: {} logs are given for {} components; accepted: one log for all components, or one for each",
-      options.logs.size(), options.components.size());
+  element::refuseIf<UsageError>(options.logs.size() != 1 && options.logs.size() != options.components.size(),
+                                "--log: {} logs for {} components; accepted: one log for all, or one for each",
+                                options.logs.size(), options.components.size());
   element::refuseIf<UsageError>(
       options.components.size() > 1 && !(options.output + options.gap_output + options.bag + options.plot).empty(),
       "--output, --gap, --bag and --plot accept only one component; accepted with several components: --folder");
@@ -179,10 +175,10 @@ void makeFolder(Options& options) {
     records.insert(records.end(), {names.forces, names.gaps, names.bag});
   }
   const std::string folder = io::makeRunFolder(options.folder, records);
-  printNote("play_log", folder == options.folder
-                            ? "records go to " + folder
-                            : fmt::format("{} contains the records of an earlier run; the records of this run go to {}",
-                                          options.folder, folder));
+  printNote("play_log",
+            folder == options.folder
+                ? "records go to " + folder
+                : fmt::format("{} contains records of an earlier run; the new ones go to {}", options.folder, folder));
   options.folder = folder;
 }
 
@@ -197,13 +193,11 @@ std::string describe(const ros_interface::BenchCount& count) {
 // A playback without end ends by being interrupted; any other has to come to its end.
 std::string failureOf(const ros_interface::BenchCount& count, bool endless) {
   if (!count.exactlyOneEach()) {
-    return "not every sample was answered by exactly one force";
+    return "not every sample had exactly one force";
   }
-  return count.complete || endless ? ""
-                                   : fmt::format(
-                                         "interrupted before the end of the {} samples: each sample sent so far was "
-                                         "answered by exactly one force",
-                                         count.of);
+  return count.complete || endless
+             ? ""
+             : fmt::format("interrupted before the end of {}: each sample so far had exactly one force", count.of);
 }
 
 int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
@@ -211,7 +205,7 @@ int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
   for (const ros_interface::BenchCount& count : counts) {
     const std::string failure = failureOf(count, endless);
     if (failure.empty()) {
-      std::cout << describe(count) << "; every sample was answered by exactly one force\n";
+      std::cout << describe(count) << "; every sample had exactly one force\n";
     } else {
       failed += (failed.empty() ? "" : "; ") + describe(count) + "; " + failure;
     }

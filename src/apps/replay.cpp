@@ -81,10 +81,8 @@ std::vector<gap::ComparedForce> compare(const log::PoseLog& log, const gap::Pose
       }
     }
   }
-  element::refuseIf<log::LogError>(
-      compared.empty(),
-      "{}: --compare: the log has no measured force that varies; accepted: a log with a varying measured force",
-      log.name);
+  element::refuseIf<log::LogError>(compared.empty(), "{}: --compare: the log has no measured force that varies",
+                                   log.name);
   return compared;
 }
 

@@ -148,8 +148,7 @@ class JobsReader : public io::YamlReader {
     checkMap(entry, {"uniform", "normal"});
     const bool is_normal = bool(entry["normal"]);
     if (is_normal == bool(entry["uniform"])) {
-      refuse(entry, "needs exactly one of the keys uniform and normal; accepted: a share such as 5 %, or a value in " +
-                        row.unit);
+      refuse(entry, "accepted: one of uniform and normal, with a share such as 5 %, or a value in " + row.unit);
     }
     std::string text;
     load(entry[is_normal ? "normal" : "uniform"], text);
@@ -231,9 +230,7 @@ class JobsReader : public io::YamlReader {
       }
     }
     if (options.evidence && options.reports == Reports::none) {
-      refuse(entry,
-             "evidence: true needs a report folder, but reports: none writes none; accepted: reports: data, or "
-             "reports: full");
+      refuse(entry, "evidence: true needs a folder, but reports: none writes none; accepted: reports: data, full");
     }
     try {
       logFormat(options);
@@ -277,10 +274,8 @@ double draw(double nominal, const Tolerance& tolerance, std::mt19937_64& generat
 void checkNames(const estimation::Specification& nominal, const MonteCarlo& study) {
   const auto names = element::joined(nominal.values(), ", ", [](const auto& one) { return one.first; });
   for (const auto& [name, tolerance] : study.tolerances) {
-    element::refuseIf(
-        !nominal.has(name),
-        "monte_carlo.tolerances.{}: the component's specification does not contain this key; accepted: {}", name,
-        names.empty() ? "a component with a specification" : names);
+    element::refuseIf(!nominal.has(name), "monte_carlo.tolerances.{}: is not in the specification; accepted: {}", name,
+                      names.empty() ? "a component with a specification" : names);
   }
 }
 

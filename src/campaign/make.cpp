@@ -147,8 +147,7 @@ class Maker {
     }
     const std::size_t twice = manifest_.jobs.size() - manifest_.distinctJobs().size();
     if (twice > 0) {
-      notes_.push_back(
-          fmt::format("{} jobs have the same inputs and options as another job and share its result", twice));
+      notes_.push_back(fmt::format("{} jobs share the result of an equal job", twice));
     }
     return {std::move(manifest_), std::move(notes_), {}};
   }
@@ -179,9 +178,7 @@ class Maker {
         if (!log::isUtf8(path)) {
           problem(group, fmt::format("{}: {}: the file name is not UTF-8; accepted: a name in UTF-8", key, path));
         } else if (!fs::is_regular_file(path, ignored) && !fs::is_directory(path, ignored)) {
-          problem(group,
-                  fmt::format("{}: {}: is neither a regular file nor a folder; accepted: a regular file or a folder",
-                              key, path));
+          problem(group, fmt::format("{}: {}: is a device, pipe or socket; accepted: a file or a folder", key, path));
         } else {
           paths.push_back(path);
         }
@@ -364,8 +361,7 @@ class Maker {
     if (manifest_.jobs.size() < kMaximumJobs) {
       manifest_.jobs.push_back(job);
     } else {
-      problems_.push_back(
-          fmt::format("{}: the file has more than {} jobs; accepted: at most this number", path_, kMaximumJobs));
+      problems_.push_back(fmt::format("{}: more than {} jobs; accepted: at most this number", path_, kMaximumJobs));
     }
   }
 

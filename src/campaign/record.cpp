@@ -64,8 +64,7 @@ Record recordFromText(const std::string& text) {
   const ordered_json& values = json.at("values");
   const bool nested =
       std::any_of(values.begin(), values.end(), [](const auto& value) { return value.is_structured(); });
-  element::refuseIf<std::runtime_error>(!values.is_object() || nested,
-                                        "values: is not a plain map; accepted: numbers and texts by name");
+  element::refuseIf<std::runtime_error>(!values.is_object() || nested, "values: is not a map of numbers and texts");
   Record record{json.at("id"), json.at("version"), json.at("error"), values};
   const ordered_json& evidence = json.at("evidence");
   if (evidence.contains("verdict")) {
@@ -139,8 +138,7 @@ FoundRecord findRecord(const std::string& folder, const std::string& id, const s
   }
   std::error_code unknown;  // reported when opening fails
   if (const std::uintmax_t size = fs::file_size(path, unknown); !unknown && size > kLargest) {
-    return {std::nullopt,
-            fmt::format("{}: the file has {} bytes; accepted: a record of at most {}", path, size, kLargest)};
+    return {std::nullopt, fmt::format("{}: has {} bytes; accepted: a record of at most {}", path, size, kLargest)};
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) {

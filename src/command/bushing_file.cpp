@@ -47,8 +47,7 @@ void checkOptions(const Direction& direction, const BushingFileOptions& options)
                     component::toString(direction.direction), options.frequency, extent.amplitude, unit);
   element::refuseIf(
       !(extent.largest > 0.0) || !std::isfinite(extent.largest) || options.points < 3 || options.points % 2 == 0,
-      "{}: a curve up to {:g} {} with {} points is impossible; accepted: a limit greater than 0, an odd number of "
-      "points from 3",
+      "{}: a curve up to {:g} {} with {} points is impossible; accepted: greater than 0, an odd number of 3 or more",
       component::toString(direction.direction), extent.largest, unit, options.points);
 }
 
@@ -203,8 +202,7 @@ std::string couplingNote(const Bushing& bushing, const BushingFileOptions& optio
                                 bushing.rotation != bushing.translation;
   return !lost   ? ""
          : adams ? "coupling: the file cannot represent it; each direction has a curve of its own"
-                 : fmt::format("coupling: the file has the same coupling for forces and moments, '{}'",
-                               couplingWord(bushing));
+                 : fmt::format("coupling: the file has one for forces and moments, '{}'", couplingWord(bushing));
 }
 
 std::vector<std::string> notesOn(const std::vector<Direction>& directions, const Bushing& bushing,

@@ -86,8 +86,8 @@ double restingDisplacement(const component::Component& component, double force) 
   const double at_end = excess(end);
   element::refuseIf(
       !(at_rest * at_end <= 0.0),
-      "preload: {:g} N is not reached within {:g} m of displacement; accepted: a force that the component has at rest",
-      force, kWidest);
+      "preload: {:g} N is not reached within {:g} m; accepted: a force that the component carries at rest", force,
+      kWidest);
   return end > 0.0 ? estimation::rootBetween(excess, 0.0, end, at_rest, at_end)
                    : estimation::rootBetween(excess, end, 0.0, at_end, at_rest);
 }
@@ -96,8 +96,7 @@ CharacteristicTable makeTable(const std::string& name, const component::Componen
   CharacteristicTable table;
   table.component = name;
   table.notes = notesOnTable(component);
-  io::Progress progress("computing the table of " + name,
-                        grid.preloads.size() * grid.amplitudes.size() * grid.frequencies.size());
+  io::Progress progress("table of " + name, grid.preloads.size() * grid.amplitudes.size() * grid.frequencies.size());
   for (const double preload : grid.preloads) {
     const double mean = preload == 0.0 ? 0.0 : restingDisplacement(component, preload);
     for (const double amplitude : grid.amplitudes) {

@@ -72,17 +72,16 @@ class SheetReader : public io::ElementReader {
 
 std::string convert(const Sheet& sheet) {
   element::refuseIf(sheet.load.has_value() != (sheet.values.count("shore_a") != 0),
-                    "load: is given without shore_a, or shore_a without load; accepted: both (load: compression or "
-                    "shear) or neither");
+                    "load: belongs to shore_a; accepted: both (load: compression or shear) or neither");
   const estimation::DataSheetResult result = estimation::specificationFromDataSheet(
       sheet.model, sheet.load.value_or(estimation::LoadDirection::compression), sheet.values);
   const io::ComponentDescription description(sheet.component, result.model, result.specification);
   std::string file = "# Component file from a data sheet.\n";
   std::vector<std::string> notes = result.notes;
   if (!sheet.model) {
-    notes.push_back(fmt::format(
-        "model {} was chosen as the simplest that uses all of these numbers; the key model selects another one",
-        estimation::toString(result.model)));
+    notes.push_back(
+        fmt::format("model {} is the simplest that uses all of these numbers; the key model selects another",
+                    estimation::toString(result.model)));
   }
   const std::vector<std::string> of_estimation = estimation::estimationNotes(result.model, result.specification);
   notes.insert(notes.end(), of_estimation.begin(), of_estimation.end());

@@ -32,16 +32,14 @@ struct Sweeps {
 };
 
 std::vector<double> spaced(const std::string& what, double low, double high, int points) {
-  element::refuseIf(
-      !(low > 0.0) || !(high > low) || !std::isfinite(high),
-      "{} range: {:g} to {:g} is not a range; accepted: both values greater than 0, the second greater than the first",
-      what, low, high);
+  element::refuseIf(!(low > 0.0) || !(high > low) || !std::isfinite(high),
+                    "{} range: {:g} to {:g}; accepted: greater than 0, the second value greater than the first", what,
+                    low, high);
   return response::logSpaced(low, high, points);
 }
 
 Sweeps complete(const SweepOptions& options, const estimation::Specification& specification) {
-  element::refuseIf(options.points < 2 || options.points > 10000, "points: {} is out of range; accepted: 2 to 10000",
-                    options.points);
+  element::refuseIf(options.points < 2 || options.points > 10000, "points: {}; accepted: 2 to 10000", options.points);
   const bool nominal = specification.has("nominal_frequency");
   const double f_n = specification.valueOr("nominal_frequency", 1.0);
   Sweeps sweeps;

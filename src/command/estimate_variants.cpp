@@ -42,9 +42,8 @@ WantedModel wantedModel(const std::string& text) {
   if (digits) {
     return {Model::multi_maxwell, text + " Maxwell elements", std::stod(text)};
   }
-  throw std::invalid_argument(fmt::format(
-      "'{}' is not a model; accepted: M1 to M6, their names in a component file, or a number of Maxwell elements",
-      text));
+  throw std::invalid_argument(
+      fmt::format("'{}' is not a model; accepted: M1 to M6, their names, or a number of Maxwell elements", text));
 }
 
 void copyFirst(const Specification& from, const std::vector<std::string>& group, std::size_t count, Specification& to) {
@@ -148,15 +147,13 @@ Specification completed(const io::ComponentDescription& description, const Wante
     }
     if (!from.has("maximum_stiffness") && !from.has("high_frequency")) {
       constexpr double kRange = 10.0;  // as in the sweep over frequency
-      add("high_frequency", kRange * frequency,
-          fmt::format("{:g} Hz (end of the frequency range)", kRange * frequency));
+      add("high_frequency", kRange * frequency, fmt::format("{:g} Hz (end of the range)", kRange * frequency));
     }
   } else if (isRequired("break_frequency", wanted.model) && !from.has("break_frequency")) {
     const bool with_dashpot = wanted.model == Model::maxwell_dashpot;
     const double share = with_dashpot ? 1.0 / 3.0 : 1.0;  // M2's own leaves nothing of the loss to the dashpot
     const double found = share * breakFrequencyByLoss(from);
-    add("break_frequency", found,
-        fmt::format("{:.4g} Hz ({}break_frequency of M2)", found, with_dashpot ? "a third of " : ""));
+    add("break_frequency", found, fmt::format("{:.4g} Hz ({}that of M2)", found, with_dashpot ? "a third of " : ""));
   }
   return from;
 }
@@ -173,8 +170,7 @@ io::ComponentDescription inModel(const io::ComponentDescription& description, co
       throw;
     }
     io::ComponentDescription result(wanted.label, wanted.model, numbersFor(more, wanted), description.add);
-    notes.push_back(fmt::format("{}: these inputs are missing in the specification and were added: {}", wanted.label,
-                                fmt::join(added, "; ")));
+    notes.push_back(fmt::format("{}: added to the specification: {}", wanted.label, fmt::join(added, "; ")));
     return result;
   }
 }

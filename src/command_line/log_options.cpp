@@ -13,36 +13,31 @@
 namespace rubber_suspension::command_line {
 
 OptionTable LogOptions::table() {
-  return {Option("--columns", columns_, "QUANTITY=NAME",
-                 "columns of the log: time=NAME displacement=NAME force=NAME temperature=NAME, where NAME is a name or "
-                 "a number from 1, optionally with a factor (force=-NAME, force=0.001*NAME); or the quantities alone, "
-                 "in the order of the columns; for a bag with other topics: a field, such as force=/ft/wrench.force.z")
-              .rare(),
-          Option("--unit", unit_, "QUANTITY=UNIT", "units of columns, such as displacement=mm force=kN time=ms").rare(),
-          Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ",
-                 "sampling rate of a log without a time column; it also replaces time stamps that are equal, swapped "
-                 "or rounded")
-              .rare(),
-          Option("--decimal", decimal_, "MARK",
-                 "decimal mark of a text log, . or , (point or comma); for a single column as in force=,")
-              .rare(),
-          Option("--segment", segment_, "NUMBER",
-                 "number (from 1) of the log to read from a file that contains several; all: every log")
-              .rare(),
-          Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",
-                 "longest time without numbers that is bridged by interpolation (default: 0.5 if 99 % of the rows have "
-                 "numbers)")
-              .rare(),
-          Option("--sentinel", sentinel_, "NUMBER",
-                 "number that marks missing values, or none if every number is a measurement (default: a number that "
-                 "recurs far outside the range of all others)")
-              .rare(),
-          Option("--clock", clock_, "CLOCK",
-                 "time of the messages in a bag: header: their time stamps; receipt: time of recording, for messages "
-                 "without time stamps")
-              .rare(),
-          Option("--large", large_, "also read a compressed file that expands to more than a hundred times its size")
-              .rare()};
+  return {
+      Option("--columns", columns_, "QUANTITY=NAME",
+             "columns of the log: time=NAME displacement=NAME force=NAME temperature=NAME, where NAME is a name or "
+             "a number from 1, optionally with a factor (force=-NAME, force=0.001*NAME); or the quantities alone, "
+             "in the order of the columns; for a bag with other topics: a field, such as force=/ft/wrench.force.z")
+          .rare(),
+      Option("--unit", unit_, "QUANTITY=UNIT", "units of columns, such as displacement=mm force=kN time=ms").rare(),
+      Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ",
+             "sampling rate of a log without a time column, or instead of stamps that are equal, swapped or rounded")
+          .rare(),
+      Option("--decimal", decimal_, "MARK",
+             "decimal mark of a text log, . or , (point or comma); for a single column as in force=,")
+          .rare(),
+      Option("--segment", segment_, "NUMBER", "which log to read from a file with several, from 1; all: every log")
+          .rare(),
+      Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",
+             "longest time without numbers to interpolate (default: 0.5 if 99 % of the rows have numbers)")
+          .rare(),
+      Option("--sentinel", sentinel_, "NUMBER",
+             "number that marks missing values, or none (default: a number that recurs far outside all others)")
+          .rare(),
+      Option("--clock", clock_, "CLOCK",
+             "time of messages in a bag: header: their stamps; receipt: time of recording, if they have no stamps")
+          .rare(),
+      Option("--large", large_, "also read a compressed file that expands more than a hundred times").rare()};
 }
 
 Option LogOptions::acceptUnits() {
@@ -60,9 +55,8 @@ const std::vector<std::string>& LogOptions::names() {
 
 void LogOptions::requireUse(const std::vector<std::string>& paths) const {
   const bool of_text = !decimal_.empty() || !segment_.empty() || bridge_ >= 0.0;
-  element::refuseIf<UsageError>(
-      of_text && std::all_of(paths.begin(), paths.end(), bag::isBagPath),
-      "--decimal, --segment and --bridge have no effect on a bag; accepted: without these options");
+  element::refuseIf<UsageError>(of_text && std::all_of(paths.begin(), paths.end(), bag::isBagPath),
+                                "--decimal, --segment and --bridge have no effect on a bag; accepted: without them");
   element::refuseIf<UsageError>(!clock_.empty() && std::none_of(paths.begin(), paths.end(), bag::isBagPath),
                                 "--clock has an effect on bags only; accepted: without --clock");
 }
@@ -78,8 +72,7 @@ log::PoseLog LogOptions::readPoses(const std::string& command, const std::string
   const bool is_bag = bag::isBagPath(path);
   element::refuseIf<UsageError>(
       is_bag && !(columns_.empty() && unit_.empty() && clock_.empty() && sampling_rate_ == 0.0),
-      "--columns, --unit, --clock and --sampling-rate have no effect on a bag of poses; accepted: without these "
-      "options");
+      "--columns, --unit, --clock and --sampling-rate have no effect on a bag of poses; accepted: without them");
   log::PoseLog log = during("reading " + path, [&] {
     return is_bag ? bag::readBagPoses(path, component, measure) : log::readPoseLog(path, format());
   });

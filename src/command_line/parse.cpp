@@ -101,9 +101,8 @@ class Parser {
       parsed.check([&option](const std::string& text) { return outOfBounds(option, text); });
     }
     if (option.placeholder == "FILE" || option.placeholder == "FOLDER") {
-      parsed.check([](const std::string& text) {
-        return text.empty() ? "the name is empty; accepted: a name of a file or folder" : "";
-      });
+      parsed.check(
+          [](const std::string& text) { return text.empty() ? "the name is empty; accepted: a file name" : ""; });
     }
     if (option.problem) {
       parsed.check(option.problem);
@@ -130,8 +129,7 @@ class Parser {
     }
     const bool lacks_config = std::find(names.begin(), names.end(), "config") != names.end() && !isGiven("--config");
     return lacks_config && !app_.remaining().empty()
-               ? app_.remaining().front() + ": is not preceded by an option; accepted: --config " +
-                     app_.remaining().front()
+               ? app_.remaining().front() + ": the option is missing; accepted: --config " + app_.remaining().front()
                : "";
   }
 
@@ -175,9 +173,7 @@ class Parser {
     } else if (rule.kind == Rule::Kind::one_of &&
                std::count_if(rule.options.begin(), rule.options.end(),
                              [&](const std::string& option) { return isGiven(option); }) != 1) {
-      throw UsageError(
-          fmt::format("none or several of the options {} are given; accepted: exactly one of them (see --help)",
-                      fmt::join(rule.options, " and ")));
+      throw UsageError(fmt::format("accepted: exactly one of {} (see --help)", fmt::join(rule.options, " and ")));
     }
   }
 

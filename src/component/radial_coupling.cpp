@@ -102,7 +102,7 @@ std::vector<element::JenkinsSlider> slidersOf(const element::ElementDescription&
 void RadialLaw::addCurve(const element::ElementDescription& table) {
   if (hasCurve()) {
     throw std::invalid_argument(
-        "the coupled directions have a second static curve or spring_table; accepted: one for all coupled directions");
+        "there is a second static curve or spring_table; accepted: one for all coupled directions");
   }
   const std::vector<double>& displacement = table.list("displacement");
   const element::ElementPointer law = element::makeElement(
@@ -122,8 +122,7 @@ void RadialLaw::addCurve(const element::ElementDescription& table) {
   }
   if (std::abs(forceAt(law, 0.0)) > kSameToRounding * largest) {
     throw std::invalid_argument(fmt::format(
-        "the static curve has {:g} at displacement 0, where the radius has no direction; accepted: 0 at displacement 0",
-        forceAt(law, 0.0)));
+        "the static curve has {:g} at 0, where the radius has no direction; accepted: 0 at 0", forceAt(law, 0.0)));
   }
   points_.push_back({0.0, 0.0, 0.0, 0.0});
   for (const double z : displacement) {
@@ -210,10 +209,9 @@ double RadialLaw::energy(double r) const {
 double RadialLaw::ratioOf(const element::ElementDescription& entry, const std::string& values) const {
   const element::PositionTable table(entry.type, entry.list("displacement"), values, entry.list(values));
   if (!hasCurve()) {
-    throw std::invalid_argument(
-        fmt::format("{}.{} has no curve to follow; accepted: a static_curve or spring_table in addition, or maxwell "
-                    "and dashpot instead",
-                    entry.type, values));
+    throw std::invalid_argument(fmt::format(
+        "{}.{} has no curve to follow; accepted: also a static_curve or spring_table, or maxwell and dashpot",
+        entry.type, values));
   }
   double ratio = 0.0;
   for (std::size_t i = 0; i < points_.size(); ++i) {

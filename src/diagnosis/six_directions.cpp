@@ -54,9 +54,8 @@ void requireDirection(const io::SixDirectionsDescription& six, Direction directi
   const std::string accepted = acceptedDirections(six);
   const std::string others = accepted.empty() ? "" : "one of " + accepted;
   if (!six.directions[direction]) {
-    throw std::invalid_argument(fmt::format("direction {}: the component is free in this direction; accepted: {}",
-                                            toString(direction),
-                                            others.empty() ? "a direction that the component file defines" : others));
+    throw std::invalid_argument(fmt::format("direction {}: is free; accepted: {}", toString(direction),
+                                            others.empty() ? "a direction that the file defines" : others));
   }
   if (isCoupled(six.arrangement, direction)) {
     const char* const force = std::array{"Fx", "Fy", "Fz", "Mx", "My", "Mz"}[direction];

@@ -24,13 +24,9 @@ double momentOverStep(double x, const Relaxation& relaxation) {
 
 // Row of the displacements of all three.
 ParameterInfo pointsParameter() {
-  return {"displacement",
-          "m",
-          Role::choice,
-          Range::any(),
-          "displacements of the points, not decreasing; the law is constant beyond the last points",
-          std::nullopt,
-          true};
+  return {
+      "displacement", "m", Role::choice, Range::any(), "displacements of the points, not decreasing; constant outside",
+      std::nullopt,   true};
 }
 
 PositionTable tableOf(const ElementDescription& description, const std::string& name) {
@@ -141,24 +137,22 @@ class SlidersAlongCurve final : public ParallelElement {
 };
 
 const ElementEntry kMaxwellAlongCurveEntry(
-    170,
-    {"maxwell_along_curve",
-     "Maxwell element whose stiffness depends on the displacement, dF/dt = k(z) dz/dt - 2 pi f_b F.",
-     {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k at the points", std::nullopt, true},
-      pointsParameter(),
-      {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b"},
-      {"growth", "1", Role::shape, Range::closed(0.0, 20.0),
-       "growth b in k(z) = stiffness exp(b ((z/z_r)^2 - 1)), up to the displacement z_r, which is then the only point",
-       0.0},
-      {"side", "1", Role::choice, Range::closed(-1.0, 1.0),
-       "1: the stiffness grows with z > 0 only; -1: with z < 0 only; 0: with both", 0.0}},
-     [](const ElementDescription& description) -> ElementPointer {
-       const double growth = description.value("growth");
-       const int side = sideOf(description, "z");
-       return std::make_shared<const MaxwellAlongCurve>(
-           growth > 0.0 ? grownTable(description, growth, side) : tableOf(description, "stiffness"),
-           description.value("break_frequency"));
-     }});
+    170, {"maxwell_along_curve",
+          "Maxwell element whose stiffness depends on the displacement, dF/dt = k(z) dz/dt - 2 pi f_b F.",
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k at the points", std::nullopt, true},
+           pointsParameter(),
+           {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b"},
+           {"growth", "1", Role::shape, Range::closed(0.0, 20.0),
+            "growth b in k(z) = stiffness exp(b ((z/z_r)^2 - 1)) up to the only displacement z_r", 0.0},
+           {"side", "1", Role::choice, Range::closed(-1.0, 1.0),
+            "1: the stiffness grows with z > 0 only; -1: with z < 0 only; 0: with both", 0.0}},
+          [](const ElementDescription& description) -> ElementPointer {
+            const double growth = description.value("growth");
+            const int side = sideOf(description, "z");
+            return std::make_shared<const MaxwellAlongCurve>(
+                growth > 0.0 ? grownTable(description, growth, side) : tableOf(description, "stiffness"),
+                description.value("break_frequency"));
+          }});
 
 const ElementEntry kDashpotAlongCurveEntry(
     180, {"dashpot_along_curve",

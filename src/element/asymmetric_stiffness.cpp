@@ -77,9 +77,7 @@ const ElementEntry kAsymmetricStiffnessEntry(
           {"exponential", "N/m", Role::scale, Range::any(),
            "stiffness k_e of the one-sided exponential, of either sign", 0.0},
           {"exponential_scale", "m", Role::shape, Range::any(),
-           "displacement s over which the exponentials grow by a factor of e; negative: towards negative z; 0: no "
-           "exponentials",
-           0.0}},
+           "displacement s over which these grow by a factor of e; negative: towards negative z; 0: none", 0.0}},
          [](const ElementDescription& description) -> ElementPointer {
            const double scale = description.value("exponential_scale");
            const AsymmetricStiffness::Exponentials exponentials{description.value("exponential"),

@@ -145,21 +145,19 @@ class BoucWen final : public ParallelElement {
 const ElementEntry kBoucWenEntry(
     240,
     {"bouc_wen",
-     "Bouc-Wen hysteresis without spring and dashpot, which are separate elements, dh/dt = A dz/dt - beta |dz/dt| "
-     "|h|^(n-1) h - gamma dz/dt |h|^n.",
+     "Bouc-Wen hysteresis, dh/dt = A dz/dt - beta |dz/dt| |h|^(n-1) h - gamma dz/dt |h|^n; spring and dashpot are "
+     "separate elements.",
      {{"stiffness", "N/m", Role::shape, Range::positive(), "stiffness A from rest"},
-      {"beta", "1/m", Role::shape, Range::positive(), "beta; for n other than 1 in N^(1-n)/m, written without unit"},
+      {"beta", "1/m", Role::shape, Range::positive(), "beta; for n other than 1 a number in N^(1-n)/m"},
       {"gamma", "1/m", Role::shape, Range::any(),
-       "gamma, at most beta in magnitude; for n other than 1 in N^(1-n)/m, written without unit"},
-      {"exponent", "1", Role::choice, Range::closed(1.0, 20.0),
-       "exponent n; the larger, the sharper the bend of the loop", 1.0}},
+       "gamma, at most beta in magnitude; for n other than 1 a number in N^(1-n)/m"},
+      {"exponent", "1", Role::choice, Range::closed(1.0, 20.0), "exponent n; larger values bend more sharply", 1.0}},
      [](const ElementDescription& description) -> ElementPointer {
        const double beta = description.value("beta");
        const double gamma = description.value("gamma");
        if (std::abs(gamma) > beta) {
-         refuseValue(
-             description.type, "gamma", gamma, "1/m",
-             fmt::format("in [{:g}, {:g}], because the element would create energy with |gamma| > beta", -beta, beta));
+         refuseValue(description.type, "gamma", gamma, "1/m",
+                     fmt::format("in [{:g}, {:g}], because |gamma| > beta would create energy", -beta, beta));
        }
        return std::make_shared<const BoucWen>(description.value("stiffness"), beta, gamma,
                                               description.value("exponent"));

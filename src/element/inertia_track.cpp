@@ -294,10 +294,9 @@ ElementType inertiaTrackType() {
            {"compliance", "m^3/Pa", Role::shape, range, "compliance C of the upper chamber, k_h = A_p^2/C", 0.0},
            {"pumping_area", "m^2", Role::reference, range, "effective piston area A_p of the rubber", 0.0},
            {"free_travel", "m", Role::shape, range, "free travel d of a decoupler to either side; 0: none", 0.0},
-           {"quadratic_damping", "N s^2/m^2", Role::shape, range, "damping c_2 proportional to the square of the rate",
-            0.0},
+           {"quadratic_damping", "N s^2/m^2", Role::shape, range, "damping c_2 of the squared rate", 0.0},
            {"quadratic_resistance", "Pa s^2/m^6", Role::shape, range,
-            "resistance R_2 proportional to the square of the flow, c_2 = R_2 A_p^3", 0.0}},
+            "resistance R_2 of the squared flow, c_2 = R_2 A_p^3", 0.0}},
           makeInertiaTrack};
 }
 

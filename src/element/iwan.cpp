@@ -66,17 +66,16 @@ std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement
 namespace {
 
 const ElementEntry kIwanEntry(
-    260,
-    {"iwan",
-     "Friction with memory: a bank of Jenkins sliders (Iwan) whose initial loading curve is a hyperbola.",
-     {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max when all sliders slide"},
-      {"displacement", "m", Role::shape, Range::positive(),
-       "displacement z2 from rest at which friction reaches half of its maximum"},
-      {"sliders", "1", Role::choice, Range::closed(2.0, kMaximumSliders), "number of sliders, a whole number", 16.0}},
-     [](const ElementDescription& description) -> ElementPointer {
-       return std::make_shared<const SliderBank>(iwanSliders(
-           description.value("maximum_force"), description.value("displacement"), sliderCount(description)));
-     }});
+    260, {"iwan",
+          "Friction with memory: a bank of Jenkins sliders (Iwan) with a hyperbola as curve from rest.",
+          {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max when all sliders slide"},
+           {"displacement", "m", Role::shape, Range::positive(),
+            "displacement z2 from rest at which friction reaches half of its maximum"},
+           {"sliders", "1", Role::choice, Range::closed(2.0, kMaximumSliders), "whole number of sliders", 16.0}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const SliderBank>(iwanSliders(
+                description.value("maximum_force"), description.value("displacement"), sliderCount(description)));
+          }});
 
 const ElementEntry kIwanTableEntry(
     270,

@@ -52,7 +52,7 @@ const ElementEntry kLiftOffEntry(
       {"slack_stiffness", "N/m", Role::shape, Range::nonNegative(),
        "stiffness k_s in parallel with the open contact; 0: none", 0.0},
       {"preload", "N", Role::shape, Range::nonNegative(),
-       "preload P of the contact at a measured force of 0: the contact opens at a force P of the opposite sign", 0.0}},
+       "preload P of the contact at zero measured force: it opens at a force P of the opposite sign", 0.0}},
      [](const ElementDescription& description) -> ElementPointer {
        return std::make_shared<const LiftOff>(static_cast<LiftOff::Carries>(sideOf(description, "F", false)),
                                               description.value("slack_stiffness"), description.value("preload"));

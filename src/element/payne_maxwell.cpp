@@ -71,8 +71,7 @@ const ElementEntry kPayneMaxwellEntry(
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k at small amplitude"},
            {"break_frequency", "Hz", Role::shape, Range::nonNegative(), "break frequency f_b at rest"},
            {"recovery_time", "s", Role::shape, Range::nonNegative(), "time T over which the speed is averaged"},
-           {"travel", "m", Role::shape, Range::positive(),
-            "travel s over which the force relaxes by a factor of e during motion"},
+           {"travel", "m", Role::shape, Range::positive(), "travel s that relaxes the force by a factor of e"},
            {"dead_band", "m", Role::choice, Range::nonNegative(), kDeadBand, 0.0}},
           makes<PayneMaxwell, PayneMaxwell::Parameters>("stiffness", "break_frequency", "recovery_time", "travel",
                                                         "dead_band")});

@@ -87,16 +87,15 @@ void readResonators(const ElementDescription& description, ResidualBasis::Layout
   if (!layout.resonant) {
     if (!isNone(description.list("resonance_weights"))) {
       throw std::invalid_argument(
-          fmt::format("{}.resonance_weights: has {} values without resonances; accepted: the single value 0",
-                      kResidualName, description.list("resonance_weights").size()));
+          fmt::format("{}.resonance_weights: {} values; accepted: a single 0, without resonances", kResidualName,
+                      description.list("resonance_weights").size()));
     }
     return;
   }
   layout.frequencies = listOf<kResonators>(description, "resonances");
   for (const double frequency : layout.frequencies) {
     if (!(frequency > 0.0)) {
-      refuseValue(kResidualName, "resonances", frequency, "Hz",
-                  "frequencies greater than 0, or the single value 0 for no resonators");
+      refuseValue(kResidualName, "resonances", frequency, "Hz", "greater than 0, or a single 0 for none");
     }
   }
   weights.resonators = description.list("resonance_weights");
@@ -326,30 +325,28 @@ ElementType residualType() {
   const Range time{kShortestTime, std::numeric_limits<double>::infinity(), false, false};
   const Range stroke{kShortestStroke, std::numeric_limits<double>::infinity(), false, false};
   const Range negative{-std::numeric_limits<double>::infinity(), 0.0, false, false};
-  return {
-      kResidualName,
-      "Surrogate: a bounded force learned from logs, as a diagnosis writes it where no effect explains the gap.",
-      {{"stroke", "m", Role::choice, stroke, "displacement S to which the weights refer"},
-       {"lowest", "m", Role::choice, negative, "lowest displacement in the logs; the force is constant below it"},
-       {"highest", "m", Role::choice, Range::nonNegative(),
-        "highest displacement in the logs; the force is constant above it"},
-       {"lowest_force", "N", Role::choice, negative, "lower bound of the force"},
-       {"highest_force", "N", Role::choice, Range::nonNegative(), "upper bound of the force"},
-       {"stops", "1", Role::choice, positive, "widths of the 6 stop operators, as shares of the stroke",
-        std::nullopt, true},
-       {"relaxation_times", "s", Role::choice, time, "relaxation times of the 4 relaxing shares", std::nullopt, true},
-       {"amplitude_time", "s", Role::choice, time, "time over which the amplitude of the motion is determined"},
-       {"weights", "N", Role::scale, any,
-        "44 forces: for each stop, each relaxing share and the displacement, multiplied by 1, q, q^2 and the amplitude",
-        std::nullopt, true},
-       {"characteristic", "N", Role::scale, any, "forces at equally spaced displacements from lowest to highest",
-        std::nullopt, true},
-       {"resonances", "Hz", Role::choice, Range::closed(0.0, kHighestFrequency),
-        "natural frequencies of the 8 resonators; 0: no resonators", 0.0, true},
-       {"resonance_damping", "1", Role::choice, Range::closed(1e-3, 10.0), "damping ratio of the resonators", 0.15},
-       {"resonance_weights", "N", Role::scale, any,
-        "16 forces: for the displacement and the velocity of each resonator", 0.0, true}},
-      makeResidual};
+  return {kResidualName,
+          "Surrogate: a bounded force learned from logs, as a diagnosis writes it where no effect explains the gap.",
+          {{"stroke", "m", Role::choice, stroke, "displacement S to which the weights refer"},
+           {"lowest", "m", Role::choice, negative, "lowest displacement in the logs; the force is constant below it"},
+           {"highest", "m", Role::choice, Range::nonNegative(),
+            "highest displacement in the logs; the force is constant above it"},
+           {"lowest_force", "N", Role::choice, negative, "lower bound of the force"},
+           {"highest_force", "N", Role::choice, Range::nonNegative(), "upper bound of the force"},
+           {"stops", "1", Role::choice, positive, "widths of the 6 stop operators, in strokes", std::nullopt, true},
+           {"relaxation_times", "s", Role::choice, time, "times of the 4 relaxing shares", std::nullopt, true},
+           {"amplitude_time", "s", Role::choice, time, "time over which the amplitude of the motion is determined"},
+           {"weights", "N", Role::scale, any,
+            "44 forces: for stops, relaxing shares and displacement, each times 1, q, q^2 and the amplitude",
+            std::nullopt, true},
+           {"characteristic", "N", Role::scale, any, "forces at equally spaced displacements from lowest to highest",
+            std::nullopt, true},
+           {"resonances", "Hz", Role::choice, Range::closed(0.0, kHighestFrequency),
+            "natural frequencies of the 8 resonators; 0: no resonators", 0.0, true},
+           {"resonance_damping", "1", Role::choice, Range::closed(1e-3, 10.0), "damping ratio of the resonators", 0.15},
+           {"resonance_weights", "N", Role::scale, any,
+            "16 forces: for the displacement and the velocity of each resonator", 0.0, true}},
+          makeResidual};
 }
 
 const ElementEntry kResidualEntry(470, residualType());

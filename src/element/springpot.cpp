@@ -90,9 +90,8 @@ const ElementEntry kSpringpotEntry(
            {"order", "1", Role::shape, Range::open(0.0, 1.0), "order alpha; 0 would be a spring, 1 a dashpot"},
            {"reference_frequency", "Hz", Role::reference, Range::positive(), "reference frequency f_r", 1.0},
            {"low_frequency", "Hz", Role::choice, Range::positive(),
-            "lower end of the frequency range in which K* is exact to 0.1 %; far below, the element relaxes", 0.001},
-           {"high_frequency", "Hz", Role::choice, Range::positive(),
-            "upper end of the frequency range in which K* is exact to 0.1 %", 1000.0}},
+            "lower end of the range in which K* is exact to 0.1 %; far below it the element relaxes", 0.001},
+           {"high_frequency", "Hz", Role::choice, Range::positive(), "upper end of this range", 1000.0}},
           [](const ElementDescription& description) -> ElementPointer {
             checkRange(description);
             return std::make_shared<const MaxwellBank>(springpotBank(

@@ -104,12 +104,12 @@ class TimeDelay final : public DisplacementEffect {
   double delay_;
 };
 
-const ElementEntry kTimeDelayEntry(
-    420, {"time_delay",
-          "Force that is recorded later than the displacement (delay > 0) or earlier (delay < 0).",
-          {{"delay", "s", Role::shape, Range::closed(-kLongestAdvance, kLongestDelay),
-            "delay T of the force; a negative delay should be a few samples at most"}},
-          makes<TimeDelay>("delay")});
+const ElementEntry kTimeDelayEntry(420,
+                                   {"time_delay",
+                                    "Force recorded later than the displacement (delay > 0) or earlier (delay < 0).",
+                                    {{"delay", "s", Role::shape, Range::closed(-kLongestAdvance, kLongestDelay),
+                                      "delay T of the force; if negative, a few samples at most"}},
+                                    makes<TimeDelay>("delay")});
 
 }  // namespace
 }  // namespace rubber_suspension::element

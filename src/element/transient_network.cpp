@@ -76,8 +76,7 @@ const ElementEntry kTransientNetworkEntry(
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the intact network"},
            {"break_frequency", "Hz", Role::shape, Range::nonNegative(), "break frequency f_b of the network at rest"},
            {"recovery_time", "s", Role::shape, Range::positive(), "time T over which the network recovers"},
-           {"travel", "m", Role::shape, Range::positive(),
-            "travel s over which motion reduces the intact share by a factor of e"},
+           {"travel", "m", Role::shape, Range::positive(), "travel s that reduces m by a factor of e"},
            {"dead_band", "m", Role::choice, Range::nonNegative(), kDeadBand, 0.0}},
           makes<TransientNetwork, TransientNetwork::Parameters>("stiffness", "break_frequency", "recovery_time",
                                                                 "travel", "dead_band")});

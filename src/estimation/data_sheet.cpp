@@ -61,10 +61,8 @@ void addStaticStiffness(const Values& values, LoadDirection direction, DataSheet
   static const std::vector<std::string> keys = {"shore_a", "loaded_area", "layer_thickness", "shape_factor"};
   if (values.count("shore_a") == 0) {
     for (const char* key : {"loaded_area", "layer_thickness", "shape_factor", "layers"}) {
-      element::refuseIf(
-          values.count(key) != 0,
-          "{}: is given without shore_a, but the shape alone does not determine a stiffness; accepted: both or neither",
-          key);
+      element::refuseIf(values.count(key) != 0,
+                        "{}: is given without shore_a; the shape alone does not determine a stiffness", key);
     }
     return;
   }

@@ -278,10 +278,9 @@ std::optional<Obstacle> highStiffnessObstacle(const Inputs& inputs) {
     return std::nullopt;
   }
   const WrittenUnit unit = inputs.specification.writtenUnit("high_frequency_stiffness");
-  return Obstacle{
-      "high_frequency_stiffness",
-      fmt::format("cannot be reached by {} elements that meet K_n; they reach {:.6g} to {:.6g} {} at high_frequency",
-                  b.size(), low / unit.size, high / unit.size, unit.name)};
+  return Obstacle{"high_frequency_stiffness",
+                  fmt::format("cannot be reached by {} elements that meet K_n; these have {:.6g} to {:.6g} {}",
+                              b.size(), low / unit.size, high / unit.size, unit.name)};
 }
 
 std::optional<Obstacle> highFrequencyForAngleObstacle(const Inputs& inputs) {

@@ -76,9 +76,8 @@ void addSharpFriction(std::vector<std::string>& notes, Model model, const Specif
   for (const element::ElementDescription& entry : estimateTangent(model, specification)) {
     if (entry.type == "friction" && entry.value("displacement") < kSharp * specification.at("nominal_amplitude")) {
       notes.push_back(fmt::format(
-          "friction reaches half of its limit at z2 = {:.2g} m, {:.2g} % of the amplitude, and is nearly Coulomb "
-          "friction, because the loss angle is close to the largest that this dynamic stiffness allows; rubber has z2 "
-          "near the amplitude",
+          "friction reaches half of its limit at z2 = {:.2g} m, {:.2g} % of the amplitude: nearly Coulomb friction, "
+          "because this dynamic stiffness allows hardly more loss; rubber has z2 near the amplitude",
           entry.value("displacement"), 100.0 * entry.value("displacement") / specification.at("nominal_amplitude")));
     }
   }
@@ -88,9 +87,7 @@ void addSharpFriction(std::vector<std::string>& notes, Model model, const Specif
 
 std::vector<std::string> estimationNotes(Model model, const Specification& specification) {
   if (!specification.preloads().empty()) {
-    return {
-        "Maxwell elements and dashpots vary linearly with the displacement between the preloads and are constant "
-        "beyond them"};
+    return {"Maxwell elements and dashpots vary linearly between the preloads and are constant beyond them"};
   }
   if (model == Model::multi_maxwell) {
     return multiMaxwellNotes(specification);

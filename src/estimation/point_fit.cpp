@@ -51,7 +51,7 @@ class PointFit {
       best = found.cost < best.cost ? found : best;
     }
     element::refuseIf(!std::isfinite(best.cost),
-                      "points: the model cannot be fitted to them; accepted: points of a single component");
+                      "points: the model cannot be fitted; accepted: points of one component");
     return result(best.search);
   }
 
@@ -77,9 +77,8 @@ class PointFit {
     }
     for (const auto& [key, value] : given_.values()) {
       if (std::find(accepted.begin(), accepted.end(), key) == accepted.end()) {
-        throw std::invalid_argument(
-            fmt::format("{}: is given although it follows from the fit to points{}; accepted: {}", key,
-                        element::didYouMean(key, accepted), fmt::join(accepted, ", ")));
+        throw std::invalid_argument(fmt::format("{}: is given, but follows from points{}; accepted: {}", key,
+                                                element::didYouMean(key, accepted), fmt::join(accepted, ", ")));
       }
     }
   }
@@ -186,10 +185,9 @@ class PointFit {
   void checkCount() const {
     const auto moved = std::count_if(numbers_.begin(), numbers_.end(), [](const auto& number) { return !number.kept; });
     if (moved > residualCount()) {
-      throw std::invalid_argument(
-          fmt::format("points: they have {} values for {} free parameters of model {}; accepted: at least as many "
-                      "values, or static_stiffness{}",
-                      residualCount(), moved, toString(model_), hasMaxwell() ? " and break_frequency" : ""));
+      throw std::invalid_argument(fmt::format(
+          "points: {} values for {} free parameters of model {}; accepted: at least as many, or static_stiffness{}",
+          residualCount(), moved, toString(model_), hasMaxwell() ? " and break_frequency" : ""));
     }
   }
 

@@ -225,8 +225,8 @@ std::string describeSolvableInputs(const Specification& specification, const Sol
   if (text.empty() && scan == Scan::fine) {
     moveTwo(specification, solvable, nearest);
   }
-  return (text.empty() ? "no value of any single input while the others keep their values"
-                       : text + " (each while the others keep their values)") +
+  return (text.empty() ? "no value of any single input with the others unchanged"
+                       : text + " (each with the others unchanged)") +
          nearest.text();
 }
 

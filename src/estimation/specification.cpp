@@ -71,8 +71,7 @@ const std::vector<NamedModel>& models() {
        frictionObstacle,
        estimateFriction},
       {{Model::friction_dashpot,
-        "M5: spring, Berg friction and dashpot; K_n is the stiffness between the turning points, where the dashpot has "
-        "no force",
+        "M5: spring, Berg friction and dashpot; K_n holds between the turning points, where the dashpot has no force",
         {"static_stiffness", "dynamic_stiffness", "nominal_frequency", "nominal_amplitude"},
         {{"relative_damping", "loss_angle"}},
         {"viscous_share"},
@@ -193,13 +192,11 @@ void checkHighFrequency(const NamedModel& model, const Specification& specificat
   element::refuseIf(stiffness && !specification.has("high_frequency"),
                     "high_frequency is missing; accepted: the frequency at which high_frequency_stiffness holds");
   element::refuseIf(!stiffness && model.info.model == Model::maxwell,
-                    "high_frequency: is given without high_frequency_stiffness, but model maxwell uses only both; "
-                    "accepted: both or neither");
+                    "high_frequency: model maxwell needs high_frequency_stiffness with it; accepted: both or neither");
   for (const char* other : {"maximum_stiffness", "loss_angle"}) {
-    element::refuseIf(
-        stiffness && specification.has(other),
-        "{0}: is given together with high_frequency_stiffness, which replaces it; accepted: only one of the two",
-        other);
+    element::refuseIf(stiffness && specification.has(other),
+                      "{0}: is given with high_frequency_stiffness, which replaces it; accepted: one of the two",
+                      other);
   }
 }
 
@@ -245,8 +242,7 @@ Specification tangentOf(Model model, const Specification& specification) {
   }
   const char* key = model == Model::kelvin_voigt ? "dynamic_stiffness" : "static_stiffness";
   element::refuseIf(specification.has(key),
-                    "{}: is given together with static_curve, whose tangent replaces it; accepted: only one of the two",
-                    key);
+                    "{}: is given with static_curve, whose tangent it is; accepted: one of the two", key);
   Specification tangent = specification;
   const double stiffness = specification.curve()->tangentAt(nominalDisplacement(specification));
   if (!(stiffness > 0.0)) {
@@ -311,7 +307,7 @@ const std::vector<element::ParameterInfo>& specificationParameters() {
       {"nominal_displacement", "m", Role::reference, Range::any(),
        "displacement about which K_n and loss angle hold, and at which K_st is the tangent of static_curve", 0.0},
       {"nominal_force", "N", Role::reference, Range::any(),
-       "instead of nominal_displacement: the force of static_curve at this displacement"},
+       "force of static_curve at nominal_displacement, instead of it"},
   };
   return table;
 }

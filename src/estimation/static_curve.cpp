@@ -139,10 +139,9 @@ element::ElementDescription scaledAlong(const StaticCurve& curve, double nominal
   if (auto scaled = scaledEntry(SlopeFactor(curve, nominal_displacement), entry)) {
     return *scaled;
   }
-  throw std::invalid_argument(
-      fmt::format("{}.scale_with: this element cannot scale with a curve; accepted: maxwell, dashpot, "
-                  "coulomb_friction, iwan, iwan_table",
-                  entry.type));
+  throw std::invalid_argument(fmt::format(
+      "{}.scale_with: cannot scale with a curve; accepted: maxwell, dashpot, coulomb_friction, iwan, iwan_table",
+      entry.type));
 }
 
 element::ElementDescription springOf(const StaticCurve& curve) {

@@ -197,12 +197,12 @@ class Whole {
 
   Obstacle outOfReach(double lowest, double highest) const {
     const WrittenUnit unit = given_.writtenUnit("dynamic_stiffness");
-    return {"dynamic_stiffness",
-            highest > 0.0
-                ? fmt::format(
-                      "cannot be reached by the whole component with the other inputs, which allow {:.6g} to {:.6g} {}",
-                      lowest / unit.size, highest / unit.size, unit.name)
-                : "cannot be reached by the whole component: with the elements under add:, no base has a solution"};
+    return {
+        "dynamic_stiffness",
+        highest > 0.0
+            ? fmt::format("cannot be reached by the whole component with the other inputs, only {:.6g} to {:.6g} {}",
+                          lowest / unit.size, highest / unit.size, unit.name)
+            : "cannot be reached by the whole component: with the elements under add:, no base has a solution"};
   }
 
   std::string accepted(double lowest, double highest) const {
@@ -338,11 +338,10 @@ std::vector<std::string> notesOf(const Entries& add) {
       names.push_back(entry.type);
     }
   }
-  return names.empty()
-             ? std::vector<std::string>{}
-             : std::vector<std::string>{fmt::format(
-                   "the specification does not include these elements, because they never settle under a sine: {}",
-                   fmt::join(names, ", "))};
+  return names.empty() ? std::vector<std::string>{}
+                       : std::vector<std::string>{fmt::format(
+                             "not part of the specified stiffness and loss, as they never settle under a sine: {}",
+                             fmt::join(names, ", "))};
 }
 
 bool hasSolution(Model model, const Specification& specification, const Entries& add) {

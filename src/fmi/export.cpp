@@ -50,12 +50,11 @@ std::string binaryWith(const std::string& text, const std::string& path) {
   const std::string marker(RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_BLOCK_MARKER));
   const std::size_t start = binary.find(marker);
   const bool once = start != std::string::npos && binary.find(marker, start + 1) == std::string::npos;
+  element::refuseIf<std::runtime_error>(!once || start + sizeof(EmbeddedBlock) > binary.size(),
+                                        "{}: has no block for a component; accepted: the FMU binary of this version",
+                                        path);
   element::refuseIf<std::runtime_error>(
-      !once || start + sizeof(EmbeddedBlock) > binary.size(),
-      "{}: the binary has no block for a component; accepted: the FMU binary of this version", path);
-  element::refuseIf<std::runtime_error>(text.size() > kCapacity,
-                                        "{}: the component needs {} bytes; accepted: at most {} bytes", path,
-                                        text.size(), kCapacity);
+      text.size() > kCapacity, "{}: the component needs {} bytes; accepted: at most {}", path, text.size(), kCapacity);
   const std::uint64_t size = text.size();
   std::memcpy(&binary[start + offsetof(EmbeddedBlock, size)], &size, sizeof(size));
   text.copy(&binary[start + offsetof(EmbeddedBlock, text)], text.size());

@@ -121,9 +121,8 @@ std::vector<std::string> notesOf(const Iso18571& iso) {
         "another cycle");
   }
   if (iso.blocks > 1) {
-    notes.push_back(
-        fmt::format("the magnitude of ISO/TS 18571 was computed in {} blocks because the log has more than {} samples",
-                    iso.blocks, kWarpedWhole));
+    notes.push_back(fmt::format("magnitude of ISO/TS 18571 in {} blocks, because the log exceeds {} samples",
+                                iso.blocks, kWarpedWhole));
   }
   return notes;
 }
@@ -165,17 +164,15 @@ std::optional<double> Agreement::energyError() const {
 }
 
 Agreement agreementOf(const log::Log& log, const std::vector<double>& simulated, std::size_t first) {
-  element::refuseIf(
-      simulated.size() != log.size() || log.force.size() != log.size(),
-      "{}: there are {} measured and {} simulated forces for {} samples; accepted: one of each for every sample",
-      log.name, log.force.size(), simulated.size(), log.size());
+  element::refuseIf(simulated.size() != log.size() || log.force.size() != log.size(),
+                    "{}: {} measured and {} simulated forces for {} samples; accepted: one of each per sample",
+                    log.name, log.force.size(), simulated.size(), log.size());
   element::refuseIf(first + 2 > log.size(), "{}: fewer than two samples remain to be compared", log.name);
   const log::Log both = bothForces(log, simulated, first);
   for (std::size_t i = 0; i < both.size(); ++i) {
-    element::refuseIf(
-        std::abs(both.force[i]) > element::kLargestNumber,
-        "{}: sample {}, {:g} s after the start: the simulated force {:g} N is out of range; accepted: up to {:g} N",
-        log.name, first + i + 1, log.duration(0, first + i), both.force[i], element::kLargestNumber);
+    element::refuseIf(std::abs(both.force[i]) > element::kLargestNumber,
+                      "{}: sample {}, {:g} s after the start: simulated force {:g} N; accepted: up to {:g} N", log.name,
+                      first + i + 1, log.duration(0, first + i), both.force[i], element::kLargestNumber);
   }
   Agreement agreement;
   const std::vector<double> counts =

@@ -66,9 +66,8 @@ void addParts(const PreparedRecord& record, const Eigen::VectorXd& residual, con
 double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated,
                    const std::vector<double>& counts) {
   if (measured.empty() || measured.size() != simulated.size()) {
-    throw std::invalid_argument(
-        fmt::format("{} measured and {} simulated forces cannot be compared; accepted: equally many, at least one",
-                    measured.size(), simulated.size()));
+    throw std::invalid_argument(fmt::format("{} measured and {} simulated forces; accepted: equally many, at least one",
+                                            measured.size(), simulated.size()));
   }
   const auto counted = [&](std::size_t i) { return counts.empty() || counts[i] > 0.0; };
   double sum = 0.0;
@@ -87,8 +86,7 @@ double relativeGap(const std::vector<double>& measured, const std::vector<double
     }
   }
   if (!(variance > 0.0)) {
-    throw std::invalid_argument(
-        fmt::format("the measured force is {:g} N throughout; accepted: a force that varies", mean));
+    throw std::invalid_argument(fmt::format("measured force is {:g} N throughout; accepted: a varying force", mean));
   }
   return std::sqrt(gap / variance);
 }

@@ -292,13 +292,11 @@ bool repeatsItself(const Signal& signal) {
 }  // namespace
 
 Iso18571 rateIso18571(const Eigen::VectorXd& measured, const Eigen::VectorXd& simulated, Eigen::Index warped_whole) {
-  element::refuseIf(
-      measured.size() != simulated.size() || measured.size() < 2,
-      "ISO/TS 18571: {} measured and {} simulated values cannot be compared; accepted: equally many, at least two",
-      measured.size(), simulated.size());
-  element::refuseIf(
-      !measured.allFinite() || measured.minCoeff() == measured.maxCoeff(),
-      "ISO/TS 18571: the measured signal is constant or not finite; accepted: a finite signal that varies");
+  element::refuseIf(measured.size() != simulated.size() || measured.size() < 2,
+                    "ISO/TS 18571: {} measured and {} simulated values; accepted: equally many, at least two",
+                    measured.size(), simulated.size());
+  element::refuseIf(!measured.allFinite() || measured.minCoeff() == measured.maxCoeff(),
+                    "ISO/TS 18571: the measured signal is constant or not finite");
   Iso18571 result;
   const bool finite = simulated.allFinite();
   // All ratings are ratios. A power of two brings both signals below 1, so that no square overflows and no digit moves.

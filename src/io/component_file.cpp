@@ -139,8 +139,7 @@ class Loader : public SpecificationReader {
     const Entry preload = entry["preload"];
     for (const auto& load : preload.node) {
       if (!six->directions[directionOf(load.first)]) {
-        refuse(keyOf(preload, load.first),
-               "the component is free in this direction; accepted: a direction that is listed under directions");
+        refuse(keyOf(preload, load.first), "the direction is free; accepted: a direction listed under directions");
       }
     }
     try {
@@ -355,9 +354,8 @@ class Loader : public SpecificationReader {
       return element::Range::closed(-reach, reach);
     }
     if (entry.node.size() != 2) {
-      refuse(entry,
-             fmt::format("the list has {} entries; accepted: a length, or a list of two lengths, the lower one first",
-                         entry.node.size()));
+      refuse(entry, fmt::format("has {} entries; accepted: a length, or a list of two, the lower one first",
+                                entry.node.size()));
     }
     const std::vector<double> ends = loadNumbers(entry, anyNumber("m"));
     if (ends[0] >= ends[1]) {

@@ -96,10 +96,9 @@ double ElementReader::loadNumber(const Entry& entry, const element::ParameterInf
   }
   if (!parameter.range.contains(value)) {
     const std::string hint = value > 0.0 && value < element::kSmallestNumber
-                                 ? fmt::format(", and at least {:g} {}", element::kSmallestNumber, parameter.unit)
-                             : parameter.name == "maxwell_elements" && value == 1.0
-                                 ? ", or model: maxwell for a single element"
-                                 : "";
+                                 ? fmt::format(", at least {:g} {}", element::kSmallestNumber, parameter.unit)
+                             : parameter.name == "maxwell_elements" && value == 1.0 ? ", or model: maxwell for one"
+                                                                                    : "";
     refuse(entry, fmt::format("{} is {}; accepted: {}{}", text, std::isfinite(value) ? "out of range" : "not finite",
                               acceptedIn(unit, parameter), hint));
   }
@@ -222,8 +221,7 @@ element::ElementDescription ElementReader::scaled(const element::ElementDescript
   }
   const estimation::StaticCurve* curve = specification == nullptr ? nullptr : specification->curve();
   if (curve == nullptr) {
-    refuse(scale,
-           "the component has no static_curve; accepted: scale_with: none, or a static_curve in its specification");
+    refuse(scale, "the component has no static_curve; accepted: none, or a static_curve in its specification");
   }
   element::ElementDescription scaled =
       estimation::scaledAlong(*curve, estimation::nominalDisplacement(*specification), description);

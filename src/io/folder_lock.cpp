@@ -20,9 +20,8 @@ FolderLock::FolderLock(std::filesystem::path folder) : folder_(std::move(folder)
   descriptor_ = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     close(descriptor_);
-    throw OutputRefused(
-        folder_.string() +
-        ": another run is writing into this folder; accepted: another folder, or this folder after that run has ended");
+    throw OutputRefused(folder_.string() +
+                        ": another run is writing into this folder; accepted: another folder, or this one later");
   }
 }
 

@@ -143,8 +143,7 @@ void refuseEqualLogs(const std::vector<InputFile>& logs) {
 bool makeFolder(const std::string& folder) {
   std::error_code error;
   const bool made = fs::create_directories(folder, error);
-  refuseIf<std::runtime_error>(static_cast<bool>(error), "{}: the folder cannot be created: {}", folder,
-                               error.message());
+  refuseIf<std::runtime_error>(static_cast<bool>(error), "{}: cannot be created: {}", folder, error.message());
   return made;
 }
 
@@ -161,7 +160,7 @@ std::string makeRunFolder(const std::string& folder, const std::vector<std::stri
     if (fs::create_directory(path, error) || (!error && !holdsRecord(path, records))) {  // one run alone makes it
       return path;
     }
-    refuseIf<std::runtime_error>(error && error != std::errc::file_exists, "{}: the folder cannot be created: {}", path,
+    refuseIf<std::runtime_error>(error && error != std::errc::file_exists, "{}: cannot be created: {}", path,
                                  error.message());
   }
 }

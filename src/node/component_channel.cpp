@@ -41,10 +41,9 @@ void goOn(component::PoseStream& stream, const SavedStream& saved) { stream.dese
 
 // Refuses a model that cannot be computed beside another.
 void requireOneDirection(const io::ComponentDescription& description) {
-  element::refuseIf(
-      description.six != nullptr,
-      "{}: a model for a component of six directions cannot be promoted; accepted: a component of one direction",
-      description.name);
+  element::refuseIf(description.six != nullptr,
+                    "{}: has six directions and cannot be promoted; accepted: a component of one direction",
+                    description.name);
 }
 
 }  // namespace
@@ -330,7 +329,7 @@ std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::checkState(const 
     const std::lock_guard<std::mutex> lock(mutex_);
     model = model_;
   }
-  element::refuseIf(state.component != name_, "the state of component {} does not belong to component {}",
+  element::refuseIf(state.component != name_, "the state belongs to component {}; accepted: a state of {}",
                     state.component, name_);
   element::refuseIf(state.model != model->identity(), "{}: the state was saved with other elements or parameters",
                     name_);
@@ -373,8 +372,7 @@ void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (model_->identity() != model->identity()) {
     std::swap(promotion_, promotion);
-    note_ =
-        promotion ? "the promoted model was removed because the component file was reloaded with another model" : "";
+    note_ = promotion ? "the promotion ended: the component file was reloaded with another model" : "";
     since_ = model_->save().stamp;
   } else {
     model->restore(model_->save());

@@ -45,8 +45,7 @@ class Motion {
 
   static void requireFiniteForce(double force, double displacement) {
     element::refuseIf(!std::isfinite(force),
-                      "displacement: {:g} m gives a force that is not finite; accepted: a smaller displacement",
-                      displacement);
+                      "displacement: {:g} m gives a force that is not finite; accepted: a smaller one", displacement);
   }
 
   static void requirePositive(double dt) {
@@ -111,9 +110,8 @@ py::tuple characteristics(const ComponentDescription& description, const py::obj
                           const py::object& amplitude) {
   const std::vector<double> frequencies = toVector(frequency, "frequency");
   const std::vector<double> amplitudes = toVector(amplitude, "amplitude");
-  element::refuseIf(frequencies.size() != amplitudes.size(),
-                    "{} frequencies and {} amplitudes are given; accepted: equally many", frequencies.size(),
-                    amplitudes.size());
+  element::refuseIf(frequencies.size() != amplitudes.size(), "{} frequencies and {} amplitudes; accepted: equally many",
+                    frequencies.size(), amplitudes.size());
   std::vector<double> stiffness;
   std::vector<double> loss_angle;
   {
@@ -124,8 +122,7 @@ py::tuple characteristics(const ComponentDescription& description, const py::obj
                         "a sine of {:g} Hz and {:g} m is impossible; accepted: both greater than 0", frequencies[i],
                         amplitudes[i]);
       const response::SweepPoint point = response::characteristicsAt(component, frequencies[i], amplitudes[i]);
-      element::refuseIf(!point.settled, "{:g} Hz and {:g} m: the simulated loop does not become periodic",
-                        frequencies[i], amplitudes[i]);
+      element::refuseIf(!point.settled, "{:g} Hz and {:g} m: the loop does not settle", frequencies[i], amplitudes[i]);
       stiffness.push_back(point.characteristics.stiffness);
       loss_angle.push_back(point.characteristics.loss_angle);
     }
@@ -192,16 +189,15 @@ ComponentDescription load(const std::string& path, const std::string& name) {
 }
 
 void addMotion(py::module_& module) {
-  py::class_<Motion>(module, "Motion", "A component in motion, with its history; created by Component.start().")
+  py::class_<Motion>(module, "Motion", "A component in motion with its history; Component.start() creates it.")
       .def_static("__new__",
                   [](const py::args&, const py::kwargs&) {
                     throw py::type_error("a Motion cannot be created directly; accepted: Component.start()");
                   })
       .def("step", &Motion::step, py::arg("dt"), py::arg("displacement"),
            "Advance by dt > 0 [s] to a displacement [m], linear in between; returns the force [N]. Raises ValueError.")
-      .def(
-          "set_temperature", &Motion::setTemperature, py::arg("temperature"),
-          "Set the temperature [degC] for the next steps, if the component shifts with temperature. Raises ValueError.")
+      .def("set_temperature", &Motion::setTemperature, py::arg("temperature"),
+           "Temperature [degC] of the next steps, for a component that shifts with it. Raises ValueError.")
       .def_property_readonly(
           "force", [](const Motion& motion) { return motion.force().total; }, "[N]")
       .def_property_readonly(
@@ -236,14 +232,11 @@ void addComponents(py::module_& module) {
           [](const ComponentDescription& d, double displacement) {
             return Motion(std::make_shared<component::Component>(d.makeComponent()), displacement);
           },
-          py::arg("displacement") = 0.0,
-          "A Motion that starts at rest at a displacement [m], relaxed and never loaded before.")
+          py::arg("displacement") = 0.0, "A Motion at rest at a displacement [m], relaxed and never loaded before.")
       .def("simulate", &simulate, py::arg("displacement"), py::arg("dt"),
-           "Forces [N] for displacements [m] at intervals of dt [s]; the component is at rest at the first. Raises "
-           "ValueError.")
-      .def(
-          "replay", &replay, py::arg("log"),
-          "Forces [N] at the samples of a log, identical to those of the command replay and the node. Raises LogError.")
+           "Forces [N] for displacements [m] in steps of dt [s], from rest at the first. Raises ValueError.")
+      .def("replay", &replay, py::arg("log"),
+           "Forces [N] at the samples of a log, identical to those of replay and the node. Raises LogError.")
       .def("stiffness", &stiffness, py::arg("frequency"), py::arg("temperature") = py::none(),
            "Complex dynamic stiffness [N/m] at a frequency [Hz] or an array of them, and at a temperature [degC] if "
            "the component shifts with temperature; None for a nonlinear component. Raises ValueError.")
@@ -251,14 +244,12 @@ void addComponents(py::module_& module) {
            "Stiffness [N/m] and loss angle [rad] under sines with arrays of frequencies [Hz] and amplitudes [m]: in "
            "closed form for a linear component, from settled loops for any other. Raises ValueError.")
       .def(
-          "to_yaml", [](const ComponentDescription& d) { return io::toYaml({d}); },
-          "The component as text of a component file.")
+          "to_yaml", [](const ComponentDescription& d) { return io::toYaml({d}); }, "Text of a component file.")
       .def("__repr__", [](const ComponentDescription& d) {
         return fmt::format("<Component {}, model {}>", d.name, estimation::toString(d.model()));
       });
   module.def("load", &load, py::arg("path"), py::arg("component") = "",
-             "Load the component with this name from a component file; without a name, its only component. Raises "
-             "ComponentFileError.");
+             "Load a component by name from a file; without a name, the only one. Raises ComponentFileError.");
   module.def("estimate", &estimate, py::arg("model"), py::pos_only(), py::arg("name") = "component",
              "A component from its specification: estimate('multi_maxwell', static_stiffness='3 kN/mm', ...). Raises "
              "ValueError.");

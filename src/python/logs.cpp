@@ -65,14 +65,12 @@ void addLogs(py::module_& module) {
       .def_property_readonly(
           "displacement", [](const log::Log& log) { return toArray(log.displacement); }, "[m]")
       .def_property_readonly(
-          "force", [](const log::Log& log) { return toArray(log.force); },
-          "Measured force [N]; empty if none was measured.")
+          "force", [](const log::Log& log) { return toArray(log.force); }, "Measured force [N], or empty.")
       .def_property_readonly(
           "counts", [](const log::Log& log) { return toArray(log.counts); },
           "1 where the force was measured, 0 where it is interpolated; empty if it was measured throughout.")
       .def_property_readonly(
-          "temperature", [](const log::Log& log) { return toArray(log.temperature); },
-          "Temperature [degC]; empty if none was measured.")
+          "temperature", [](const log::Log& log) { return toArray(log.temperature); }, "[degC], or empty.")
       .def("__len__", &log::Log::size)
       .def("__repr__", [](const log::Log& log) { return fmt::format("<Log {}, {} samples>", log.name, log.size()); });
   module.def("read_log", &readLog, py::arg("path"), py::arg("columns") = std::vector<std::string>(),

@@ -32,8 +32,7 @@ void checkArguments(double frequency, double amplitude, const LoopOptions& optio
     throw std::invalid_argument(fmt::format("amplitude: {:g} m is out of range; accepted: greater than 0", amplitude));
   }
   if (!std::isfinite(options.mean)) {
-    throw std::invalid_argument(
-        fmt::format("mean displacement: {:g} m is not finite; accepted: a finite number", options.mean));
+    throw std::invalid_argument(fmt::format("mean displacement: {:g} m; accepted: a finite number", options.mean));
   }
   if (options.samples < 8 || options.samples % 4 != 0) {
     throw std::invalid_argument(

@@ -66,13 +66,12 @@ Answer BundleClientOf<Bundle, Sample, Answer>::receive(std::int64_t stamp) {
   });
   if (!came || answers_.front().header.stamp != time) {
     throw BundleError(
-        fmt::format("no answer came on {} for the stamp {} ns within {:g} s", subscriber_.getTopic(), stamp, timeout_));
+        fmt::format("no answer on {} for stamp {} ns within {:g} s", subscriber_.getTopic(), stamp, timeout_));
   }
   const Answer& answer = answers_.front();
   if (answer.components != message_.components) {
-    throw BundleError(
-        fmt::format("only {} of {} samples with the stamp {} ns were answered on {}; the others were dropped",
-                    answer.components.size(), message_.components.size(), stamp, subscriber_.getTopic()));
+    throw BundleError(fmt::format("{} of {} samples at {} ns were answered on {}; the others were dropped",
+                                  answer.components.size(), message_.components.size(), stamp, subscriber_.getTopic()));
   }
   return answer;
 }

@@ -112,8 +112,7 @@ void NodeServices::advertisePromotions() {
                        [this, channel](const Trigger::Request&) { return promote(*channel); });
     advertise<Trigger>(handle_, channel->name() + "/rollback", [this, channel](const Trigger::Request&) {
       channel->rollBack();
-      return fmt::format("returning to the configured model within {:g} s (time of the stamps)",
-                         settings_.promotion.fade);
+      return fmt::format("returns to the configured model within {:g} s of stamps", settings_.promotion.fade);
     });
   }
 }
@@ -169,8 +168,7 @@ std::string NodeServices::reload() const {
   std::vector<std::shared_ptr<node::ComponentChannel::Model>> models;
   for (const io::ComponentDescription* description : matchByName(described, &io::ComponentDescription::name, group_)) {
     if (channelNamed(description->name, group_).hasSixDirections() != (description->six != nullptr)) {
-      throw std::invalid_argument(fmt::format("component {} now has {}; accepted: a restart of the node",
-                                              description->name,
+      throw std::invalid_argument(fmt::format("component {} has {} now, which needs a restart", description->name,
                                               description->six ? "six directions" : "one direction"));
     }
     models.push_back(node::ComponentChannel::makeModel(*description, settings_.max_gap));
@@ -183,8 +181,7 @@ std::string NodeServices::promote(node::ComponentChannel& channel) const {
   std::string source = settings_.promote_file;
   io::ComponentDescription model;
   element::refuseIf(source.empty() && live_ == nullptr,
-                    "{}: there is no model to promote; accepted: the parameter ~promote_file or ~diagnose",
-                    channel.name());
+                    "{}: there is no model to promote: set ~promote_file or ~diagnose", channel.name());
   if (source.empty()) {
     source = "the model of the live diagnosis";
     model = live_->found(channel.name());
@@ -194,9 +191,8 @@ std::string NodeServices::promote(node::ComponentChannel& channel) const {
     model = settings_.without_rig ? model.withoutRig() : model;
   }
   channel.promote(model);
-  return fmt::format(
-      "{}: the model runs in the shadow for {:g} s (time of the stamps), then takes over with a cross-fade of {:g} s",
-      source, settings_.promotion.shadow, settings_.promotion.fade);
+  return fmt::format("{}: runs in the shadow for {:g} s of stamps, then a cross-fade of {:g} s", source,
+                     settings_.promotion.shadow, settings_.promotion.fade);
 }
 
 }  // namespace rubber_suspension::ros_interface

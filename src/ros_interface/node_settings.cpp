@@ -38,10 +38,9 @@ std::vector<Setting> settingsTable(NodeSettings& settings) {
       {"max_gap", &settings.max_gap, 0, 1e6,
        "longest time between two samples [s]; a longer time gap is reported and bridged exactly (default 0.5)"},
       {"queue_size", &settings.queue_size, 1, 1e6,
-       "number of samples that can wait on each topic before the oldest is lost; for each subscriber four times as "
-       "many forces, at least 40000, can wait (default 10000)"},
-      {"threads", &settings.threads, 1, 64,
-       "number of serving threads; components are assigned to them in turn (default 1)"},
+       "samples that can wait on each topic before the oldest is lost; four times as many forces, at least 40000, can "
+       "wait for each subscriber (default 10000)"},
+      {"threads", &settings.threads, 1, 64, "serving threads; components are assigned to them in turn (default 1)"},
       {"realtime_priority", &settings.realtime_priority, 0, 98,
        "SCHED_FIFO priority of the serving threads, if permitted; 0: none (default 0)"},
       {"lock_memory", &settings.lock_memory, 0, 0, "lock the process in memory, if permitted (default false)"},
@@ -226,8 +225,7 @@ NodeSettings readNodeSettings(const ros::NodeHandle& private_handle) {
     }
   }
   if (settings.load_state && settings.state_file.empty()) {
-    throw std::invalid_argument(fmt::format("parameter {} needs the parameter {}, which is not set",
-                                            private_handle.resolveName("load_state"),
+    throw std::invalid_argument(fmt::format("parameter {} needs {}", private_handle.resolveName("load_state"),
                                             private_handle.resolveName("state_file")));
   }
   return settings;
@@ -245,8 +243,7 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
 std::string describeNodeSettings() {
   constexpr const char* kLine = "  ~{:18} {}\n";
   std::string text = fmt::format(kLine, "config_file", "path of the component file") +
-                     fmt::format(kLine, "components",
-                                 "instead of config_file: the content of a component file under the key `components`");
+                     fmt::format(kLine, "components", "the content of such a file, instead of config_file");
   NodeSettings defaults;
   for (const Setting& setting : settingsTable(defaults)) {
     text += fmt::format(kLine, setting.name, setting.documentation + "; " + accepted(setting));

@@ -83,9 +83,7 @@ std::string keepSlaveApiToLoopback() {
       refusal = kept ? "" : std::strerror(errno);
     }
   }
-  return refusal.empty()
-             ? refusal
-             : "the slave API cannot be restricted to the loopback interface and listens on all interfaces: " + refusal;
+  return refusal.empty() ? refusal : "the slave API listens on all interfaces: " + refusal;
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -102,8 +102,8 @@ void requireOpenFiles(std::size_t components) {
   if (limit.rlim_max < needed) {
     const std::string each = components == 0 ? "each component" : fmt::format("each of {} components", components);
     throw std::runtime_error(
-        fmt::format("{} open files are needed, two for {} and {} in addition; accepted: a limit of {} (ulimit -n, or "
-                    "LimitNOFILE) instead of {}",
+        fmt::format("{} open files are needed, two for {} and {} others; accepted: ulimit -n {}, or LimitNOFILE; the "
+                    "present limit is {}",
                     needed, each, needed - 2 * components, needed, limit.rlim_max));
   }
   constexpr rlim_t kTimes = 4;  // peers keep the connections open by which they asked

@@ -47,8 +47,8 @@ std::string bushText(Kind kind, const component::SixDirections& component, const
 
 PerBush<double> displacementDifference(const Bushes& components, const History& history, const History& reference) {
   element::refuseIf(history.size() != reference.size() || history.size() == 0,
-                    "runs of {} and {} samples cannot be compared; accepted: equally many, at least one",
-                    history.size(), reference.size());
+                    "runs of {} and {} samples; accepted: equally many, at least one", history.size(),
+                    reference.size());
   PerBush<double> result;
   for (std::size_t i = 0; i < components.size(); ++i) {
     double difference = 0.0;

@@ -224,7 +224,7 @@ TEST_F(ToleranceStudy, DrawsWithoutSolutionAreToldOrLeftOut) {
 
 TEST_F(ToleranceStudy, AToleranceOfWhatIsNotSpecifiedIsRefused) {
   EXPECT_THAT(problems(study(2, "loss_angle: {uniform: 5 %}")),
-              ElementsAre(AllOf(HasSubstr("loss_angle: the component's specification does not contain this key"),
+              ElementsAre(AllOf(HasSubstr("loss_angle: is not in the specification"),
                                 HasSubstr("accepted: break_frequency, dynamic_stiffness"))));
 }
 

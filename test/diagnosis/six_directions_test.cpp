@@ -115,7 +115,7 @@ std::string refusal(const std::string& coupling, const std::vector<component::Di
 TEST(RequiredDirections, ErrorsNameDirectionAndWhatIsAccepted) {
   EXPECT_EQ(refusal("rectangular", {kX, kZ}), "");
   EXPECT_EQ(refusal("cylindrical", {kZ}), "");
-  EXPECT_EQ(refusal("rectangular", {kRx}), "direction rx: the component is free in this direction; accepted: one of x, y, z");
+  EXPECT_EQ(refusal("rectangular", {kRx}), "direction rx: is free; accepted: one of x, y, z");
   EXPECT_EQ(refusal("cylindrical", {}), "has six directions; accepted: --direction with one or more of z");
   const std::string coupled = refusal("cylindrical", {kZ, kY});
   EXPECT_EQ(coupled.rfind("direction y: ", 0), 0U) << coupled;

@@ -202,7 +202,7 @@ TEST(Refusal, EveryIntervalNamedHoldsSolutions) {
 TEST(Refusal, TellsWhatIsNearestToOneStiffnessThroughout) {
   const Values values = with(with(kFiveInputs, "dynamic_stiffness", 3e6), "maximum_stiffness", 3e6);
   const std::string message = refusal(estimation::Model::multi_maxwell, values);
-  EXPECT_THAT(message, HasSubstr("accepted: no value of any single input while the others keep their values; nearest: "));
+  EXPECT_THAT(message, HasSubstr("accepted: no value of any single input with the others unchanged; nearest: "));
   EXPECT_TRUE(nearestIsSolvable(estimation::Model::multi_maxwell, message)) << message;
 }
 

@@ -218,7 +218,7 @@ class InterruptPlayback(unittest.TestCase):
         errors = self.interrupt(PROGRAMS / "play_log", "--component", "primary_bush", "--log", "log.csv",
                                 "--playback-speed", "1", "--output", "out/force.csv", "--bag", "out/run.bag", "--plot",
                                 "out/force.svg")
-        self.assertIn(": each sample sent so far was answered by exactly one force", errors)
+        self.assertIn(": each sample so far had exactly one force", errors)
         self.assertNotIn("not every sample", errors)
         left = {path.name for path in (self.folder / "out").iterdir()}
         self.assertLessEqual(left, {"force.csv", "run.bag"})

@@ -104,9 +104,8 @@ std::string componentText(const SixDirectionsDiagnosis& diagnosis) {
     const auto found = placeIn(diagnosis, place);
     return found ? report::augmentedStyle(*found->first).note(found->second) : "";
   };
-  style.head = fmt::format(
-      "# Diagnosis of {} by direction; other directions are as configured, except for a radial_stiffness.\n",
-      diagnosis.component);
+  style.head = fmt::format("# Diagnosis of {} by direction; others are as configured, except for a radial_stiffness.\n",
+                           diagnosis.component);
   for (const auto& [direction, d] : diagnosis.directions) {
     style.head += fmt::format("# {}: {}. Gap {} as configured, {} with this file; noise floor {}.\n",
                               toString(direction), toString(d.answer.verdict), percent(d.gaps.unseen.as_configured),

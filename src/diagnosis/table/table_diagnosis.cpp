@@ -370,16 +370,14 @@ judge::Evidence evidenceOfRows(const MeasuredRows& measured, const hypotheses::S
 
 void checkRows(const io::ComponentDescription& component, const fit::MeasuredTable& table) {
   if (table.points.size() < kFewestRows) {
-    throw std::invalid_argument(
-        fmt::format("{}: the table has only {} rows; accepted: at least {} rows over frequency and amplitude",
-                    table.name, table.points.size(), kFewestRows));
+    throw std::invalid_argument(fmt::format("{}: has only {} rows; accepted: at least {} over frequency and amplitude",
+                                            table.name, table.points.size(), kFewestRows));
   }
   const component::Component built = component.makeComponent();
   for (const element::ElementDescription& element : built.elements()) {
     if (const std::string& reason = effectNamed(element.type).not_beside_tables; !reason.empty()) {
-      throw std::invalid_argument(
-          fmt::format("{}: has the element {}, {}; accepted: logs, or the component without this element",
-                      component.name, element.type, reason));
+      throw std::invalid_argument(fmt::format("{}: has {}, {}; accepted: logs, or the component without it",
+                                              component.name, element.type, reason));
     }
   }
   const auto has_temperature = [](const fit::TablePoint& point) { return point.temperature.has_value(); };

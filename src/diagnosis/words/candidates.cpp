@@ -47,8 +47,7 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
       return "a table of settled loops cannot show it: record a log";
     case Out::not_testable:
       return fmt::format(
-          "not testable with {}: other parameter values absorb all but {} % of a typical effect, which is too little "
-          "to detect",
+          "not testable with {}: other parameter values absorb all but {} % of a typical effect, too little to see",
           sourceOf(d), wholePercent(c.visible_share));
     case Out::removes_nothing:
       return "it may remove nothing of the gap on further logs";
@@ -59,9 +58,8 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
       return fmt::format("the gap is {} with its full law, and {} with the named effects", percent(c.gap),
                          percent(d.gaps.unseen.augmented));
     default:
-      return fmt::format(
-          "the gap is {} with its full law, no larger than with the named effects, but it is less probable",
-          percent(c.gap));
+      return fmt::format("the gap with its full law is no larger ({}), but the effect is less probable",
+                         percent(c.gap));
   }
 }
 

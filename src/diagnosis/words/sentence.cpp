@@ -192,7 +192,7 @@ std::vector<std::string> openTexts(const Diagnosis& diagnosis, std::size_t most)
   }
   const Posterior& posterior = diagnosis.answer.posterior;
   std::vector<std::pair<double, std::string>> open = {
-      {posterior.none, "nothing (right as configured)"},
+      {posterior.none, "nothing (model as configured)"},
       {posterior.parameter_error, "nothing (only its values are wrong)"},
       {posterior.none_of_these, "something that is not in the list"}};
   for (const CandidateResult& candidate : diagnosis.candidates) {
@@ -465,8 +465,7 @@ std::string restNote(const Surrogate& surrogate) {
   }
   if (surrogate.beyond_chance && surrogate.share >= kLeastPart) {
     return " Only part of the rest depends on the motion: " + prediction +
-           ". The other part can only be learned from other logs, or the motion does not cause it (hum, cross-talk, a "
-           "loose plug).";
+           ". The other part needs other logs, or the motion does not cause it (hum, cross-talk, a loose plug).";
   }
   return " No surrogate predicts the rest in parts of the logs that it was not fitted to: these logs do not show "
          "whether the motion causes it.";
@@ -490,8 +489,7 @@ std::string excludedNote(const Diagnosis& diagnosis) {
       const auto& of_file = diagnosis.configured.excluded_effects;
       const bool in_file = std::find(of_file.begin(), of_file.end(), one.effect) != of_file.end();
       if (in_file == by_file && one.probability_otherwise >= kWorthSaying) {
-        texts.push_back(
-            fmt::format("{} would have a probability of {} %", one.effect, chance(one.probability_otherwise)));
+        texts.push_back(fmt::format("{} would be {} % probable", one.effect, chance(one.probability_otherwise)));
       }
     }
     if (!texts.empty()) {

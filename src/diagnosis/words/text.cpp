@@ -126,8 +126,8 @@ std::string intervalText(const SizedValue& size, const std::string& least, const
   if (size.at_bound[0] && size.value <= size.interval_95[0]) {
     return most + unit + " or less (the fit ended at a bound)";
   }
-  const char* const ends[] = {"", " (the lower end is a bound of the fit)", " (the upper end is a bound of the fit)",
-                              " (both ends are bounds of the fit)"};
+  const char* const ends[] = {"", " (lower end: a bound of the fit)", " (upper end: a bound of the fit)",
+                              " (both ends: bounds of the fit)"};
   return least + " to " + most + unit + ends[(size.at_bound[0] ? 1 : 0) + (size.at_bound[1] ? 2 : 0)];
 }
 

@@ -134,8 +134,7 @@ void setLogging(Instance& instance, bool on, std::size_t count, const fmiString*
 }
 
 void requireAsMany(std::size_t count, std::size_t values) {
-  refuseIf(values != count,
-           "the number of values differs from the number of variables; accepted: one value for each variable");
+  refuseIf(values != count, "the numbers of values and variables differ; accepted: one value for each variable");
 }
 
 // Refuses requests for variables of a type that no FMU of this package has.

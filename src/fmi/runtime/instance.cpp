@@ -31,7 +31,7 @@ Status Instance::tell(Status status, const std::string& message) const {
 }
 
 void Instance::require(bool in_phase, const char* call) const {
-  refuseIf(!in_phase, "{}: this call is not allowed in phase '{}'", call, nameOf(now_.phase));
+  refuseIf(!in_phase, "{}: not allowed in phase '{}'", call, nameOf(now_.phase));
 }
 
 void Instance::enter(Phase phase) {
@@ -43,10 +43,9 @@ void Instance::enter(Phase phase) {
 
 void Instance::setTimes(double start, bool stop_defined, double stop) {
   require(now_.phase == Phase::instantiated, "set up of the experiment");
-  refuseIf(
-      !std::isfinite(start) || (stop_defined && !(stop >= start)),
-      "start time {:g} s and stop time {:g} s are not valid; accepted: finite times, the stop not before the start",
-      start, stop_defined ? stop : start);
+  refuseIf(!std::isfinite(start) || (stop_defined && !(stop >= start)),
+           "start time {:g} s, stop time {:g} s; accepted: finite times, the stop not before the start", start,
+           stop_defined ? stop : start);
   now_.time = start;
   now_.stop_time = stop_defined ? std::min(stop, kNoStop) : kNoStop;
 }
@@ -81,10 +80,9 @@ void Instance::checkSet(Reference reference, double value) const {
   refuseIf(reference >= table_.variables().size(), "set: no variable has the value reference {}", reference);
   const Variable& variable = table_.variables()[reference];
   const bool parameter = variable.causality == Causality::parameter;
-  refuseIf(now_.phase > (parameter ? Phase::initialising : Phase::stepping),
-           "set of {}: this call is not allowed in phase '{}'", variable.name, nameOf(now_.phase));
-  refuseIf(!parameter && variable.causality != Causality::input, "set: {} is not an input or a parameter",
-           variable.name);
+  refuseIf(now_.phase > (parameter ? Phase::initialising : Phase::stepping), "set of {}: not allowed in phase '{}'",
+           variable.name, nameOf(now_.phase));
+  refuseIf(!parameter && variable.causality != Causality::input, "set: {} cannot be set", variable.name);
   // Until the component is built, the range of the temperature is that of the parameters at the start.
   const bool shifted = reference == table_.temperature() && body_;
   const element::Range range = shifted ? body_->temperatures() : variable.range;
@@ -150,12 +148,11 @@ void Instance::setDerivatives(const Reference* references, std::size_t count, co
   for (std::size_t i = 0; i < count; ++i) {
     const auto order = static_cast<std::size_t>(orders[i]);  // beyond all for a negative one
     refuseIf(data_.six || references[i] != reference::kDisplacement || order < 1 || order > kMostDerivatives,
-             "derivative {} of variable {} cannot be set; accepted: derivatives of the displacement, of order 1 to {}",
-             orders[i], references[i], kMostDerivatives);
-    refuseIf(
-        !element::Range::any().contains(values[i]),
-        "derivative {} of the displacement: {} is out of range; accepted: a finite number of magnitude {:g} at most",
-        order, values[i], element::kLargestNumber);
+             "derivative {} of variable {}; accepted: derivatives 1 to {} of the displacement", orders[i],
+             references[i], kMostDerivatives);
+    refuseIf(!element::Range::any().contains(values[i]),
+             "derivative {} of the displacement: {} is not finite, or beyond {:g}", order, values[i],
+             element::kLargestNumber);
     now_.derivative[order - 1] = values[i];
     has_derivatives_ = true;
   }
@@ -204,17 +201,15 @@ void Instance::refuseStep(double time, double size) const {
   require(now_.phase == Phase::stepping, "step");
   refuseIf(!(size > 0.0) || !std::isfinite(size), "a step of {:g} s is not possible; accepted: greater than 0", size);
   refuseIf(std::abs(time - now_.time) <= roomFor(size),
-           "the step to {:.9g} s is too long; accepted: at most to the stop time, {:.9g} s", time + size,
-           now_.stop_time);
+           "step to {:.9g} s; accepted: at most to the stop time, {:.9g} s", time + size, now_.stop_time);
   throw std::invalid_argument(
       fmt::format("the step cannot begin at {:.9g} s; accepted: {:.9g} s, where the last step ended", time, now_.time));
 }
 
 void Instance::fail() {
   enter(Phase::failed);
-  throw std::runtime_error(
-      fmt::format("{} gives a force that is not finite; accepted: a reset or a saved state to continue",
-                  data_.six ? "the pose" : fmt::format("displacement {:g} m", now_.inputs[0])));
+  throw std::runtime_error(fmt::format("{} gives a force that is not finite; accepted: a reset or a saved state",
+                                       data_.six ? "the pose" : fmt::format("displacement {:g} m", now_.inputs[0])));
 }
 
 void Instance::save(SavedState& state) const {

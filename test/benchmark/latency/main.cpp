@@ -66,7 +66,7 @@ int measureLatency(const Options& options) {
 int measureSoak(const Options& options) {
   const benchmark::SoakResult result = benchmark::soak(options.soak, options.benchmark.components.front(), tell);
   benchmark::printMarkdown(result, std::cout);
-  element::refuseIf<std::runtime_error>(!result.exact(), "not every sample was answered by exactly one force");
+  element::refuseIf<std::runtime_error>(!result.exact(), "not every sample had exactly one force");
   return kSuccess;
 }
 

@@ -23,9 +23,8 @@ void addAsymmetricStiffness(const fit::Excitation& excitation, fit::Candidate& c
 }
 
 const EffectEntry kAsymmetricStiffness(
-    {60, "asymmetric_stiffness",
-     "even stiffness: a second harmonic, and a mean force that grows with amplitude squared", false,
-     addAsymmetricStiffness});
+    {60, "asymmetric_stiffness", "even stiffness: second harmonic, and a mean force that grows with amplitude squared",
+     false, addAsymmetricStiffness});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -12,9 +12,8 @@ void addForceDrift(const fit::Excitation& excitation, fit::Candidate& candidate)
   candidate.free_in_log.trend = true;
 }
 
-const EffectEntry kForceDrift({150, "force_drift",
-                               "drift of the load cell: loops do not close, whatever the displacement", true,
-                               addForceDrift, InSettledLoops::no_part_of_loop});
+const EffectEntry kForceDrift({150, "force_drift", "drift of the load cell: loops do not close at any displacement",
+                               true, addForceDrift, InSettledLoops::no_part_of_loop});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -17,9 +17,8 @@ void addForceOffset(const fit::Excitation& excitation, fit::Candidate& candidate
 }
 
 const EffectEntry kForceOffset(
-    {140, "force_offset",
-     "zero error of the load cell: only the mean force is wrong, equally in all logs or differently in each", true,
-     addForceOffset, InSettledLoops::no_part_of_loop});
+    {140, "force_offset", "zero error of the load cell: only the mean is wrong, equally in all logs or differently",
+     true, addForceOffset, InSettledLoops::no_part_of_loop});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

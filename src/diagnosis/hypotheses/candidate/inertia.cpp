@@ -15,9 +15,8 @@ void addInertia(const fit::Excitation& excitation, fit::Candidate& candidate) {
   candidate.one_form = true;
 }
 
-const EffectEntry kInertia({120, "inertia",
-                            "mass of the moving fixture: the error of the stiffness grows with frequency squared", true,
-                            addInertia});
+const EffectEntry kInertia({120, "inertia", "moving fixture: the error of the stiffness grows with frequency squared",
+                            true, addInertia});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

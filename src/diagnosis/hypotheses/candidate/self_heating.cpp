@@ -14,9 +14,8 @@ void addSelfHeating(const fit::Excitation& excitation, fit::Candidate& candidate
 }
 
 Effect selfHeating() {
-  Effect effect{
-      100,   "self_heating", "heating by loss: stiffness falls over minutes of large motion and recovers at rest",
-      false, addSelfHeating, InSettledLoops::over_before};
+  Effect effect{100,   "self_heating", "heating by loss: stiffness falls over minutes of motion and recovers at rest",
+                false, addSelfHeating, InSettledLoops::over_before};
   effect.falls_like_warming = true;
   effect.not_beside_tables = "but a table contains only the warm state at the end of each sine";
   return effect;

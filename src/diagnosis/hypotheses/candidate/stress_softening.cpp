@@ -83,9 +83,8 @@ void addStressSoftening(const fit::Excitation& excitation, fit::Candidate& candi
 }
 
 Effect stressSoftening() {
-  Effect effect{
-      90,    "stress_softening", "softening below the largest past displacement, complete after 3 to 5 cycles",
-      false, addStressSoftening, InSettledLoops::over_before};
+  Effect effect{90,    "stress_softening", "softening below the largest past displacement, within 3 to 5 cycles",
+                false, addStressSoftening, InSettledLoops::over_before};
   effect.falls_like_warming = true;
   return effect;
 }
