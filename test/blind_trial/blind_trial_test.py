@@ -295,28 +295,28 @@ class InvariantsTest(unittest.TestCase):
                             for holds in invariants.checked(r).values()))
         gap = report_of("named", ["creep"])["gap"]
         for name, changes in (
-                ("no set holds an improbable effect", {"confounded": [["creep"], ["friction"]]}),
+                ("no set contains an improbable effect", {"confounded": [["creep"], ["friction"]]}),
                 ("the first set is the one named", {"confounded": [["friction"]]}),
-                ("effects are as probable as their sets", {"candidates": [{"effect": "creep", "probability": 0.5,
+                ("effects are as probable as the sets that contain them", {"candidates": [{"effect": "creep", "probability": 0.5,
                                                                            "gap": 0.02}]}),
-                ("alternatives follow by probability", {"alternatives": [{"probability": 0.1}, {"probability": 0.2}]}),
+                ("alternatives are sorted by probability", {"alternatives": [{"probability": 0.1}, {"probability": 0.2}]}),
                 ("the headline has the largest change", {
                     "sentence": "K_n is 10 % too low in the component file",
                     "model_sizes": [{"configured": 1.0, "value": v, "interval_95": [0.9 * v, 1.02 * v]}
                                     for v in (2.0, 1.1)]}),
                 ("an interval that ends at a bound says so", {
                     "effect_sizes": [{"value": 2.0, "interval_95": [0.0, 3.0], "at_bound": [False, False]}]}),
-                ("closed is of the gaps", {"gap": dict(gap, augmented=0.06)}),
-                ("no fit leaves less of what took no part in it", {
+                ("closed agrees with the gaps", {"gap": dict(gap, augmented=0.06)}),
+                ("no other fit predicts unseen data better", {
                     "trials": [{"effects": [], "in_sample": 0.07, "held_out": 0.02, "chi_squared": 0.0}]}),
-                ("the floor is no more than any gap", {"gap": dict(gap, noise_floor=0.05)}),
-                ("effects if and only if the verdict names any", {"effects": []}),
-                ("the verdict is the likeliest", {"posterior": {"none": 0.6, "parameter_error": 0.0, "effects": 0.4,
+                ("the noise floor is not above any gap", {"gap": dict(gap, noise_floor=0.05)}),
+                ("effects are named if and only if the verdict names effects", {"effects": []}),
+                ("the verdict is the most probable", {"posterior": {"none": 0.6, "parameter_error": 0.0, "effects": 0.4,
                                                                 "none_of_these": 0.0}}),
-                ("where adds up to 1", {"where": [{"share": 0.5}]}),
-                ("the interval holds what is closed", {"closed": {"fraction": 0.99, "interval_95": [0.2, 0.5]}})):
+                ("the shares of where add up to 1", {"where": [{"share": 0.5}]}),
+                ("the interval contains closed", {"closed": {"fraction": 0.99, "interval_95": [0.2, 0.5]}})):
             self.assertIs(invariants.checked(dict(report_of("named", ["creep"]), **changes))[name], False, name)
-        self.assertIs(invariants.checked(report_of("defect", defect="where adds up to 1"))[
+        self.assertIs(invariants.checked(report_of("defect", defect="the shares of where add up to 1"))[
             "no invariant was broken within the diagnosis"], False)
         self.assertIs(invariants.checked(report_of("unknown", next_experiment=""))[
             "a next experiment where confounded or unknown"], False)

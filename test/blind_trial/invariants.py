@@ -25,12 +25,12 @@ def tells_a_verdict(report):
     return report["verdict"] != "defect"
 
 
-@rule("effects if and only if the verdict names any")
+@rule("effects are named if and only if the verdict names effects")
 def verdict_has_its_effects(report):
     return bool(report["effects"]) == (report["verdict"] in NAMING)
 
 
-@rule("named: the gap falls and the interval excludes 0, or the data sheet holds", NAMING)
+@rule("named: the gap falls and the interval excludes 0, or the data sheet is right", NAMING)
 def named_closes(report):
     """The gap falls and the interval of what is closed excludes 0, or values are nearer to the data sheet."""
     gap = report["gap"]
@@ -43,7 +43,7 @@ def named_closes(report):
     return gap["augmented"] < gap["as_configured"] and named < values
 
 
-@rule("closed is of the gaps", NAMING)
+@rule("closed agrees with the gaps", NAMING)
 def closed_is_of_the_gaps(report):
     gap = report["gap"]
     span = gap["re_estimated"] - gap["noise_floor"]
@@ -54,13 +54,13 @@ def closed_is_of_the_gaps(report):
     return abs(min(fraction, 1.0) - min(report["closed"]["fraction"], 1.0)) <= SLACK
 
 
-@rule("the interval holds what is closed", NAMING)
+@rule("the interval contains closed", NAMING)
 def interval_holds_the_fraction(report):
     low, high = report["closed"]["interval_95"]
     return low - SLACK <= report["closed"]["fraction"] <= high + SLACK
 
 
-@rule("what was taken out adds up", WEIGHED)
+@rule("the parts removed from the logs add up", WEIGHED)
 def taken_out_adds_up(report):
     """In squares: what a log leaves as recorded, less what was taken out of it, is what it leaves."""
     if "taken_out" not in report:
@@ -73,7 +73,7 @@ def taken_out_adds_up(report):
     return True
 
 
-@rule("no fit leaves less of what took no part in it")
+@rule("no other fit predicts unseen data better")
 def no_fit_predicts_better(report):
     """The error of blocks that took no part in a fit is no less than that in sample, but for 2 % by chance; a law without
     a model has no error."""
@@ -81,7 +81,7 @@ def no_fit_predicts_better(report):
     return all(trial["in_sample"] <= 1.02 * trial["held_out"] * (1.0 + SLACK) for trial in trials)
 
 
-@rule("the floor is no more than any gap")
+@rule("the noise floor is not above any gap")
 def floor_is_least(report):
     """The floor is no more than the least gap of any model."""
     gap = report["gap"]
@@ -90,12 +90,12 @@ def floor_is_least(report):
     return gap["noise_floor"] <= min(g for g in gaps if g is not None) * (1.0 + SLACK)
 
 
-@rule("the posterior adds up to 1", WEIGHED)
+@rule("the probabilities add up to 1", WEIGHED)
 def posterior_is_one(report):
     return abs(sum(report["posterior"].values()) - 1.0) <= SLACK
 
 
-@rule("the verdict is the likeliest", WEIGHED)
+@rule("the verdict is the most probable", WEIGHED)
 def verdict_is_the_likeliest(report):
     """`unknown` only if none of these is the likeliest, and so for the others."""
     says = {"none": "none", "parameter_error": "parameter_error", "unknown": "none_of_these", "named": "effects",
@@ -107,7 +107,7 @@ def probability_of(report, effect):
     return max((c["probability"] for c in report["candidates"] if c["effect"] == effect), default=0.0)
 
 
-@rule("effects are as probable as their sets", WEIGHED)
+@rule("effects are as probable as the sets that contain them", WEIGHED)
 def candidates_are_of_the_sets(report):
     """An effect is as probable as the sets that hold it: none more than all of them, all together no less."""
     effects = report["posterior"]["effects"]
@@ -122,13 +122,13 @@ def first_set_is_named(report):
     return sorted(report["confounded"][0]) == sorted(report["effects"])
 
 
-@rule("no set holds an improbable effect", NAMING)
+@rule("no set contains an improbable effect", NAMING)
 def sets_are_probable(report):
     """No other set holds an effect that the table gives below 2 %."""
     return all(probability_of(report, effect) >= LISTED - SLACK for s in report["confounded"][1:] for effect in s)
 
 
-@rule("alternatives follow by probability", WEIGHED)
+@rule("alternatives are sorted by probability", WEIGHED)
 def alternatives_follow(report):
     """By probability, and no more than 1 with what is said."""
     others = [a["probability"] for a in report["alternatives"]]
@@ -155,7 +155,7 @@ def headline_is_the_largest(report):
     return f" is {percent} too " in said
 
 
-@rule("shares add up to what is removed", WEIGHED)
+@rule("shares add up to the removed part of the gap", WEIGHED)
 def shares_add_up(report):
     """What values and effects remove of the gap as configured is what is removed."""
     gap = report["gap"]
@@ -163,7 +163,7 @@ def shares_add_up(report):
     return abs(sum(report["share_of_configured_gap"].values()) - removed) <= SLACK
 
 
-@rule("the file leaves no more of any log")
+@rule("the written file is not worse on any log")
 def file_leaves_no_more(report):
     """Nor of all logs together; an effect that is withheld is not written."""
     logs = report.get("left_of_logs", [])
@@ -198,12 +198,12 @@ def bounds_are_said(report):
                if size["interval_95"][0] == 0.0 and size["value"] > 0.0)
 
 
-@rule("where adds up to 1")
+@rule("the shares of where add up to 1")
 def where_is_one(report):
     return None if not report["where"] else abs(sum(cell["share"] for cell in report["where"]) - 1.0) <= SLACK
 
 
-@rule("where adds up to the gap")
+@rule("the cells of where add up to the gap")
 def where_adds_up(report):
     if "table" in report or not report["where"] or "squared_gap" not in report["where"][0] or "left_of_logs" not in report:
         return None
@@ -216,7 +216,7 @@ def next_experiment_is_there(report):
     return bool(report["next_experiment"].strip())
 
 
-@rule("a surrogate where unknown or partly", ("unknown", "partly"))
+@rule("unknown or partly: there is a surrogate", ("unknown", "partly"))
 def surrogate_is_there(report):
     return None if "table" in report else "surrogate" in report
 

@@ -18,38 +18,39 @@ TEST(Invariants, HoldForReportsOfAllKinds) {
 
 TEST(Invariants, AreEachFoundBroken) {
   const std::vector<std::pair<std::string, std::function<void(Diagnosis&)>>> changes = {
-      {"effects if and only if the verdict names any", [](Diagnosis& d) { d.answer.effects.clear(); }},
-      {"the posterior adds up to 1", [](Diagnosis& d) { d.answer.posterior.none += 0.01; }},
-      {"the verdict is the likeliest",
+      {"effects are named if and only if the verdict names effects", [](Diagnosis& d) { d.answer.effects.clear(); }},
+      {"the probabilities add up to 1", [](Diagnosis& d) { d.answer.posterior.none += 0.01; }},
+      {"the verdict is the most probable",
        [](Diagnosis& d) { std::swap(d.answer.posterior.none, d.answer.posterior.effects); }},
-      {"effects are as probable as their sets", [](Diagnosis& d) { d.candidates[0].probability = 0.0; }},
+      {"effects are as probable as the sets that contain them",
+       [](Diagnosis& d) { d.candidates[0].probability = 0.0; }},
       {"the first set is the one named", [](Diagnosis& d) { d.answer.confounded.front() = {"friction"}; }},
-      {"no set holds an improbable effect", [](Diagnosis& d) { d.answer.confounded.push_back({"no effect"}); }},
-      {"alternatives follow by probability", [](Diagnosis& d) { d.answer.alternatives.assign(3, {{}, {}, 0.5}); }},
-      {"no fit leaves less of what took no part in it",
+      {"no set contains an improbable effect", [](Diagnosis& d) { d.answer.confounded.push_back({"no effect"}); }},
+      {"alternatives are sorted by probability", [](Diagnosis& d) { d.answer.alternatives.assign(3, {{}, {}, 0.5}); }},
+      {"no other fit predicts unseen data better",
        [](Diagnosis& d) {
          auto workings = std::make_shared<diagnosis::Workings>(*d.workings);
          workings->search.singles.front().fit.gap = 1.03 * workings->search.singles.front().fit.held_out;
          d.workings = workings;
        }},
-      {"the floor is no more than any gap",
+      {"the noise floor is not above any gap",
        [](Diagnosis& d) { d.gaps.unseen.noise_floor = 1.01 * d.gaps.unseen.augmented; }},
-      {"named: the gap falls and the interval excludes 0, or the data sheet holds",
+      {"named: the gap falls and the interval excludes 0, or the data sheet is right",
        [](Diagnosis& d) { d.gaps.unseen.re_estimated = d.gaps.unseen.as_configured = 0.99 * d.gaps.unseen.augmented; }},
-      {"closed is of the gaps", [](Diagnosis& d) { d.gaps.closed -= 0.01; }},
-      {"the interval holds what is closed", [](Diagnosis& d) { d.gaps.closed_interval = {0.1, 0.2}; }},
+      {"closed agrees with the gaps", [](Diagnosis& d) { d.gaps.closed -= 0.01; }},
+      {"the interval contains closed", [](Diagnosis& d) { d.gaps.closed_interval = {0.1, 0.2}; }},
       {"an interval that ends at a bound says so",
        [](Diagnosis& d) { d.law.effect_sizes.front().interval_95[0] = 0.0; }},
-      {"what was taken out adds up", [](Diagnosis& d) { d.logs.admission.front().left *= 1.1; }},
-      {"what was taken out explains the gaps", [](Diagnosis& d) { d.gap_as_recorded.augmented *= 1.1; }},
-      {"the file leaves no more of any log",
+      {"the parts removed from the logs add up", [](Diagnosis& d) { d.logs.admission.front().left *= 1.1; }},
+      {"the parts removed from the logs explain the gaps", [](Diagnosis& d) { d.gap_as_recorded.augmented *= 1.1; }},
+      {"the written file is not worse on any log",
        [](Diagnosis& d) { d.law.left_of_logs.front().written = 10.0 * d.law.left_of_logs.front().configured; }},
       {"numbers of named effects are those of the file", [](Diagnosis& d) { d.candidates.front().gap *= 1.01; }},
       {"each named effect removes some of the gap", [](Diagnosis& d) { d.shares.back().squares_at_least = -1e-6; }},
-      {"where adds up to the gap", [](Diagnosis& d) { d.where.after.front().squared *= 1.1; }},
-      {"where adds up to 1", [](Diagnosis& d) { d.where.before.front().share *= 0.5; }},
-      {"a surrogate where unknown or partly", [](Diagnosis& d) { d.surrogate.emplace(); }},
-      {"a next experiment, or why none", [](Diagnosis& d) { d.next.text.clear(); }}};
+      {"the cells of where add up to the gap", [](Diagnosis& d) { d.where.after.front().squared *= 1.1; }},
+      {"the shares of where add up to 1", [](Diagnosis& d) { d.where.before.front().share *= 0.5; }},
+      {"unknown or partly: there is a surrogate", [](Diagnosis& d) { d.surrogate.emplace(); }},
+      {"there is a next experiment, or a reason for none", [](Diagnosis& d) { d.next.text.clear(); }}};
   for (const auto& [name, change] : changes) {
     Diagnosis changed = ofAStop();
     change(changed);
