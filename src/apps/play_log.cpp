@@ -56,9 +56,8 @@ OptionTable Options::recordTable() {
           .writes(io::file_kind::bag),
       plotOption(plot, "forces over time and displacement"),
       Option("--folder", folder, "FOLDER",
-             "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a "
-             "folder with such records is kept, and the run goes into the next one: RUN_2 after RUN_1, NAME_2 after "
-             "NAME")};
+             "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a folder "
+             "with earlier records is kept, and this run uses the next one: RUN_2 after RUN_1, NAME_2 after NAME")};
 }
 
 OptionTable Options::table() {
@@ -257,7 +256,8 @@ int main(int argc, char** argv) {
        "Plays logs through a running node and records the forces.\n\nThe node publishes the forces on "
        "<component>/force; see launch/replay.launch and launch/bench.launch.",
        {{"As fast as the node answers", "--component bush --log log.csv --output force.csv"},
-        {"In real time, over and over", "--component bush --log log.csv --playback-speed 1 --loop 0 --folder runs/run"},
+        {"In real time, repeated until interrupted",
+         "--component bush --log log.csv --playback-speed 1 --loop 0 --folder runs/run"},
         {"Two components side by side", "--component left right --log left.csv right.csv --folder runs/run"}}},
       [&](Options& options) { return playAll(line, options); });
 }

@@ -159,7 +159,7 @@ int main(int argc, char** argv) {
   return runCommand<Options>(
       argc, argv,
       {"replay",
-       "Simulates a component on a recorded log: the same forces as the node, to the last bit.",
+       "Simulates a component on a recorded log. The forces are identical to those of the node.",
        {{"The force of a log", "--config component.yaml --log log.csv --output force.csv"},
         {"The same with a figure and the agreement with the measured force",
          "--config component.yaml --log log.csv --output force.csv --plot force.svg --compare"},

@@ -103,7 +103,7 @@ void check(const Record& record, const std::string& text, const std::string& fol
     std::error_code missing;
     const std::uintmax_t found = fs::file_size(path, missing);
     element::refuseIf<Error>(bool(missing), "{} is missing", path);
-    element::refuseIf<Error>(found != content.size, "{} has {} bytes, not {}", path, found, content.size);
+    element::refuseIf<Error>(found != content.size, "{} has {} bytes instead of {}", path, found, content.size);
     element::refuseIf<Error>(files == FileCheck::digests && io::hashFile(path).sha256 != content.sha256,
                              "{} was changed since it was written", path);
   }

@@ -260,7 +260,7 @@ void addBand(io::Axes& axes, const EstimateReport& report, const FigureColumn& c
     curve.width = kHairline;
     axes.curves.push_back(curve);
   }
-  axes.curves.back().label = fmt::format("each input {:g} % off", 100.0 * report.sensitivity->share);
+  axes.curves.back().label = fmt::format("each input changed by {:g} %", 100.0 * report.sensitivity->share);
 }
 
 // "constant amplitude 2 mm"; without the value where that is another one for each component.

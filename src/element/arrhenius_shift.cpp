@@ -55,15 +55,16 @@ class ArrheniusShift final : public TemperatureShift {
 
 constexpr double kMost = 1e6;  // [J/mol]; the steepest at the glass transition reach half of it
 
-const ElementEntry kArrheniusShiftEntry(
-    360, {"arrhenius_shift",
-          "Shift of all rates with temperature by Arrhenius, ln a_T = E/R (1/T - 1/T_0); the key `temperature` of a "
-          "component makes one.",
-          {{"activation_energy", "J/mol", Role::shape, Range::closed(-kMost, kMost),
-            "activation energy E; negative only to cancel another shift"},
-           referenceParameter(),
-           verticalParameter("vertical", 0.0)},
-          makes<ArrheniusShift, ArrheniusShift::Parameters>("activation_energy", "reference", "vertical")});
+const ElementEntry kArrheniusShiftEntry(360,
+                                        {"arrhenius_shift",
+                                         "Shift of all rates with temperature by Arrhenius, ln a_T = E/R (1/T - "
+                                         "1/T_0); the key `temperature` of a component creates it.",
+                                         {{"activation_energy", "J/mol", Role::shape, Range::closed(-kMost, kMost),
+                                           "activation energy E; negative only to cancel another shift"},
+                                          referenceParameter(),
+                                          verticalParameter("vertical", 0.0)},
+                                         makes<ArrheniusShift, ArrheniusShift::Parameters>("activation_energy",
+                                                                                           "reference", "vertical")});
 
 }  // namespace
 }  // namespace rubber_suspension::element

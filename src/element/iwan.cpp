@@ -81,8 +81,8 @@ const ElementEntry kIwanTableEntry(
     270,
     {"iwan_table",
      "Friction with memory: a bank of Jenkins sliders (Iwan), each given by its own values.",
-     {{"yield_displacement", "m", Role::shape, Range::positive(),
-       "displacement of each slider's spring at which it slides", std::nullopt, true},
+     {{"yield_displacement", "m", Role::shape, Range::positive(), "displacement at which each slider starts to slide",
+       std::nullopt, true},
       {"stiffness", "N/m", Role::scale, Range::positive(), "stiffness of each slider's spring", std::nullopt, true}},
      [](const ElementDescription& description) -> ElementPointer {
        return std::make_shared<const SliderBank>(slidersFromTable(description));

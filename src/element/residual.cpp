@@ -326,7 +326,7 @@ ElementType residualType() {
   const Range stroke{kShortestStroke, std::numeric_limits<double>::infinity(), false, false};
   const Range negative{-std::numeric_limits<double>::infinity(), 0.0, false, false};
   return {kResidualName,
-          "Surrogate: a bounded force learned from logs, as a diagnosis writes it where no effect explains the gap.",
+          "Surrogate: a bounded force learned from logs, which a diagnosis writes if no effect explains the gap.",
           {{"stroke", "m", Role::choice, stroke, "displacement S to which the weights refer"},
            {"lowest", "m", Role::choice, negative, "lowest displacement in the logs; the force is constant below it"},
            {"highest", "m", Role::choice, Range::nonNegative(),

@@ -49,7 +49,7 @@ class WlfShift final : public TemperatureShift {
 const ElementEntry kWlfShiftEntry(
     350, {"wlf_shift",
           "Shift of all rates with temperature by Williams, Landel and Ferry, log10 a_T = -C_1 (T - T_0)/(C_2 + T - "
-          "T_0); the key `temperature` of a component makes one.",
+          "T_0); the key `temperature` of a component creates it.",
           {{"c1", "1", Role::shape, Range::openBelow(0.0, 100.0), "constant C_1 at the reference temperature"},
            {"c2", "K", Role::shape, Range::openBelow(0.0, 1000.0),
             "constant C_2 at the reference temperature, a temperature difference"},

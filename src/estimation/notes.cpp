@@ -115,9 +115,10 @@ std::vector<std::string> specificationWarnings(const Specification& specificatio
   std::vector<std::string> warnings;
   warnOfSoftness(warnings, specification);
   warnOfNeighbours(warnings, specification, "maximum_stiffness", "dynamic_stiffness",
-                   "no measurement tells them apart, and the estimated break frequencies depend on the difference");
-  warnOfNeighbours(warnings, specification, "dynamic_stiffness", "static_stiffness",
-                   "no measurement tells them apart, and the estimated damping or friction depends on the difference");
+                   "no measurement can distinguish them, but the estimated break frequencies depend on the difference");
+  warnOfNeighbours(
+      warnings, specification, "dynamic_stiffness", "static_stiffness",
+      "no measurement can distinguish them, but the estimated damping or friction depends on the difference");
   return warnings;
 }
 

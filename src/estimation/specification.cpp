@@ -140,7 +140,7 @@ void checkKeys(const NamedModel& model, const Specification& specification, bool
   for (const auto& [key, value] : specification.values()) {
     if (std::find(accepted.begin(), accepted.end(), key) == accepted.end()) {
       const std::string what = findParameter(key) == nullptr ? "unknown key" + element::didYouMean(key, accepted)
-                                                             : "not an input of model " + model.name;
+                                                             : "is not an input of model " + model.name;
       throw std::invalid_argument(
           fmt::format("{}: {}; accepted: {}", key, what, accepted.empty() ? "no specification" : join(accepted)));
     }

@@ -315,7 +315,7 @@ class Whole {
 
   Obstacle tooMuch() const {
     if (!loss()) {
-      return {"high_frequency_stiffness", "is not reached by the whole component with the other inputs"};
+      return {"high_frequency_stiffness", "cannot be reached by the whole component with the other inputs"};
     }
     const double least = std::asin(std::clamp(lossOfAdded() / given_.at("dynamic_stiffness"), 0.0, 1.0));
     return {given_.has("loss_angle") ? "loss_angle" : "relative_damping",
@@ -340,7 +340,7 @@ std::vector<std::string> notesOf(const Entries& add) {
   }
   return names.empty() ? std::vector<std::string>{}
                        : std::vector<std::string>{fmt::format(
-                             "not part of the specified stiffness and loss, as they never settle under a sine: {}",
+                             "the specified stiffness and loss exclude these, which never settle under a sine: {}",
                              fmt::join(names, ", "))};
 }
 

@@ -133,7 +133,7 @@ Eigen::VectorXd searchAll(ForceModel& model, const IdentificationOptions& option
       optima.pop_back();
     }
   }
-  refuseIf(optima.empty(), "the simulated force is not finite from any start");
+  refuseIf(optima.empty(), "the simulated force is not finite at any starting point");
   const auto by_cost = [](const numerics::Optimum& a, const numerics::Optimum& b) { return a.cost < b.cost; };
   const numerics::Optimum& best = *std::min_element(optima.begin(), optima.end(), by_cost);
   const double limit = best.cost * (1.0 + kSameResidual) + 10.0 * model.rounding() * model.unit();

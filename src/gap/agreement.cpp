@@ -121,7 +121,7 @@ std::vector<std::string> notesOf(const Iso18571& iso) {
         "another cycle");
   }
   if (iso.blocks > 1) {
-    notes.push_back(fmt::format("magnitude of ISO/TS 18571 in {} blocks, because the log exceeds {} samples",
+    notes.push_back(fmt::format("the magnitude of ISO/TS 18571 was computed in {} blocks: the log exceeds {} samples",
                                 iso.blocks, kWarpedWhole));
   }
   return notes;

@@ -88,7 +88,7 @@ io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, c
     low.y.push_back(smallest);
     high.y.push_back(largest);
   }
-  io::Axes axes{"the whole log: smallest and largest", "time [s]",
+  io::Axes axes{"whole log: smallest and largest values", "time [s]",
                 log.force.empty() ? "force [kN]" : labels.log + " - " + labels.force + " [kN]"};
   axes.curves = {low, high};
   return axes;

@@ -47,7 +47,7 @@ void addDiagnosis(py::module_& module) {
   py::class_<Diagnosis> type(module, "Diagnosis", "Result of a diagnosis.");
   makeByNew(type)
       .def_property_readonly("verdict", [](const Diagnosis& diagnosis) { return toString(diagnosis.answer.verdict); })
-      .def_readonly("sentence", &Diagnosis::sentence, "The verdict for an engineer.")
+      .def_readonly("sentence", &Diagnosis::sentence, "The verdict in words.")
       .def_property_readonly(
           "effects", [](const Diagnosis& diagnosis) { return diagnosis.answer.effects; },
           "Names of the effects that the model lacks, most important first.")

@@ -163,8 +163,8 @@ class Menu {
     if (!(rise > 0.0)) {
       return;
     }
-    const std::string words =
-        fmt::format("sweep from {:.3g} to {:.3g} Hz within {:.3g} s with # mm", lowest_, highest_, length);
+    const std::string words = fmt::format("sweep from {:.3g} to {:.3g} Hz within {:.3g} s with an amplitude of # mm",
+                                          lowest_, highest_, length);
     const auto phase = [=](double t) { return kTwoPi * lowest_ * (std::exp(rise * t) - 1.0) / rise; };
     for (const double share : {0.1, 0.4}) {
       add({"sweep", length, 1.0 / lowest_, highest_, share, [=](double t) { return std::sin(phase(t)); }, words});
@@ -261,8 +261,7 @@ class Menu {
              const double third = (part[2] - part[1]) * eased(t - 2.0 * phase, 1.0 / full_);
              return (part[0] + second + third) * std::sin(omega * t);
            },
-           fmt::format("sine at {:.3g} Hz: {:.0f} cycles with # mm, as many with # mm, and with # mm", full_, cycles),
-           part});
+           fmt::format("sine at {:.3g} Hz: {:.0f} cycles each with # mm, # mm and # mm", full_, cycles), part});
     };
     addParts("small after large", {0.2, 1.0, 0.2});
     addParts("amplitudes", {0.1, 0.3, 1.0});
@@ -285,7 +284,7 @@ class Menu {
          [=](double t) { return burst(t - standing); },
          fmt::format("{:.3g} s at 0, 5 cycles at {:.3g} Hz with # mm, and {:.3g} s at 0", standing, full_, standing)});
     add({"long sine", length, cycle, full_, 1.0, [=](double t) { return std::sin(omega * t); },
-         fmt::format("sine at {:.3g} Hz with # mm for {:.3g} s", full_, length)});
+         fmt::format("sine at {:.3g} Hz with an amplitude of # mm for {:.3g} s", full_, length)});
   }
 
   const Bounds& bounds_;
