@@ -137,7 +137,7 @@ TEST_F(RunCampaign, TellsAndRedoesWhatIsCutOffOrOfAnotherVersion) {
   EXPECT_THAT(said_, ElementsAre(HasSubstr("is not a complete record; the job is run again"),
                                  HasSubstr("written by version 0.9, not 1.0; the job is run again"),
                                  HasSubstr("the record of another job"), HasSubstr("cut off"),
-                                 AllOf(HasSubstr("force.csv has 10 bytes, not"), HasSubstr("done again"))));
+                                 AllOf(HasSubstr("force.csv has 10 bytes instead of"), HasSubstr("run again"))));
   EXPECT_THAT(statusOf(manifest).broken, IsEmpty());
 }
 
