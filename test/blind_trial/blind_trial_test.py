@@ -341,8 +341,8 @@ class ScoreTest(unittest.TestCase):
         result = score.score([good, self.case(report_of("defect", defect="x"), run=run), self.case(None)])
         self.assertEqual(result["rows"]["cases with a report"]["hits"], 2)
         self.assertEqual(result["rows"]["reports without a defect"]["hits"], 1)
-        self.assertEqual(result["rows"]["rule: where adds up to 1"]["rate"], 1.0)
-        self.assertIn("| rule: where adds up to 1 | 100 % (2/2, 34 to 100 %) |", score.markdown(result))
+        self.assertEqual(result["rows"]["rule: the shares of where add up to 1"]["rate"], 1.0)
+        self.assertIn("| rule: the shares of where add up to 1 | 100 % (2/2, 34 to 100 %) |", score.markdown(result))
         self.assertIn("median 2.0 s, 95 % below 2.0 s, longest 2.0 s; peak memory 1 MiB", score.markdown(result))
 
 

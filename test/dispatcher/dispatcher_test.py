@@ -73,10 +73,10 @@ class Dispatcher(unittest.TestCase):
     def test_names_the_command_that_was_meant(self):
         answer = run("repaly")
         self.assertEqual(answer.returncode, 2)
-        self.assertRegex(answer.stderr, r"\Arubber-suspension: no command 'repaly' \(did you mean 'replay'\?\); accepted: .*\n\Z")
+        self.assertRegex(answer.stderr, r"\Arubber-suspension: unknown command 'repaly' \(did you mean 'replay'\?\); accepted: .*\n\Z")
         answer = run()
         self.assertEqual(answer.returncode, 2)
-        self.assertIn("a command is missing; accepted: ", answer.stderr)
+        self.assertIn("the command is missing; accepted: ", answer.stderr)
 
 
 class Completion(unittest.TestCase):

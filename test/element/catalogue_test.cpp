@@ -51,7 +51,7 @@ const std::vector<Refused> kRefused = {
     {"softening_side", "stress_softening reduction=0.3 side=0.5", {"stress_softening.side", "0.5"}},
     {"softening_exponent_without_reach",
      "stress_softening reduction=0.3 reach_exponent=1",
-     {"stress_softening.full_reach", "beside a reach_exponent"}},
+     {"stress_softening.full_reach", "if a reach_exponent is given"}},
     {"closing_force",
      "series_compliance stiffness=1 closing_force=-2",
      {"series_compliance.closing_force", "-2", "at least 0"}},
@@ -60,10 +60,10 @@ const std::vector<Refused> kRefused = {
     {"negative_cubic", "progressive_stiffness cubic=-1", {"progressive_stiffness.cubic", "-1"}},
     {"progressive_exponential_without_scale",
      "progressive_stiffness exponential=1e5",
-     {"progressive_stiffness.exponential_scale", "beside an exponential"}},
+     {"progressive_stiffness.exponential_scale", "with an exponential"}},
     {"asymmetric_exponential_without_scale",
      "asymmetric_stiffness exponential=1e5",
-     {"asymmetric_stiffness.exponential_scale", "beside an exponential"}},
+     {"asymmetric_stiffness.exponential_scale", "if an exponential is given"}},
     {"nothing_radial", "radial_stiffness alone=0.5", {"radial_stiffness.cubic"}},
     {"bouc_wen_that_makes_energy", "bouc_wen stiffness=2e6 beta=600 gamma=-601", {"bouc_wen.gamma", "-601"}},
     {"track_of_nothing", "inertia_track", {"inertia_track"}},
@@ -74,7 +74,8 @@ const std::vector<Refused> kRefused = {
      {"inertia_track"}},
     {"growth_beside_several_points",
      "maxwell_along_curve stiffness=3e6 displacement=-2e-3,2e-3 break_frequency=1e-6 growth=3 side=0",
-     {"maxwell_along_curve.growth: is 3 with 2 displacements and 1 stiffness values; accepted: one displacement greater than 0 "
+     {"maxwell_along_curve.growth: is 3 with 2 displacements and 1 stiffness values; accepted: one displacement "
+      "greater than 0 "
       "and one stiffness, or no growth"}},
     {"delay", "time_delay delay=1", {"time_delay.delay", "0.05"}}};
 
@@ -125,7 +126,8 @@ TEST(Range, TellsWhatItAccepts) {
   EXPECT_FALSE(element::Range::closed(0.0, 1.0).contains(1e-101));
   EXPECT_TRUE(element::Range::positive().contains(1e-100));
   EXPECT_TRUE(element::Range::any().contains(5e-324));
-  EXPECT_EQ(element::acceptedFor(5e-324, element::Range::positive()), "greater than 0 and at least 1e-100 in magnitude");
+  EXPECT_EQ(element::acceptedFor(5e-324, element::Range::positive()),
+            "greater than 0 and at least 1e-100 in magnitude");
 }
 
 }  // namespace

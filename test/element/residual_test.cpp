@@ -207,7 +207,7 @@ TEST(Residual, RefusesWhatDoesNotFit) {
               {"weights", {1.0}, "weights: 1 values; accepted: 44"},
               {"characteristic", {1.0}, "characteristic: 1 values; accepted: at least 2"},
               {"resonances", {1.0}, "resonances: 1 values; accepted: 8"},
-              {"resonances", {0.0}, "resonance_weights: 16 values; accepted: 0 alone"},
+              {"resonances", {0.0}, "resonance_weights: 16 values; accepted: a single 0"},
               {"resonances", {1, 2, 3, 4, 5, 6, 7, 0}, "resonances: 0 Hz is out of range"},
               {"lowest", {1e-3}, "lowest: 0.001 m is out of range; accepted: at most 0"},
               {"lowest", {-1.0}, "lowest: -1 m is out of range; accepted: in [-0.004, 0]"},

@@ -135,7 +135,7 @@ TEST_F(CheckOutputs, TellsTheKindsByTheirContent) {
 TEST_F(CheckOutputs, RefusesFoldersAsFilesAndFilesAsFolders) {
   EXPECT_THAT(refusal("", {{"--output", folder_.folder(), io::file_kind::bag}}, true), HasSubstr("is a folder"));
   EXPECT_THAT(refusal("", {{"--output", path("log.csv/report.json"), io::file_kind::report_json}}, true),
-              HasSubstr("is no folder"));
+              HasSubstr("is not a folder"));
 }
 
 TEST_F(CheckOutputs, AnErrorIsOneLine) {

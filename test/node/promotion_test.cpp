@@ -155,11 +155,11 @@ TEST(Promotion, ABetterModelIsPromotedAndStaysWhenTheMeasuredForceIsLost) {
 
 TEST(Promotion, RefusesWhatCannotBe) {
   node::ComponentChannel channel(configured(), 0.5, kSettings);
-  EXPECT_THAT(refusalOf([&] { channel.rollBack(); }), HasSubstr("nothing is promoted"));
+  EXPECT_THAT(refusalOf([&] { channel.rollBack(); }), HasSubstr("no model is promoted"));
   channel.promote(withFriction());
   EXPECT_THAT(refusalOf([&] { channel.promote(withFriction()); }), HasSubstr("after a rollback"));
   channel.rollBack();  // out of the shadow: no sample is needed for that
-  EXPECT_THAT(refusalOf([&] { channel.rollBack(); }), HasSubstr("nothing is promoted"));
+  EXPECT_THAT(refusalOf([&] { channel.rollBack(); }), HasSubstr("no model is promoted"));
   channel.promote(withFriction());
   EXPECT_EQ(channel.running().stage, RunStage::shadow);
 }

@@ -86,7 +86,7 @@ TEST(StateText, WhatIsNoStateIsRefused) {
        {std::string(), std::string("{}"), std::string("[]"), std::string("1"), text.substr(0, text.size() / 2),
         replaced(text, "state/1", "state/2"), replaced(text, "\"states\": [", "\"states\": [7, "),
         replaced(text, "\"values\": {", "\"values\": 7, \"other\": {")}) {
-    expectRefusal(bad, "no state file");
+    expectRefusal(bad, "not a state file");
   }
 }
 

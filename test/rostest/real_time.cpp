@@ -149,7 +149,7 @@ TEST(RealTime, SaysSoWhereNotPermittedAndServes) {
   EXPECT_EQ(lockedMemory(process), 0);
   node.end();
   EXPECT_TRUE(node.hasSaid("the memory cannot be locked")) << node.text();
-  EXPECT_TRUE(node.hasSaid("serving at normal priority")) << node.text();
+  EXPECT_TRUE(node.hasSaid("serves at normal priority")) << node.text();
   EXPECT_EQ(node.exitStatus(), 0);
 }
 
