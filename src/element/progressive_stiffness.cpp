@@ -70,7 +70,8 @@ const ElementEntry kProgressiveStiffnessEntry(
                          "at least one of cubic, quadratic, quintic and exponential greater than 0");
            }
            if (scale == 0.0 && exponential != 0.0) {
-             refuseValue(description.type, "exponential_scale", scale, "m", "greater than 0 with an exponential");
+             refuseValue(description.type, "exponential_scale", scale, "m",
+                         "greater than 0 if an exponential is given");
            }
            return std::make_shared<const ProgressiveStiffness>(cubic, quintic, quadratic, exponential, scale);
          }});

@@ -60,7 +60,7 @@ const std::vector<Refused> kRefused = {
     {"negative_cubic", "progressive_stiffness cubic=-1", {"progressive_stiffness.cubic", "-1"}},
     {"progressive_exponential_without_scale",
      "progressive_stiffness exponential=1e5",
-     {"progressive_stiffness.exponential_scale", "with an exponential"}},
+     {"progressive_stiffness.exponential_scale", "if an exponential is given"}},
     {"asymmetric_exponential_without_scale",
      "asymmetric_stiffness exponential=1e5",
      {"asymmetric_stiffness.exponential_scale", "if an exponential is given"}},
