@@ -200,7 +200,7 @@ class Whole {
     return {
         "dynamic_stiffness",
         highest > 0.0
-            ? fmt::format("cannot be reached by the whole component with the other inputs, only {:.6g} to {:.6g} {}",
+            ? fmt::format("cannot be reached by the whole component with the other inputs (range {:.6g} to {:.6g} {})",
                           lowest / unit.size, highest / unit.size, unit.name)
             : "cannot be reached by the whole component: with the elements under add:, no base has a solution"};
   }

@@ -94,9 +94,10 @@ TEST(Parse, ReadsQuantitiesWithTheirUnits) {
 }
 
 TEST(Parse, RefusesValuesThatAreNotAdmissible) {
-  EXPECT_EQ(refusal({"--threads", "65"}), "--threads: '65'; accepted: a whole number from 1 to 64 (see --help)");
-  EXPECT_THAT(refusal({"--threads", "two"}), HasSubstr("'two'; accepted: a whole number from 1 to 64"));
-  EXPECT_THAT(refusal({"--threads", "1.5"}), HasSubstr("'1.5'; accepted: a whole number"));
+  EXPECT_EQ(refusal({"--threads", "65"}),
+            "--threads: '65' is not valid; accepted: a whole number from 1 to 64 (see --help)");
+  EXPECT_THAT(refusal({"--threads", "two"}), HasSubstr("'two' is not valid; accepted: a whole number from 1 to 64"));
+  EXPECT_THAT(refusal({"--threads", "1.5"}), HasSubstr("'1.5' is not valid; accepted: a whole number"));
   EXPECT_THAT(refusal({"--forces", "topics", "--speed", "nan"}), HasSubstr("'nan'; accepted: a number from 0.1"));
   EXPECT_THAT(refusal({"--forces", "fields"}), HasSubstr("fields not in {library,topics}"));
   EXPECT_EQ(refusal({"--amplitude=-2 mm"}), "--amplitude: '-2 mm' is out of range; accepted: greater than 0 mm");
@@ -127,7 +128,8 @@ TEST(Parse, RefusesBothOrNoneOfAlternatives) {
 }
 
 TEST(Parse, NamesTheOptionThatWasMeant) {
-  EXPECT_EQ(refusal({"--thread", "1"}), "no option --thread (did you mean --threads?); accepted: the options listed by --help");
+  EXPECT_EQ(refusal({"--thread", "1"}),
+            "no option --thread (did you mean --threads?); accepted: the options listed by --help");
   EXPECT_THAT(refusal({"--ech"}), Not(HasSubstr("echo")));
 }
 

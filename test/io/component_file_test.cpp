@@ -166,7 +166,8 @@ TEST(ComponentFile, AliasesThatMultiplyAreRefusedAtOnce) {
 }
 
 TEST(ComponentFile, DeepNestingIsRefused) {
-  EXPECT_THAT(errorOf("components: " + std::string(500000, '[')), HasSubstr("file.yaml:1: the file is nested too deeply; accepted"));
+  EXPECT_THAT(errorOf("components: " + std::string(500000, '[')),
+              HasSubstr("file.yaml:1: the file is nested too deeply; accepted"));
   std::string nested;
   for (int depth = 0; depth < 1200; ++depth) {
     nested += std::string(static_cast<std::size_t>(depth), ' ') + "a:\n";
@@ -193,7 +194,7 @@ TEST(ComponentFile, SizesAreBounded) {
   for (std::size_t i = 0; i <= io::kMaximumElements; ++i) {
     entries += "{},";
   }
-  EXPECT_THAT(errorOf(entries + "]}}"), HasSubstr("elements: 1001 elements; accepted: at most 1000"));
+  EXPECT_THAT(errorOf(entries + "]}}"), HasSubstr("elements: the list has 1001 elements; accepted: at most 1000"));
 }
 
 TEST(ComponentFile, ErrorsAreOneLine) {
@@ -248,7 +249,8 @@ TEST(SelectComponent, TakesTheNamedOrTheOnlyOne) {
   const std::string message =
       messageOf<io::ComponentFileError>([&] { io::selectComponent(two, "left_secondry", "file.yaml"); });
   EXPECT_EQ(message,
-            "file.yaml: there is no component 'left_secondry' (did you mean 'left_secondary'?); accepted: left_secondary, bush");
+            "file.yaml: there is no component 'left_secondry' (did you mean 'left_secondary'?); accepted: "
+            "left_secondary, bush");
   EXPECT_THROW(io::selectComponent(two, ""), io::ComponentFileError);
   const auto one = parse("components: {a: {model: elements, elements: [{type: spring, stiffness: 1}]}}");
   EXPECT_EQ(io::selectComponent(one, "").name, "a");

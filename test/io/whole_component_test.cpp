@@ -102,7 +102,8 @@ TEST(WholeComponentFile, WithoutASolutionNamesItInTheUnitsOfTheUser) {
   std::string content = kWhole;
   content.replace(content.find("5 kN/mm"), 7, "4.2 kN/mm");
   const std::string refusal = refusalOf(content);
-  EXPECT_THAT(refusal, HasSubstr("file.yaml:7: component 'bush': specification.dynamic_stiffness: 4.2 kN/mm is not"));
+  EXPECT_THAT(refusal,
+              HasSubstr("file.yaml:7: component 'bush': specification.dynamic_stiffness: 4.2 kN/mm cannot be"));
   EXPECT_THAT(refusal, HasSubstr("dynamic_stiffness in (4.33623, 6.08374) kN/mm"));
   // What is named as nearest can be pasted, and has a solution.
   const std::string nearest = "nearest: specification: {";
