@@ -98,7 +98,8 @@ TEST(Parse, RefusesValuesThatAreNotAdmissible) {
             "--threads: '65' is not valid; accepted: a whole number from 1 to 64 (see --help)");
   EXPECT_THAT(refusal({"--threads", "two"}), HasSubstr("'two' is not valid; accepted: a whole number from 1 to 64"));
   EXPECT_THAT(refusal({"--threads", "1.5"}), HasSubstr("'1.5' is not valid; accepted: a whole number"));
-  EXPECT_THAT(refusal({"--forces", "topics", "--speed", "nan"}), HasSubstr("'nan'; accepted: a number from 0.1"));
+  EXPECT_THAT(refusal({"--forces", "topics", "--speed", "nan"}),
+              HasSubstr("'nan' is not valid; accepted: a number from 0.1"));
   EXPECT_THAT(refusal({"--forces", "fields"}), HasSubstr("fields not in {library,topics}"));
   EXPECT_EQ(refusal({"--amplitude=-2 mm"}), "--amplitude: '-2 mm' is out of range; accepted: greater than 0 mm");
   EXPECT_THAT(refusal({"--amplitude", "2 kg"}), HasSubstr("--amplitude: '2 kg': "));
