@@ -109,7 +109,7 @@ OptionTable DiagnoseOptions::table() {
              "logs would show, which effects they would confuse, and the smallest size of each that they would show")
           .readsEachOnce(),
       Option("--from-table", table_path, "FILE",
-             "instead of --log: measured table of stiffness and loss angle over frequency and amplitude, optionally "
+             "instead of --log: measured table of stiffness and loss angle; over frequency and amplitude, optionally "
              "with mean displacement and temperature")
           .reads(),
       Option("--uncertainty", uncertainty, "SHARE ANGLE",
@@ -128,8 +128,8 @@ OptionTable DiagnoseOptions::table() {
       Option("--hold-out", hold_out, "FILE", "logs that take no part in the fit; each starts with a new component")
           .readsEachOnce(),
       Option("--rig", rig, "KEY=VALUE",
-             "tolerances of the rig: errors of this size are not reported as effects, such as force_zero=\"50 N\" or "
-             "gain=\"1 %\"; as the key `rig:` of a component file"),
+             "tolerances of the rig, such as force_zero=\"50 N\" or gain=\"1 %\"; errors of this size are not reported "
+             "as effects; as the key `rig:` of a component file"),
       Option("--exclude", exclude, "EFFECT",
              "effects that the design rules out (bonded, dry, no joint), in addition to `excluded_effects:` of the "
              "component file; they are never named, and the report states how probable they would otherwise be")
@@ -266,7 +266,7 @@ int main(int argc, char** argv) {
   return command_line::runCommand(
       argc, argv,
       {"diagnose",
-       "Finds where a model differs from logs, which effect it lacks, and how much of the gap this effect closes.",
+       "Finds where a model differs from logs, which effect it lacks, and how far this closes the gap.",
        {{"Find what a model lacks, from two logs", "--config component.yaml --log log.csv log_2.csv --output report"},
         {"The same, if the force sensor of the rig has a zero error of about 50 N",
          "--config component.yaml --log log.csv --rig force_zero=\"50 N\" --output report"},

@@ -57,7 +57,7 @@ OptionTable Options::table() {
   OptionTable options = {
       Option("--config", config, "FILE", "component file").reads(),
       Option("--data-sheet", data_sheet, "FILE",
-             "data sheet, instead of --config, with hardness and shape, a dynamic-to-static ratio, or loss angles at "
+             "data sheet instead of --config; with hardness and shape, a dynamic-to-static ratio, or loss angles at "
              "two frequencies; prints the component file that follows from it")
           .reads(),
       Option("--component", component, "NAME", "name of the component; default: all components"),
@@ -100,11 +100,11 @@ OptionTable Options::table() {
           .rare(),
       Option("--points", sweeps.points, "COUNT", "number of points in each sweep").rare().within(2, 10000),
       Option("--from-log", logs, "FILE",
-             "measured log (text, .mat, HDF5, RPC III or .bag) from which to identify the parameters; needs a force; "
-             "may be given several times")
+             "measured log with a force, from which to identify the parameters; text, .mat, HDF5, RPC III or .bag; may "
+             "be given several times")
           .readsEachOnce(),
       Option("--from-table", table_path, "FILE",
-             "measured table of stiffness and loss angle from which to identify the parameters")
+             "measured table of stiffness and loss angle, to identify the parameters")
           .reads(),
       Option("--series", series, "SERIES",
              "with --from-table: series of elements to fit in place of the component's own elements; it covers the "
@@ -118,7 +118,7 @@ OptionTable Options::table() {
           .rare()
           .within(1, 1000),
       Option("--output", output, "FILE",
-             "component file to write, with the parameters that follow from --from-log, --from-table or --data-sheet")
+             "component file to write; with the parameters that follow from --from-log, --from-table or --data-sheet")
           .writes(io::file_kind::component_file),
       log_options.acceptUnits(),
       log_options.table()};

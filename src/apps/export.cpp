@@ -44,17 +44,17 @@ struct Options {
     OptionTable options = {
         component.table(),
         Option("--format", format, "FORMAT",
-               "adams_bus, altair_gbs: bushing property file; table: stiffness and loss angle (CSV); kc: k and c of a "
-               "spring and a dashpot; fmu2, fmu3: FMU for co-simulation")
+               "format of the file; adams_bus, altair_gbs: bushing property file; table: stiffness and loss angle "
+               "(CSV); kc: k and c of a spring and a dashpot; fmu2, fmu3: FMU for co-simulation")
             .required()
             .oneOf({"adams_bus", "altair_gbs", "table", "kc", "fmu2", "fmu3"}),
         Option("--output", output, "FILE", "file to write").required().standsFor([this] {
           return Files{{}, {{"--output", output, kindOf(format)}}};
         }),
         Option("--frequency", Quantity{&bushing.frequency, "Hz"}, "HZ",
-               "frequency of the sine for which the damping is computed (default: nominal_frequency)"),
+               "frequency of the sine that gives the damping; default: nominal_frequency"),
         Option("--amplitude", Quantity{&along.amplitude, "m"}, "METRES",
-               "amplitude of this sine, such as '1 mm' (default: nominal_amplitude, or 1 mm)"),
+               "amplitude of this sine, such as '1 mm'; default: nominal_amplitude, or 1 mm"),
         Option("--largest-displacement", Quantity{&along.largest, "m"}, "METRES",
                "largest displacement of the force curves to either side, such as '10 mm' (default: 5 amplitudes)")
             .rare(),
@@ -75,7 +75,7 @@ struct Options {
                "amplitudes of the table, such as '0.2 mm' '1 mm' (default: 0.1 to 3 times nominal_amplitude)")
             .rare(),
         Option("--preloads", Quantity{&grid.preloads, "N", element::Range::any()}, "NEWTONS",
-               "static preloads of the table, about which the sines oscillate, such as 0 '10 kN'")};
+               "static preloads of the table, such as 0 '10 kN'; the sines oscillate about them")};
     const std::vector<std::string> property_files = {"--format adams_bus", "--format altair_gbs"};
     options.needs({"--largest-displacement", "--rotation-amplitude", "--largest-rotation", "--axis", "--points"},
                   property_files);

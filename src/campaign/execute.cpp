@@ -294,8 +294,8 @@ class Executor {
     const InputFile& file = manifest_.inputs[input];
     const io::FileHash hash = io::hashFile(file.path);
     element::refuseIf<std::runtime_error>(hash.sha256 != file.content.sha256,
-                                          "{}: the file has changed since `campaign make` (from {} to {} bytes); "
-                                          "accepted: the unchanged file, or `campaign make` again",
+                                          "{}: has changed since `campaign make` (from {} to {} bytes); accepted: the "
+                                          "unchanged file, or `campaign make` again",
                                           file.path, file.content.size, hash.size);
     return file.path;
   }

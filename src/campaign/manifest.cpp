@@ -195,7 +195,7 @@ Manifest readManifest(const std::string& folder) {
   const auto next = [&] {
     ++number;
     std::string line;
-    element::refuseIf(!std::getline(file, line) || file.eof(), "the file ends early");
+    element::refuseIf(!std::getline(file, line) || file.eof(), "the file is cut off");
     return nlohmann::json::parse(line);
   };
   try {

@@ -296,7 +296,7 @@ TEST_F(RunCampaign, AJobThatCrashesTakesNoOtherWithIt) {
                                            }));
   EXPECT_EQ(summary.done, 6U);
   EXPECT_EQ(summary.failed, 6U);
-  EXPECT_THAT(statusOf(manifest).failures.front(), HasSubstr("died of signal 6"));
+  EXPECT_THAT(statusOf(manifest).failures.front(), HasSubstr("ended by signal 6"));
 }
 
 class HangingJobs : public RunCampaign {
@@ -366,7 +366,7 @@ TEST_F(RunCampaign, StatusTellsWhatIsMissing) {
   EXPECT_EQ(status.all.done, 3U);
   EXPECT_EQ(status.all.missing, 9U);
   EXPECT_EQ(collect().missing, 9U);
-  EXPECT_THAT(campaign::toText(status), HasSubstr("9 jobs left"));
+  EXPECT_THAT(campaign::toText(status), HasSubstr("9 jobs remain"));
 }
 
 TEST_F(RunCampaign, StatusTellsWhatRuns) {
@@ -446,7 +446,7 @@ TEST_F(Workers, LeaveWhatTheyAreKilledOfTwiceOrHaveNoMemoryFor) {
   EXPECT_THAT(ended_[JobEnd::done], UnorderedElementsAre(0, 3));
   EXPECT_THAT(ended_[JobEnd::died], IsEmpty());
   EXPECT_THAT(ended_[JobEnd::left], ElementsAre(1, 2));
-  EXPECT_THAT(reasons_[JobEnd::left], ElementsAre(HasSubstr("signal 9"), HasSubstr("no memory")));
+  EXPECT_THAT(reasons_[JobEnd::left], ElementsAre(HasSubstr("signal 9"), HasSubstr("not enough memory")));
 }
 
 TEST_F(Workers, ThatEndByThemselvesCountAsDied) {

@@ -167,7 +167,7 @@ TEST(MeasuredTable, OfTemperaturesIsNotFittedToWhatShiftsWithThem) {
   EXPECT_NO_THROW(requireNoShift(shifting, without, "lab.csv"));
   EXPECT_THAT([&] { requireNoShift(shifting, with, "lab.csv"); },
               testing::ThrowsMessage<std::runtime_error>(
-                  HasSubstr("lab.csv: temperature: bush has an element that shifts with it")));
+                  HasSubstr("lab.csv: column temperature: bush has an element that shifts with temperature")));
 }
 
 TEST(MeasuredTable, RefusesWithLineAndReason) {
