@@ -82,7 +82,7 @@ TEST(Agreement, IsHeldAgainstLimits) {
   EXPECT_THAT(gap::beyondLimits(compared), HasSubstr("energy per cycle"));
   EXPECT_THAT(gap::beyondLimits(compared), HasSubstr("accepted: at most 5 %"));
   EXPECT_THAT(gap::agreementTable(compared), HasSubstr("at least 0.999: BEYOND"));
-  EXPECT_THAT(gap::agreementTable(compared), HasSubstr("repeats itself"));
+  EXPECT_THAT(gap::agreementTable(compared), HasSubstr("is periodic"));
 }
 
 TEST(Agreement, AsJson) {
