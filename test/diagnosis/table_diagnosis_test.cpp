@@ -91,7 +91,7 @@ TEST(TableDiagnosis, RefusesWhatItCannotUse) {
   fit::MeasuredTable few = Laboratory(1).table(component);
   few.points.resize(5);
   EXPECT_THAT([&] { diagnoseTable(component, few); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("lab: 5 rows; accepted: at least 6")));
+              ThrowsMessage<std::invalid_argument>(HasSubstr("lab: has only 5 rows; accepted: at least 6")));
   const fit::MeasuredTable table = Laboratory(1).table(component);
   EXPECT_THAT(
       [&] { diagnoseTable(with(kZener, "{type: self_heating, energy_sensitivity: 0.001, time_constant: 60}"), table); },

@@ -49,11 +49,10 @@ std::string elementsOf(const fit::Candidate& candidate) {
 
 std::string effectReference() {
   std::string text =
-      "# Reference of the effects\n\n"
-      "Written by the command `reference` from the list of candidates that `diagnose` searches; what the elements are "
-      "is\nin [parameters.md](parameters.md), how the search works in [diagnosis.md](diagnosis.md). An effect of the "
-      "rig is one of\nthe measurement and not of the rubber: it explains a gap, and does not belong into a vehicle.\n\n"
-      "| effect | of the | what it is: how it shows | elements |\n|---|---|---|---|\n";
+      "# Reference of the effects\n\nWritten by the command `reference` from the list of candidates that `diagnose` "
+      "searches. [parameters.md](parameters.md)\ndescribes the elements, [diagnosis.md](diagnosis.md) the search. An "
+      "effect of the rig belongs to the measurement and not\nto the rubber: it explains a gap, but has no place in the "
+      "model of a vehicle.\n\n| effect | of the | what it is: how it shows | elements |\n|---|---|---|---|\n";
   for (const fit::Candidate& candidate : diagnosis::candidates(typicalExcitation())) {
     text += fmt::format("| `{}` | {} | {} | {} |\n", candidate.effect, candidate.on_rig ? "rig" : "rubber",
                         candidate.documentation, elementsOf(candidate));
