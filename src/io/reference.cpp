@@ -124,8 +124,8 @@ std::string parameterReference() {
   }
   text +=
       "\n## Roles\n\nThe tables below give each key a role, which determines how `estimate --from-log` and `diagnose` "
-      "use it.\n\n| role | meaning | moved by a fit |\n|---|---|---|\n| scale | the force is proportional to it while "
-      "the others are constant | yes |\n| shape | acts on the force in any other way | yes |\n| choice | a count, a "
+      "use it.\n\n| role | meaning | moved by a fit |\n|---|---|---|\n| scale | the force is linear in it while the "
+      "others are constant | yes |\n| shape | acts on the force in any other way | yes |\n| choice | a count, a "
       "switch, a dead band, the span or the points over which a law is realised | no |\n| reference | the point to "
       "which another value refers; any other point would do as well | no |\n\nA value at an end of its accepted range "
       "(a coefficient of 0, say) is kept, and so is a list.\n";
