@@ -62,12 +62,15 @@ int printHelp() {
   if (!list) {
     return fail(kFailed, path.string() + ": cannot be read");
   }
-  std::cout
-      << "Runs a command of the package rubber_suspension: simulates rubber components of vehicle suspensions\nand "
-         "diagnoses the gap to measured logs.\nUsage: rubber-suspension COMMAND [OPTIONS]\n\nOptions:\n  -h,--help     "
-         "    Print this help message and exit; after a command: the help of the command\n  --version         Print "
-         "the version and exit\n\nScripts: generate_track, live_plot, render_report\n\nCommands:\n"
-      << list.rdbuf();
+  std::cout << "Runs a command of the package rubber_suspension: simulates rubber components of vehicle suspensions\n"
+               "and diagnoses the gap to measured logs.\n"
+               "Usage: rubber-suspension COMMAND [OPTIONS]\n\n"
+               "Options:\n"
+               "  -h,--help         Print this help message and exit; after a command: the help of the command\n"
+               "  --version         Print the version and exit\n\n"
+               "Scripts: generate_track, live_plot, render_report\n\n"
+               "Commands:\n"
+            << list.rdbuf();
   return 0;
 }
 

@@ -90,10 +90,15 @@ SlurmArray planArray(const Status& status, const std::string& folder, const Slur
                            known ? "" : " (assumed, because no job is done yet)", array.shards,
                            work / 60.0 / static_cast<double>(array.shards));
   array.script = fmt::format(
-      "#!/bin/sh\n# Runs the jobs of a campaign; an array task that is requeued continues where it stopped.\n#SBATCH "
-      "--job-name=rubber_suspension_campaign\n#SBATCH --array=1-{}{}\n#SBATCH --requeue\n#SBATCH "
-      "--open-mode=append\n#SBATCH --cpus-per-task={}\n{}exec {} run {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --threads "
-      "{} --job-minutes {}\n",
+      "#!/bin/sh\n"
+      "# Runs the jobs of a campaign; an array task that is requeued continues where it stopped.\n"
+      "#SBATCH --job-name=rubber_suspension_campaign\n"
+      "#SBATCH --array=1-{}{}\n"
+      "#SBATCH --requeue\n"
+      "#SBATCH --open-mode=append\n"
+      "#SBATCH --cpus-per-task={}\n"
+      "{}"
+      "exec {} run {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --threads {} --job-minutes {}\n",
       array.shards, options.max_running > 0 ? fmt::format("%{}", options.max_running) : "", options.workers,
       options.partition.empty() ? "" : "#SBATCH --partition=" + options.partition + "\n", shellWord(options.program),
       shellWord(absolutePath(folder)), array.shards, options.workers, options.job_minutes);

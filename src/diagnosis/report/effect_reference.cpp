@@ -49,10 +49,13 @@ std::string elementsOf(const fit::Candidate& candidate) {
 
 std::string effectReference() {
   std::string text =
-      "# Reference of the effects\n\nWritten by the command `reference` from the list of candidates that `diagnose` "
-      "searches. [parameters.md](parameters.md)\ndescribes the elements, [diagnosis.md](diagnosis.md) the search. An "
-      "effect of the rig belongs to the measurement and not\nto the rubber: it explains a gap, but has no place in the "
-      "model of a vehicle.\n\n| effect | of the | what it is: how it shows | elements |\n|---|---|---|---|\n";
+      "# Reference of the effects\n\n"
+      "Written by the command `reference` from the list of candidates that `diagnose` searches. "
+      "[parameters.md](parameters.md)\n"
+      "describes the elements, [diagnosis.md](diagnosis.md) the search. An effect of the rig belongs to the "
+      "measurement and not\n"
+      "to the rubber: it explains a gap, but has no place in the model of a vehicle.\n\n"
+      "| effect | of the | what it is: how it shows | elements |\n|---|---|---|---|\n";
   for (const fit::Candidate& candidate : diagnosis::candidates(typicalExcitation())) {
     text += fmt::format("| `{}` | {} | {} | {} |\n", candidate.effect, candidate.on_rig ? "rig" : "rubber",
                         candidate.documentation, elementsOf(candidate));
