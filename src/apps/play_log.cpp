@@ -46,7 +46,7 @@ struct Options {
 OptionTable Options::recordTable() {
   return {
       Option("--output", output, "FILE",
-             "CSV file for the forces (time_s,displacement_m,force_N) or, for poses, for the wrenches of the last pass")
+             "CSV file for the forces: time_s,displacement_m,force_N; for poses: the wrenches of the last pass")
           .writes(io::file_kind::force_csv),
       Option("--gap", gap_output, "FILE", "CSV file for the live gap; needs a log with a measured force")
           .rare()

@@ -87,9 +87,9 @@ TEST(JobsFile, EvidenceNeedsAReportAndADiagnosis) {
   EXPECT_THAT(
       problemsOf("settings: {reports: none}\njobs:\n  a: {command: diagnose, config: c, log: l, evidence: true}\n"),
       ElementsAre(HasSubstr("reports: none writes none; accepted: reports: data, full")));
-  EXPECT_THAT(
-      problemsOf("jobs:\n  a: {command: replay, config: c, log: l, evidence: true, test_rig: hexapod}\n"),
-      ElementsAre(HasSubstr("evidence: has no effect on the command replay"), HasSubstr("test_rig: has no effect on the command replay")));
+  EXPECT_THAT(problemsOf("jobs:\n  a: {command: replay, config: c, log: l, evidence: true, test_rig: hexapod}\n"),
+              ElementsAre(HasSubstr("evidence: has no effect on the command replay"),
+                          HasSubstr("test_rig: has no effect on the command replay")));
 }
 
 TEST(JobsFile, ExcludesKnownEffects) {

@@ -194,7 +194,8 @@ TEST(BushingFile, HasSixDirectionsForAltair) {
   EXPECT_NEAR(numberOf(blocks.at("CONSTANT_STIFFNESS_TX"), "K"), 900.0 * 1e3 * kDegree, 1e-4);  // N mm/deg
   EXPECT_NEAR(numberOf(blocks.at("CONSTANT_DAMPING_TX"), "C"), 5.0 * 1e3 * kDegree, 1e-5);
   EXPECT_EQ(blocks.count("CONSTANT_DAMPING_TY"), 0U);
-  EXPECT_THAT(file.notes, Contains(HasSubstr("coupling: the file has one for forces and moments")));  // moments are not coupled
+  EXPECT_THAT(file.notes,
+              Contains(HasSubstr("coupling: the file has one for forces and moments")));  // moments are not coupled
 }
 
 }  // namespace

@@ -200,7 +200,8 @@ TEST(Candidates, AreOutForAReason) {
   creep.gap = 0.11;
   creep.interval = {0.05, 0.1};
   creep.testable = true;
-  EXPECT_EQ(diagnosis::words::whyOut(d, creep), "the gap is 11.0 % with its full law, and 2.0 % with the named effects");
+  EXPECT_EQ(diagnosis::words::whyOut(d, creep),
+            "the gap is 11.0 % with its full law, and 2.0 % with the named effects");
   creep.interval = {-0.1, 0.1};
   EXPECT_THAT(diagnosis::words::whyOut(d, creep), HasSubstr("may remove nothing"));
   creep.testable = false;
@@ -357,8 +358,9 @@ TEST(Sentence, ListsWhatMayBeWhereNoEffectIsLikely) {
   d.candidates[2].effect = "inertia";
   d.candidates[2].probability = 0.03;
   const std::string list = "friction (43 %), something that is not in the list (21 %)";
-  EXPECT_THAT(diagnosis::words::sentence(d),
-              StartsWith("What the model lacks remains open with these logs: it may be " + list + " and creep (19 %)."));
+  EXPECT_THAT(
+      diagnosis::words::sentence(d),
+      StartsWith("What the model lacks remains open with these logs: it may be " + list + " and creep (19 %)."));
   EXPECT_THAT(diagnosis::words::headline(d), HasSubstr(list + ", creep (19 %)"));
   EXPECT_THAT(diagnosis::words::headline(d), Not(HasSubstr("lacks creep")));
   d.candidates[1].probability = 0.51;

@@ -54,7 +54,8 @@ TEST(WrongSheet, IsNoMissingEffect) {
     const diagnosis::Diagnosis result = diagnoseSheet(sheet(k_st, k_n));
     EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::parameter_error) << result.sentence;
     EXPECT_LT(result.gaps.unseen.re_estimated, 1.2 * true_sheet);
-    EXPECT_THAT(result.sentence, testing::HasSubstr("Deviations in tolerances of the data sheet: K_st")) << result.sentence;
+    EXPECT_THAT(result.sentence, testing::HasSubstr("Deviations in tolerances of the data sheet: K_st"))
+        << result.sentence;
     ASSERT_FALSE(result.parameters.sheet_deviations.empty());
     for (const diagnosis::SheetDeviation& number : result.parameters.sheet_deviations) {
       const double off = number.name == "static_stiffness"    ? -std::log(k_st)

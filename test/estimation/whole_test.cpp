@@ -113,8 +113,9 @@ TEST(WholeComponent, SharesItsStiffnessesWithWhatIsAdded) {
   EXPECT_NEAR(base.at("static_stiffness"), 2.5e6, 1e-3);
   EXPECT_NEAR(base.at("maximum_stiffness"), 4.2e6, 1e-3);
   EXPECT_NEAR(at(wholeOf(estimation::Model::multi_maxwell, base, add), 4.0, 2e-3).stiffness, 4.2e6, 1e-2);
-  EXPECT_THAT(refusal(estimation::Model::multi_maxwell, specificationOf(fiveInputs(4.2e6, 2e-3)), {spring(3.1e6)}),
-              HasSubstr("static_stiffness: 3e+06 N/m is not above 3.1e+06 N/m, the stiffness of the elements under add:"));
+  EXPECT_THAT(
+      refusal(estimation::Model::multi_maxwell, specificationOf(fiveInputs(4.2e6, 2e-3)), {spring(3.1e6)}),
+      HasSubstr("static_stiffness: 3e+06 N/m is not above 3.1e+06 N/m, the stiffness of the elements under add:"));
 }
 
 TEST(WholeComponent, LeavesOutWhatNeverSettles) {
@@ -333,7 +334,8 @@ TEST(Points, AreWeighted) {
 TEST(Points, RefusesWhatTheyDoNotDetermine) {
   estimation::Specification specification;
   specification.setPoints({{4.0, 1e-3, 4e6, std::nullopt, 1.0}});
-  EXPECT_THAT(refusal(estimation::Model::maxwell, specification, {}), HasSubstr("points: 1 values for 3 free parameters"));
+  EXPECT_THAT(refusal(estimation::Model::maxwell, specification, {}),
+              HasSubstr("points: 1 values for 3 free parameters"));
   specification.set("dynamic_stiffness", 4e6);
   EXPECT_THAT(refusal(estimation::Model::maxwell, specification, {}),
               HasSubstr("dynamic_stiffness: is given, but follows from points"));

@@ -127,7 +127,8 @@ TEST(BenchPlayer, ListsTheComponentsThatTheNodeHas) {
   ros_interface::BenchPlayer player(ros::NodeHandle(), options, {track("left_secondry", sineLog(10, kMillisecond))});
   const auto begin = std::chrono::steady_clock::now();
   const std::string message = messageOf<ros_interface::PlayError>([&] { player.connect(); });
-  EXPECT_THAT(message, testing::HasSubstr("does not serve the component 'left_secondry' (did you mean 'left_secondary'?)"));
+  EXPECT_THAT(message,
+              testing::HasSubstr("does not serve the component 'left_secondry' (did you mean 'left_secondary'?)"));
   EXPECT_THAT(message, testing::HasSubstr("accepted: left_secondary, right_secondary"));
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::duration<double>(options.connect_timeout / 2.0));
 }
