@@ -26,8 +26,8 @@ bool Range::contains(double value) const {
 
 std::string acceptedFor(double value, const Range& range) {
   const std::string accepted = describe(range);
-  return std::abs(value) > kLargestNumber ? fmt::format("{} and at most {:g} in magnitude", accepted, kLargestNumber)
-         : isTooSmall(value, range)       ? fmt::format("{} and at least {:g} in magnitude", accepted, kSmallestNumber)
+  return std::abs(value) > kLargestNumber ? fmt::format("{}, at most {:g}", accepted, kLargestNumber)
+         : isTooSmall(value, range)       ? fmt::format("{}, at least {:g}", accepted, kSmallestNumber)
                                           : accepted;
 }
 

@@ -115,7 +115,7 @@ std::string summary(const std::string& component, const log::PoseLog& log, const
     const std::vector<double>& measured = log.wrench[k];
     if (!measured.empty() &&
         *std::min_element(measured.begin(), measured.end()) < *std::max_element(measured.begin(), measured.end())) {
-      text += fmt::format(", gap in {}: {:.4f}", component::toString(static_cast<component::Direction>(k)),
+      text += fmt::format(", gap in {} {:.4f}", component::toString(static_cast<component::Direction>(k)),
                           relativeGap(measured, replay.wrench[k], log.counts));
     }
   }
