@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <optional>
 
@@ -15,15 +16,18 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index kLongestSpike = 3;   // samples
+constexpr Index kLongestSpike = 2;   // samples
 constexpr double kSpikeLimit = 6.0;  // deviations of the prediction; beyond chance in any log, and in 1/f noise
 // Larger share of spikes: these are the form of the signal itself rather than faults of a cable.
 constexpr double kMostSpikes = 0.01;
 // A peak that lacks a fifth of a sine's samples lacks a tenth of its range: stiffness and loss at the largest amplitude
 // cannot be determined.
 constexpr double kLargestClippedShare = 0.2;
+constexpr double kRare = 4.6;      // -ln of the probability of a mass whose jumps chance imitates, 1 %
 constexpr Index kScaleBlock = 64;  // samples over which the scatter is taken as even
 constexpr Index kAround = 6;       // samples about a spike that do not count as another visit
+constexpr Index kMostVisits = 1000;
+constexpr double kShareBesideSpikes = 5.0 * kMostSpikes;  // of visits with a corner: a spike has five samples with one
 
 // Share of the samples that equal the one before, extremes and long runs apart.
 constexpr double kFewRepeats = 0.02;
@@ -41,17 +45,54 @@ double repeats(const VectorXd& samples) {
   return static_cast<double>(equal) / static_cast<double>(samples.size());
 }
 
+// Standard deviation about each of `count` samples of a statistic that exists from `first` to `last`, by its median
+// magnitude in blocks.
+template <class Statistic>
+VectorXd scaleAbout(Statistic statistic, Index first, Index last, Index count, Index length, double least) {
+  std::vector<double> all;
+  std::vector<double> blocks;
+  for (Index begin = 0; begin < count; begin += length) {
+    std::vector<double> block;
+    for (Index i = std::max(begin, first); i < std::min(begin + length, last); ++i) {
+      block.push_back(std::abs(statistic(i)));
+    }
+    all.insert(all.end(), block.begin(), block.end());
+    blocks.push_back(kMadToDeviation * medianOf(std::move(block)));
+  }
+  least = std::max(least, kMadToDeviation * medianOf(std::move(all)));
+  VectorXd scale(count);
+  for (Index i = 0; i < count; ++i) {
+    const auto block = static_cast<std::size_t>(i / length);
+    const double before = block > 0 ? blocks[block - 1] : 0.0;
+    const double after = block + 1 < blocks.size() ? blocks[block + 1] : 0.0;
+    scale[i] = std::max({least, blocks[block], std::min(before, after)});
+  }
+  return scale;
+}
+
 // One channel, and the scatter of its samples about a prediction from their neighbours.
 struct Channel {
   Channel(const VectorXd& samples, bool of_force);
 
-  // Difference of sample i from the cubic through two neighbours at either side.
-  double curvature(Index i) const {
-    return values[i] - (4.0 * (values[i - 1] + values[i + 1]) - values[i - 2] - values[i + 2]) / 6.0;
+  // Difference of the mean of one or two samples from the cubic through two neighbours at either side.
+  double deviation(Index i, Index width) const {
+    const double beside = values[i - 1] + values[i + width];
+    const double beyond = values[i - 2] + values[i + width + 1];
+    return width == 1 ? values[i] - (4.0 * beside - beyond) / 6.0
+                      : 0.5 * (values[i] + values[i + 1]) - 0.75 * beside + 0.25 * beyond;
   }
-  bool corner(Index i) const {
-    return i >= 2 && i + 2 < values.size() && std::abs(curvature(i)) > kSpikeLimit * scale[i];
+  // Largest of these at a sample, signed; 0 within a number of standard deviations.
+  double corner(Index i, double limit = kSpikeLimit) const {
+    double largest = 0.0;
+    for (Index width = 1; width <= kLongestSpike && i >= 2 && i + width + 1 < values.size(); ++width) {
+      const double size = deviation(i, width);
+      if (std::abs(size) > std::max(std::abs(largest), limit * scaleOf(width)[i])) {
+        largest = size;
+      }
+    }
+    return largest;
   }
+  const VectorXd& scaleOf(Index width) const { return width == 1 ? scale : scale_of_two; }
   const char* name() const { return is_force ? "force" : "displacement"; }
   double coarseStep() const { return step > 1e-4 * range ? step : 0.0; }  // 0: of a fine sensor
 
@@ -60,9 +101,10 @@ struct Channel {
   double highest;
   double lowest;
   double range;
-  double step;     // smallest step, of a coarse sensor
-  bool noisy;      // its values hardly ever repeat, but at its extremes
-  VectorXd scale;  // standard deviation of curvature() about each sample
+  double step;            // smallest step, of a coarse sensor
+  bool noisy;             // its values hardly ever repeat, but at its extremes
+  VectorXd scale;         // standard deviation of the deviation of one sample
+  VectorXd scale_of_two;  // that of two samples
 };
 
 Channel::Channel(const VectorXd& samples, bool of_force)
@@ -74,27 +116,15 @@ Channel::Channel(const VectorXd& samples, bool of_force)
       step(smallestStep(samples)),
       noisy(repeats(samples) < kFewRepeats),
       scale(samples.size()) {
-  const Index count = samples.size();
-  std::vector<double> all;
-  std::vector<double> blocks;
-  for (Index begin = 0; begin < count; begin += kScaleBlock) {
-    std::vector<double> block;
-    for (Index i = std::max<Index>(begin, 2); i < std::min(begin + kScaleBlock, count - 2); ++i) {
-      block.push_back(std::abs(curvature(i)));
-    }
-    all.insert(all.end(), block.begin(), block.end());
-    blocks.push_back(kMadToDeviation * medianOf(std::move(block)));
-  }
   // A log that stands still for most of the time has no scatter. This is the least deviation that counts there: a
   // hundred thousandth of the range, and one step of the sensor.
-  const double least =
-      std::max({kMadToDeviation * medianOf(std::move(all)), 1e-5 * range, std::min(step, 0.01 * range)});
-  for (Index i = 0; i < count; ++i) {
-    const auto block = static_cast<std::size_t>(i / kScaleBlock);
-    const double before = block > 0 ? blocks[block - 1] : 0.0;
-    const double after = block + 1 < blocks.size() ? blocks[block + 1] : 0.0;
-    scale[i] = std::max({least, blocks[block], std::min(before, after)});
-  }
+  const double least = std::max(1e-5 * range, std::min(step, 0.01 * range));
+  const auto scale_for = [&](Index width) {
+    return scaleAbout([&](Index i) { return deviation(i, width); }, 2, values.size() - width - 1, values.size(),
+                      kScaleBlock, least);
+  };
+  scale = scale_for(1);
+  scale_of_two = scale_for(2);
 }
 
 // A run of samples [begin, begin + width) and how far it stands out.
@@ -142,7 +172,7 @@ std::optional<Hole> holeAt(const VectorXd& x, Index begin, Index width) {
 std::optional<Hole> spikeAt(const Channel& channel, Index begin) {
   for (Index width = 1; width <= kLongestSpike; ++width) {
     const std::optional<Hole> hole = holeAt(channel.values, begin, width);
-    if (hole && std::abs(hole->size) > kSpikeLimit * channel.scale[begin]) {
+    if (hole && std::abs(hole->size) > kSpikeLimit * channel.scaleOf(width)[begin]) {
       return hole;
     }
   }
@@ -155,9 +185,9 @@ constexpr double kAlike = 0.2;
 
 // True if a corner belongs to a spike elsewhere than the hole: the neighbours of a spike have corners as well.
 bool isOfAnotherSpike(const Channel& channel, Index corner, const Hole& hole) {
-  for (Index i = corner - 2; i <= corner + 2; ++i) {
+  for (Index i = corner - 2; i <= corner + kLongestSpike + 1; ++i) {
     const bool elsewhere = i < hole.begin - 1 || i > hole.begin + hole.width;
-    if (elsewhere && channel.corner(i) && spikeAt(channel, i)) {
+    if (elsewhere && channel.corner(i) != 0.0 && spikeAt(channel, i)) {
       return true;
     }
   }
@@ -167,43 +197,143 @@ bool isOfAnotherSpike(const Channel& channel, Index corner, const Hole& hole) {
 // True if the other channel has a corner there that may have caused the hole: the end of a ramp, a blow.
 bool cornerNear(const Channel& channel, const Channel& other, const Hole& hole) {
   for (Index i = std::max<Index>(0, hole.begin - 1); i <= hole.begin + hole.width; ++i) {
-    if (i < other.values.size() && other.corner(i) && !isOfAnotherSpike(other, i, hole) &&
-        std::abs(other.curvature(i)) / other.range > kAlike * std::abs(hole.size) / channel.range) {
+    if (std::abs(other.corner(i)) / other.range > kAlike * std::abs(hole.size) / channel.range &&
+        !isOfAnotherSpike(other, i, hole)) {
       return true;
     }
   }
   return false;
 }
 
+// Peaks of the force that a mass makes where the speed of the displacement jumps. The jumps may be within its noise
+// from sample to sample: they are changes of slope over many.
+class Mass {
+ public:
+  Mass(const Channel& force, const VectorXd& z, const std::vector<Hole>& holes)
+      : force_(force), jump_(VectorXd::Zero(z.size())) {
+    const Index count = z.size();
+    VectorXd sum = VectorXd::Zero(count + 1);
+    for (Index i = 0; i < count; ++i) {
+      sum[i + 1] = sum[i] + z[i] - z[0];
+    }
+    VectorXd deviation = VectorXd::Constant(count, HUGE_VAL);
+    for (const Index k : {4, 8, 16, 32}) {
+      const auto mean = [&](Index i) { return (sum[i + k / 2 + 1] - sum[i - k / 2]) / static_cast<double>(k + 1); };
+      const auto jump = [&](Index i) {  // is 1 for a change of slope by 1 per sample
+        return (4.0 * (mean(i - k) + mean(i + k)) - mean(i - 2 * k) - mean(i + 2 * k) - 6.0 * mean(i)) /
+               (1.6 * static_cast<double>(k));
+      };
+      const Index reach = 3 * k;
+      if (count <= 2 * reach) {
+        break;
+      }
+      const VectorXd scale = scaleAbout(jump, reach, count - reach, count, std::max(kScaleBlock, 8 * k),
+                                        1e-6 * rangeOf(z) / static_cast<double>(k));
+      for (Index i = reach; i < count - reach; ++i) {
+        if (scale[i] < deviation[i]) {
+          deviation[i] = scale[i];
+          jump_[i] = jump(i);
+        }
+      }
+    }
+    fit(deviation, holes);
+  }
+
+  // True if the jump is more like that of the mass than like none.
+  bool explains(const Hole& hole) const {
+    const Index at = middleOf(hole);
+    return jump_[at] / (peakAt(at) * jump_over_peak_) > 0.5;
+  }
+
+ private:
+  static constexpr Index kReach = 64;  // samples over which a jump shows at most
+  static constexpr Index kBeside = 3;  // samples within which the place of a jump is known
+
+  static Index middleOf(const Hole& hole) { return hole.begin + (hole.width - 1) / 2; }
+
+  double peakAt(Index i) const {
+    double peak = 0.0;
+    for (Index j = i - kBeside; j <= i + kBeside; ++j) {
+      const double corner = force_.corner(j, 0.0);
+      peak = std::abs(corner) > std::abs(peak) ? corner : peak;
+    }
+    return peak;
+  }
+
+  // Fits one mass to all holes and to all jumps beyond chance. It has to explain more than half of both, and chance may
+  // rarely imitate it.
+  void fit(const VectorXd& deviation, const std::vector<Hole>& holes) {
+    double product = 0.0;
+    double peaks = 0.0;
+    double jumps = 0.0;
+    const auto add = [&](Index i) {
+      const double peak = peakAt(i) / deviation[i];
+      const double jump = jump_[i] / deviation[i];
+      product += peak * jump;
+      peaks += peak * peak;
+      jumps += jump * jump;
+    };
+    VectorXd sizes = jump_.cwiseAbs();
+    for (const Hole& hole : holes) {
+      add(middleOf(hole));
+      const Index first = std::max<Index>(0, hole.begin - kReach);
+      sizes.segment(first, std::min(sizes.size(), hole.begin + kReach) - first).setZero();
+    }
+    for (Index i = kReach; i + kReach < sizes.size(); ++i) {
+      if (sizes[i] > kSpikeLimit * deviation[i] && sizes[i] == sizes.segment(i - kReach, 2 * kReach + 1).maxCoeff()) {
+        add(i);
+      }
+    }
+    const double explained = product * product;
+    if (explained > 0.5 * peaks * jumps && explained > 2.0 * kRare * peaks) {
+      jump_over_peak_ = product / peaks;
+    }
+  }
+
+  const Channel& force_;
+  VectorXd jump_;                     // of the slope of the displacement [per sample]
+  double jump_over_peak_ = HUGE_VAL;  // of the mass; without any, nothing is explained
+};
+
 // True if a corner at or beside a sample is as sharp as a hole is deep.
 bool alikeAt(const Channel& channel, Index i, const Hole& hole) {
-  const auto sharp = [&](Index at) {
-    return channel.corner(at) && std::abs(channel.curvature(at)) > kAlike * std::abs(hole.size);
-  };
+  const auto sharp = [&](Index at) { return std::abs(channel.corner(at)) > kAlike * std::abs(hole.size); };
   return sharp(i - 1) || sharp(i) || sharp(i + 1);
 }
 
-// True if other visits to the same place of the other channel have such corners, too (a bump stop that is hit each
-// cycle). If there are few visits, the size of the hole decides.
+// True if the force has such corners, too, at other visits to the same place of the displacement at a similar speed (a
+// bump stop that is hit each cycle, a clearance). The share of visits with a corner may have any value; beside spikes
+// it is small. The prior of a spike is 0.9, and so is the probability that is asked of it. If there are few visits, the
+// size of the hole decides.
 bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole& hole) {
-  const double place = other.values[hole.begin];
+  const VectorXd& z = other.values;
+  const auto step = [&](Index i) { return z[i + 2] - z[i - 2]; };
+  const double place = z[hole.begin];
+  const double speed = step(hole.begin);
   Index visits = 0;
   Index alike = 0;
-  for (Index i = 1; i + 1 < channel.values.size(); ++i) {
-    if (std::abs(other.values[i] - place) < 0.01 * other.range && std::abs(i - hole.begin) > kAround) {
+  for (Index i = 2; i + 2 < z.size() && visits < kMostVisits; ++i) {
+    if (std::abs(z[i] - place) < 0.01 * other.range && std::abs(i - hole.begin) > kAround &&
+        std::abs(step(i) - speed) < 0.2 * std::abs(speed) + 0.01 * other.range) {
       ++visits;
       alike += alikeAt(channel, i, hole) ? 1 : 0;
     }
   }
-  return visits < 3 ? std::abs(hole.size) < 0.5 * channel.range : 5 * alike > visits;
+  if (visits < 3) {
+    return std::abs(hole.size) < 0.5 * channel.range;
+  }
+  const auto others = static_cast<double>(visits - alike);
+  return boost::math::ibeta(static_cast<double>(alike + 1), others + 1.0, kShareBesideSpikes) < kShareBesideSpikes;
 }
+
+void exclude(Mask& mask, Index begin, Index end) { mask.segment(begin, end - begin).setConstant(false); }
 
 std::vector<Hole> findSpikes(const Channel& channel, const Channel& other) {
   std::vector<Hole> holes;
   const Index count = channel.values.size();
   const auto most = static_cast<std::size_t>(std::max(3.0, kMostSpikes * static_cast<double>(count)));
   for (Index i = 2; i + 2 < count; ++i) {
-    if (!channel.corner(i)) {
+    if (channel.corner(i) == 0.0) {
       continue;
     }
     const std::optional<Hole> hole = spikeAt(channel, i);
@@ -215,9 +345,17 @@ std::vector<Hole> findSpikes(const Channel& channel, const Channel& other) {
       return {};
     }
   }
-  if (channel.is_force) {
-    holes.erase(std::remove_if(holes.begin(), holes.end(),
-                               [&](const Hole& hole) { return belongsToThePlace(channel, other, hole); }),
+  if (channel.is_force && !holes.empty()) {
+    VectorXd displacement = other.values;
+    Mask measured = Mask::Constant(displacement.size(), true);
+    for (const Hole& hole : findSpikes(other, channel)) {
+      exclude(measured, hole.begin, hole.begin + hole.width);
+    }
+    bridge(displacement, measured);
+    const Mass mass(channel, displacement, holes);
+    holes.erase(std::remove_if(
+                    holes.begin(), holes.end(),
+                    [&](const Hole& hole) { return mass.explains(hole) || belongsToThePlace(channel, other, hole); }),
                 holes.end());
   }
   return holes;
@@ -369,8 +507,6 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
   const bool behind = channel.is_force && 2 * in_motion > found.samples;
   return bulges || silent || behind ? std::optional<Saturation>(found) : std::nullopt;
 }
-
-void exclude(Mask& mask, Index begin, Index end) { mask.segment(begin, end - begin).setConstant(false); }
 
 RigFinding counted(const std::string& log, const char* finding, double count, std::string text) {
   return {log, finding, count, {count, count}, "1", false, false, std::move(text)};

@@ -30,6 +30,69 @@ TEST(Faults, FindsSpikes) {
   }
 }
 
+// Spikes of one or two samples that are small beside the force and large beside its noise.
+TEST(Faults, FindsSpikesAboveTheNoise) {
+  int found = 0;
+  int all = 0;
+  for (const VirtualRig& rig : allRigs(3)) {
+    VirtualLog log = runRig(rig);
+    for (std::size_t i = 1; i < 10; ++i) {
+      const double size = (i % 3 == 0 ? -20.0 : 20.0) * log.noise;
+      log.log.force[979 * i] += size;
+      log.log.force[979 * i + 1] += i % 2 == 0 ? size : 0.0;
+    }
+    const Mask usable = findFaults(log.log).usable();
+    for (Eigen::Index i = 1; i < 10; ++i) {
+      found += usable[979 * i] ? 0 : 1;
+      ++all;
+    }
+    EXPECT_LE(usable.size() - usable.count(), 18);
+  }
+  std::cout << "spikes above the noise: " << found << " of " << all << "\n";
+  EXPECT_GE(found, 0.9 * all);
+}
+
+// Where the speed jumps, the force of a mass has a peak of one sample, although the noise of the displacement hides the
+// jump from sample to sample.
+TEST(Faults, LeavesPeaksOfAMassAlone) {
+  const Eigen::Index count = 4000;
+  std::mt19937 generator(1);
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd z(count);
+  Eigen::VectorXd f(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Index phase = i % 800;
+    const double motion = static_cast<double>(std::clamp<Eigen::Index>(phase, 200, 600) - 400) * 1e-2;
+    z[i] = motion * (i / 800 % 2 == 0 ? 1.0 : -1.0) + 5e-3 * normal(generator);
+    f[i] = motion * (i / 800 % 2 == 0 ? 1.0 : -1.0) + 1e-2 * normal(generator);
+    const double jump = phase == 200 ? 1.0 : phase == 600 ? -1.0 : 0.0;
+    f[i] += 0.2 * jump * (i / 800 % 2 == 0 ? 1.0 : -1.0);
+  }
+  EXPECT_TRUE(findFaults("mass", z, f).findings.empty());
+  f[1700] += 0.2;
+  const Faults faults = findFaults("mass", z, f);
+  EXPECT_FALSE(faults.force[1700]);
+  EXPECT_EQ(faults.usable().count(), count - 1);
+}
+
+// A fast motion crosses a clearance within a few samples.
+TEST(Faults, LeavesAClearanceAlone) {
+  const Eigen::Index count = 8000;
+  std::mt19937 generator(1);
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd z(count);
+  Eigen::VectorXd f(count);
+  for (const double clearance : {0.01, 0.02, 0.05}) {
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double frequency = 0.002 + 6e-6 * static_cast<double>(i);
+      z[i] = std::sin(element::kPi * static_cast<double>(i) * (0.002 + frequency)) / std::hypot(1.0, frequency / 0.006);
+      f[i] = z[i] - std::clamp(z[i], -clearance, clearance) + 2e-3 * normal(generator);
+    }
+    const Faults faults = findFaults("clearance", z, f);
+    EXPECT_TRUE(faults.findings.empty()) << faults.findings.front().text;
+  }
+}
+
 TEST(Faults, FindsHeldValues) {
   for (const int samples : {10, 25, 60}) {
     Perturbation p;
