@@ -2,19 +2,24 @@
 #include "rubber_suspension/measurement/noise_floor.h"
 
 #include <algorithm>
+#include <boost/math/special_functions/trigamma.hpp>
 #include <cmath>
 #include <vector>
 
 #include "measurement/functions_of_motion.h"
 #include "measurement/spectrum.h"
 #include "measurement/statistics.h"
+#include "numerics/fourier.h"
 #include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/measurement/noise_model.h"
 
 namespace rubber_suspension::measurement {
 namespace {
 
+using Eigen::ArrayXd;
+using Eigen::ArrayXXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -213,6 +218,32 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
   return std::sqrt(withSlowPart(fast, slow, slow_noise));
 }
 
+// Power of a signal in windows that overlap by half, window x octave of frequency.
+ArrayXXd powerInWindows(const VectorXd& signal, Index length) {
+  const auto octaves = static_cast<Index>(std::log2(static_cast<double>(length))) - 1;
+  const ArrayXd places = ArrayXd::LinSpaced(length, 0.5, static_cast<double>(length) - 0.5);
+  const ArrayXd window = 1.0 - (places * (2.0 * element::kPi / static_cast<double>(length))).cos();
+  ArrayXXd power(2 * signal.size() / length - 1, octaves);
+  numerics::Fourier fourier;
+  for (Index w = 0; w < power.rows(); ++w) {
+    const auto part = signal.segment(w * length / 2, length).array();
+    const ArrayXd windowed = (part - part.mean()) * window;
+    const auto lines = fourier.halfSpectrum({windowed.begin(), windowed.end()});
+    for (Index octave = 0; octave < power.cols(); ++octave) {
+      const Index first = Index{1} << octave;
+      power(w, octave) = Eigen::Map<const Eigen::ArrayXcd>(lines.data() + first, first).abs2().mean();
+    }
+  }
+  return power;
+}
+
+// Largest log-likelihood of normal values of any mean and of a variance between two.
+double likelihoodOf(const ArrayXd& values, double least, double most) {
+  const double square = (values - values.mean()).square().mean();
+  const double variance = std::clamp(square, least, most);
+  return -0.5 * static_cast<double>(values.size()) * (std::log(variance) + square / variance);
+}
+
 }  // namespace
 
 double noiseFloor(const log::Record& record, const VectorXd& residual, const Mask& mask, double slow_noise) {
@@ -229,9 +260,41 @@ double noiseFloor(const log::Record& record, const VectorXd& residual, const Mas
   return std::max({floor, smallestStep(record.force) / std::sqrt(12.0), 1e-12 * rangeOf(record.force)});
 }
 
-std::optional<NoiseModel> noiseAlone(const log::Record& record, const VectorXd& residual, const Mask& mask) {
-  const VectorXd rest = withoutFunctionsOfMotion(record, residual, mask);
-  return continuesInto(motionBand(record), rest, mask) ? std::make_optional(estimateNoise(rest, mask)) : std::nullopt;
+double evidenceOfNoise(const log::Record& record, const VectorXd& residual, const Mask& mask) {
+  constexpr double kFewestWindows = 12.0;
+  constexpr Index kShortestWindow = 32;
+  constexpr double kSeen = 2.0;     // times the power of white noise
+  constexpr double kEven = 0.3;     // standard deviation of the logarithm of a power that does not change
+  constexpr double kLeast = 1e-12;  // of the mean power: keeps logarithms finite
+  Index length = 1;
+  while (2.0 * kFewestWindows * static_cast<double>(length) <= static_cast<double>(mask.size())) {
+    length *= 2;
+  }
+  if (length < kShortestWindow) {
+    return 0.0;
+  }
+  const ArrayXXd power = powerInWindows(residual.array() * mask.cast<double>(), length);
+  const ArrayXXd of_force = powerInWindows(record.force, length);
+  const double white = power.rightCols(2).mean();
+  double evidence = 0.0;
+  for (Index octave = 1; octave + 1 < power.cols(); ++octave) {
+    const double mean = power.col(octave).mean();
+    if (mean <= kSeen * white) {
+      continue;
+    }
+    const double lines = std::exp2(static_cast<double>(octave));
+    const double variance = kEven * kEven + boost::math::trigamma(0.5 * (lines + 1.0));  // a Hann window joins lines
+    const ArrayXd logarithms = power.col(octave).max(kLeast * mean).log();
+    double by_motion = -HUGE_VAL;
+    for (const ArrayXd& motion : {ArrayXd(of_force.col(octave)), ArrayXd(of_force.rowwise().sum())}) {
+      for (const double exponent : {0.5, 1.0}) {  // friction does not grow as the rest of the force
+        const ArrayXd expected = motion.pow(exponent) / motion.pow(exponent).mean() + white / mean + kLeast;
+        by_motion = std::max(by_motion, likelihoodOf(logarithms - expected.log(), variance, HUGE_VAL));
+      }
+    }
+    evidence += likelihoodOf(logarithms, variance, variance) - by_motion;
+  }
+  return evidence;
 }
 
 double relativeFloor(const gap::PreparedRecord& record, const Eigen::VectorXd& residual) {

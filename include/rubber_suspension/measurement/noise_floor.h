@@ -3,12 +3,10 @@
 
 #include <Eigen/Core>
 #include <limits>
-#include <optional>
 
 #include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/log/record.h"
 #include "rubber_suspension/measurement/faults.h"
-#include "rubber_suspension/measurement/noise_model.h"
 
 namespace rubber_suspension::measurement {
 
@@ -19,9 +17,9 @@ namespace rubber_suspension::measurement {
 double noiseFloor(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask,
                   double slow_noise = std::numeric_limits<double>::infinity());
 
-/// Returns the law of the noise in such a residual [N], if the band of the motion has nothing else: errors of a model
-/// do not follow the law of the noise outside that band.
-std::optional<NoiseModel> noiseAlone(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
+/// Logarithm of the Bayes factor of two explanations of what such a residual has beyond white noise: stationary noise,
+/// or an error of the model, whose power follows that of the force from window to window. 0 without such a part.
+double evidenceOfNoise(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
 
 /// Returns the noise floor of a model's residual on a record, as a gap [-], without errors of the rig and samples that
 /// do not count.

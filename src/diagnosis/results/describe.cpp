@@ -164,14 +164,16 @@ class Describer {
   // Errors of the rig in each log, from the residuals of the judged model and of the next likely one. There are none if
   // the judged model leaves more of the gap than it explains, because the residual is then a fault of the model.
   std::vector<measurement::RigFinding> findingsOfRig() const {
+    const double rest = answer_.posterior.none_of_these + answer_.posterior.effects * answer_.beside;
+    std::vector<measurement::RigFinding> findings =
+        colouredNoise(workings_.simulated.records, workings_.simulated.augmented, rest);
     if (leavesMoreThanItExplains(gapOfModels())) {
-      return {};
+      return findings;
     }
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
     const auto elements = law_.full.allElements();
     const auto rival =
         hypotheses::augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
-    std::vector<measurement::RigFinding> findings;
     for (const bool held_out : {false, true}) {
       const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
                                      options_.threads);

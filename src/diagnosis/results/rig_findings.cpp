@@ -12,6 +12,7 @@
 #include "numerics/gram.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/measurement/noise_floor.h"
+#include "rubber_suspension/measurement/noise_model.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 #include "rubber_suspension/measurement/rig_model.h"
 
@@ -78,22 +79,38 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
   std::array<std::vector<measurement::RigFit>, 2> by;
   fit::parallelFor(by.size(), threads, [&](std::size_t i) { by[i] = fitRig(rig, i == 0 ? judged : rival); });
   const auto& [fits, by_rival] = by;
-  const auto findingsBy = [&](std::size_t r, const measurement::RigFit& fit) {
-    std::vector<measurement::RigFinding> all = rig.findings(r, fit);
-    const auto noise = measurement::noiseAlone(records[r], fit.residual, rig.mask(r));
-    const auto colour = noise ? measurement::colouredNoiseFinding(records[r].name, *noise) : std::nullopt;
-    if (colour) {
-      all.push_back(*colour);
-    }
-    return all;
-  };
   std::vector<measurement::RigFinding> found;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const auto of_log = findingsBy(r, fits[r]);
-    const auto of_rival = findingsBy(r, by_rival[r]);
+    const auto of_log = rig.findings(r, fits[r]);
+    const auto of_rival = rig.findings(r, by_rival[r]);
     std::copy_if(of_log.begin(), of_log.end(), std::back_inserter(found), [&](const measurement::RigFinding& finding) {
       return isBeyondChance(finding) && (isOwn(finding, records[r].own) || agrees(finding, of_rival));
     });
+  }
+  return found;
+}
+
+std::vector<measurement::RigFinding> colouredNoise(const std::vector<gap::PreparedRecord>& records,
+                                                   const gap::Forces& simulated, double rest) {
+  constexpr double kPrior = 0.5;        // that an unlisted cause is noise of the rig
+  constexpr double kStationary = 0.02;  // probability that an error of a model is as stationary as noise
+  constexpr double kReported = 0.9;
+  std::vector<Eigen::VectorXd> residuals;
+  double evidence = 0.0;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    residuals.push_back(records[r].withoutRig(records[r].force - simulated[r]));
+    evidence += measurement::evidenceOfNoise(records[r], residuals[r], measurement::maskOf(records[r]));
+  }
+  const double noise = kPrior * rest;
+  if (!(noise >= kReported * (noise + (1.0 - noise) * (kStationary + std::exp(-evidence))))) {
+    return {};
+  }
+  std::vector<measurement::RigFinding> found;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const auto model = measurement::estimateNoise(residuals[r], measurement::maskOf(records[r]));
+    if (const auto finding = measurement::colouredNoiseFinding(records[r].name, model)) {
+      found.push_back(*finding);
+    }
   }
   return found;
 }

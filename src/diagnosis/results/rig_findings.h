@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "gap/simulate.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/io/rig_tolerances.h"
@@ -17,5 +18,11 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
                                                  const std::vector<gap::PreparedRecord>& records, int threads);
+
+/// The noise of the amplifier in each log, if it explains with a probability of 0.9 what the judged model leaves.
+/// `rest`: probability of a cause that no effect explains, beside which the model may have its form error. Such a part
+/// of the residual is noise if its power does not follow that of the force in any log.
+std::vector<measurement::RigFinding> colouredNoise(const std::vector<gap::PreparedRecord>& records,
+                                                   const gap::Forces& simulated, double rest);
 
 }  // namespace rubber_suspension::diagnosis::results
