@@ -205,36 +205,37 @@ RigFinding fatal(const std::string& log, const char* finding, double value, cons
 RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& unit, std::string remedy = "") {
   if (remedy.empty()) {
     remedy = fmt::format(
-        "name the right one, as in --unit force=kN, or --columns force={:.4g}*NAME or displacement={:.4g}*NAME",
+        "give the correct unit with an option such as --unit force=kN, or use --columns force={:.4g}*NAME or "
+        "displacement={:.4g}*NAME",
         1.0 / unit.factor, unit.factor);
   }
   return fatal(log, finding::kUnitFactor, ratio, "1",
-               "the measured stiffness is {:.3g} times the configured one, as by the factor {:.4g} of a wrong unit "
-               "({}): {}; if the units are right, --accept-units",
+               "the measured stiffness is {:.3g} times the configured one, close to the factor {:.4g} of a wrong unit "
+               "({}): {}; if the units are correct, use --accept-units",
                ratio, unit.factor, unit.units, remedy);
 }
 
 RigFinding componentFinding(const std::string& log, double ratio, const Sheet& sheet, const std::string& logs) {
   return fatal(log, finding::kOtherComponent, ratio, "1",
-               "the measured stiffness is {:.3g} times the configured one{}, more than tolerances and effects explain "
-               "({:.2g} to {:.2g}), and no factor of units: check that measurement and component file are of the same "
-               "component; if they are, --accept-units",
+               "the measured stiffness is {:.3g} times the configured one{}; tolerances and effects explain only "
+               "{:.2g} to {:.2g}, and no wrong unit has this factor: check that measurement and component file belong "
+               "to the same component; if they do, use --accept-units",
                ratio, logs, sheet.least(), sheet.most());
 }
 
 RigFinding peakToPeakFinding(const std::string& log, double ratio, const std::string& remedy) {
-  return fatal(
-      log, finding::kPeakToPeak, ratio, "1",
-      "the measured stiffness is {:.3g} times the configured one in all motions, and nothing else differs: the {} is a "
-      "value from peak to peak, or {} components are clamped: {}; if it is right, --accept-units",
-      ratio, ratio > 1.0 ? "force" : "displacement", ratio > 1.0 ? "two parallel" : "two such in a row of", remedy);
+  return fatal(log, finding::kPeakToPeak, ratio, "1",
+               "the measured stiffness is {:.3g} times the configured one in all motions, and nothing else differs: "
+               "the {} is a peak-to-peak value, or {} components are clamped: {}; if it is correct, use --accept-units",
+               ratio, ratio > 1.0 ? "force" : "displacement", ratio > 1.0 ? "two parallel" : "two in series of",
+               remedy);
 }
 
 RigFinding signFinding(const Shown& log) {
   return fatal(log.record.name, finding::kSign, -1.0, "1",
-               "the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m), and its "
-               "loops take no energy ({:.2g} of the most that there could be), which a mass in fast motion would: the "
-               "sign of one channel is reversed; multiply it by -1, --columns force=-NAME{}",
+               "the force falls while the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m), and the "
+               "loops dissipate no energy ({:.2g} of the possible maximum), so that it is not a mass in fast motion: "
+               "the sign of one channel is reversed; multiply it by -1 with --columns force=-NAME{}",
                log.measured.stiffness, log.simulated_slope.stiffness, log.work,
                log.ratio >= 0.0 || log.configured.sheet.plausible(-log.ratio)
                    ? ""
@@ -246,8 +247,8 @@ RigFinding signFinding(const Shown& log) {
 RigFinding swapFinding(const Shown& log) {
   return fatal(
       log.record.name, finding::kSwappedColumns, log.ratio, "1",
-      "force and displacement look exchanged (stiffness {:.3g} N/m, configured {:.3g} N/m; loss {:.2g} of a "
-      "loop's most, negative: energy out of nothing): swap the columns, --columns displacement=NAME force=NAME",
+      "force and displacement seem to be swapped (stiffness {:.3g} N/m, configured {:.3g} N/m; the loops create "
+      "energy, loss {:.2g} of the possible maximum): swap the columns with --columns displacement=NAME force=NAME",
       log.measured.stiffness, log.simulated_slope.stiffness, log.work_forward);
 }
 
@@ -278,8 +279,8 @@ Explanation deadChannel(const Shown& log) {
     const char* const unit = is_force ? "N" : "m";
     if (rangeOf(channel) <= 1e-12 * channel.cwiseAbs().maxCoeff()) {
       return fatal(record.name, finding::kConstant, channel[0], unit,
-                   "the {} is {:.4g} {} from the first sample to the last: check the channel's cable, and which column "
-                   "it is, --columns {}=NAME",
+                   "the {} is constant at {:.4g} {}: check the channel's cable, and the choice of the column "
+                   "(--columns {}=NAME)",
                    name, channel[0], unit, name);
     }
     const DeadPart dead = deadPart(channel, other, is_force ? kFarther : kAsMuch);
@@ -287,8 +288,8 @@ Explanation deadChannel(const Shown& log) {
       const double begin = static_cast<double>(dead.begin) * record.dt;
       const double end = static_cast<double>(dead.end) * record.dt;
       return fatal(record.name, finding::kConstant, static_cast<double>(dead.end - dead.begin) * record.dt, "s",
-                   "the {} stands still from {:.4g} to {:.4g} s of {:.4g} s, while the {} continues: check the "
-                   "channel's cable, and leave this part out",
+                   "the {} is constant from {:.4g} to {:.4g} s of {:.4g} s while the {} continues: check the channel's "
+                   "cable, and remove this part of the log",
                    name, begin, end, record.duration(), is_force ? "displacement" : "force");
     }
   }
@@ -306,16 +307,16 @@ Explanation tooShort(const Shown& log) {
     // A step that is held, as of relaxation or creep, is not seen better in a longer log.
     const bool held = 2 * moving < count;
     return fatal(record.name, finding::kTooShort, static_cast<double>(moving), "1",
-                 "{} samples in motion are too few; needed are {}: {}", moving, kFewestMoving,
-                 held ? fmt::format("the displacement rests in the other {}: record the motion between at "
-                                    "a higher rate, or add a log that moves",
+                 "{} samples in motion are too few; accepted: at least {}: {}", moving, kFewestMoving,
+                 held ? fmt::format("the displacement is at rest in the other {}: record the motion at a higher rate, "
+                                    "or add a log with more motion",
                                     count - moving)
                       : "record longer, or at a higher rate");
   }
   const double per_cycle = 2.0 * element::kPi / typicalPhase(record.displacement);
   if (per_cycle < kFewestPerCycle) {
     return fatal(record.name, finding::kTooShort, per_cycle, "1",
-                 "{:.2g} samples per cycle are too few; needed are {}: record at a higher rate", per_cycle,
+                 "{:.2g} samples per cycle are too few; accepted: at least {}: record at a higher rate", per_cycle,
                  kFewestPerCycle);
   }
   return std::nullopt;
@@ -330,8 +331,8 @@ Explanation rectified(const Shown& log) {
   for (const auto& [name, correlation] : {std::pair("force", of_force), {"displacement", of_displacement}}) {
     if (correlation > kFollows && correlation * correlation > as_recorded + kClearly) {
       return fatal(log.record.name, finding::kRectified, correlation, "1",
-                   "the {} has lost its sign: it follows the magnitude of what belongs to it (correlation {:.2f}, with "
-                   "the sign {:.2f}): record it unrectified",
+                   "the {} has lost its sign: it follows the magnitude of the expected values (correlation {:.2f}; "
+                   "with their sign {:.2f}): record it without a rectifier",
                    name, correlation, log.force_correlation);
     }
   }
@@ -355,8 +356,8 @@ Explanation silent(const Shown& log) {
     return std::nullopt;
   }
   return fatal(record.name, finding::kConstant, log.force_ratio, "1",
-               "the force does not answer to the displacement: it scatters by {:.3g} N, {:.2g} % of what the component "
-               "gives: check the clamps and the channel's cable",
+               "the force does not respond to the displacement: it only scatters by {:.3g} N, {:.2g} % of the "
+               "component's force: check the clamps and the channel's cable",
                record.force_deviation, 100.0 * log.force_ratio);
 }
 
@@ -464,8 +465,8 @@ Explanation turnedPhases(const Shown& log) {
   if (only_delay || late > std::max(sign, swap)) {
     return Explained{
         fatal(log.record.name, finding::kDelay, delay * log.record.dt, "s",
-              "the loops give energy: the force is {:.3g} s {} the displacement, {:.2g} of a cycle: bring both "
-              "channels to one time",
+              "the loops create energy, because the force is {:.3g} s {} the displacement, {:.2g} of a cycle: "
+              "synchronise the two channels",
               std::abs(delay * log.record.dt), delay > 0.0 ? "behind" : "ahead of", std::abs(delay) / log.period),
         Likewise::delay};
   }
@@ -485,11 +486,11 @@ Explanation turnedContact(const Shown& log) {
   if (as_turned <= kFollows || as_turned * as_turned <= as_configured * as_configured + kClearly) {
     return std::nullopt;
   }
-  return fatal(record.name, finding::kContactSide, as_turned, "1",
-               "the contact `{}` of the component is open where this log has a force, which follows the component with "
-               "`side` of the other sign (correlation {:.2f}, as configured {:.2f}): correct `side`, or the signs of "
-               "displacement and force",
-               log.configured.contact, as_turned, as_configured);
+  return fatal(
+      record.name, finding::kContactSide, as_turned, "1",
+      "the contact `{}` of the component is open while this log has a force; with `side` reversed the force matches "
+      "(correlation {:.2f}, as configured {:.2f}): reverse `side`, or the signs of both displacement and force",
+      log.configured.contact, as_turned, as_configured);
 }
 
 // What a log shows whose channels measured something.
@@ -657,8 +658,8 @@ std::optional<RigFinding> checkTable(const std::string& table, const std::vector
   const auto gains_energy = [](const std::complex<double>& stiffness) { return stiffness.imag() < 0.0; };
   if (!measured.empty() && std::all_of(measured.begin(), measured.end(), gains_energy)) {
     return fatal(table, finding::kSign, -1.0, "1",
-                 "all loss angles are negative, which gives energy: the sign of the phase is that of the other "
-                 "convention, or force and displacement are exchanged: change it in the table");
+                 "all loss angles are negative, which would create energy: the phase has the opposite sign convention, "
+                 "or force and displacement are swapped: correct the table");
   }
   const Sheet sheet(tolerance);
   const auto size = [](const std::complex<double>& stiffness) { return std::abs(stiffness); };
@@ -666,7 +667,7 @@ std::optional<RigFinding> checkTable(const std::string& table, const std::vector
   const auto isTwo = [](const auto& one, const auto& other) { return isAboutTwo(std::abs(one) / std::abs(other)); };
   if (!sheet.mayBe(kPeakToPeak) && isAboutTwo(ratio) &&
       std::equal(measured.begin(), measured.end(), configured.begin(), isTwo)) {
-    return peakToPeakFinding(table, ratio, "halve what is from peak to peak");
+    return peakToPeakFinding(table, ratio, "halve the peak-to-peak values");
   }
   if (sheet.plausible(ratio)) {
     return std::nullopt;

@@ -523,12 +523,11 @@ void addSpikes(const std::string& name, const Channel& channel, const Channel& o
     largest = std::max(largest, std::abs(hole.size));
     exclude(mask, hole.begin, hole.begin + hole.width);
   }
-  findings.push_back(counted(
-      name, finding::kSpikes, static_cast<double>(holes.size()),
-      fmt::format("{} spike{} of the {} alone, the first at sample {}, the largest {:.2g} % of its range: left out; "
-                  "check cable and connector",
-                  holes.size(), holes.size() == 1 ? "" : "s", channel.name(), holes.front().begin + 1,
-                  100.0 * largest / channel.range)));
+  findings.push_back(counted(name, finding::kSpikes, static_cast<double>(holes.size()),
+                             fmt::format("{} spike{} in the {} only, the first at sample {}, the largest {:.2g} % of "
+                                         "its range: excluded; check cable and connector",
+                                         holes.size(), holes.size() == 1 ? "" : "s", channel.name(),
+                                         holes.front().begin + 1, 100.0 * largest / channel.range)));
 }
 
 void addHolds(const std::string& name, const Channel& channel, const Channel& other, Mask& mask,
@@ -542,12 +541,12 @@ void addHolds(const std::string& name, const Channel& channel, const Channel& ot
     samples += run.end - run.begin;
     exclude(mask, run.begin + 1, run.end);  // the first sample of a run was measured
   }
-  findings.push_back(counted(
-      name, finding::kHeldValues, static_cast<double>(samples),
-      fmt::format("the {} repeats its value for {} samples in {} place{}, the first from sample {}, while the {} moves "
-                  "on: left out; check the connection for dropouts",
-                  channel.name(), samples, holds.size(), holds.size() == 1 ? "" : "s", holds.front().begin + 1,
-                  other.name())));
+  findings.push_back(
+      counted(name, finding::kHeldValues, static_cast<double>(samples),
+              fmt::format("the {} repeats its value for {} samples in {} place{}, the first from sample {}, while the "
+                          "{} continues to change: excluded; check the connection for dropouts",
+                          channel.name(), samples, holds.size(), holds.size() == 1 ? "" : "s", holds.front().begin + 1,
+                          other.name())));
 }
 
 void addSaturation(const std::string& name, const Channel& channel, const Channel& other, Mask& mask,
@@ -560,12 +559,11 @@ void addSaturation(const std::string& name, const Channel& channel, const Channe
     // Samples just below the stop are there because noise did not lift them further: one-sided, so left out, too.
     mask = mask && (channel.scale.array() * kSpikeLimit < outward * (found->limit - channel.values.array()));
     const double share = static_cast<double>(found->samples) / static_cast<double>(mask.size());
-    findings.push_back(counted(
-        name, finding::kSaturation, static_cast<double>(found->samples),
-        fmt::format("the {} stays at its {} {:.4g} {} for {} samples while the {} goes further (clipped): left out; "
-                    "choose a larger measuring range",
-                    channel.name(), outward > 0.0 ? "maximum" : "minimum", found->limit, channel.is_force ? "N" : "m",
-                    found->samples, other.name())));
+    findings.push_back(counted(name, finding::kSaturation, static_cast<double>(found->samples),
+                               fmt::format("the {} stays at its {} {:.4g} {} for {} samples while the {} continues "
+                                           "(clipped): these samples are excluded; choose a larger measuring range",
+                                           channel.name(), outward > 0.0 ? "maximum" : "minimum", found->limit,
+                                           channel.is_force ? "N" : "m", found->samples, other.name())));
     findings.back().fatal = share > kLargestClippedShare;
   }
 }

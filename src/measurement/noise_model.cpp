@@ -477,8 +477,8 @@ std::optional<RigFinding> colouredNoiseFinding(const std::string& log, const Noi
                     "1",
                     false,
                     false,
-                    fmt::format("the noise rises towards low frequencies as 1/f^{:.1f}, {:.0f} % of its variance: "
-                                "intervals allow for it; check shielding and warm-up of the amplifier",
+                    fmt::format("{1:.0f} % of the noise's variance rises towards low frequencies as 1/f^{0:.1f}; the "
+                                "intervals include this; check shielding and warm-up of the amplifier",
                                 model.exponent, 100.0 * share)};
 }
 

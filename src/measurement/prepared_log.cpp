@@ -77,9 +77,9 @@ PreparedLog prepare(const log::Log& log, log::LeadIn lead_in, Start start) {
   if (counts.sum() < all) {
     if (counts.sum() < kFewestUsable * measured) {
       const auto most = std::max_element(faults.findings.begin(), faults.findings.end(), excludesLess);
-      throw log::LogError(fmt::format("{}: {:.0f} of {:.0f} samples are usable; needed is one half: {}", record.name,
-                                      counts.sum(), measured,
-                                      most == faults.findings.end() ? "too short" : most->text));
+      throw log::LogError(
+          fmt::format("{}: only {:.0f} of {:.0f} samples are usable; accepted: at least half of them: {}", record.name,
+                      counts.sum(), measured, most == faults.findings.end() ? "too short" : most->text));
     }
     record.counts = counts;
     // The start counts here, because the force after it may hardly change, as in a hold after a ramp.

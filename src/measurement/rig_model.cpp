@@ -234,24 +234,28 @@ const NuisanceInfo& infoOf(Nuisance nuisance) {
 std::string sentence(Nuisance nuisance, double value) {
   switch (nuisance) {
     case Nuisance::force_zero:
-      return fmt::format("the recorded force is too high by {:.3g} N: taken out; zero the load cell before the log",
-                         value);
+      return fmt::format(
+          "the recorded force is too high by {:.3g} N: this is corrected; zero the load cell before the log", value);
     case Nuisance::displacement_zero:
       return fmt::format(
-          "the recorded displacement is too high by {:.3g} m: taken out; zero the transducer before the log", value);
+          "the recorded displacement is too high by {:.3g} m: this is corrected; zero the transducer before the log",
+          value);
     case Nuisance::delay:
-      return fmt::format("the force is recorded {:.3g} s {} the displacement: taken out; use the same filter for both",
-                         std::abs(value), value > 0.0 ? "behind" : "ahead of");
+      return fmt::format(
+          "the force is recorded {:.3g} s {} the displacement: this is corrected; use the same filter for both",
+          std::abs(value), value > 0.0 ? "behind" : "ahead of");
     case Nuisance::clock:
       return fmt::format(
-          "the delay of the force changes by {:.3g} ppm of the time: taken out; record both on one clock", value * 1e6);
+          "the clocks of force and displacement differ by {:.3g} ppm: this is corrected; record both channels on one "
+          "clock",
+          value * 1e6);
     case Nuisance::gain:
-      return fmt::format("the recorded force is {:.3g} % {}: taken out; calibrate the force's channel",
+      return fmt::format("the recorded force is {:.3g} % {}: this is corrected; calibrate the force's channel",
                          std::abs(value) * 100.0, value > 0.0 ? "too large" : "too small");
     default:
       return fmt::format(
-          "the log starts while the machine runs; {:.3g} N of relaxing force come from the motion before it: taken "
-          "out; start the log at rest",
+          "the log starts in motion: a relaxing force of {:.3g} N remains from the motion before it and is corrected; "
+          "start the log at rest",
           value);
   }
 }
@@ -527,8 +531,8 @@ std::vector<RigFinding> RigModel::findings(std::size_t log, const RigFit& fit) c
     RigFinding zeros = told(name, Nuisance::force_zero, fit.zeros_as_force, fit.zeros_as_force_deviation,
                             tolerance(Nuisance::force_zero, records_[log]));
     zeros.text = fmt::format(
-        "offsets of force and displacement together are {:.3g} N too high; this log does not determine each of them: "
-        "taken out; zero both before the log",
+        "the offsets of force and displacement together are {:.3g} N too high; this log does not determine them "
+        "separately; their sum is corrected; zero both before the log",
         fit.zeros_as_force);
     found.insert(found.begin(), zeros);
   }

@@ -52,7 +52,8 @@ std::vector<LogWeight> weightsByNoise(const std::vector<double>& noise, double a
     sum += weight;
     if (weight < 1.0) {
       note = fmt::format(
-          "noise of {:.2g} % of the force beside the model alone, so it counts {:.2g} times as much as other logs",
+          "the noise beyond the model alone is {:.2g} % of the force; this log has {:.2g} times the weight of other "
+          "logs",
           100.0 * noise[r], weight);
     }
   }

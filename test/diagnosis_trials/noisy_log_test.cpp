@@ -27,7 +27,7 @@ TEST(NoisyLog, HidesNothing) {
   const auto noisy = std::find_if(result.logs.admission.begin(), result.logs.admission.end(),
                                   [](const auto& admission) { return admission.log == "hold 5"; });
   ASSERT_NE(noisy, result.logs.admission.end());
-  EXPECT_THAT(noisy->notes, ::testing::Contains(HasSubstr("times as much as other logs")));
+  EXPECT_THAT(noisy->notes, ::testing::Contains(HasSubstr("times the weight of other logs")));
 }
 
 }  // namespace
