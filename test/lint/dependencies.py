@@ -12,7 +12,7 @@ import xml.etree.ElementTree as ElementTree
 
 # rosdep key -> (how the sources name it: CMake package, header folder or Python module, its packages in Debian)
 KEYS = {
-    "boost": ({"Boost", "boost"}, {"libboost-dev"}),
+    "boost": ({"Boost", "boost"}, {"libboost-dev", "libboost-iostreams-dev"}),
     "catkin": ({"catkin"}, {"catkin"}),
     "cli11": ({"CLI11", "CLI"}, {"libcli11-dev"}),
     "diagnostic_msgs": (

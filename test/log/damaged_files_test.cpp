@@ -164,8 +164,9 @@ TEST(PackedFile, OfFarMoreThanItsSizeIsRefusedUnlessTheUserWantsIt) {
         EXPECT_TRUE(large);
       } catch (const log::LogError& error) {
         const bool segmented = large || text == segments;
-        const std::string too_much = fmt::format("its {} bytes; accepted beyond 64 MiB: at most this factor, or --large",
-                                                 std::filesystem::file_size(file.path()));
+        const std::string too_much =
+            fmt::format("its {} bytes; accepted beyond 64 MiB: at most this factor, or --large",
+                        std::filesystem::file_size(file.path()));
         EXPECT_THAT(error.what(), HasSubstr(segmented ? "more than 10000 segments" : too_much));
       }
     }

@@ -411,20 +411,22 @@ TEST(Header, OfARowOfUnitsHasBracketsThatAreNoUnits) {
     }
   }
   EXPECT_DOUBLE_EQ(readText(load("Force (kN)", "KN")).force[0], 2e3);
-  EXPECT_THAT(refusalOf(load("Force (N)", "kN")),
-              HasSubstr("column 'Force (N)': the row of units states 'kN', but the column's name states 'N'; accepted: --unit force=UNIT"));
+  EXPECT_THAT(refusalOf(load("Force (N)", "kN")), HasSubstr("column 'Force (N)': the row of units states 'kN', but the "
+                                                            "column's name states 'N'; accepted: --unit force=UNIT"));
   EXPECT_THAT(refusalOf("Time [s],Stroke [mm],Force (Ch 2)\n0,1,2\n0.1,2,3\n"), HasSubstr("unit 'Ch 2' is unknown"));
 }
 
 TEST(Header, ThatAnErrorListsStandsAboveTheNumbers) {
   const std::string preamble = "Specimen;A1\nWidth (mm);6\nThickness (mm);3\n";
-  EXPECT_THAT(refusalOf(preamble + "Zeit;Kanal 1;Kanal 2\n0;1;2\n1;2;3\n"),
-              HasSubstr(":4: there is no column of displacement; the header has 'Zeit', 'Kanal 1', 'Kanal 2'; accepted: "
-                        "displacement_<m|mm|um>, or --columns displacement=NAME"));
+  EXPECT_THAT(
+      refusalOf(preamble + "Zeit;Kanal 1;Kanal 2\n0;1;2\n1;2;3\n"),
+      HasSubstr(":4: there is no column of displacement; the header has 'Zeit', 'Kanal 1', 'Kanal 2'; accepted: "
+                "displacement_<m|mm|um>, or --columns displacement=NAME"));
   EXPECT_THAT(refusalOf(preamble + "Zeit;Kanal 1;Kanal 2\ns;mm;V\n0;1;2\n1;2;3\n", byColumns({"force=4"})),
               HasSubstr(":4: "));
   const std::string channels = "Units,mm,kN\nDisp_1,Load_1\n0,1\n1,2\n";
-  EXPECT_THAT(refusalOf(channels), HasSubstr("there is no column of time; the header has 'Disp_1 [mm]', 'Load_1 [kN]'"));
+  EXPECT_THAT(refusalOf(channels),
+              HasSubstr("there is no column of time; the header has 'Disp_1 [mm]', 'Load_1 [kN]'"));
   EXPECT_DOUBLE_EQ(readText(channels, byOption("--sampling-rate", "10")).force[1], 2e3);
   EXPECT_THAT(refusalOf("Time [s],Strain [%],Stress [MPa]\n0,1,2\n1,2,3\n"),
               HasSubstr("'Strain [%]', 'Stress [MPa]': of a material, which is a stiffness and a displacement once the "
@@ -456,7 +458,8 @@ TEST(Segments, AreNoneWhereAHeaderRepeatsAndTimeContinues) {
                 HasSubstr("the header is repeated 2 times while time continues, first in line 55: read as one log"));
   }
   for (const int first : {0, 53}) {
-    EXPECT_THAT(refusalOf(head + rows(0, 50) + buffer + rows(first, 50)), HasSubstr("the file contains 2 logs")) << first;
+    EXPECT_THAT(refusalOf(head + rows(0, 50) + buffer + rows(first, 50)), HasSubstr("the file contains 2 logs"))
+        << first;
   }
   EXPECT_EQ(readText(head + rows(0, 50) + buffer + rows(52, 50)).size(), 100U);
   const std::string plain = "Time [s]\tTravel [mm]\n0\t1\n1\t2\n2\t3\n";

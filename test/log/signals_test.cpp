@@ -64,7 +64,8 @@ TEST(Signals, ASlowTemperatureLeavesTheOthers) {
         readText(table(kHeader + ",temperature_degC", {displacementCells(), forceCells(), every(100, warming, none)}));
     expectAllSamples(log, kRows);
     EXPECT_NEAR(log.temperature[50], 20.5, 1e-12);
-    EXPECT_THAT(log.notes, Contains("column 'temperature_degC' has values at 10 Hz in only 20 of 2000 rows: interpolated"));
+    EXPECT_THAT(log.notes,
+                Contains("column 'temperature_degC' has values at 10 Hz in only 20 of 2000 rows: interpolated"));
   }
 }
 

@@ -288,7 +288,7 @@ TEST(BenchCheck, NamesAContactOfTheOtherSide) {
       elements.push_back({"lift_off", {{"side", {-side}}}});
       const std::vector<RigFinding> findings = checkBench(elements, {record});
       ASSERT_THAT(namesOf(findings), ElementsAre(finding::kContactSide)) << side << mean;
-      EXPECT_THAT(findings[0].text, HasSubstr("correct `side`"));
+      EXPECT_THAT(findings[0].text, HasSubstr("reverse `side`"));
       elements.back().values["side"] = {side};
       EXPECT_TRUE(checkBench(elements, {record}).empty()) << side << mean;
     }
@@ -443,7 +443,7 @@ TEST(BenchCheck, NamesLogsThatHardlyMove) {
   const std::vector<RigFinding> findings = checkBench(elementsOf({}), {record});
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].finding, finding::kTooShort);
-  EXPECT_THAT(findings[0].text, AllOf(HasSubstr("add a log that moves"), Not(HasSubstr("record longer"))));
+  EXPECT_THAT(findings[0].text, AllOf(HasSubstr("add a log with more motion"), Not(HasSubstr("record longer"))));
 }
 
 TEST(BenchCheck, IsTheSameOnABenchOfAnySize) {

@@ -263,7 +263,8 @@ TEST(Faults, FindsSaturationOfAForceThatIsNotInPhase) {
     for (int i = 0; i < 8000; ++i) {
       log.stamp.push_back(static_cast<std::int64_t>(i) * 2000000);
       log.displacement.push_back(1e-3 * std::sin(0.0157 * i));
-      log.force.push_back(std::clamp(1e3 * std::sin(0.0157 * i + phase), -450.0, 450.0) + (i % 500 == 7 ? 200.0 : 0.0));
+      log.force.push_back(std::clamp(1e3 * std::sin(0.0157 * i + phase), -450.0, 450.0) +
+                          (i * 7919 % 8000 < 16 ? 200.0 : 0.0));
     }
     const std::string text = messageOf<log::LogError>([&] { prepareLog(log); });
     EXPECT_THAT(text, HasSubstr("samples are usable")) << phase;

@@ -85,7 +85,7 @@ TEST_F(ForceCheckNode, PassesAndFailsOnEitherSideOfTheGap) {
   const Outcome failed = run(log + " --tolerance 0.088");
   EXPECT_EQ(failed.status, 1);
   EXPECT_EQ(failed.failures, 1);
-  EXPECT_NE(failed.message.find("beyond 0.088"), std::string::npos) << failed.message;
+  EXPECT_NE(failed.message.find("beyond the limit 0.088"), std::string::npos) << failed.message;
 }
 
 TEST_F(ForceCheckNode, NoticesAnotherComponentThanExpected) {

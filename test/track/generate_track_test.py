@@ -95,7 +95,7 @@ class Track(unittest.TestCase):
         self.assertTrue(numpy.array_equal(generate_track.generate(given), generate_track.generate(given)))
 
     def test_band_without_a_line_is_refused(self):
-        with self.assertRaisesRegex(ValueError, "band"):
+        with self.assertRaisesRegex(ValueError, "no line of the spectrum"):
             generate_track.generate(options("--shortest", "3", "--longest", "2"))
 
 
