@@ -27,6 +27,7 @@ constexpr double kRare = 4.6;      // -ln of the probability of a mass whose jum
 constexpr Index kScaleBlock = 64;  // samples over which the scatter is taken as even
 constexpr Index kAround = 6;       // samples about a spike that do not count as another visit
 constexpr Index kMostVisits = 1000;
+constexpr double kOddsOfSpike = 9.0;
 constexpr double kShareBesideSpikes = 5.0 * kMostSpikes;  // of visits with a corner: a spike has five samples with one
 
 // Share of the samples that equal the one before, extremes and long runs apart.
@@ -295,16 +296,15 @@ class Mass {
   double jump_over_peak_ = HUGE_VAL;  // of the mass; without any, nothing is explained
 };
 
-// True if a corner at or beside a sample is as sharp as a hole is deep.
+// True if a corner at or beside a sample is as sharp as a hole is deep, and to the same side.
 bool alikeAt(const Channel& channel, Index i, const Hole& hole) {
-  const auto sharp = [&](Index at) { return std::abs(channel.corner(at)) > kAlike * std::abs(hole.size); };
+  const auto sharp = [&](Index at) { return channel.corner(at) / hole.size > kAlike; };
   return sharp(i - 1) || sharp(i) || sharp(i + 1);
 }
 
 // True if the force has such corners, too, at other visits to the same place of the displacement at a similar speed (a
 // bump stop that is hit each cycle, a clearance). The share of visits with a corner may have any value; beside spikes
-// it is small. The prior of a spike is 0.9, and so is the probability that is asked of it. If there are few visits, the
-// size of the hole decides.
+// it is small. The prior of a spike is 0.9, and the likelier of both is believed.
 bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole& hole) {
   const VectorXd& z = other.values;
   const auto step = [&](Index i) { return z[i + 2] - z[i - 2]; };
@@ -317,13 +317,12 @@ bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole&
         std::abs(step(i) - speed) < 0.2 * std::abs(speed) + 0.01 * other.range) {
       ++visits;
       alike += alikeAt(channel, i, hole) ? 1 : 0;
+      i += kAround;  // the samples of one visit
     }
   }
-  if (visits < 3) {
-    return std::abs(hole.size) < 0.5 * channel.range;
-  }
   const auto others = static_cast<double>(visits - alike);
-  return boost::math::ibeta(static_cast<double>(alike + 1), others + 1.0, kShareBesideSpikes) < kShareBesideSpikes;
+  const double beside = boost::math::ibeta(static_cast<double>(alike + 1), others + 1.0, kShareBesideSpikes);
+  return kOddsOfSpike * beside < kShareBesideSpikes;
 }
 
 void exclude(Mask& mask, Index begin, Index end) { mask.segment(begin, end - begin).setConstant(false); }
