@@ -383,10 +383,14 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
   };
   MeasuredLaw named;
   std::vector<double> removed;
-  for (bool settled = false; !settled;) {  // a set with an effect that removes nothing is no answer
+  for (bool settled = false; !settled;) {  // a set that closes nothing, or has an effect that does, is no answer
     named = writtenLaw(prepared, search, search.at(workings->answer.model), gap_before, options);
     removed = describer(named).squaresRemoved();
-    settled = std::all_of(removed.begin(), removed.end(), [](double squares) { return squares > 0.0; });
+    const judge::Evidence& evidence = workings->evidence;
+    const bool is_nearer =
+        evidence.at(workings->answer.model).chi_squared < evidence.at(judge::Evidence::kReEstimated).chi_squared;
+    const bool closes = removed.empty() || is_nearer || gap::gapOfParts(named.errors.unseen()) < gap_before;
+    settled = closes && std::all_of(removed.begin(), removed.end(), [](double squares) { return squares > 0.0; });
     if (!settled) {
       workings->evidence.hypotheses[static_cast<std::size_t>(workings->answer.model)].idle = true;
       workings->table = judge::scoreTable(workings->evidence);

@@ -247,10 +247,6 @@ class Chooser {
   };
 
   void simplify(std::size_t m, double allowed) {
-    // The element of an exact force, such as a mass, errs in time; its number, fitted again, would compensate for that.
-    if (own_[m].size() == 1 && termAt(own_[m].front()).exact) {
-      return;
-    }
     const std::vector<Entries> full = result_.fitted.law.at(result_.fitted.fit.parameters.scales);
     const std::size_t most = numbersOf(full[m]).size();
     std::vector<Allowed> laws;
@@ -265,7 +261,7 @@ class Chooser {
         }
       }
     }
-    if (laws.empty()) {
+    if (laws.empty() || isExactEnough(m, laws.front().gap)) {
       return;
     }
     std::sort(laws.begin(), laws.end(), [](const Allowed& a, const Allowed& b) {
@@ -284,8 +280,15 @@ class Chooser {
     gap_ = chosen.gap;
   }
 
-  // Odds as in the judgement, by the error beyond that of the better law. How many numbers a law has says nothing of how
-  // large the effect is.
+  // The element of an exact force, such as a mass, errs in time, and its number, fitted again, compensates for that.
+  // The exact number is kept where it closes more than half of what the other one does.
+  bool isExactEnough(std::size_t m, double gap_of_fitted) const {
+    const bool is_exact = own_[m].size() == 1 && termAt(own_[m].front()).exact;
+    return is_exact && gap_ * gap_ < 0.5 * (gap_of_fitted * gap_of_fitted + before_ * before_);
+  }
+
+  // Odds as in the judgement, by the error beyond that of the better law. How many numbers a law has says nothing of
+  // how large the effect is.
   double oddsOver(const Allowed& chosen, const Allowed& other) const {
     const judge::JudgeNumbers& numbers = judge::fittedNumbers();
     const double least = std::pow(std::min(chosen.gap, other.gap), 2);
