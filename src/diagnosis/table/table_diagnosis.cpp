@@ -293,8 +293,7 @@ class TableDescriber {
   }
 
   WrittenLaw law() const {
-    results::Sizes sizes =
-        results::sizesOf(measured_.fitter(), {{results::fullLaw(judged_)}}, {}, search_, options_);
+    results::Sizes sizes = results::sizesOf(measured_.fitter(), {{results::fullLaw(judged_)}}, {}, search_, options_);
     WrittenLaw law;
     law.augmented = law.full = augmented_;
     law.gap_of_full = leftOfRows().full_law;
