@@ -25,13 +25,13 @@ BUSH = """components:
 # What `replay` says of a log: file, further arguments, status, words on stderr, rows that are read.
 LOGS = (
     ("continued_blocks/mts793_blocks.dat", "", 0, "one log", 2400),
-    ("continued_blocks/mts793_blocks.dat", "--segment all", 0, "the header repeats 5 times while time continues", 2400),
-    ("continued_blocks/mts793_50_rows.dat", "", 0, "the header repeats 11 times", 600),
+    ("continued_blocks/mts793_blocks.dat", "--segment all", 0, "the header is repeated 5 times while time continues", 2400),
+    ("continued_blocks/mts793_50_rows.dat", "", 0, "the header is repeated 11 times", 600),
     ("unit_row_in_brackets/unit_row_lost.csv", "", 0, "force from 'Force (Ch 2) [kN]'", 120),
     ("unit_row_in_brackets/unit_row_lost.csv", "--columns time=1 displacement=2 force=3", 0, "'Force (Ch 2) [kN]'", 120),
     ("unit_row_in_brackets/unitrow_c.csv", "", 0, "displacement from 'Position (LVDT 1) [in]'", 2400),
     ("header_named/pre_unknown.csv", "", 1,
-     ":4: no column of displacement, the header has 'Zeit', 'Kanal 1', 'Kanal 2'; accepted: displacement_<m|mm|um>, or "
+     ":4: there is no column of displacement; the header has 'Zeit', 'Kanal 1', 'Kanal 2'; accepted: displacement_<m|mm|um>, or "
      "--columns displacement=NAME", 0),
     ("header_named/pre_unknown.csv",
      "--columns time=1 displacement=2 force=3 --unit time=s displacement=mm force=N", 0, "header in line 4", 2400),
@@ -48,7 +48,7 @@ LOGS = (
     ("bad_words/OL.csv", "", 0, "OL", None),
     ("stamps/blocks_of_10.csv", "", 1, "--sampling-rate", 0),
     ("stamps/swapped.csv", "", 1, "--sampling-rate", 0),
-    ("mts_buffers/specimen.dat", "", 0, "the header repeats 3 times while time continues", None),
+    ("mts_buffers/specimen.dat", "", 0, "the header is repeated 3 times while time continues", None),
     ("lvm_segments/log.lvm", "", 1, "--segment 1", 0),
     ("unit_case/KN.csv", "", 0, "", None),
     ("unit_case/Mm.csv", "", 1, "did you mean 'mm'?", 0),
