@@ -9,7 +9,6 @@
 #include "measurement/functions_of_motion.h"
 #include "measurement/spectrum.h"
 #include "measurement/statistics.h"
-#include "numerics/fourier.h"
 #include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
@@ -221,14 +220,9 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
 // Power of a signal in windows that overlap by half, window x octave of frequency.
 ArrayXXd powerInWindows(const VectorXd& signal, Index length) {
   const auto octaves = static_cast<Index>(std::log2(static_cast<double>(length))) - 1;
-  const ArrayXd places = ArrayXd::LinSpaced(length, 0.5, static_cast<double>(length) - 0.5);
-  const ArrayXd window = 1.0 - (places * (2.0 * element::kPi / static_cast<double>(length))).cos();
   ArrayXXd power(2 * signal.size() / length - 1, octaves);
-  numerics::Fourier fourier;
   for (Index w = 0; w < power.rows(); ++w) {
-    const auto part = signal.segment(w * length / 2, length).array();
-    const ArrayXd windowed = (part - part.mean()) * window;
-    const auto lines = fourier.halfSpectrum({windowed.begin(), windowed.end()});
+    const auto lines = hannSpectrum(signal.segment(w * length / 2, length), static_cast<std::size_t>(length));
     for (Index octave = 0; octave < power.cols(); ++octave) {
       const Index first = Index{1} << octave;
       power(w, octave) = Eigen::Map<const Eigen::ArrayXcd>(lines.data() + first, first).abs2().mean();

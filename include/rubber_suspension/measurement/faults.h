@@ -28,10 +28,9 @@ struct Faults {
 
 /// Searches both channels, sampled evenly or nearly so. All limits are relative to the channel's own scatter about a
 /// prediction from its neighbours, to its range, or to the other channel:
-/// - a spike stands out of both neighbourhoods for one or two samples, in one channel only; the displacement has no
-/// jump
-///   of its speed there from which the force of a mass would have such a peak, and the force has no such corner where
-///   the same motion recurs, as at a bump stop (after Hampel's identifier, Davies and Gather, JASA 88, 1993);
+/// - a spike stands out of both neighbourhoods for one or two samples, in one channel only; the speed does not jump
+///   there, so that it is no peak of a mass, and the force has no such corner where the same motion recurs, as at a
+///   bump stop (after Hampel's identifier, Davies and Gather, JASA 88, 1993);
 /// - a held value repeats bit by bit while the other channel moves on, and ends in a jump that the other does not have;
 /// - a saturated channel piles up at its extreme value while the other one goes further out and returns, or as a force
 ///   that leaves this value where the displacement does not turn, which friction at its limit does.

@@ -128,6 +128,9 @@ class Resampling {
       addFormErrorDirections(first, size, form_error[m]);
       first += size;
     }
+    for (std::size_t b = 0; b < blocks_.gram.size(); ++b) {
+      groups_[hypothesis_.free_in_log.any() ? blocks_.record[b] : 0].push_back(b);
+    }
     draw(options.resamplings);
   }
 
@@ -169,15 +172,11 @@ class Resampling {
   // Adds as many blocks as there are, drawn from all. If each log has unknowns of its own, what an effect has in common
   // scatters from log to log, and logs are drawn first.
   void addResampled(Eigen::MatrixXd& sum) {
-    std::map<std::size_t, std::vector<std::size_t>> groups;
-    for (std::size_t b = 0; b < blocks_.gram.size(); ++b) {
-      groups[hypothesis_.free_in_log.any() ? static_cast<std::size_t>(blocks_.record[b]) : 0].push_back(b);
-    }
     const auto any = [&](std::size_t size) {
       return std::uniform_int_distribution<std::size_t>(0, size - 1)(generator_);
     };
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      const auto& [log, blocks] = *std::next(groups.begin(), static_cast<std::ptrdiff_t>(any(groups.size())));
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const auto& [log, blocks] = *std::next(groups_.begin(), static_cast<std::ptrdiff_t>(any(groups_.size())));
       for (std::size_t b = 0; b < blocks.size(); ++b) {
         sum += blocks_.gram[blocks[any(blocks.size())]];
       }
@@ -314,7 +313,8 @@ class Resampling {
   const fit::Excitation& excitation_;
   std::mt19937 generator_;
   const fit::BlockGrams blocks_;
-  std::set<Key> may_vanish_;  // sizes of effects that vanish at 0
+  std::map<int, std::vector<std::size_t>> groups_;  // blocks that are drawn together
+  std::set<Key> may_vanish_;                        // sizes of effects that vanish at 0
   const Sizes best_;
   std::vector<Eigen::VectorXd> form_errors_;  // each of standard deviation 1
   std::map<Key, std::vector<Draw>> draws_;
