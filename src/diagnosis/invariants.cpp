@@ -120,11 +120,9 @@ bool whatIsNamedCloses(const Diagnosis& d) {
   if (d.answer.effects.empty() || !d.law.withheld.empty()) {
     return true;
   }
-  const judge::Evidence& evidence = d.workings->evidence;
-  const bool nearer =
-      d.gaps.unseen.augmented < d.gaps.unseen.as_configured &&
-      evidence.at(d.workings->answer.model).chi_squared < evidence.at(judge::Evidence::kReEstimated).chi_squared;
-  return (d.gaps.unseen.augmented < d.gaps.unseen.re_estimated && d.gaps.closed_interval[0] > 0.0) || nearer;
+  const Gap& gap = d.gaps.unseen;
+  return (gap.augmented < gap.re_estimated && d.gaps.closed_interval[0] > 0.0) ||
+         (gap.augmented < gap.as_configured && d.workings->evidence.isNearerToTheSheet(d.workings->answer.model));
 }
 
 bool closedIsOfTheGaps(const Diagnosis& d) {

@@ -56,6 +56,9 @@ struct Evidence {
   std::vector<bool> excluded = {};  ///< of each effect: it is ruled out, as all hypotheses with it; empty: none is
 
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
+
+  /// Returns true if the values of a hypothesis lie nearer to the data sheet than those re-estimated without effects.
+  bool isNearerToTheSheet(int hypothesis) const { return at(hypothesis).chi_squared < at(kReEstimated).chi_squared; }
 };
 
 }  // namespace rubber_suspension::diagnosis::judge

@@ -182,6 +182,17 @@ class Describer {
     return findings;
   }
 
+  // True if the named law leaves less than the re-estimated values, or, with values nearer to the data sheet, less than
+  // the component as configured.
+  bool closes() const {
+    const double left = gap::gapOfParts(written_.errors.unseen());
+    const auto configured = [&] {
+      return gap::gapOfParts(gap::partErrors(recordsOfGap(), simulated(prepared_.component.allElements())));
+    };
+    return left < gap::gapOfParts(before_.unseen()) ||
+           (workings_.evidence.isNearerToTheSheet(answer_.model) && left < configured());
+  }
+
   // Lower bound of the squares that the law of each named effect removes, all else being unchanged.
   std::vector<double> squaresRemoved() const {
     const std::vector<std::string> effects = answered(answer_, workings_.evidence).effects;
@@ -211,6 +222,11 @@ class Describer {
     return hasUnseenLogs()
                ? gap::Forces(forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size()), forces.end())
                : forces;
+  }
+
+  gap::Forces simulated(const std::vector<element::ElementDescription>& elements) const {
+    return hasUnseenLogs() ? gap::simulateEach(elements, recordsOfGap())
+                           : gap::simulate(elements, recordsOfGap(), gap::asRecorded);
   }
 
   // Gaps with each effect alone, on the logs of the gap.
@@ -271,9 +287,7 @@ class Describer {
       freed.free_in_log.by_factor = hasUnseenLogs() ? hypotheses::frictionOfEach(elements, records)
                                                     : fit::columnOf(fit::frictionOf(elements, records));
     }
-    return hypotheses::partErrorsOf(
-        freed, records,
-        hasUnseenLogs() ? gap::simulateEach(elements, records) : gap::simulate(elements, records, gap::asRecorded));
+    return hypotheses::partErrorsOf(freed, records, simulated(elements));
   }
 
   // Gaps of the whole logs with all that the rig did to them: as configured, re-estimated, augmented, with a surrogate.
@@ -386,11 +400,8 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
   for (bool settled = false; !settled;) {  // a set that closes nothing, or has an effect that does, is no answer
     named = writtenLaw(prepared, search, search.at(workings->answer.model), gap_before, options);
     removed = describer(named).squaresRemoved();
-    const judge::Evidence& evidence = workings->evidence;
-    const bool is_nearer =
-        evidence.at(workings->answer.model).chi_squared < evidence.at(judge::Evidence::kReEstimated).chi_squared;
-    const bool closes = removed.empty() || is_nearer || gap::gapOfParts(named.errors.unseen()) < gap_before;
-    settled = closes && std::all_of(removed.begin(), removed.end(), [](double squares) { return squares > 0.0; });
+    settled = (removed.empty() || describer(named).closes()) &&
+              std::all_of(removed.begin(), removed.end(), [](double squares) { return squares > 0.0; });
     if (!settled) {
       workings->evidence.hypotheses[static_cast<std::size_t>(workings->answer.model)].idle = true;
       workings->table = judge::scoreTable(workings->evidence);
