@@ -217,15 +217,29 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
   return std::sqrt(withSlowPart(fast, slow, slow_noise));
 }
 
-// Power of a signal in windows that overlap by half, window x octave of frequency.
-ArrayXXd powerInWindows(const VectorXd& signal, Index length) {
+// Starts of the windows of a length that overlap by half and of whose samples more than half count.
+std::vector<Index> windowsOf(const Mask& mask, Index length) {
+  std::vector<Index> starts;
+  for (Index start = 0; start + length <= mask.size(); start += length / 2) {
+    if (2 * mask.segment(start, length).count() > length) {
+      starts.push_back(start);
+    }
+  }
+  return starts;
+}
+
+// Power of a signal per sample that counts, window x octave of frequency.
+ArrayXXd powerInWindows(const VectorXd& signal, const Mask& mask, const std::vector<Index>& starts, Index length) {
   const auto octaves = static_cast<Index>(std::log2(static_cast<double>(length))) - 1;
-  ArrayXXd power(2 * signal.size() / length - 1, octaves);
+  ArrayXXd power(static_cast<Index>(starts.size()), octaves);
   for (Index w = 0; w < power.rows(); ++w) {
-    const auto lines = hannSpectrum(signal.segment(w * length / 2, length), static_cast<std::size_t>(length));
+    const Index start = starts[static_cast<std::size_t>(w)];
+    const VectorXd counted = signal.segment(start, length).array() * mask.segment(start, length).cast<double>();
+    const auto lines = hannSpectrum(counted, static_cast<std::size_t>(length));
+    const auto count = static_cast<double>(mask.segment(start, length).count());
     for (Index octave = 0; octave < power.cols(); ++octave) {
       const Index first = Index{1} << octave;
-      power(w, octave) = Eigen::Map<const Eigen::ArrayXcd>(lines.data() + first, first).abs2().mean();
+      power(w, octave) = Eigen::Map<const Eigen::ArrayXcd>(lines.data() + first, first).abs2().mean() / count;
     }
   }
   return power;
@@ -267,8 +281,12 @@ double evidenceOfNoise(const log::Record& record, const VectorXd& residual, cons
   if (length < kShortestWindow) {
     return 0.0;
   }
-  const ArrayXXd power = powerInWindows(residual.array() * mask.cast<double>(), length);
-  const ArrayXXd of_force = powerInWindows(record.force, length);
+  const std::vector<Index> windows = windowsOf(mask, length);
+  if (static_cast<double>(windows.size()) < kFewestWindows) {
+    return 0.0;
+  }
+  const ArrayXXd power = powerInWindows(residual, mask, windows, length);
+  const ArrayXXd of_force = powerInWindows(record.force, Mask::Constant(mask.size(), true), windows, length);
   const double white = power.rightCols(2).mean();
   double evidence = 0.0;
   for (Index octave = 1; octave + 1 < power.cols(); ++octave) {

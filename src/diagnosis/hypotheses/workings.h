@@ -63,11 +63,15 @@ struct Workings {
 
   Workings() = default;
   Workings(hypotheses::Search found, judge::Evidence of_search, bool write)
-      : search(std::move(found)),
-        evidence(std::move(of_search)),
-        table(judge::scoreTable(evidence)),
-        answer(judge::answer(table)),
-        write_evidence(write) {}
+      : search(std::move(found)), evidence(std::move(of_search)), write_evidence(write) {
+    judgeAgain();
+  }
+
+  /// Finds the answer to the evidence.
+  void judgeAgain() {
+    table = judge::scoreTable(evidence);
+    answer = judge::answer(table);
+  }
 };
 
 }  // namespace rubber_suspension::diagnosis

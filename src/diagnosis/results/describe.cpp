@@ -110,6 +110,21 @@ double removedAtLeast(const std::vector<gap::PartError>& without, const std::vec
   return (sum - kNormal95 * std::sqrt(squares)) / weights;
 }
 
+// Judges again with noise floors that are at least as given, for each log of the fit and then for each held-out one.
+void raiseFloors(const std::vector<double>& floors, const hypotheses::PreparedCase& prepared, Workings& workings) {
+  hypotheses::Noise& noise = workings.search.noise;
+  for (std::size_t r = 0; r < floors.size(); ++r) {
+    const std::size_t training = prepared.training.size();
+    double& floor = r < training ? noise.of_logs[r] : noise.unseen[r - training];
+    const double raised = std::max(floor, floors[r]);
+    judge::LogEvidence& log = workings.evidence.logs[r];
+    log.floor = std::sqrt(log.floor * log.floor + raised * raised - floor * floor);
+    floor = raised;
+  }
+  noise.floor = hypotheses::commonFloor(noise.of_logs, prepared.training);
+  workings.judgeAgain();
+}
+
 // The numbers of a report, from what describe() found before.
 class Describer {
  public:
@@ -164,9 +179,7 @@ class Describer {
   // Errors of the rig in each log, from the residuals of the judged model and of the next likely one. There are none if
   // the judged model leaves more of the gap than it explains, because the residual is then a fault of the model.
   std::vector<measurement::RigFinding> findingsOfRig() const {
-    const double rest = answer_.posterior.none_of_these + answer_.posterior.effects * answer_.beside;
-    std::vector<measurement::RigFinding> findings =
-        colouredNoise(workings_.simulated.records, workings_.simulated.augmented, rest);
+    std::vector<measurement::RigFinding> findings;
     if (leavesMoreThanItExplains(gapOfModels())) {
       return findings;
     }
@@ -397,18 +410,28 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
   };
   MeasuredLaw named;
   std::vector<double> removed;
-  for (bool settled = false; !settled;) {  // a set that closes nothing, or has an effect that does, is no answer
-    named = writtenLaw(prepared, search, search.at(workings->answer.model), gap_before, options);
-    removed = describer(named).squaresRemoved();
-    settled = (removed.empty() || describer(named).closes()) &&
-              std::all_of(removed.begin(), removed.end(), [](double squares) { return squares > 0.0; });
-    if (!settled) {
-      workings->evidence.hypotheses[static_cast<std::size_t>(workings->answer.model)].idle = true;
-      workings->table = judge::scoreTable(workings->evidence);
-      workings->answer = judge::answer(workings->table);
+  const auto settle = [&] {  // a set that closes nothing, or has an effect that does, is no answer
+    for (bool settled = false; !settled;) {
+      named = writtenLaw(prepared, search, search.at(workings->answer.model), gap_before, options);
+      removed = describer(named).squaresRemoved();
+      settled = (removed.empty() || describer(named).closes()) &&
+                std::all_of(removed.begin(), removed.end(), [](double squares) { return squares > 0.0; });
+      if (!settled) {
+        workings->evidence.hypotheses[static_cast<std::size_t>(workings->answer.model)].idle = true;
+        workings->judgeAgain();
+      }
     }
+    workings->simulated = simulateAll(prepared, re_estimated, named.law.augmented, options.threads);
+  };
+  settle();
+  const Posterior& posterior = workings->answer.posterior;
+  const ColouredNoise noise = colouredNoise(workings->simulated.records, workings->simulated.augmented,
+                                            posterior.none_of_these + posterior.effects * workings->answer.beside);
+  if (!noise.findings.empty()) {  // it is noise, which no law has to follow
+    raiseFloors(noise.floors, prepared, *workings);
+    settle();
   }
-  workings->simulated = simulateAll(prepared, re_estimated, named.law.augmented, options.threads);
+  findings.insert(findings.end(), noise.findings.begin(), noise.findings.end());
   const std::vector<measurement::RigFinding> of_rig = describer(named).findingsOfRig();
   findings.insert(findings.end(), of_rig.begin(), of_rig.end());
   const MeasuredLaw written = withoutDamage(prepared, *workings, std::move(named), gap_before, findings, options);

@@ -90,8 +90,8 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
   return found;
 }
 
-std::vector<measurement::RigFinding> colouredNoise(const std::vector<gap::PreparedRecord>& records,
-                                                   const gap::Forces& simulated, double rest) {
+ColouredNoise colouredNoise(const std::vector<gap::PreparedRecord>& records, const gap::Forces& simulated,
+                            double unlisted) {
   constexpr double kPrior = 0.5;        // that an unlisted cause is noise of the rig
   constexpr double kStationary = 0.02;  // probability that an error of a model is as stationary as noise
   constexpr double kReported = 0.9;
@@ -101,18 +101,20 @@ std::vector<measurement::RigFinding> colouredNoise(const std::vector<gap::Prepar
     residuals.push_back(records[r].withoutRig(records[r].force - simulated[r]));
     evidence += measurement::evidenceOfNoise(records[r], residuals[r], measurement::maskOf(records[r]));
   }
-  const double noise = kPrior * rest;
-  if (!(noise >= kReported * (noise + (1.0 - noise) * (kStationary + std::exp(-evidence))))) {
+  const double prior = kPrior * unlisted;
+  if (!(prior >= kReported * (prior + (1.0 - prior) * (kStationary + std::exp(-evidence))))) {
     return {};
   }
-  std::vector<measurement::RigFinding> found;
+  ColouredNoise noise;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const auto model = measurement::estimateNoise(residuals[r], measurement::maskOf(records[r]));
-    if (const auto finding = measurement::colouredNoiseFinding(records[r].name, model)) {
-      found.push_back(*finding);
+    const auto finding = measurement::colouredNoiseFinding(records[r].name, model);
+    noise.floors.push_back(finding ? model.deviation / records[r].force_deviation : 0.0);
+    if (finding) {
+      noise.findings.push_back(*finding);
     }
   }
-  return found;
+  return noise;
 }
 
 }  // namespace rubber_suspension::diagnosis::results

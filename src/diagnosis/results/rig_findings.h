@@ -19,10 +19,16 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
                                                  const io::RigTolerances& tolerances,
                                                  const std::vector<gap::PreparedRecord>& records, int threads);
 
-/// The noise of the amplifier in each log, if it explains with a probability of 0.9 what the judged model leaves.
-/// `rest`: probability of a cause that no effect explains, beside which the model may have its form error. Such a part
-/// of the residual is noise if its power does not follow that of the force in any log.
-std::vector<measurement::RigFinding> colouredNoise(const std::vector<gap::PreparedRecord>& records,
-                                                   const gap::Forces& simulated, double rest);
+/// Noise of the amplifier that rises towards low frequencies.
+struct ColouredNoise {
+  std::vector<measurement::RigFinding> findings;
+  std::vector<double> floors;  ///< noise of each record, in units of its force's standard deviation
+};
+
+/// Returns the noise of the amplifier if it explains with a probability of 0.9 what the judged model leaves; else
+/// nothing. `unlisted` is the probability of a cause that no effect explains, beside which the model may have its form
+/// error. Such a part of the residual is noise if its power does not follow that of the force in any record.
+ColouredNoise colouredNoise(const std::vector<gap::PreparedRecord>& records, const gap::Forces& simulated,
+                            double unlisted);
 
 }  // namespace rubber_suspension::diagnosis::results
