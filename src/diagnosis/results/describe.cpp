@@ -424,9 +424,7 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
     workings->simulated = simulateAll(prepared, re_estimated, named.law.augmented, options.threads);
   };
   settle();
-  const Posterior& posterior = workings->answer.posterior;
-  const ColouredNoise noise = colouredNoise(workings->simulated.records, workings->simulated.augmented,
-                                            posterior.none_of_these + posterior.effects * workings->answer.beside);
+  const ColouredNoise noise = colouredNoise(workings->simulated.records, workings->simulated.augmented);
   if (!noise.findings.empty()) {  // it is noise, which no law has to follow
     raiseFloors(noise.floors, prepared, *workings);
     settle();

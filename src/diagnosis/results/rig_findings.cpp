@@ -90,10 +90,8 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
   return found;
 }
 
-ColouredNoise colouredNoise(const std::vector<gap::PreparedRecord>& records, const gap::Forces& simulated,
-                            double unlisted) {
-  constexpr double kPrior = 0.5;        // that an unlisted cause is noise of the rig
-  constexpr double kStationary = 0.02;  // probability that an error of a model is as stationary as noise
+ColouredNoise colouredNoise(const std::vector<gap::PreparedRecord>& records, const gap::Forces& simulated) {
+  constexpr double kPrior = 0.02;  // probability of such noise on a rig
   constexpr double kReported = 0.9;
   std::vector<Eigen::VectorXd> residuals;
   double evidence = 0.0;
@@ -101,8 +99,7 @@ ColouredNoise colouredNoise(const std::vector<gap::PreparedRecord>& records, con
     residuals.push_back(records[r].withoutRig(records[r].force - simulated[r]));
     evidence += measurement::evidenceOfNoise(records[r], residuals[r], measurement::maskOf(records[r]));
   }
-  const double prior = kPrior * unlisted;
-  if (!(prior >= kReported * (prior + (1.0 - prior) * (kStationary + std::exp(-evidence))))) {
+  if (evidence < std::log(kReported / (1.0 - kReported) * (1.0 - kPrior) / kPrior)) {
     return {};
   }
   ColouredNoise noise;

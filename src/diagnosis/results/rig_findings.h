@@ -25,10 +25,8 @@ struct ColouredNoise {
   std::vector<double> floors;  ///< noise of each record, in units of its force's standard deviation
 };
 
-/// Returns the noise of the amplifier if it explains with a probability of 0.9 what the judged model leaves; else
-/// nothing. `unlisted` is the probability of a cause that no effect explains, beside which the model may have its form
-/// error. Such a part of the residual is noise if its power does not follow that of the force in any record.
-ColouredNoise colouredNoise(const std::vector<gap::PreparedRecord>& records, const gap::Forces& simulated,
-                            double unlisted);
+/// Returns the noise of the amplifier in what the judged model leaves if its probability is 0.9 or more; else nothing.
+/// Such a part of the residual is noise, not an error of the model, if its power does not follow that of the force.
+ColouredNoise colouredNoise(const std::vector<gap::PreparedRecord>& records, const gap::Forces& simulated);
 
 }  // namespace rubber_suspension::diagnosis::results
