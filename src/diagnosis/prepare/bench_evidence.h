@@ -1,5 +1,4 @@
-// The verdict check_bench and its figures: logs with a wrong sign, unit, column or component, as they are and
-// corrected.
+// Evidence for the verdict check_bench: logs with a wrong sign, unit, column or component, as recorded and corrected.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +22,7 @@ struct ComparedLog {
 /// A log with a fatal finding.
 struct CheckedLog {
   ComparedLog as_recorded;
-  std::string correction;  ///< that the finding proposes; empty where it proposes none
+  std::string correction;  ///< proposed by the finding; empty if there is none
   std::optional<ComparedLog> corrected;
 };
 
@@ -31,7 +30,7 @@ struct CheckedLog {
 
 namespace rubber_suspension::diagnosis {
 
-/// A type that a public header declares.
+/// Logs with a fatal finding, for figures. Declared in diagnosis.h.
 struct BenchEvidence {
   std::vector<prepare::CheckedLog> logs;
 };
@@ -40,13 +39,12 @@ struct BenchEvidence {
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Evidence from the first logs with a fatal finding that can be simulated.
+/// Returns the first three logs with a fatal finding that can be simulated, without those that are too short.
 BenchEvidence benchEvidence(const std::vector<element::ElementDescription>& elements,
                             const std::vector<log::Record>& records,
                             const std::vector<measurement::RigFinding>& findings);
 
-/// The diagnosis of a measurement with a wrong sign, unit, column or component: check_bench, by the first fatal
-/// finding.
+/// Returns the diagnosis check_bench, with the first fatal finding as its reason.
 Diagnosis refused(const io::ComponentDescription& component, std::vector<measurement::RigFinding> findings);
 
 }  // namespace rubber_suspension::diagnosis::prepare

@@ -16,17 +16,17 @@
 namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
-constexpr std::size_t kWindows = 8;        // of a log: its beginning, its largest motion, and six of other amplitudes
-constexpr double kCyclesOfExcerpt = 10.0;  // in a window: the first does not count, and some are to be left for folds
-constexpr double kMoves = 0.1;             // of the deviation of the window that moves most: less is a standstill
-constexpr std::size_t kLeastShare = 2000;  // samples of a log, however many logs there are: ten cycles of 200 samples
+constexpr std::size_t kWindows = 8;        // per log: its beginning, its largest motion, and six of other amplitudes
+constexpr double kCyclesOfExcerpt = 10.0;  // per window: the first does not count, and folds need several
+constexpr double kMoves = 0.1;             // of the largest standard deviation of a window: less is a standstill
+constexpr std::size_t kLeastShare = 2000;  // samples per log, however many logs there are: ten cycles of 200 samples
 
 struct Window {
   std::size_t first;
-  std::size_t last;  // one behind
+  std::size_t last;  // one past the end
 };
 
-// Even parts of a log with as many samples each as a window of a share has, to whole stretches of the survey.
+// Divides a log into windows of equal length, which is a multiple of the stretches of the survey.
 std::vector<Window> windowsOf(const LogSurvey& log, std::size_t share) {
   const double least = kCyclesOfExcerpt * log.motion.samplesPerCycle();
   const double most = static_cast<double>(share) / least;
@@ -48,12 +48,12 @@ std::vector<double> motionOf(const LogSurvey& log, const std::vector<Window>& wi
   return element::each(windows, [&](const Window& window) { return log.motion.deviation(window.first, window.last); });
 }
 
-// A motion of less counts as standing still.
+// Standard deviation of the displacement [m] below which a window is at standstill.
 double standstillOf(const std::vector<double>& motion) {
   return kMoves * *std::max_element(motion.begin(), motion.end());
 }
 
-// `count` of the windows by their place, ascending, of which one has the largest motion.
+// Indices of up to `count` windows, ascending. The first window and the one with the largest motion have priority.
 std::vector<std::size_t> choose(const std::vector<double>& motion, std::size_t largest, std::size_t count) {
   const double least = standstillOf(motion);
   std::vector<std::size_t> chosen;
@@ -70,14 +70,14 @@ std::vector<std::size_t> choose(const std::vector<double>& motion, std::size_t l
   }
   std::stable_sort(others.begin(), others.end(), [&](std::size_t a, std::size_t b) { return motion[a] < motion[b]; });
   const std::size_t further = std::min(count - chosen.size(), others.size());
-  for (std::size_t i = 0; i < further; ++i) {  // the middles of as many groups of equal size
+  for (std::size_t i = 0; i < further; ++i) {  // the middle of each of `further` groups
     chosen.push_back(others[(2 * i + 1) * others.size() / (2 * further)]);
   }
   std::sort(chosen.begin(), chosen.end());
   return chosen;
 }
 
-// Windows that touch are one.
+// Merges adjacent windows.
 std::vector<Window> joined(const std::vector<Window>& windows, const std::vector<std::size_t>& chosen) {
   std::vector<Window> result;
   for (const std::size_t place : chosen) {
@@ -98,8 +98,8 @@ std::string nameOf(const log::Log& part, const LogSurvey& log) {
 
 double secondsBetween(std::int64_t earlier, std::int64_t later) { return static_cast<double>(later - earlier) * 1e-9; }
 
-// The step over a time gap from one sample to the first of a stretch, short of the step with which the stretch begins:
-// the displacement continues in a straight line, as in `replay` and the node.
+// Lead-in over a time gap. It ends one time step before the stretch, with the displacement on the straight line across
+// the gap, as in `replay` and the node.
 log::LeadIn stepOver(const log::Log& before, std::size_t last, const log::Log& stretch) {
   const double step = secondsBetween(stretch.stamp[0], stretch.stamp[1]);
   const double gap = secondsBetween(before.stamp[last], stretch.stamp[0]);
@@ -112,12 +112,12 @@ bool changes(const std::vector<double>& values) {
   return *low < *high;
 }
 
-// A log or an excerpt of one continues behind each of its time gaps as another, to which the step over the time gap
-// leads: no spectrum knows what was in it. Stretches of which no record can be made are left out.
+// Splits a log or an excerpt at its time gaps, because no spectrum may include one. Omits stretches of which no record
+// can be made; adds the log as it is if no stretch remains.
 void addStretches(const LogSurvey& survey, log::Log log, log::LeadIn lead_in, std::vector<log::Log>& logs,
                   std::vector<log::LeadIn>& lead_ins) {
   const std::vector<std::size_t> first = log::stretchesOf(log);
-  std::size_t last = 0;      // sample of the stretch that was taken last
+  std::size_t last = 0;      // sample of the stretch added last
   std::size_t left_out = 0;  // samples
   const std::size_t before = logs.size();
   for (std::size_t i = 0; first.size() > 1 && !log.force.empty() && i < first.size(); ++i) {
@@ -142,10 +142,10 @@ void addStretches(const LogSurvey& survey, log::Log log, log::LeadIn lead_in, st
       "{} time gaps: spectra begin again behind each; {} samples between them left out", first.size() - 1, left_out));
 }
 
-// Takes excerpts of a log, and what leads into them, from its samples as they come.
+// Reads the excerpts of a log and their lead-ins in one pass.
 class ExcerptTaker {
  public:
-  /// Windows ascending; `coarse` samples of what lies between them are a step.
+  /// `windows`: ascending; `coarse`: samples per step of a lead-in.
   ExcerptTaker(const LogSurvey& log, const std::vector<Window>& windows, std::size_t coarse, double standstill)
       : log_(log) {
     std::size_t done = 0;
@@ -226,7 +226,8 @@ log::Log takeWhole(const LogSurvey& survey) {
   return log;
 }
 
-// Most samples that each log may give, all together no more than `most`: what short ones leave goes to the long ones.
+// Largest number of samples per log for which all logs together have at most `most`, and no less than kLeastShare. Long
+// logs share what short ones do not need.
 std::size_t fairShare(const std::vector<std::size_t>& sizes, std::size_t most) {
   std::vector<std::size_t> ascending = sizes;
   std::sort(ascending.begin(), ascending.end());

@@ -9,15 +9,15 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Makes the lead-in of a stretch of a log from its samples as they come, so many of them a step. Each step is the mean
-/// of its samples. Where these means lose motion, because a step is no small part of a cycle, two steps are the
-/// smallest and the largest of their samples in the order in which they came: amplitudes are those of the log then, and
-/// cycles may be too few.
+/// Builds the lead-in of a stretch of a log from its samples in the order of recording. Each step is the mean of a
+/// fixed number of samples. If these means lose motion, because a step is no small part of a cycle, each pair of steps
+/// is replaced by the smallest and the largest of its samples in the order in which they occurred. This keeps the
+/// amplitudes but may lose cycles.
 class LeadInBuilder {
  public:
-  /// Builds the lead-in of samples [first, last) of a log, with `coarse` samples a step and the remainder at the
-  /// beginning. Deviations below `standstill` [m] are noise, which is averaged. Steps of the log longer than
-  /// `longest_step` [ns] are time gaps, whose time is omitted.
+  /// Builds the lead-in of samples [first, last) of a log, with `coarse` samples per step; the remainder at the
+  /// beginning is dropped. Motion with a standard deviation below `standstill` [m] is averaged as noise. Steps of the
+  /// log longer than `longest_step` [ns] are time gaps, whose duration is omitted.
   LeadInBuilder(std::size_t first, std::size_t last, std::size_t coarse, double standstill, std::int64_t longest_step);
 
   /// Adds a sample, in order from the first on; samples outside the stretch are ignored.
@@ -38,11 +38,11 @@ class LeadInBuilder {
   std::int64_t paused_ = 0;  // time gaps [ns]
   std::int64_t first_stamp_ = 0;
   std::int64_t last_stamp_ = 0;
-  double offset_ = 0.0;   // the first displacement, about which squares are taken
-  double sum_ = 0.0;      // of all samples about it
-  double squares_ = 0.0;  // likewise
+  double offset_ = 0.0;   // the first displacement, subtracted before squaring
+  double sum_ = 0.0;      // of all samples minus offset_
+  double squares_ = 0.0;  // of their squares
   std::vector<double> means_;
-  std::vector<double> extremes_;  // two for two steps
+  std::vector<double> extremes_;  // two per pair of steps
   double low_ = 0.0;
   double high_ = 0.0;
   bool low_first_ = false;

@@ -26,16 +26,16 @@ using Eigen::VectorXd;
 constexpr double kLongestBlock = 2.0;  // [s]; the phase of mains hardly drifts in this time
 constexpr double kFewestBlocks = 12.0;
 constexpr Index kMainLobe = 2;            // frequencies to each side that belong to a line in a Hann window
-constexpr Index kNeighbours = 6;          // frequencies to each side that a line is compared with, beyond the main lobe
+constexpr Index kNeighbours = 6;          // frequencies to each side, less the main lobe, with which a line is compared
 constexpr double kSteady = 0.15;          // standard deviation of a steady amplitude, as a share of it
 constexpr double kDrift = 0.3;            // standard deviation of the drift of the phase from block to block [rad]
 constexpr double kFewestCycles = 8.0;     // in a window for the phase of a line
-constexpr double kShortestWindow = 0.25;  // of such a window [blocks]
-constexpr double kLikely = 3.0;           // evidence in one log: ln 20
+constexpr double kShortestWindow = 0.25;  // shortest of these windows [blocks]
+constexpr double kLikely = 3.0;           // least evidence of a line in one log: ln 20
 constexpr double kRare = 4.6;             // -ln of the probability of a line, 1 %
 constexpr double kLoud = 3.0;             // a line is seen beside neighbours that are smaller by this factor
 constexpr int kMultiples = 60;            // harmonics of the motion that the force may contain
-constexpr double kResolved = 2.0;         // distance of two frequencies, over the inverse of the duration
+constexpr double kResolved = 2.0;         // least distance of two frequencies, times the duration
 
 // Oscillation of steady amplitude whose phase drifts slowly.
 struct Line {
@@ -89,13 +89,13 @@ class BlockSpectra {
     return linesAbove([&](Index i) { return loudestBeside(i); });
   }
 
-  // Lines above half of their neighbours, from the lowest frequency on.
+  // Lines above the median of their neighbours, by ascending frequency.
   std::vector<Line> allLines() const {
     return linesAbove([&](Index i) { return numerics::medianOf(powersBeside(i)); });
   }
 
-  // True if the amplitude at a frequency is larger than those of a quarter of its neighbours by the factor of a loud
-  // line. Several frequencies of a motion may lie close to each other.
+  // True if the amplitude at a frequency exceeds the lower quartile of its neighbours by the factor kLoud. The median
+  // would be too high where several frequencies of a motion lie close together.
   bool standsOutAt(double frequency) const {
     const auto i = static_cast<Index>(std::lround(std::min(frequency / width_, 1e9)));
     if (i <= kNeighbours || i + kNeighbours >= power_.size()) {
@@ -165,7 +165,7 @@ class BlockSpectra {
     const auto steps = static_cast<double>(spectra_.rows() - 1);
     evidence += concentration * std::abs(advance) - steps * logBessel(concentration) - 0.5 * std::log(steps);
     double turns = std::arg(advance) / (2.0 * element::kPi);
-    // Half-way between two frequencies the advance is ambiguous: the larger neighbour decides on the side.
+    // Half-way between two frequencies the advance is ambiguous: the larger neighbour determines the side.
     if (std::abs(turns) > 0.25 && turns * (power_[i + 1] - power_[i - 1]) < 0.0) {
       turns -= std::copysign(1.0, turns);
     }
@@ -225,8 +225,8 @@ struct LineLog {
   std::vector<Line> motion;
 };
 
-// True if no log that should show the line lacks it, and the evidence of all exceeds what chance gives at any
-// frequency.
+// True if no log that should show the line lacks it, and the evidence of all logs exceeds what chance would produce at
+// some frequency.
 bool isOfRig(const Line& line, const std::vector<LineLog>& logs) {
   double evidence = -kRare;
   double frequencies = 1.0;

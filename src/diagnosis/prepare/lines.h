@@ -16,13 +16,13 @@ struct RigLines {
   std::vector<Eigen::VectorXd> forces;  ///< of all lines of each log [N]; empty where it has none
 };
 
-/// Finds the lines in the difference to the simulated force that are the rig's: oscillations at one frequency and of
-/// steady amplitude, in every log that could show them. A log could not show a line
-///   - at a multiple, or an alias of a multiple, of a steady frequency of its displacement, because friction and stops
-///     cause these, or beside several such frequencies;
-///   - where the residual beside the line is as large, or beyond the spectrum.
-/// The prior probability of a line is 1 %, spread evenly over all frequencies. Of lines closer than six frequencies of
-/// a block's spectrum, the larger one is found.
+/// Finds the lines of the rig in the residual: oscillations at one frequency and of steady amplitude, in every log that
+/// could show them. A log cannot show a line
+///   - at a frequency of its displacement, a multiple of one, or an alias of a multiple, because friction and stops
+///     cause lines there; nor any line if its displacement has steady frequencies that are no multiples of the lowest;
+///   - of less than three times the amplitude of the residual beside it, or beyond the spectrum.
+/// The prior probability of a line is 1 %, spread evenly over all frequencies. Of two lines closer than six frequency
+/// steps of a block's spectrum, only the larger one is found.
 RigLines linesOfRig(const std::vector<log::Record>& records, const gap::Forces& simulated);
 
 }  // namespace rubber_suspension::diagnosis::prepare

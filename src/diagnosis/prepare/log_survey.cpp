@@ -1,4 +1,4 @@
-// A survey of a log, before a diagnosis takes any of it.
+// First pass over a log, before a diagnosis selects samples.
 #include "diagnosis/prepare/log_survey.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
 constexpr std::size_t kMostStretches = 65536;
-constexpr double kCrossing = 0.5;  // of the deviation to both sides of the mean: a crossing beyond the noise
+constexpr double kCrossing = 0.5;  // hysteresis of a crossing of the mean, in standard deviations: noise does not cross
 
 }  // namespace
 
@@ -40,7 +40,7 @@ std::vector<LogSurvey> surveyLogs(const log::LogSources& sources, const componen
   return surveys;
 }
 
-// A recorder that still writes makes a log longer, which does no harm: what was there is taken.
+// A recorder may still append to the log: samples beyond those of the survey are ignored.
 void readAgain(const LogSurvey& survey, const log::LogSource::Take& take) {
   std::size_t seen = 0;
   bool ended = false;
@@ -62,7 +62,7 @@ void readAgain(const LogSurvey& survey, const log::LogSource::Take& take) {
   }
 }
 
-// Chan, Golub and LeVeque, The American Statistician 37 (1983).
+// Combines moments by Chan, Golub and LeVeque, The American Statistician 37 (1983).
 MotionSurvey::Stretch MotionSurvey::joined(const Stretch& a, const Stretch& b) {
   Stretch both;
   both.count = a.count + b.count;

@@ -1,4 +1,4 @@
-// A survey of a log, before a diagnosis takes any of it.
+// First pass over a log, which finds its motion and time steps before a diagnosis selects samples.
 #pragma once
 
 #include <cstddef>
@@ -12,25 +12,25 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Moments and extremes of the displacement over stretches of equal length, which grows with the log: there are never
-/// more than 65,536 of them.
+/// Moments and extremes of the displacement over stretches of equal length, which doubles as the log grows, so that
+/// there are at most 65,536 stretches.
 class MotionSurvey {
  public:
   void add(const std::vector<double>& displacement);
 
   std::size_t samples() const { return samples_; }
 
-  /// Samples of a stretch, but of the last, which may have fewer.
+  /// Returns the number of samples in a stretch; the last stretch may have fewer.
   std::size_t stretch() const { return length_; }
 
-  /// Standard deviation over the samples from `first` up to `last`, both on ends of stretches [m].
+  /// Returns the standard deviation [m] over the samples [first, last), both at limits of stretches.
   double deviation(std::size_t first, std::size_t last) const;
 
-  /// The first sample of the first stretch that holds the largest displacement, to whatever side.
+  /// Returns the first sample of the first stretch that contains the displacement of largest magnitude.
   std::size_t largest() const;
 
-  /// Samples of a cycle, by how often the displacement goes from one side of its mean to the other; not fewer than a
-  /// stretch, within which two crossings are seen at most.
+  /// Returns the mean number of samples per cycle, from the crossings of the mean. It is at least stretch(), because at
+  /// most two crossings per stretch are counted.
   double samplesPerCycle() const;
 
  private:
@@ -53,7 +53,7 @@ class MotionSurvey {
   std::vector<Stretch> stretches_;
 };
 
-/// A log that was read once.
+/// Results of the first pass over a log.
 struct LogSurvey {
   std::shared_ptr<const log::LogSource> source;
   std::vector<std::string> notes;
@@ -65,14 +65,14 @@ struct LogSurvey {
   double duration() const;  ///< [s]
 };
 
-/// Reads a log and keeps next to nothing of it. Throws LogError where it cannot be read, and where it has a temperature
-/// at which the component's shifts do not hold.
+/// Surveys a log in bounded memory. Throws LogError if it cannot be read, or has a temperature for which the
+/// component's temperature shifts do not hold.
 LogSurvey surveyLog(std::shared_ptr<const log::LogSource> source, const component::Component& component);
 
-/// Surveys all logs, several at a time.
+/// Surveys all logs, in up to `threads` threads.
 std::vector<LogSurvey> surveyLogs(const log::LogSources& sources, const component::Component& component, int threads);
 
-/// Reads a surveyed log again. Throws LogError where it is no longer what it was.
+/// Reads the samples of a surveyed log again. Throws LogError if it has fewer of them than before.
 void readAgain(const LogSurvey& survey, const log::LogSource::Take& take);
 
 }  // namespace rubber_suspension::diagnosis::prepare

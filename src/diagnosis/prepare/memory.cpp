@@ -1,4 +1,4 @@
-// Memory that a diagnosis takes.
+// Memory needed by a diagnosis.
 #include "diagnosis/prepare/memory.h"
 
 #include <fmt/format.h>
@@ -18,14 +18,14 @@ namespace {
 constexpr std::uint64_t kBytesPerSample = 3150;
 constexpr std::uint64_t kBytesPerSampleAndThread = 250;
 constexpr std::uint64_t kBytesOfProgram = 64 * 1024 * 1024;
-constexpr std::uint64_t kBytesOfThread = 16 * 1024 * 1024;  // its stack, and what its allocator keeps for it
+constexpr std::uint64_t kBytesOfThread = 16 * 1024 * 1024;  // its stack and the arena of its allocator
 
 std::string readable(std::uint64_t bytes) {
   const double mebibytes = static_cast<double>(bytes) / (1024.0 * 1024.0);
   return mebibytes < 1000.0 ? fmt::format("{:.0f} MiB", mebibytes) : fmt::format("{:.1f} GiB", mebibytes / 1024.0);
 }
 
-// Products of all columns that no fit changes, some 200 at most, over each block of the logs (fit::LogBlocks).
+// Products of all columns that no fit changes, at most some 200, over each block of the logs (fit::LogBlocks).
 constexpr std::uint64_t kBytesPerBlock = 400 * 1024;
 
 std::uint64_t blocksOf(std::uint64_t stretches) {

@@ -1,4 +1,4 @@
-// Memory that a diagnosis takes, so that logs beyond the machine's are refused before the search and not ended by it.
+// Memory needed by a diagnosis, so that logs too large for the machine are refused before the search.
 #pragma once
 
 #include <cstddef>
@@ -6,16 +6,16 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Samples of a search, in so many stretches of logs.
+/// Samples of a search, and the stretches of logs that they form.
 struct Searched {
   std::size_t samples = 0;
   std::size_t stretches = 0;
 };
 
-/// Most that a diagnosis takes besides logs that are in memory [bytes].
+/// Returns an upper bound of the memory that a diagnosis needs besides logs that are in memory [bytes].
 std::uint64_t memoryNeeded(const Searched& searched, int threads);
 
-/// Throws log::LogError where such a diagnosis, of logs of so many samples, takes more than what is available [bytes].
+/// Throws log::LogError if such a diagnosis, of logs of `recorded` samples, needs more than what is available [bytes].
 void requireMemory(const Searched& searched, std::size_t recorded, int threads, std::uint64_t available);
 
 }  // namespace rubber_suspension::diagnosis::prepare

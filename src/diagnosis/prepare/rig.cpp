@@ -1,4 +1,4 @@
-// The rig's part in the logs of a diagnosis.
+// Priors of the errors of the rig in each log.
 #include "diagnosis/prepare/rig.h"
 
 #include <algorithm>
@@ -24,14 +24,14 @@ namespace {
 
 using Records = std::vector<gap::PreparedRecord>;
 
-constexpr int kIterations = 8;          // of the fit that determines a start in motion
-constexpr double kBeyond95 = 0.025;     // of a variable, beyond its 95 % interval to one side
+constexpr int kIterations = 8;          // of the fit about which the priors are computed
+constexpr double kBeyond95 = 0.025;     // probability beyond one side of a 95 % interval
 constexpr double kNormal95 = 1.96;      // half width of the 95 % interval of a normal variable, in standard deviations
 constexpr std::size_t kFewestLogs = 3;  // from which the scatter of offsets can be estimated
 
-// Standard deviation of offsets or lags. Those that are new in each log scatter as much as they are large, those with a
-// cause do not: it is the scatter about their mean, increased for a small number so that 95 % are within 1.96 of it
-// (Student's t).
+// Standard deviation of offsets or delays about their mean, because a value that all logs have in common is no scatter
+// of the rig. It is increased for few logs so that 95 % are within 1.96 of it (Student's t); infinite below
+// kFewestLogs.
 double deviationBy(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());
   if (values.size() < kFewestLogs) {
@@ -43,7 +43,7 @@ double deviationBy(const std::vector<double>& values) {
   return scatter * boost::math::quantile(boost::math::complement(distribution, kBeyond95)) / kNormal95;
 }
 
-// Limits of offsets [N] and lags [s] from their values in all logs.
+// Largest standard deviations of offsets [N] and delays [s], from their values in all logs.
 struct Limits {
   double zero = HUGE_VAL;
   double lag = HUGE_VAL;
@@ -55,7 +55,7 @@ struct Limits {
   }
 };
 
-// Force at which Berg's friction of a model slides [N]; 0 without.
+// Force at which Berg's friction of a model slides [N]; 0 if there is none.
 double bergForce(const std::vector<element::ElementDescription>& elements) {
   double force = 0.0;
   for (const element::ElementDescription& element : elements) {
@@ -65,13 +65,13 @@ double bergForce(const std::vector<element::ElementDescription>& elements) {
 }
 
 // True if a log can determine an error of the rig that adds this force at one standard deviation: a slow log does not
-// determine lags.
+// determine delays.
 bool shows(const log::Record& record, const Eigen::VectorXd& deviation) {
   constexpr double kLeast = 0.01;  // of the force
   return deviation.norm() > kLeast * record.force_deviation * std::sqrt(static_cast<double>(record.size()));
 }
 
-// Adds the offset and the lag of each log. Pieces of one recording have the same offset, so that only whole logs show
+// Adds the offset and the delay of each log. Pieces of one recording have the same offset, so that only whole logs show
 // the scatter of offsets.
 void addValues(const io::RigTolerances& tolerances, const Records& records, const gap::Forces& simulated,
                std::vector<double>& zeros, std::vector<double>& lags) {
@@ -104,8 +104,8 @@ Limits limitsBy(const std::vector<element::ElementDescription>& elements, const 
   return {std::hypot(deviationBy(zeros), bergForce(elements)), deviationBy(lags)};
 }
 
-// A random walk over the log without its mean, represented by the first half cosines of its series. The mean square of
-// their sum is that of the noise.
+// Columns [N] of a random walk over the log without its mean: the first cosines of its series. With coefficients of
+// standard deviation 1, their sum has the given standard deviation [N].
 Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
   constexpr Eigen::Index kCosines = 8;
   const double samples = static_cast<double>(record.size());
@@ -120,7 +120,7 @@ Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
   return columns * (deviation / std::sqrt(squares));
 }
 
-// All errors that the rig may have added, each column of one standard deviation [N]. Offsets of the displacement are
+// Columns of all errors that the rig may have added, at one standard deviation [N]. Offsets of the displacement are
 // omitted, because their effect depends on the law.
 Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& limits, const gap::OwnErrors& own,
                              const Eigen::MatrixXd& starts, const Eigen::MatrixXd& slow) {

@@ -1,5 +1,4 @@
-// The rig's part in the logs of a diagnosis: what it may have added to each, as columns with a prior that every fit
-// has.
+// Possible errors of the rig in each log, as columns with a prior that every fit includes.
 #pragma once
 
 #include <vector>
@@ -12,7 +11,7 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Source of the scatter of offsets and lags: the logs, or, for simulated logs, the tolerances.
+/// Source of the scatter of offsets and delays: the logs, or, for simulated logs, the tolerances.
 enum class RigScatter { as_found, as_tolerated };
 
 /// The logs of a diagnosis with possible errors of their rig.
@@ -21,12 +20,12 @@ struct LogsOfRig {
   std::vector<gap::PreparedRecord> held_out;
 };
 
-/// The records with what the rig may have added to each (gap::RigPrior): zero, lag, clock, gain, what a motion before
-/// the log left, and noise slower than the motion as a random walk, each as wide as its tolerance. One standard
-/// deviation of any of them counts as measurement::ErrorScale::oneDeviation(). Zeros and lags that are much alike in
-/// all logs are no scatter of the rig: then they are no wider than they differ, and what they have in common is left to
-/// the effects. What a record has for itself (gap::OwnErrors) may have any size. The model is re-estimated for that,
-/// and for how much each log counts (weightsByNoise()).
+/// Returns the records with priors of the errors that the rig may have added to each (gap::RigPrior): offset, delay,
+/// clock, gain, the response to motion before the log, and noise slower than the motion as a random walk, each as wide
+/// as its tolerance. One standard deviation of any of them counts as measurement::ErrorScale::oneDeviation(). If
+/// offsets or delays scatter less over the logs than their tolerance, their priors are narrowed to that scatter, so
+/// that effects have to explain what all logs have in common. Errors of a single record (gap::OwnErrors) may have any
+/// size. The model is estimated again for these priors and for the weights of the logs (weightsByNoise()).
 LogsOfRig withRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
                         const measurement::ErrorScale& scale, std::vector<gap::PreparedRecord> training,
                         std::vector<gap::PreparedRecord> held_out, RigScatter scatter = RigScatter::as_found);
