@@ -1,4 +1,4 @@
-// The diagnosis of one component while its bench runs.
+// Diagnosis of one component while its bench runs.
 #include "diagnosis/live/live_diagnosis.h"
 
 #include <fmt/format.h>
@@ -19,12 +19,12 @@ namespace rubber_suspension::diagnosis::live {
 namespace {
 
 constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSettling = 5.0;        // [s] after a start, until what was left from before has gone
+constexpr double kSettling = 5.0;        // [s] after a start, until the response to earlier motion has decayed
 constexpr double kShortestPause = 10.0;  // [s] between two looks
 constexpr double kLogLength = 30.0;      // [s] of the logs that a window is cut into, at least
 constexpr std::size_t kMostPieces = 4;
 constexpr double kFewestInBlock = 20;
-constexpr double kSamplesPerPeriod = 16.0;  // of the fastest motion that is left in a log that is thinned
+constexpr double kSamplesPerPeriod = 16.0;  // of the fastest motion, kept in a log that is thinned
 constexpr int kResamplings = 100;
 
 double seconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
@@ -84,7 +84,7 @@ std::vector<log::Log> cut(const log::Log& whole) {
 
 }  // namespace
 
-/// A component that is simulated along.
+/// A component that is simulated along with the samples.
 class LiveDiagnosis::Model {
  public:
   explicit Model(const io::ComponentDescription& description)
@@ -92,7 +92,7 @@ class LiveDiagnosis::Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  // Not a number where there is no force.
+  // Returns NaN if the sample has no force.
   double force(const LiveSample& sample) {
     const component::StreamForce answer = stream_.push(sample.stamp, sample.displacement);
     return component::isAccepted(answer.acceptance) ? answer.force.total : kNoForce;
@@ -105,7 +105,7 @@ class LiveDiagnosis::Model {
 
 /// The sums of a block so far.
 struct LiveDiagnosis::Block {
-  /// Mean square about the mean of a stretch.
+  /// Standard deviation of a stretch.
   class Spread {
    public:
     void add(double value) {
@@ -219,7 +219,7 @@ bool LiveDiagnosis::lookIsDue() const {
   const std::int64_t now = samples_.back().stamp;
   const std::int64_t begin = windowBegin();
   const double pause = std::clamp(0.5 * last_window_, kShortestPause, settings_.longest_pause);
-  const bool is_new = seconds(last_look_ - regime_begin_) < settings_.shortest_window;  // of which no look knows
+  const bool is_new = seconds(last_look_ - regime_begin_) < settings_.shortest_window;  // no look covers the regime
   return seconds(now - begin) >= settings_.shortest_window && (is_new || seconds(now - last_look_) >= pause);
 }
 
@@ -250,7 +250,7 @@ void LiveDiagnosis::look(const std::function<bool()>& stop) {
     ++findings_.looks;
     judgement_.addLook({diagnosis.answer.verdict, diagnosis.answer.effects});
     if (diagnosis.answer.effects.empty() && !judgement_.now().effects.empty()) {
-      return;  // a look that has no effect does not take back the one that is named
+      return;  // a look without an effect does not withdraw the named one
     }
     findings_.stamp = last_look_;
     findings_.samples = 0;

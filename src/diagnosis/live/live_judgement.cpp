@@ -1,4 +1,4 @@
-// The judgement of a component while its bench runs.
+// Judgement of a component while its bench runs.
 #include "diagnosis/live/live_judgement.h"
 
 #include <algorithm>
@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::size_t kMostPoints = 3600;  // an hour of blocks of a second
 constexpr double kStill = 0.1;             // of the usual force: hardly any motion
-constexpr double kSlow = 0.02;             // weight of a new block in what is usual
+constexpr double kSlow = 0.02;             // weight of a new block in the usual force
 constexpr double kLeastRise = 0.1;         // in the logarithm: 10 % more error
 
 constexpr std::size_t kShortest = 4;
 // Least standard deviation of a stretch: RMS values of some 100 samples of noise scatter by 1/sqrt(2 n), 7 %.
 constexpr double kLeastDeviation = 0.05;
-// A change has to be worth 6 in the logarithm, and 3 for each factor e in the number of places that it might have: the
-// best of n places exceeds 3 parameters' gain by about 3/2 log n at chance, twice that is on the safe side.
+// A change needs a log-likelihood ratio of 6, plus 3 ln n for n possible places: by chance, the best of n places gains
+// about 3/2 ln n more than three parameters do, and twice that is on the safe side.
 constexpr double kLeastGain = 6.0;
 constexpr double kGainPerPlace = 3.0;
 
@@ -36,7 +36,7 @@ class Sums {
     return (sum_[last] - sum_[first]) / static_cast<double>(last - first);
   }
 
-  // Greatest logarithm of the likelihood of a stretch, but for constants.
+  // Largest log-likelihood of a stretch, up to a constant.
   double likelihood(std::size_t first, std::size_t last) const {
     const double count = static_cast<double>(last - first);
     const double middle = mean(first, last);

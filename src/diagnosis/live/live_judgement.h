@@ -1,5 +1,5 @@
-// The judgement of a component while its bench runs, from looks at windows and the errors on the blocks since: the
-// rule, without data and without time. Evidence grows block by block and may be looked at after each one.
+// Judgement of a component while its bench runs, from looks at windows and the errors on the blocks since. Evidence
+// grows block by block and may be examined after each one.
 #pragma once
 
 #include <algorithm>
@@ -15,27 +15,27 @@
 
 namespace rubber_suspension::diagnosis::live {
 
-/// Bets on blocks that no fit has seen. Before a block comes it is settled which model is the claim; the claim wins the
-/// block where its squared error is smaller than those of the model as configured and of the re-estimated one. Where
-/// one of those two is right, the claim's force differs from the true one by some d, and the errors from each other by
-/// sum(d^2) - 2 sum(d n) with the noise n of the block: whatever the claim is, with noise as likely to be n as -n it
-/// wins with a probability of at most 1/2. The factor
+/// Bets on blocks that no fit has used. The claimed model is fixed before a block is measured; it wins the block if its
+/// squared error is smaller than those of the configured and of the re-estimated model. If one of those two is right,
+/// the force of the claimed model differs from the true one by some d, and the squared errors differ by sum(d^2) - 2
+/// sum(d n) with the noise n of the block. If noise is as likely to be n as -n, any claimed model wins with a
+/// probability of at most 1/2. The factor
 ///   E = 1 + b for a block won, 1 - b for one lost
-/// then has an expectation of at most 1 given all that was before: a bet at fair odds or worse (Shafer, J. R. Stat.
-/// Soc. A 184, 2021; Shafer and Vovk, Game-theoretic foundations for probability and finance, 2019). Of
+/// then has an expectation of at most 1 given all earlier blocks: a bet at fair odds or worse (Shafer, J. R. Stat. Soc.
+/// A 184, 2021; Shafer and Vovk, Game-theoretic foundations for probability and finance, 2019). The expectation of
 ///   R <- max(R, 1) E
-/// the expectation is at most the number n of bets so far, and so is that of its maximum's chance to have reached c,
-/// times c (Ville's inequality for R - n; Shin, Ramdas, Rinaldo, E-detectors, New England J. Stat. Data Sci. 2, 2024):
+/// after n bets is at most n, and Ville's inequality for R - n gives (Shin, Ramdas, Rinaldo, E-detectors, New England
+/// J. Stat. Data Sci. 2, 2024)
 ///   P(R reaches c within n bets) <= n/c,   mean number of bets until it does, without an effect >= c,
-/// however often one looks, whatever was looked at and whenever the claim changed. No correction for repeated looks,
-/// such as spending a level on them, is left to do. Max(R, 1) forgets bets that were lost before the effect set in.
+/// however often one looks and whenever the claim changes. So repeated looks need no correction, such as a significance
+/// level shared among them. max(R, 1) discards bets that were lost before the effect began.
 class SequentialEvidence {
  public:
-  /// Reached with R >= threshold.
+  /// Creates evidence that is reached if R >= threshold.
   explicit SequentialEvidence(double threshold) : threshold_(threshold) {}
 
   void add(bool won) {
-    constexpr double kMost = 1e30;  // says no more than the threshold does, and stays finite
+    constexpr double kMost = 1e30;  // beyond any threshold, and finite
     value_ = std::min(kMost, std::max(value_, 1.0) * (won ? 1.0 + kBet : 1.0 - kBet));
   }
   void forget() { value_ = 1.0; }
@@ -44,8 +44,8 @@ class SequentialEvidence {
   double threshold() const { return threshold_; }
   bool isReached() const { return value_ >= threshold_; }
 
-  /// b: with an effect that wins nine blocks in ten, 2 p - 1 is the bet whose gain grows fastest (Kelly, Bell Syst.
-  /// Tech. J. 35, 1956).
+  /// b = 2 p - 1, the bet whose capital grows fastest if an effect wins a share p = 0.9 of the blocks (Kelly, Bell
+  /// Syst. Tech. J. 35, 1956).
   static constexpr double kBet = 0.8;
 
  private:
@@ -59,8 +59,8 @@ struct Look {
   std::vector<std::string> effects;  ///< named
 };
 
-/// Errors on a block that no look has seen, each the RMS of measured less simulated force without its mean [N]. Not a
-/// number where there is no such model.
+/// Errors on a block that no look has used: RMS of measured minus simulated force without its mean [N]; NaN if there is
+/// no such model.
 struct BlockErrors {
   std::int64_t begin = 0;  ///< stamp of its first sample [ns]
   double force = 0.0;      ///< standard deviation of the measured force [N]
@@ -71,8 +71,8 @@ struct BlockErrors {
 
 struct LiveCriteria {
   double block = 1.0;  ///< length of a block [s]
-  /// Mean time from one wrong name to the next while the model is right [h], at least; within a tenth of it there is
-  /// one with a probability of at most 10 %. With 1000 h: one in 100 h at most, nine times in ten none.
+  /// Lower bound of the mean time between two wrong names while the model is right [h]. The probability of a wrong name
+  /// within a tenth of this time is at most 10 %.
   double hours_between_false_names = 1000.0;
 
   double threshold() const { return 3600.0 * hours_between_false_names / block; }
@@ -80,27 +80,26 @@ struct LiveCriteria {
 
 /// The judgement at the moment.
 struct LiveVerdict {
-  std::optional<Verdict> verdict;  ///< none while nothing can be said
+  std::optional<Verdict> verdict;  ///< empty until there is one
   std::vector<std::string> effects;
-  std::optional<std::int64_t> since;  ///< onset [ns]; nothing: from the first block on, or no gap is claimed
+  std::optional<std::int64_t> since;  ///< onset [ns]; empty if there is no gap, or one from the first block on
   double evidence = 1.0;              ///< of SequentialEvidence
   double threshold = 0.0;
 
-  /// True where a gap is claimed.
+  /// True if a gap is reported.
   bool isGap() const { return verdict && *verdict != Verdict::none; }
 };
 
-/// The verdict, or "watching" while there is none.
+/// Returns the verdict, or "watching" while there is none.
 std::string toString(const LiveVerdict& verdict);
 
-/// Looks come again and again, and any of them may be wrong. What is said follows these rules:
-///  - An effect is named once the blocks since the look are evidence for what it adds: see SequentialEvidence, whose
-///    guarantee holds whatever the looks do. Until then there is no verdict.
-///  - It stays, as the newest look with an effect has it, until kAgreeing looks in a row have none.
-///  - `none` is said at once; the other verdicts without an effect once kAgreeing looks in a row have the same.
-///  - The onset is where the level of the logarithmic block errors of the configured model last changed, if it rose
-///    there.
-/// Blocks in which the component hardly moves say nothing and are left out. Memory is bounded.
+/// Judges from repeated looks, each of which may be wrong, by these rules:
+///  - An effect is named once the blocks since the look are evidence for its model (SequentialEvidence, whose guarantee
+///    holds for any sequence of looks). Until then there is no verdict.
+///  - The name remains, updated by each look with an effect, until kAgreeing looks in a row agree on another verdict.
+///  - `none` is reported at once unless an effect is named; other verdicts without an effect need kAgreeing looks.
+///  - The onset is the last change of level in the logarithmic block errors of the configured model, if it is a rise.
+/// Blocks in which the component hardly moves are ignored. Memory is bounded.
 class LiveJudgement {
  public:
   explicit LiveJudgement(const LiveCriteria& criteria = {});
@@ -110,7 +109,7 @@ class LiveJudgement {
 
   LiveVerdict now() const;
 
-  /// Stamp from which on the error of the configured model is what it is now [ns]; nothing: from the first block on.
+  /// Returns the stamp of the last change in the level of the configured model's error [ns]; empty if there is none.
   std::optional<std::int64_t> regimeBegin() const;
 
   static constexpr int kAgreeing = 2;
@@ -127,7 +126,7 @@ class LiveJudgement {
   LiveCriteria criteria_;
   SequentialEvidence evidence_;
   std::deque<Point> points_;
-  double usual_force_ = 0.0;   // of the blocks so far [N]
+  double usual_force_ = 0.0;   // running mean over the blocks [N]
   std::optional<Look> claim_;  // the newest look with an effect
   bool named_ = false;
   std::optional<Verdict> last_verdict_;  // of the looks without an effect
@@ -137,19 +136,18 @@ class LiveJudgement {
 
 /// A change between two stretches of a sequence.
 struct ChangePoint {
-  std::size_t first = 0;    ///< place of the first value behind it
-  double likelihood = 0.0;  ///< logarithm of the ratio of likelihoods, with the change to without it
+  std::size_t first = 0;    ///< index of the first value after it
+  double likelihood = 0.0;  ///< logarithm of the likelihood ratio, with the change to without it
   double before = 0.0;      ///< mean of the stretch before
-  double after = 0.0;       ///< and of that behind
+  double after = 0.0;       ///< mean of the stretch after
 };
 
-/// The most likely change of mean and spread of normal values (Hinkley, Biometrika 57, 1970), if there is one: if the
-/// ratio of likelihoods exceeds what the best of all places gives by chance. Both stretches have at least kShortest
-/// values.
+/// Returns the most likely change of mean and spread of normal values (Hinkley, Biometrika 57, 1970), if its likelihood
+/// ratio exceeds what the best of all places reaches by chance. Both stretches have at least four values.
 std::optional<ChangePoint> mostLikelyChange(const std::vector<double>& values);
 
-/// The last change: the sequence is cut at the most likely one, and what is behind it again, until there is none
-/// (binary segmentation: Scott and Knott, Biometrics 30, 1974).
+/// Returns the last change by binary segmentation (Scott and Knott, Biometrics 30, 1974): splits the sequence at the
+/// most likely change, and then the part after it, until there is none.
 std::optional<ChangePoint> lastChange(const std::vector<double>& values);
 
 }  // namespace rubber_suspension::diagnosis::live

@@ -10,23 +10,23 @@ namespace rubber_suspension::diagnosis::words {
 /// Why a candidate is not named.
 enum class Out {
   named,            ///< it is named
-  of_no_table,      ///< no table of settled loops shows it
+  of_no_table,      ///< tables of settled loops cannot show it
   not_testable,     ///< other parameter values hide it
-  removes_nothing,  ///< its interval on further logs holds nothing removed
-  gap_remains,      ///< nothing is named, and it leaves a gap
-  more_than_named,  ///< it leaves more than what is named
-  less_probable     ///< it leaves no more than what is named, and is less probable
+  removes_nothing,  ///< on further logs it may close nothing of the gap
+  gap_remains,      ///< no effect is named; with this one, a gap remains
+  more_than_named,  ///< its gap is larger than that of the named effects
+  less_probable     ///< its gap is no larger than that of the named effects, but it is less probable
 };
 
 Out reasonOf(const Diagnosis& diagnosis, const CandidateResult& candidate);
 
-/// Reason in half a sentence; empty for a named effect.
+/// Returns the reason in half a sentence; empty for a named effect.
 std::string whyOut(const Diagnosis& diagnosis, const CandidateResult& candidate);
 
-/// "A typical creep would not show in these logs, so whether it is there stays open."
+/// Returns "A typical creep would not show in these logs, so these effects remain possible."
 std::string notTestableText(const Diagnosis& diagnosis);
 
-/// "maximum force 6 kN, displacement 0.35 mm", of the entries of a candidate.
+/// Returns "maximum force 6 kN, displacement 0.35 mm", the headline numbers of a candidate.
 std::string numbersText(const Diagnosis& diagnosis, const CandidateResult& candidate);
 
 }  // namespace rubber_suspension::diagnosis::words

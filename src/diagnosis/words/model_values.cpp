@@ -1,4 +1,4 @@
-// The model's own values before and after.
+// The model's own values before and after the fit.
 #include "diagnosis/words/model_values.h"
 
 #include <fmt/format.h>

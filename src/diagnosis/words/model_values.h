@@ -1,4 +1,4 @@
-// The model's own values: which of them the logs contradict, and in what words.
+// The model's own values that the logs contradict, and their texts.
 #pragma once
 
 #include <string>
@@ -8,36 +8,36 @@
 
 namespace rubber_suspension::diagnosis::words {
 
-/// A value that the fit would have moved on: it is not told what it is.
+/// True if the fit ended at a bound, so that the logs do not determine the value.
 bool isAtBound(const SizedValue& size);
 
-/// Distance of a value from the configured one, as the size of the logarithm of their ratio.
+/// Returns the difference from the configured value as |ln(value / configured)|.
 double farOff(const SizedValue& size);
 
-/// True for a value of the rubber: no band of frequencies, which is chosen, and no value at a bound of the fit.
+/// False for limits of the frequency band, which are chosen, and for values at a bound of the fit.
 bool mayBeHeadline(const SizedValue& size);
 
-/// Values of the model that differ from the component file by 2 % or more with an interval that leaves the configured
-/// one out; the farthest off first.
+/// Returns the values of the model that differ from the component file by more than 2 % and whose interval excludes the
+/// configured value, by decreasing difference.
 std::vector<const SizedValue*> changedValues(const Diagnosis& diagnosis);
 
-/// The first of them that may be the headline; null where there is none.
+/// Returns the first of changedValues() that may be the headline; null if there is none.
 const SizedValue* headlineValue(const Diagnosis& diagnosis);
 
-/// "At 4 Hz and 0.35 mm (median amplitude of the logs) the whole component has K = 2.43 kN/mm (2.5 kN/mm as configured)
-/// and a loss angle of 5.1 deg (4.2 deg)."; empty where nothing is known of it.
+/// Returns "At 4 Hz and 0.35 mm (median amplitude of the logs) the whole component has K = 2.43 kN/mm (2.5 kN/mm as
+/// configured) and a loss angle of 5.1° (4.2°)."; empty if these are not known.
 std::string wholeText(const Diagnosis& diagnosis);
 
-/// A value of the model by the symbol of a sheet, or its element: "K_n", "maxwell 3 stiffness".
+/// Returns the symbol of a value on the data sheet, or its element and name: "K_n", "maxwell 3 stiffness".
 std::string valueName(const SizedValue& size);
 
-/// "K_n is 19 % too low in the component file (3.4 kN/mm instead of 4.2 kN/mm)".
+/// Returns "K_n is 19 % too low in the component file (3.4 kN/mm instead of 4.2 kN/mm)".
 std::string offText(const SizedValue& size);
 
-/// A number with its sign and side in words: "falls by 0.6 %/K", "31 N in compression".
+/// Returns a number with its sign in words: "falls by 0.6 %/K", "31 N in compression".
 std::string signedQuantity(const Diagnosis& diagnosis, const SizedValue& size);
 
-/// The entries that the component file gains, by type: "add: 2 times bump_stop (gap 4 mm, stiffness 3 kN/mm)".
+/// Returns the entries added to the component file, by type: "add: 2 times bump_stop (gap 4 mm, stiffness 3 kN/mm)".
 std::vector<std::string> addedTexts(const Diagnosis& diagnosis);
 
 }  // namespace rubber_suspension::diagnosis::words

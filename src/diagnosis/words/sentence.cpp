@@ -52,8 +52,8 @@ struct ChangeTexts {
   std::string noise;
 };
 
-// "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers. Of numbers without
-// a unit only the amount of the law is included, because a width or an exponent means little to a reader.
+// "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers. A number without a
+// unit is included only if it is the first, because a width or an exponent means little to a reader.
 std::string effectsText(const Diagnosis& diagnosis) {
   constexpr std::size_t kMost = 4;  // a gap and a stiffness of each of two stops
   std::vector<std::string> texts;
@@ -89,8 +89,8 @@ bool isWithheld(const Diagnosis& diagnosis, const std::string& effect) {
 
 bool writesAnEffect(const Diagnosis& diagnosis) { return !diagnosis.law.added_for.empty() || diagnosis.table; }
 
-// " Friction is not written: with it, the gap of the component file would be 3.1 % on log sweep, and as configured it
-// is 2.4 %."
+// " Friction is not written: with it, the gap of the component file would be 3.10 % on log sweep, but it is 2.40 % as
+// configured."
 std::string withheldNote(const Diagnosis& diagnosis) {
   std::string note;
   for (const Withheld& one : diagnosis.law.withheld) {
@@ -103,7 +103,7 @@ std::string withheldNote(const Diagnosis& diagnosis) {
   return note;
 }
 
-// " A line that the motion does not cause is removed: 50.0 Hz, 50 N: mains or a pump.", for the first log that has it.
+// " A spectral line that the motion does not cause is removed: 50.0 Hz, ...", for the first log that has one.
 std::string linesNote(const Diagnosis& diagnosis) {
   std::string note;
   std::string log;
@@ -154,7 +154,7 @@ std::string gainsNote(const Diagnosis& diagnosis) {
 
 // " All displacements are negative: ...", if the motion of the logs stays on one side of zero.
 std::string oneSideNote(const Diagnosis& diagnosis) {
-  constexpr double kSensorOffset = 0.05;  // of the largest displacement: less is no motion to the other side
+  constexpr double kSensorOffset = 0.05;  // of the largest displacement: less is an offset of the sensor
   double above = 0.0;
   double below = 0.0;
   if (diagnosis.workings) {
@@ -207,7 +207,7 @@ std::vector<std::string> openTexts(const Diagnosis& diagnosis, std::size_t most)
   return texts;
 }
 
-// Share of the gap as configured that values remove: the first one.
+// Share of the gap as configured that values remove, the first in the list.
 double shareOfValues(const Diagnosis& diagnosis) {
   return diagnosis.shares.empty() ? 0.0 : diagnosis.shares.front().share;
 }
@@ -241,7 +241,7 @@ std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects
          sharesText(diagnosis);
 }
 
-// "In tolerances of the data sheet: K_st -1.2, K_n +2.3.", the numbers that are off by half a tolerance or more.
+// " Deviations in tolerances of the data sheet: K_st -1.2, K_n +2.3.", from half a tolerance on.
 std::string deviationsText(const Diagnosis& diagnosis) {
   constexpr double kWorthSaying = 0.5;
   std::vector<std::string> texts;

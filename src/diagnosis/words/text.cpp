@@ -135,7 +135,7 @@ std::string intervalText(const SizedValue& size) {
   const Display& display = displayOf(size.unit, std::abs(size.value));
   const auto [least, most] = size.interval_95;
   const auto text = [&](double value, int digits) { return fmt::format("{:.{}g}", value / display.factor, digits); };
-  int digits = 3;  // and as many more as distinguish the ends
+  int digits = 3;  // at least, and enough to distinguish the ends
   while (digits < 6 && least < most && text(least, digits) == text(most, digits)) {
     ++digits;
   }
