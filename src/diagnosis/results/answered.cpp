@@ -23,8 +23,8 @@ double closedBy(double left, const Gap& gap) {
   return std::min(1.0, gap::closedFraction(gap.re_estimated, left, gap.noise_floor));
 }
 
-// Interval of the closed fraction, predicted for further logs. It contains the value in the logs of the gap, because
-// these are further logs, too.
+// Interval of the closed fraction, predicted for further logs and extended to the value on the logs of the gap, which
+// the fit has not seen either.
 std::array<double, 2> holding(double closed, const Closing& closing, const judge::ScoreTable& table,
                               const DiagnosisOptions& options) {
   const std::array<double, 2> interval = closedOnFurtherLogs(table, closing, options.resamplings, options.seed);

@@ -1,4 +1,4 @@
-// An answer as a diagnosis tells it, be it of logs or of a table: with the names of effects, and with what they close.
+// The answer of a diagnosis of logs or of a table, with the names of effects and the part of the gap that each closes.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// The answer with the names of effects.
+/// Returns the answer with the names of effects instead of their indices.
 Answered answered(const judge::Answer& answer, const judge::Evidence& evidence);
 
 /// Gaps of the models, of the judged law, and with each effect alone.
@@ -18,33 +18,33 @@ struct Left {
   Gap gap;
   double full_law = 0.0;      ///< gap
   std::vector<double> alone;  ///< gaps, by candidate
-  judge::ScoreTable table;    ///< of the evidence with the errors of what is written
+  judge::ScoreTable table;    ///< scores with the errors of the written component
 };
 
-/// The gap, of which noise is no more than what any of the models leaves, and the fraction of it that the answer
-/// closes, with its interval on further logs.
+/// Returns the gap, with a noise floor no larger than the gap of any model, and the fraction of it that the answer
+/// closes, with its interval for further logs.
 Gaps gapsOf(const Left& left, const Workings& workings, const DiagnosisOptions& options);
 
-/// Each effect alone, the likeliest first.
+/// Returns the results of each effect alone, the most probable effect first.
 std::vector<CandidateResult> candidateResults(const Left& left, const Gaps& gaps, const Workings& workings,
                                               const DiagnosisOptions& options);
 
-/// Tells of each effect that is written the numbers of the component file (CandidateResult::written).
+/// Replaces the numbers of each written effect by those of the component file (CandidateResult::written).
 void tellAsWritten(const WrittenLaw& law, const std::vector<std::string>& effects, const Gaps& gaps,
                    std::vector<CandidateResult>& candidates);
 
-/// The gap with some of what an answer changes: first whether its values are in, then each of its effects.
+/// Gap with a selection of the changes of an answer: in[0] selects its values, the others its effects in order.
 using GapWith = std::function<double(const std::vector<bool>& in)>;
 
-/// Shares of the gap as configured that values and each effect remove.
+/// Returns the shares (Shapley values) of the gap as configured that values and each effect remove.
 std::vector<GapShare> sharesOf(const std::vector<std::string>& effects, const Gap& gap, const GapWith& gap_with,
                                int threads);
 
-/// A component with some of what the augmented one changes, which has these effects.
+/// Returns the configured component with a selection (GapWith) of the changes of the augmented one.
 io::ComponentDescription withSome(const io::ComponentDescription& configured, const WrittenLaw& law,
                                   const std::vector<std::string>& effects, const std::vector<bool>& in);
 
-/// Deviations of a fitted and of a judged model from the data sheet.
+/// Returns the re-estimated ratios of the model, and the deviations of the judged model from the data sheet.
 OwnParameters ownParameters(const fit::ModelParameters& model, const Eigen::VectorXd& re_estimated,
                             const Eigen::VectorXd& judged);
 

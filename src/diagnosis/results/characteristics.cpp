@@ -20,7 +20,7 @@ constexpr double kCyclesOfWindow = 12.0;
 struct Loop {
   std::complex<double> stiffness;
   double energy = 0.0;
-  double energy_scale = 0.0;  // pi/4 (Fmax - Fmin)(zmax - zmin) per radian of the window's motion
+  double energy_scale = 0.0;  // integral of |F - mean F| over |dz|, which scales energies
 };
 
 std::vector<std::complex<double>> spectrumAboutMean(const Eigen::VectorXd& values) {
@@ -63,7 +63,7 @@ double medianAmplitude(const std::vector<gap::PreparedRecord>& logs, double freq
   return numerics::medianOf(near.empty() ? all : near);
 }
 
-// Characteristics as a test machine measures them, after some cycles: heating and drift continue for minutes.
+// Characteristics as a test machine measures them, after some cycles, because heating and drift continue for minutes.
 std::optional<response::Characteristics> measuredAt(const io::ComponentDescription& component, double frequency,
                                                     double amplitude) {
   response::LoopOptions options;

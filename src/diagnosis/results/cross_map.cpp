@@ -1,4 +1,4 @@
-// Least squares on parts of the logs in turn, judged by the others.
+// Cross-validated least squares on parts of the logs.
 #include "diagnosis/results/cross_map.h"
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ constexpr std::size_t kFolds = 5;
 constexpr std::size_t kBlocks = 100;         // of each log; every fifth is left out in turn
 constexpr std::size_t kMostMapped = 100000;  // samples of all logs
 constexpr double kLeastOfLargest = 0.02;     // of the motion of the largest translation or rotation
-constexpr double kLeastOfItsOwn = 0.01;      // of its variance, that does not follow the other direction
+constexpr double kLeastOfItsOwn = 0.01;      // share of its variance that does not follow the other direction
 constexpr Eigen::Index kOwn = 6;             // columns of the direction alone
 constexpr Eigen::Index kAll = 13;            // columns of both directions
 constexpr Eigen::Index kResidual = kAll;     // column of the residual, behind these

@@ -1,4 +1,4 @@
-// Displacements that predict the residual of another direction's force.
+// Prediction of the residual of one direction's force by the displacement of another.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Directions of a log, with what is left of their forces in place of these.
+/// Directions of a log, with residuals in place of forces.
 using DirectionResiduals = std::array<log::Log, component::kDirections>;
 
-/// CrossShare of a pair over all logs.
+/// Returns the CrossShare of a pair of directions over all logs.
 CrossShare crossShare(const std::vector<DirectionResiduals>& logs, component::Direction of, component::Direction by);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -97,7 +97,7 @@ Simulated simulateAll(const hypotheses::PreparedCase& prepared, const io::Compon
 // is that of parts in which the error increases: an effect that acts in few parts removes much there, which is no
 // uncertainty.
 double removedAtLeast(const std::vector<gap::PartError>& without, const std::vector<gap::PartError>& with) {
-  constexpr double kNormal95 = 1.645;  // of one side
+  constexpr double kNormal95 = 1.645;  // one-sided
   double sum = 0.0;
   double weights = 0.0;
   double squares = 0.0;
@@ -248,8 +248,8 @@ class Describer {
     fit::parallelFor(gaps.size(), options_.threads, [&](std::size_t c) {
       FittedLaw alone = fullLaw(search_.singles[c]);
       if (hasUnseenLogs() && &search_.singles[c] != &judged_) {
-        // For an effect that is not named, a drift or a gain counts as a simulation predicts it: free in each log it
-        // would absorb slow noise, or an error of the law.
+        // An effect that is not named explains drifts and gains only as a simulation predicts them: free in each log,
+        // they would absorb slow noise or an error of the law.
         alone.law.about.free_in_log = {};
       }
       gaps[c] = gap::gapOfParts(

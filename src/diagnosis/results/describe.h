@@ -1,5 +1,4 @@
-// The report's numbers: gaps and intervals, where the gap lies, what each candidate would do. After the judgement,
-// once.
+// Numbers of the report, from the judged search: gaps, intervals, the places of the gap, and the gap of each candidate.
 #pragma once
 
 #include "diagnosis/hypotheses/workings.h"
@@ -9,9 +8,8 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// The numbers of a search and its judgement; words and the next experiment are still to be found. `recorded`: the logs
-/// that the gaps are of with all that the rig did to them; `raw`: of each record; `findings`: what single samples of
-/// the logs told.
+/// Returns the numbers of a judged search, without sentences and the next experiment. `recorded`: the logs of the gaps
+/// as recorded; `raw`: channels of each record; `findings`: errors of the rig from single samples.
 Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
                    const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options);

@@ -1,4 +1,4 @@
-// The gap that a further log of the same rig will show.
+// Predicted gap of a further log of the same rig.
 #pragma once
 
 #include "diagnosis/hypotheses/workings.h"
@@ -6,9 +6,9 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Root mean square over the logs of the gap of a law that was fitted to all others, from where the fit to all ended,
-/// with only an offset removed. kNotComputed where there are fewer than three logs, or hold-outs, which tell it.
-/// `fitted`: null for the component as configured, which nothing is fitted of.
+/// Returns the RMS over the logs of the gap of a law that is fitted to all other logs, starting from the fit to all,
+/// with only an offset removed. kNotComputed if there are fewer than three logs, or hold-outs, which give this gap
+/// directly. `fitted`: null for the component as configured, which needs no fit.
 double gapOfFurtherLog(const hypotheses::PreparedCase& prepared, const FittedLaw* fitted, int threads);
 
 }  // namespace rubber_suspension::diagnosis::results

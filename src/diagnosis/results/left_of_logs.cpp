@@ -1,4 +1,4 @@
-// Gaps of single logs by two components, as equals.
+// Gaps of two components on single logs, computed alike.
 #include "diagnosis/results/left_of_logs.h"
 
 #include <algorithm>

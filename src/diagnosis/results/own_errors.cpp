@@ -37,7 +37,7 @@ std::vector<bool> unlikeMost(const std::vector<double>& values, double alike) {
   };
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
-  const double middle = sorted[(sorted.size() - 1) / 2];  // the value of most, if there is one
+  const double middle = sorted[(sorted.size() - 1) / 2];  // near the value of most, if there is one
   const auto count = static_cast<std::ptrdiff_t>(values.size());
   const bool any = 2 * likeOne(middle) > count;
   const double limit = likeOne(middle) == count ? 0.0 : alike;

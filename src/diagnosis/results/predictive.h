@@ -1,4 +1,4 @@
-// The gap to expect on further logs of a rig: a posterior predictive of what a law leaves there.
+// Posterior predictive distribution of the gap on further logs of a rig.
 #pragma once
 
 #include <array>
@@ -8,25 +8,25 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// A hypothesis whose share in closing the gap is asked for.
+/// A hypothesis whose closed fraction of the gap is predicted.
 struct Closing {
   int hypothesis = judge::Evidence::kReEstimated;
-  double alone = 1.0;    ///< probability that nothing else is at work: then what it leaves is the form error of its law
-  bool at_work = false;  ///< a law that is at work closes some of the gap
+  double alone = 1.0;    ///< probability of no unlisted cause beside it: its residual is then the form error of its law
+  bool at_work = false;  ///< it has effects, so that it closes some of the gap
 };
 
-/// The effects and values that an answer names.
+/// Returns the hypothesis of an answer.
 Closing closingOf(const judge::Answer& answer);
 
-/// 95 % interval of the fraction of the gap that a hypothesis closes of as many further logs of the same rig as there
-/// are.
+/// Returns the 95 % interval of the fraction of the gap that a hypothesis closes on as many further logs of the same
+/// rig as there are logs.
 ///
-/// The error that a law leaves in a log beyond its noise is normal with the variance v s^2, where s^2 is what the
-/// judgement expects of it there (score.h). Of v the judgement knows what logs of one rig scatter by: beforehand an
-/// inverse chi-square of nu degrees of freedom, after n logs with r^2 left of one of nu + n, so that what is left of a
-/// further log is Student's t. Beside a rest, which may have any size, the logs alone tell v. Noise floors are off by
-/// their standard error. Logs are drawn by their weights. Draws without a gap do not count, nor, of a law that is at
-/// work, those in which it closes none of it; without any the interval is that from 0 to 1.
+/// The error of a law in a log beyond its noise is normal with the variance v s^2, where s^2 is what the judgement
+/// expects there (score.h). The prior of v, the scatter between logs of one rig, is an inverse chi-square with nu
+/// degrees of freedom; after n logs with squared errors r^2 it has nu + n, so that the error of a further log has
+/// Student's t distribution. Beside an unlisted cause, whose force may have any size, only the logs determine v. Noise
+/// floors vary by their standard error. Logs are drawn by their weights. Draws without a gap are discarded, and for a
+/// hypothesis with effects those in which it closes nothing; the interval is 0 to 1 if none remain.
 std::array<double, 2> closedOnFurtherLogs(const judge::ScoreTable& table, const Closing& closing, int draws,
                                           unsigned seed);
 

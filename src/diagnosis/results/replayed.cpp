@@ -20,14 +20,13 @@ std::vector<gap::PartError> heldOutErrors(const fit::Hypothesis& hypothesis, con
   return hypotheses::unseenErrors(hypothesis, elements, gap::simulateEach(elements, held_out), held_out);
 }
 
-// Errors of a replay, and the additional error of each block in a fit that it took no part in. Over a log the sum is
-// never less than the error of the replay, though blocks of a short log may by chance have less than in the fit to all
-// of them.
+// Errors of a replay plus, for each block, the additional error of a fit without it. Over a log the sum is never less
+// than the error of the replay, even if the held-out error of a short log is by chance less than the error of the fit.
 std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const FittedLaw& fitted,
                                            const Entries& elements) {
   const std::vector<gap::PreparedRecord>& records = fitter.records();
   const fit::Hypothesis hypothesis = fitted.law.hypothesis();
-  // Zeros of the displacement are those of the component that is replayed.
+  // unseenErrors() computes the effect of offsets of the displacement from the elements.
   const std::vector<double> none(records.size(), 0.0);
   const std::vector<double> replay = hypotheses::errorsByLog(
       hypotheses::unseenErrors(hypothesis, elements, gap::simulate(elements, records, gap::asRecorded), records), none);
@@ -73,7 +72,7 @@ class Deviation {
   double count_ = 0.0;
 };
 
-// A component that is driven by one log after the other, and the squares of its residuals since the log began.
+// A component that is driven by one log after the other, and its sum of squared residuals since the log began.
 struct ReplayedModel {
   explicit ReplayedModel(const Entries& elements) : driver(elements) {}
 

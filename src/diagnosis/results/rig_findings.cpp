@@ -1,4 +1,4 @@
-// The faults of the rig that a judged model leaves.
+// Errors of the rig from the residual of a judged model.
 #include "diagnosis/results/rig_findings.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-// Estimates the values of the rig again, given that the model may have the error that is accepted. The logs then
-// determine them no better than a few errors of that size would, however many samples they have.
+// Estimates the errors of the rig again, with the accepted error of the model as the noise. However many samples there
+// are, such an error does not average out.
 void allowError(const gap::PreparedRecord& record, measurement::RigFit& fit) {
   const double unit = record.rig.one_deviation * record.force_deviation * std::sqrt(record.counted());
   Eigen::MatrixXd columns = fit.rig.columns * (fit.rig.priors / unit).asDiagonal();

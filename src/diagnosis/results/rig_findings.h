@@ -1,4 +1,4 @@
-// The faults of the rig in each log, by what a judged model leaves of it.
+// Errors of the rig in each log, from the residual of a judged model.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,9 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// The faults of the rig in each record, by what `judged` leaves of it: the values that the priors and the accepted
-/// error allow, each with the uncertainty that the accepted error leaves it. Not told where `rival`, the next likely
-/// elements, gives a value outside of its interval, but for what a log has for itself (gap::OwnErrors).
+/// Returns the errors of the rig in each record, from the residual of `judged`, with intervals that allow for the
+/// accepted error of the model. An error is reported only if `rival`, the next likely elements, gives a value within
+/// its interval, or if it is one of a single log (gap::OwnErrors).
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,

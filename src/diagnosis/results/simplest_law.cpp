@@ -24,8 +24,8 @@ namespace {
 constexpr std::size_t kMostTerms = 3;    // of a law
 constexpr std::size_t kMostNumbers = 6;  // likewise
 constexpr int kSteps = 12;               // of a fit
-constexpr double kHopeless = 2.0;        // times the gap allowed: a law that promises no less is not fitted
-constexpr double kOfTypical = 1e-6;      // a smaller scale counts as 0
+constexpr double kHopeless = 2.0;        // times the allowed gap: a law with a larger expected one is not fitted
+constexpr double kOfTypical = 1e-6;      // of the typical scale: a smaller one counts as 0
 
 using Indices = std::vector<Eigen::Index>;
 
@@ -112,7 +112,7 @@ class Subsets {
     MemberLaw law;
     for (Eigen::Index i = 0; i < count; ++i) {
       if (std::abs(scales[i]) < kOfTypical * term(chosen, i).typical) {
-        return;  // a law of fewer terms
+        return;  // the same as a law of fewer terms
       }
       law.terms.push_back(term(chosen, i));
     }
@@ -280,15 +280,15 @@ class Chooser {
     gap_ = chosen.gap;
   }
 
-  // The element of an exact force, such as a mass, errs in time, and its number, fitted again, compensates for that.
-  // The exact number is kept where it closes more than half of what the other one does.
+  // The element of an exact force, such as a mass, may not use future samples as that force does, and its refitted
+  // number compensates for that. The exact number is kept if it closes more than half of what the refitted one does.
   bool isExactEnough(std::size_t m, double gap_of_fitted) const {
     const bool is_exact = own_[m].size() == 1 && termAt(own_[m].front()).exact;
     return is_exact && gap_ * gap_ < 0.5 * (gap_of_fitted * gap_of_fitted + before_ * before_);
   }
 
-  // Odds as in the judgement, by the error beyond that of the better law. How many numbers a law has says nothing of
-  // how large the effect is.
+  // Odds as in the judgement, by the error beyond that of the better law. The count of numbers does not matter here,
+  // because it is no evidence on the size of the effect.
   double oddsOver(const Allowed& chosen, const Allowed& other) const {
     const judge::JudgeNumbers& numbers = judge::fittedNumbers();
     const double least = std::pow(std::min(chosen.gap, other.gap), 2);
@@ -298,8 +298,8 @@ class Chooser {
     return std::exp(logWeight(other) - logWeight(chosen));
   }
 
-  // True if a law has a smaller error than one that is its limit, by more than the error that the judgement accepts for
-  // each further number: the numbers of the smaller law then compensate for what it lacks, and are right for neither.
+  // True if a law of the same element with more numbers has a squared error that is smaller by more than the accepted
+  // one per number. The numbers of the smaller law are then wrong, because they compensate for what it lacks.
   static bool tellsMore(std::size_t m, const Allowed& larger, const Allowed& smaller) {
     const Entries& of_larger = larger.law.law.members[m].start;
     const Entries& of_smaller = smaller.law.law.members[m].start;
@@ -363,7 +363,7 @@ class Chooser {
   std::vector<Indices> pool_;              // columns of the candidate's own terms, then of its further laws
   std::vector<std::size_t> of_candidate_;  // number of the candidate's own columns
   fit::BlockGrams blocks_;
-  double expected_ = 0.0;  // square that the members so far are expected to leave more than the full law
+  double expected_ = 0.0;  // expected excess of the squared gap over that of the full law, for the members so far
   double gap_ = 0.0;       // of the law so far
   SimplestLaw result_;
 };

@@ -31,7 +31,7 @@ struct Draw {
 
 bool isLess(const Draw& a, const Draw& b) { return a.value < b.value; }
 
-// The value below which draws in order have this share of their weight.
+// Weighted quantile of draws in ascending order.
 double quantile(const std::vector<Draw>& draws, double share) {
   double below = share * std::accumulate(draws.begin(), draws.end(), 0.0,
                                          [](double sum, const Draw& draw) { return sum + draw.weight; });
@@ -159,7 +159,7 @@ class Resampling {
 
  private:
   void draw(int count) {
-    const Eigen::VectorXd rest = step(blocks_.sum);  // nearly 0: the step that the fit did not take
+    const Eigen::VectorXd rest = step(blocks_.sum);  // nearly 0: the step that remains to the minimum
     for (int i = 0; i < count; ++i) {
       Eigen::MatrixXd sum = blocks_.prior;
       moveKnown(sum);
@@ -169,8 +169,8 @@ class Resampling {
     }
   }
 
-  // Adds as many blocks as there are, drawn from all. If each log has unknowns of its own, what an effect has in common
-  // scatters from log to log, and logs are drawn first.
+  // Adds as many blocks as there are, drawn with replacement. If each log has unknowns of its own, the common part of
+  // an effect scatters from log to log, so that logs are drawn first.
   void addResampled(Eigen::MatrixXd& sum) {
     const auto any = [&](std::size_t size) {
       return std::uniform_int_distribution<std::size_t>(0, size - 1)(generator_);
@@ -237,7 +237,7 @@ class Resampling {
     const Eigen::Index own = moved.model.size();
     moved.model += step.head(own);
     moved.scales = (moved.scales + step.segment(own, moved.scales.size())).eval();
-    for (Eigen::Index t = 0; t < moved.scales.size(); ++t) {  // the rest that is subtracted may lead out of the bounds
+    for (Eigen::Index t = 0; t < moved.scales.size(); ++t) {  // subtracting the remaining step may exceed the bounds
       const fit::BasisTerm& term = hypothesis_.terms[static_cast<std::size_t>(t)];
       moved.scales[t] = std::clamp(moved.scales[t], term.lower, term.upper);
     }
@@ -299,7 +299,7 @@ class Resampling {
     std::vector<Draw> draws = all(found->first, found->second);
     std::sort(draws.begin(), draws.end(), isLess);
     size.interval_95 = {std::min(size.value, quantile(draws, 0.025)), std::max(size.value, quantile(draws, 0.975))};
-    // A bound gathers all draws that would lie beyond it.
+    // All draws that would lie beyond a bound lie on it.
     const double least = draws.front().value;
     const double most = draws.back().value;
     size.at_bound = {least < most && size.interval_95[0] == least, least < most && size.interval_95[1] == most};

@@ -17,11 +17,11 @@ struct Sizes {
   std::vector<SizedValue> written;  ///< every number of its component by its place there (io::numberPlace)
 };
 
-/// The sizes of the first of several laws, between which no gap decides. Intervals are percentiles over resampled
-/// blocks of the logs: each resample moves the fit by one step of its own normal equations, within the bounds of the
-/// fit, what is known of the model beforehand by its own deviations, and the numbers of each member by what its form
-/// error may be mistaken for. Those of the model and of headline numbers are over all laws that have them, alike; a
-/// number of one element is the total of a law of several.
+/// Returns the sizes of the first of several laws whose gaps do not differ enough to choose one. Intervals are
+/// percentiles over resampled blocks of the logs. Each resample moves the fit by one step of its own normal equations
+/// within the bounds of the fit, the prior values of the model by their standard deviations, and the numbers of each
+/// member by its form error. Intervals of the model's values and of headline numbers are over all laws that have them;
+/// a number of one element corresponds to the total over the elements of another law.
 Sizes sizesOf(const fit::HypothesisFitter& fitter, const std::vector<WeighedLaw>& laws,
               const std::vector<double>& form_error, const hypotheses::Search& search, const DiagnosisOptions& options);
 

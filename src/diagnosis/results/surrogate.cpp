@@ -1,4 +1,4 @@
-// Surrogate of a component for the rest that no effect explains.
+// Surrogate for the residual force.
 #include "diagnosis/results/surrogate.h"
 
 #include <algorithm>
@@ -33,8 +33,8 @@ void addHeldOut(const io::ComponentDescription& component, const io::ComponentDe
   }
 }
 
-// Half the logarithm of the error after over the error before, both including the noise: a block counts by the factor
-// that is gained there, and noise does not count.
+// Half the logarithm of the ratio of the squared errors after and before, both with the noise, so that only the part of
+// the error above the noise counts.
 double gainOf(const fit::UnseenBlock& block, double noise_floor) {
   const double noise = noise_floor * noise_floor;
   return 0.5 * std::log((block.after + noise) / (block.before + noise));
@@ -68,7 +68,7 @@ double chanceOf(const std::vector<fit::UnseenBlock>& unseen, double noise_floor,
 
 constexpr std::size_t kCells = 32;  // along each axis
 constexpr int kFewestSamples = 5;   // in a cell
-constexpr double kFastest = 0.995;  // share of samples within the map: single fast ones would stretch it
+constexpr double kFastest = 0.995;  // share of samples within the map, which a few fast samples would stretch
 constexpr std::size_t kVelocitySamples = 20000;
 
 std::vector<double> evenEdges(double low, double high) {

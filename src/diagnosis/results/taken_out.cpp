@@ -1,4 +1,4 @@
-// The account of what was taken out of each log.
+// Account of the errors removed from each log.
 #include "diagnosis/results/taken_out.h"
 
 #include <algorithm>
@@ -149,8 +149,8 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
   }
   account.takeOut(taken_out::kInitialState, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, forces.bridged[r], account);
-  // Computed as gaps are: each part of the log without the errors of the rig that the other parts determine. What has
-  // none of the kinds above is attributed to the state before the log.
+  // Computed as gaps are: each part of the log without the errors of the rig that the other parts determine. A
+  // reduction of no other kind is attributed to the initial state.
   const auto without = [&](const fit::PerLogNuisances& also) {
     const double gap =
         gap::gapOfParts(gap::partErrors({record}, {forces.bridged[r]}, {also.unknowns(record, r, forces.bridged[r])}));
@@ -169,7 +169,7 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
   return account;
 }
 
-// The effect of a zero of the displacement on each record.
+// The effect of an offset of the displacement on each record.
 std::vector<VectorXd> byZeros(const std::vector<element::ElementDescription>& elements,
                               const std::vector<gap::PreparedRecord>& of_the_fit,
                               const std::vector<gap::PreparedRecord>& held_out) {

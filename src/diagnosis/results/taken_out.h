@@ -1,4 +1,4 @@
-// The force taken out of each log before a model was held against it, accounted for by kind.
+// Errors removed from each log before it is compared with a model, accounted for by kind.
 #pragma once
 
 #include <string>
@@ -23,23 +23,23 @@ inline constexpr const char* kDisplacement = "displacement_zero";
 inline constexpr const char* kInitialState = "initial_state";
 inline constexpr const char* kDrift = "drift";
 inline constexpr const char* kGain = "gain";
-inline constexpr const char* kFriction = "friction_factor";  ///< of the log's own
+inline constexpr const char* kFriction = "friction_factor";  ///< factor on the friction of the log
 inline constexpr const char* kDelay = "delay";
 }  // namespace taken_out
 
-/// The account of one log, opened with what a model leaves of it as recorded: a mean square over the force's variance.
-/// Whoever takes something out says what is left then.
+/// Account of one log. It begins with the mean squared residual of a model on the log as recorded, over the variance of
+/// the force; each takeOut() states the value that remains.
 class LogAccount {
  public:
   LogAccount(std::string log, double recorded) : log_(std::move(log)), recorded_(recorded), left_(recorded) {}
 
   void takeOut(const std::string& kind, double left);
 
-  /// `left` is of the logs as recorded less all shares: in squares they add up.
+  /// Return the value at the beginning and now. They differ by the sum of the squares of entries(), each with its sign.
   double recorded() const { return recorded_; }
   double left() const { return left_; }
 
-  /// One entry a kind, in the order of their taking.
+  /// Returns one entry per kind, in the order of removal.
   std::vector<TakenOut> entries() const;
 
  private:
@@ -49,8 +49,8 @@ class LogAccount {
   std::vector<std::pair<std::string, double>> squares_;
 };
 
-/// The accounts of records against elements, those of the fit first, which were recorded on one component; each other
-/// was on a new one. `free`: what the judged hypothesis frees in each log.
+/// Returns the accounts of records against elements: first of those of the fit, which were recorded on one component,
+/// then of the held-out ones, each on a new component. `free`: unknowns of the judged hypothesis in each log.
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<gap::PreparedRecord>& of_the_fit,
                                    const std::vector<gap::PreparedRecord>& held_out,

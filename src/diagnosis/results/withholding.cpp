@@ -1,4 +1,4 @@
-// Which effects the written file does without.
+// Choice of the effects that the component file omits.
 #include "diagnosis/results/withholding.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class Withholding {
     return free.gain || free.offset;
   }
 
-  /// Place in the evidence of the best hypothesis with one effect less; without effects, of the model as configured.
+  /// Place in the evidence of the best hypothesis with one effect fewer; without effects, of the model as configured.
   int without(int hypothesis) const {
     const std::vector<int>& members = evidence_.at(hypothesis).members;
     if (members.empty()) {

@@ -1,4 +1,4 @@
-// The component file leaves no more of any log than the configured component does: what would break that is withheld.
+// Withholds effects with which the component file would have a larger gap on a log than the configured component.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// The written law of what an answer names, without the effects by which it would leave more of a log than the
-/// configured component (leftOfLogs()): those of single logs first, then those without which the others leave least.
-/// Without any effect the re-estimated values stand, and without these the configured ones. `named`: the written law
-/// of all; `before`: the gap of the re-estimated model; `findings`: what the rig did to each log.
+/// Returns the written law of an answer without effects that make its gap on a log larger than that of the configured
+/// component (leftOfLogs()), and without gains and offsets of single logs. Effects of single logs are withheld first,
+/// then those without which the excess is least; if none remains, re-estimated or else configured values are written.
+/// `named`: the law with all effects; `before`: gap of the re-estimated model; `findings`: errors of the rig.
 MeasuredLaw withoutDamage(const hypotheses::PreparedCase& prepared, const Workings& workings, MeasuredLaw named,
                           double before, const std::vector<measurement::RigFinding>& findings,
                           const DiagnosisOptions& options);

@@ -18,7 +18,7 @@ namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr int kMostFiner = 8;
-constexpr double kShows = 0.01;  // of a gap: rounding may increase it by this
+constexpr double kShows = 0.01;  // share by which rounding may increase a gap
 
 struct Rounded {
   io::ComponentDescription component;
@@ -40,7 +40,7 @@ Rounded roundTo(const io::ComponentDescription& exact, const std::vector<gap::Pr
         return result;
       }
     } catch (const std::invalid_argument&) {
-      continue;  // no component has numbers that are so coarse
+      continue;  // numbers this coarse make no component
     }
   }
   return {exact, written};
@@ -77,7 +77,7 @@ std::vector<std::string> ownersOf(const FittedLaw& fitted, const std::vector<fit
 
 constexpr int kMostDigits = 15;
 
-// A number to so many decimals, which may be negative; with an exponent where it is large or has many.
+// Rounds a number to `decimals`, which may be negative; with an exponent if it is large or has many decimals.
 std::string toDecimals(double value, int decimals) {
   constexpr double kMostFixed = 1e12;
   if (std::abs(value) > kMostFixed || decimals > kMostDigits) {
@@ -99,7 +99,7 @@ std::string unitOf(const io::ComponentDescription& component, const SizedValue& 
   return size.unit == "m" ? "mm" : size.unit == "N/m" ? "kN/mm" : size.unit == "N" ? "N" : "";
 }
 
-// The shortest text in a unit that reads back as the same number; in SI where there is none.
+// A text in a unit that reads back as the same number; in SI if there is none.
 std::string exactly(double value, const std::string& si, const std::string& unit) {
   const std::string text = unit.empty() ? "" : fmt::format("{:.12g} {}", log::UnitConversion(si, unit)(value), unit);
   return !text.empty() && log::parseQuantity(text, si) == value ? text : fmt::format("{}", value);
@@ -114,7 +114,7 @@ std::string roundedText(const SizedValue& size, const std::string& unit, int fin
   return number + (unit.empty() ? "" : " " + unit);
 }
 
-// The number that a reader of the text at this place gets; the number itself where no text is given.
+// The number that the text at this place reads back to; `value` if there is no text.
 double readBack(const std::vector<SizedValue>& written, const std::string& place, double value) {
   const auto size = std::find_if(written.begin(), written.end(), [&](const auto& one) { return one.name == place; });
   return size == written.end() || size->text.empty() ? value : log::parseQuantity(size->text, size->unit);

@@ -1,4 +1,4 @@
-// The component that a diagnosis writes: the simplest law of what it named, rounded; and what it comes to.
+// The component that a diagnosis writes: the simplest law of each named effect, rounded, and its errors.
 #pragma once
 
 #include <vector>
@@ -9,24 +9,24 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// The component of a hypothesis that was judged, as it is written, and the errors of that component.
+/// The written component of a judged hypothesis, and its errors.
 struct MeasuredLaw {
   WrittenLaw law;
   Replayed errors;
-  FittedLaw fitted;            ///< the same before it was rounded
-  bool as_configured = false;  ///< nothing was fitted of it
+  FittedLaw fitted;            ///< the law before rounding
+  bool as_configured = false;  ///< no value was fitted
 };
 
-/// `before`: gap of the re-estimated model.
+/// Simplifies and rounds the law of a judged hypothesis. `before`: gap of the re-estimated model.
 MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const hypotheses::Search& search,
                        const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options);
 
-/// The written numbers of a component with their text: those as configured exactly, each other rounded to a tenth of
-/// half its interval in the unit of the configured file, and `finer` digits finer.
+/// Returns the written numbers with their texts in the unit of the configured file: exact if the number is as
+/// configured, otherwise rounded to a tenth of half its interval and `finer` digits finer.
 std::vector<SizedValue> rounded(std::vector<SizedValue> written, const io::ComponentDescription& component, int finer);
 
-/// The component that a file with these texts describes. Throws std::invalid_argument where the numbers are no
-/// component.
+/// Returns the component that a file with these texts describes. Throws std::invalid_argument if a number is out of its
+/// range.
 io::ComponentDescription asWritten(const io::ComponentDescription& exact, const std::vector<SizedValue>& written);
 
 }  // namespace rubber_suspension::diagnosis::results
