@@ -30,7 +30,7 @@ std::string originOf(const Diagnosis& d, double gap) {
       words::percent(d.gaps.unseen.re_estimated), words::percent(gap), words::percent(d.gaps.unseen.noise_floor));
 }
 
-// A number in the digits of another, as the file has that.
+// Writes a number with as many decimals as another number in the file.
 std::string inDigitsOf(const std::string& number, double value) {
   const std::size_t point = number.find('.');
   const std::size_t exponent = std::min(number.find('e'), number.size());

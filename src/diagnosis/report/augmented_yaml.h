@@ -7,13 +7,13 @@
 
 namespace rubber_suspension::diagnosis::report {
 
-/// Style of WrittenLaw::augmented: each number as rounded, with its interval as a comment. Refers to the diagnosis.
+/// Returns the style of WrittenLaw::augmented: rounded numbers with intervals as comments. Refers to `diagnosis`.
 io::YamlStyle augmentedStyle(const Diagnosis& diagnosis);
 
-/// Text of WrittenLaw::augmented, which reads back to it, with comments: origin, gaps, interval of each number.
+/// Returns the text of WrittenLaw::augmented with comments: origin, gaps, interval of each number. Reads back to it.
 std::string augmentedYaml(const Diagnosis& diagnosis);
 
-/// Text of WrittenLaw::full, with its origin.
+/// Returns the text of WrittenLaw::full, with its origin.
 std::string fullYaml(const Diagnosis& diagnosis);
 
 }  // namespace rubber_suspension::diagnosis::report

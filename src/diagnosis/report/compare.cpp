@@ -36,7 +36,7 @@ double numberOf(const json& value) { return value.is_number() ? value.get<double
 
 std::array<double, 2> pairOf(const json& pair) { return {numberOf(pair.at(0)), numberOf(pair.at(1))}; }
 
-// Reads the compared values of an earlier report.
+// Reads a list of sizes of an earlier report.
 std::vector<SizedValue> readSizes(const json& report, const char* list) {
   return element::each(report.value(list, json::array()), [](const json& entry) -> SizedValue {
     return {entry.at("owner"),
@@ -130,14 +130,14 @@ std::string effectsOf(const Diagnosis& d) {
   return d.answer.effects.empty() ? "none" : words::enumerated(d.answer.effects);
 }
 
-// A place of the gap, over all logs: these have other names on another day.
+// A place of the gap, over all logs together because the names of logs differ from day to day.
 using Place = std::tuple<double, double, double, double, std::string>;
 
 // Part of the gap as configured in each place, relative to the force's standard deviation.
 std::map<Place, double> placesOf(const Diagnosis& d) {
   std::map<Place, double> squares;
   for (const gap::GapCell& cell : d.where.before) {
-    // The band of mean and drift ends at half of the sampling rate, which is another one for another recorder.
+    // The band of mean and drift ends at half of the sampling rate, which depends on the recorder.
     const std::array<double, 2> band = cell.frequency[0] <= 0.0 ? std::array<double, 2>{} : cell.frequency;
     squares[{band[0], band[1], cell.amplitude[0], cell.amplitude[1], toString(cell.quantity)}] +=
         cell.share * d.gaps.unseen.as_configured * d.gaps.unseen.as_configured;

@@ -1,4 +1,4 @@
-// Changes between two reports, of two test days, say.
+// Changes between two reports, for example of two test days.
 #pragma once
 
 #include <string>
@@ -10,20 +10,19 @@ namespace rubber_suspension::diagnosis::report {
 /// An earlier report.json.
 class EarlierReport {
  public:
-  /// Throws std::runtime_error, one line that begins with the path, where it cannot be read or is no report of
-  /// `diagnose`.
+  /// Reads the report. Throws std::runtime_error, one line that begins with the path, if it cannot be read or is no
+  /// report of `diagnose`.
   explicit EarlierReport(const std::string& path);
-  /// Verdict, gaps, sizes, rig findings and the places of the gap, each as it was and as it is. A size or finding
-  /// differs where the two 95 % intervals have nothing in common; a place where its part of the gap changed by more
-  /// than both noise floors together.
+  /// Compares verdict, gaps, sizes, rig findings and the places of the gap. A size or finding differs if the two 95 %
+  /// intervals do not overlap; a gap, or its part in a place, if it changed by more than both noise floors together.
   Comparison compare(const Diagnosis& diagnosis) const;
 
  private:
   std::string path_;
-  Diagnosis report_;  // of which only what is compared is known
+  Diagnosis report_;  // only with the values that are compared
 };
 
-/// The differences as lines for a terminal, after one that says with what was compared.
+/// Returns the differences as lines for a terminal, after a line that names the earlier report.
 std::string toText(const Comparison& comparison);
 
 }  // namespace rubber_suspension::diagnosis::report

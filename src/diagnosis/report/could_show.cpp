@@ -1,4 +1,4 @@
-// Implanted effects, and the plans that tell of them: for a terminal, as JSON.
+// Simulated effects and the plans of experiments, for a terminal and as JSON.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -66,7 +66,7 @@ std::string outcomesInNumbers(const CouldShow& could_show) {
   });
 }
 
-// "Found: friction, creep. Out of reach: inertia.", which is all that fits on paper.
+// "Found: friction, creep. Out of reach: inertia.", short enough for a printed page.
 std::string outcomesInWords(const CouldShow& could_show) {
   return eachOutcome(could_show, " ", [](const std::string& name, const std::vector<std::string>& effects) {
     return words::capitalised(name) + ": " + words::enumerated(effects) + ".";

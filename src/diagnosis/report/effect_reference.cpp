@@ -11,8 +11,8 @@
 namespace rubber_suspension::diagnosis::report {
 namespace {
 
-// A spring of 3 MN/m at 2 mm and up to 10 Hz for a minute, from 10 to 40 degC, in tension alone, as a contact that
-// opens is; which elements a candidate takes does not depend on the rest.
+// A spring of 3 MN/m at 2 mm and up to 10 Hz for a minute, from 10 to 40 degC, in tension alone, as for a contact that
+// opens. The elements of a candidate depend on no other property of the excitation.
 fit::Excitation typicalExcitation() {
   fit::Excitation excitation;
   excitation.largest_displacement = 2e-3;

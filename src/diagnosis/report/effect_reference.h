@@ -5,8 +5,8 @@
 
 namespace rubber_suspension::diagnosis::report {
 
-/// Markdown: every candidate effect, whether it belongs to the rubber or to the rig, its signature, and the elements
-/// that its entries in a component file are made of.
+/// Returns Markdown: every candidate effect, whether it belongs to the rubber or to the rig, its signature, and the
+/// elements of its entries in a component file.
 std::string effectReference();
 
 }  // namespace rubber_suspension::diagnosis::report

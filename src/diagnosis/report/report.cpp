@@ -1,4 +1,4 @@
-// The report's files, the numbers behind its figures among them.
+// Files of the report, with the numbers of its figures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ constexpr const char* kEvidence = "evidence.json";
 constexpr const char* kReport = "report.json";
 constexpr const char* kPage = "report.html";
 
-// Files that are written, not yet in place: the report is complete or the older one stays. A signal removes them.
+// Files not yet in place, so that an older report stays until this one is complete. A signal removes them.
 class NewReport {
  public:
   explicit NewReport(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -46,8 +46,8 @@ class NewReport {
     files_.back().second->write(text);
   }
 
-  // Files of an earlier report that this one lacks would be taken for part of it. Of these, only what is of the
-  // package's own making goes: the caller has checked. The page, which speaks of the others, goes first.
+  // Removes files of an earlier report that this one lacks: they would seem to be part of it. The caller has checked
+  // that they are the package's own. The page is removed first, because it refers to the others.
   void commit() {
     io::removePage((folder_ / kPage).string());
     for (const std::string& name : reportFiles()) {
@@ -123,7 +123,7 @@ std::string mapRows(const io::Axes& axes) {
   return rows;
 }
 
-// The cells that have samples: a line each.
+// One line for each cell with enough samples.
 std::string missingForceCsv(const MissingForce& map, bool turns) {
   std::string text = turns ? "displacement_rad,velocity_rad_per_s,missing_moment_N_m,surrogate_moment_N_m,samples\n"
                            : "displacement_m,velocity_m_per_s,missing_force_N,surrogate_force_N,samples\n";

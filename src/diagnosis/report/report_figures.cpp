@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kCyclesOfLoop = 3.0;       // of a loop: more run into one area
+constexpr double kCyclesOfLoop = 3.0;       // of a loop: more would merge into an area
 constexpr Eigen::Index kMostPoints = 1500;  // of a curve
 constexpr std::size_t kMostLoops = 4;
 
@@ -41,7 +41,7 @@ Eigen::VectorXd leftOf(const Workings& workings, std::size_t r, const gap::Force
   return record.withoutRig(record.force - simulated[r]);
 }
 
-// The records where the re-estimated model is worst, hold-outs first where there are any.
+// At most kMostLoops records: hold-outs in their order, then the others by decreasing gap of the re-estimated model.
 std::vector<std::size_t> worstRecords(const Diagnosis& diagnosis) {
   std::vector<std::size_t> order(diagnosis.workings->simulated.records.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -68,8 +68,8 @@ Eigen::Index cyclesOf(const log::Record& record, double cycles) {
                                   std::min<Eigen::Index>(2, record.size()), record.size());
 }
 
-// Start of the last of the stretches in which the displacement has its widest range, within a tolerance: there most of
-// what settles has settled.
+// Start of the last stretch in which the displacement has its widest range, within a tolerance; the last, because most
+// transients have decayed there.
 Eigen::Index widestStretch(const log::Record& record, Eigen::Index count) {
   constexpr double kAsWide = 0.98;
   Eigen::Index best = 0;
@@ -128,7 +128,7 @@ io::Axes comparedAxes(const prepare::ComparedLog& log, const std::string& as) {
   return axes;
 }
 
-// Two panels for each log: as it is, and with the correction.
+// Two panels for each log: as recorded, and with the correction.
 io::Figure benchFigure(const Diagnosis& diagnosis) {
   io::Figure figure{"Measured and simulated"};
   for (const prepare::CheckedLog& log : diagnosis.bench_evidence->logs) {
@@ -160,7 +160,7 @@ io::Figure gapMapFigure(const Diagnosis& diagnosis) {
   return shareMap(cells, sortedApart(frequencies), sortedApart(amplitudes));
 }
 
-// Mean residual in bins of displacement, apart for loading and unloading.
+// Mean residual in bins of displacement, separately for loading and unloading.
 io::Curve meanOver(const log::Record& record, const Eigen::VectorXd& residual, double direction,
                    const std::string& label, const std::string& style, int colour) {
   constexpr int kBins = 48;
@@ -203,7 +203,7 @@ io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
   return figure;
 }
 
-// The gap of each stretch; the logs one after the other. A stretch is a cycle, and not shorter than can be seen.
+// Gap of each stretch, one log after the other. A stretch is a cycle, or longer to limit their number.
 io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::VectorXd>& simulated,
                         const std::string& label, const std::string& style, int colour) {
   constexpr Eigen::Index kMostStretches = 60;  // of a log

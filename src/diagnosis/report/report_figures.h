@@ -27,40 +27,40 @@ struct ReportFigure {
   io::Figure figure;  ///< its title is short; without axes there is nothing to show
 };
 
-/// Loops, map of the gap, residual over displacement and gap over time; the log with the largest gap comes first. None
-/// where there is nothing to show. Where the logs cannot be what they say, their loops as they are and with the
-/// correction that is proposed.
+/// Returns loops, map of the gap, residual over displacement and gap over time, held-out logs first, then the others by
+/// decreasing gap; with a surrogate, also the missing force. For the verdict check_bench, returns the loops of the logs
+/// as recorded and with the proposed correction. Returns none if there is nothing to show.
 std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis);
 
-/// Figures of a report on a table: stiffness, place of the gap, and loss angle, in this order.
+/// Returns the figures of a report on a table: stiffness, place of the gap, and loss angle, in this order.
 std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis);
 
-/// Share of the squared gap over cells between these edges [Hz, m]: each is where the middle of its band lies. Without
-/// axes where the edges have nothing between them.
+/// Returns the share of the squared gap in the cells between these edges [Hz, m]; each of `cells` counts where the
+/// middle of its band lies. The figure has no axes if there is no cell.
 io::Figure shareMap(const std::vector<gap::GapCell>& cells, const std::vector<double>& frequencies,
                     const std::vector<double>& amplitudes);
 
-/// Lowest and highest frequency that the logs excite [Hz]; both 0 where that is not known.
+/// Returns the lowest and highest frequency that the logs excite [Hz]; 0 for both if they are not known.
 std::array<double, 2> excitedBand(const Diagnosis& diagnosis);
 
-/// Values in their order, those once that are the same.
+/// Returns the values in ascending order, equal ones once.
 std::vector<double> sortedApart(std::vector<double> values);
 
-/// The diagnosis on one page, as `diagnose --plot` draws it: the report's figures, each for one log, which is the first
-/// hold-out or, without hold-outs, that of the largest gap.
+/// Returns the diagnosis on one page, as `diagnose --plot` draws it: the figures of the report, each for one log, which
+/// is the first hold-out or, without hold-outs, that of the largest gap.
 io::Figure overviewFigure(const Diagnosis& diagnosis);
 
-/// CSV of all curves of a figure, one point a row: curve, panel, and the two values under their axes' labels. Of a map:
-/// curve, panel, the edges of the cell and its value. What a figure leaves blank is left out.
+/// Returns the curves of a figure as CSV, one point a row: curve, panel, and two values with the labels of their axes.
+/// For a map: curve, panel, the edges of a cell and its value. Values that are not finite are omitted.
 std::string figureCsv(const io::Figure& figure);
 
 /// Returns the description of a figure without its numbers, which are in its file.
 nlohmann::ordered_json figureJson(const ReportFigure& figure);
 
-/// Name of the file with the numbers of a figure.
+/// Returns the name of the file with the numbers of a figure.
 std::string figureDataFile(const std::string& name);
 
-/// Names of the files of all figures.
+/// Returns the names of the files of all figures.
 std::vector<std::string> figureDataFiles();
 
 }  // namespace rubber_suspension::diagnosis::report

@@ -290,7 +290,7 @@ ordered_json figuresJson(const Diagnosis& d) {
   return figures;
 }
 
-// Numbers and sentences for people, as the terminal prints them: what a page shows without forming any.
+// Numbers and sentences as the terminal prints them, so that a page need not format any.
 ordered_json inWords(const Diagnosis& d) {
   const Gap& gap = d.gaps.unseen;
   const Posterior& posterior = d.answer.posterior;

@@ -10,11 +10,11 @@
 
 namespace rubber_suspension::diagnosis::report {
 
-/// Effects that logs could have shown. Sizes as shares of the force's standard deviation; a size that no effect of all
-/// of the force reaches is null.
+/// Returns the effects that logs could have shown. Sizes are shares of the force's standard deviation; null if even an
+/// effect as large as the force would not be found.
 nlohmann::ordered_json toJson(const CouldShow& could_show);
 
-/// Findings about the rig, each with its meaning, remedy and certainty.
+/// Returns the findings about the rig, each with its meaning, remedy and certainty.
 std::vector<nlohmann::ordered_json> findingsJson(const std::vector<measurement::RigFinding>& findings);
 
 /// The meaning of a finding about the rig, and how to mend it at the bench.
@@ -23,7 +23,7 @@ struct FindingAdvice {
   std::string remedy;
 };
 
-/// By the name that reports write. Of a name without an entry both are empty: the finding's own text says it.
+/// Returns the advice on a finding by its name in reports; empty texts if there is none.
 const FindingAdvice& adviceOn(const std::string& finding);
 
 }  // namespace rubber_suspension::diagnosis::report

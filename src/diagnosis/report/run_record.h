@@ -10,14 +10,14 @@
 
 namespace rubber_suspension::diagnosis::report {
 
-/// `arguments`: the command line, quoted where a shell needs it; `files`: the option that names each, and its path. The
-/// date is now in UTC, or that of the environment's SOURCE_DATE_EPOCH [s since 1970], with which the same run gives the
-/// same report to the byte. Throws std::runtime_error for a file that cannot be read, and for a SOURCE_DATE_EPOCH that
-/// is no whole number.
+/// Returns the record of this run. `arguments`: the command line, which is quoted where a shell needs it; `files`: the
+/// option that names each, and its path. The date is now in UTC, or that of the environment's SOURCE_DATE_EPOCH [s
+/// since 1970], with which the same run gives the same report to the byte. Throws std::runtime_error for a file that
+/// cannot be read, and for a SOURCE_DATE_EPOCH that is no whole number.
 RunRecord makeRunRecord(const std::string& version, const std::vector<std::string>& arguments,
                         const std::vector<std::pair<std::string, std::string>>& files);
 
-/// Record of the run for programs, without the files that were read.
+/// Returns the record of the run for programs, without the files that were read.
 nlohmann::ordered_json metaJson(const RunRecord& run);
 
 }  // namespace rubber_suspension::diagnosis::report

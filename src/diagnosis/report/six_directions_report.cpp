@@ -44,8 +44,8 @@ std::string shareText(const CrossShare& pair) {
   return std::isnan(pair.share) ? "-" : words::wholePercent(pair.share) + " %";
 }
 
-// For each direction, its share in the squared residual of this one, or the reason why there is none; empty for a
-// direction and itself.
+// For each direction, its share in the squared residual of this one, or "-" if it is unknown; empty for the direction
+// itself.
 std::vector<std::string> shareTexts(const std::vector<CrossShare>& map, component::Direction of) {
   std::vector<std::string> texts(component::kDirections);
   for (const CrossShare& pair : map) {
@@ -82,7 +82,7 @@ ordered_json shareJson(const CrossShare& pair) {
           {"rms", pair.force},       {"unit", component::isRotation(pair.of) ? "N m" : "N"}};
 }
 
-// The style of the direction that a place is in, and the place in that; nothing where it was not diagnosed.
+// The diagnosis of the direction that contains a place, and the place in it; nothing if there is no diagnosis.
 std::optional<std::pair<const Diagnosis*, std::string>> placeIn(const SixDirectionsDiagnosis& diagnosis,
                                                                 const std::string& place) {
   for (const auto& [direction, d] : diagnosis.directions) {

@@ -16,7 +16,7 @@ constexpr std::size_t kMostPanels = 6;
 
 using Rows = std::vector<DiagnosedRow>;
 
-// Rows of one panel: all that differ in nothing but what is drawn along.
+// Rows of one panel, which differ only in the quantity on the axis.
 struct Panel {
   std::string title;
   Rows rows;
@@ -42,7 +42,7 @@ bool severalFrequencies(const Rows& rows) {
   });
 }
 
-// Panels by decreasing gap, each in the order of its axis.
+// Panels by decreasing gap, each sorted along its axis.
 std::vector<Panel> panelsOf(const Rows& rows, bool along_frequency) {
   std::map<std::string, Panel> by_title;
   for (const DiagnosedRow& row : rows) {
