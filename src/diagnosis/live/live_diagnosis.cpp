@@ -283,7 +283,7 @@ void LiveDiagnosis::takeUp(const Diagnosis& diagnosis) {
                                        [](const auto& set) { return fmt::format("{}", fmt::join(set, " + ")); });
   const bool has_effect = !diagnosis.answer.effects.empty();
   if (block_) {
-    block_->whole = false;  // the look has seen its begin
+    block_->whole = false;  // the look includes its beginning
   }
   re_estimated_model_ = has_effect ? warmedUp(diagnosis.re_estimated) : nullptr;
   augmented_model_ = has_effect ? warmedUp(diagnosis.law.augmented) : nullptr;

@@ -55,7 +55,7 @@ struct LiveFindings {
 /// An offset or a drift of the force may be one of the load cell: block errors are taken without their means.
 class LiveDiagnosis {
  public:
-  /// Throws std::invalid_argument where the component has no solution.
+  /// Throws std::invalid_argument if the component has no solution.
   explicit LiveDiagnosis(io::ComponentDescription configured, const LiveSettings& settings = {});
   ~LiveDiagnosis();
 

@@ -13,7 +13,7 @@ namespace rubber_suspension::diagnosis::prepare {
 /// Lines of a set of logs.
 struct RigLines {
   std::vector<measurement::RigFinding> findings;
-  std::vector<Eigen::VectorXd> forces;  ///< of all lines of each log [N]; empty where it has none
+  std::vector<Eigen::VectorXd> forces;  ///< sum of the lines of each log [N]; empty if it has none
 };
 
 /// Finds the lines of the rig in the residual: oscillations at one frequency and of steady amplitude, in every log that

@@ -35,7 +35,7 @@ std::string outcomeText(const std::string& outcome) {
   return row->second;
 }
 
-// Joins `text` of each outcome, by its name and effects, except outcomes without effects.
+// Joins `text` of the name and the effects of each outcome that has effects.
 template <class Text>
 std::string eachOutcome(const CouldShow& could_show, const std::string& separator, const Text& text) {
   std::vector<std::string> texts;

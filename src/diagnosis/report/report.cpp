@@ -83,7 +83,7 @@ std::string driveFile(const ProposedExperiment& experiment, bool turns) {
   return log::rpcFile(experiment.dt, {channel});
 }
 
-// "displacement_mm" of "displacement [mm]", "gap" of "gap [-]".
+// "displacement_mm" for "displacement [mm]", "gap" for "gap [-]".
 std::string columnOf(const std::string& label) {
   const std::string joined = std::regex_replace(label, std::regex("[^A-Za-z0-9]+"), "_");
   const std::string name = boost::trim_copy_if(joined, boost::is_any_of("_"));

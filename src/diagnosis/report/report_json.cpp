@@ -21,7 +21,7 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 using element::each;
-using nlohmann::ordered_json;  // which writes null for what is not finite
+using nlohmann::ordered_json;  // writes null for numbers that are not finite
 
 ordered_json entryJson(const element::ElementDescription& element) {
   ordered_json entry = {{"type", element.type}};
@@ -251,7 +251,7 @@ std::string meaningOf(Verdict verdict) {
   return meanings.at(verdict);
 }
 
-// The numbers of the law, then those of the model that differ.
+// The numbers of the law, then those of the model that differ from the configured ones.
 ordered_json lawInWords(const Diagnosis& d) {
   ordered_json rows = each(d.law.effect_sizes, [&](const SizedValue& size) -> ordered_json {
     return {{"number", (d.answer.effects.size() > 1 ? words::spoken(size.owner) + ", " : "") + words::sizeName(size)},

@@ -94,8 +94,8 @@ Simulated simulateAll(const hypotheses::PreparedCase& prepared, const io::Compon
 }
 
 // 95 % lower bound of the mean decrease of the squared error by an effect, over parts of the logs. The standard error
-// is that of parts in which the error increases: an effect that acts in few parts removes much there, which is no
-// uncertainty.
+// is estimated from the parts in which the error increases, because a large decrease in the few parts where an effect
+// acts is no uncertainty.
 double removedAtLeast(const std::vector<gap::PartError>& without, const std::vector<gap::PartError>& with) {
   constexpr double kNormal95 = 1.645;  // one-sided
   double sum = 0.0;
@@ -177,7 +177,7 @@ class Describer {
   }
 
   // Errors of the rig in each log, from the residuals of the judged model and of the next likely one. There are none if
-  // the judged model leaves more of the gap than it explains, because the residual is then a fault of the model.
+  // the judged model explains less than half of the squared gap, because the residual is then a fault of the model.
   std::vector<measurement::RigFinding> findingsOfRig() const {
     std::vector<measurement::RigFinding> findings;
     if (leavesMoreThanItExplains(gapOfModels())) {
@@ -288,7 +288,7 @@ class Describer {
   std::vector<gap::PartError> errorsWith(const std::vector<std::string>& effects, const std::vector<bool>& in) const {
     const auto elements = withSome(prepared_.component, law_, effects, in).allElements();
     const std::vector<gap::PreparedRecord>& records = recordsOfGap();
-    fit::Hypothesis freed;  // what the selected effects free in each log
+    fit::Hypothesis freed;  // with the unknowns of the selected effects in each log
     bool has_friction = false;
     for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
       const fit::Candidate& candidate = search_.candidates[static_cast<std::size_t>(answer_.effects[e])];
@@ -330,7 +330,7 @@ class Describer {
     return cells;
   }
 
-  // Errors over frequency, amplitude and time on the logs of the gap, and where in them the models are wrong.
+  // Errors of the characteristics on the logs of the gap, and the distribution of the gap over them.
   Where where(const Gap& gap) const {
     const Simulated& s = workings_.simulated;
     Where where;
@@ -390,7 +390,7 @@ class Describer {
   const Replayed& before_;
   const MeasuredLaw& written_;
   const WrittenLaw& law_;
-  const fit::PerLogNuisances& free_;  // what is free in each log beside the written law
+  const fit::PerLogNuisances& free_;  // unknowns in each log beside the written law
   const DiagnosisOptions& options_;
 };
 

@@ -253,7 +253,7 @@ class Chooser {
     std::set<std::string> kinds;  // of the allowed laws
     for (const auto& [most_numbers, starts] : startsOf(m)) {
       for (const auto& [kind, start] : starts) {
-        const std::size_t numbers = numbersOf(start.entries).size();  // fewer where one is at a limit
+        const std::size_t numbers = numbersOf(start.entries).size();  // fewer if one is at a limit
         const bool is_new = numbers <= most && kinds.count(kind) == 0;
         if (std::optional<Allowed> law = is_new ? allowedOf(m, start, numbers, allowed) : std::nullopt) {
           laws.push_back(std::move(*law));

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kChanceOfGain = 0.05;  // significance level of a gain on unseen blocks
 constexpr double kEvenChance = 0.5;     // if the blocks do not determine it
-constexpr double kLargerPart = 0.5;     // of the squared rest
+constexpr double kLargerPart = 0.5;     // of the squared residual
 constexpr std::size_t kFewestLogs = 3;  // from which the scatter between logs can be estimated
 
 // Adds tenths of held-out logs, which took no part in any fit and count as further logs.

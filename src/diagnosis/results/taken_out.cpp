@@ -149,8 +149,8 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
   }
   account.takeOut(taken_out::kInitialState, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, forces.bridged[r], account);
-  // Computed as gaps are: each part of the log without the errors of the rig that the other parts determine. A
-  // reduction of no other kind is attributed to the initial state.
+  // Computed as gaps are: each part of the log without the errors of the rig that the other parts determine. The part
+  // of the reduction that belongs to no other kind counts as initial state.
   const auto without = [&](const fit::PerLogNuisances& also) {
     const double gap =
         gap::gapOfParts(gap::partErrors({record}, {forces.bridged[r]}, {also.unknowns(record, r, forces.bridged[r])}));

@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::diagnosis::words {
 
-/// Why a candidate is not named.
+/// Reasons why a candidate is not named.
 enum class Out {
   named,            ///< it is named
   of_no_table,      ///< tables of settled loops cannot show it

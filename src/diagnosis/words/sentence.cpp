@@ -22,7 +22,7 @@ std::string setText(const std::vector<std::string>& set) { return fmt::format("{
 // "friction; friction + creep": sets that cannot be told apart.
 std::string setsText(const std::vector<std::vector<std::string>>& sets) { return element::joined(sets, "; ", setText); }
 
-// Other answers that may be right, where there are any.
+// Other answers that may be right; empty if there are none.
 std::string otherwise(const Diagnosis& diagnosis) {
   std::vector<std::string> texts;
   for (const Alternative& other : diagnosis.answer.alternatives) {
