@@ -1,4 +1,4 @@
-// The figure of a report about logs with a wrong sign, unit, column or component: as they are, and with the correction.
+// The report's figure of logs with a wrong sign, unit, column or component: as recorded, and corrected.
 #include "diagnosis/prepare/bench_evidence.h"
 
 #include "diagnosis/report/report_figures.h"
@@ -13,7 +13,7 @@ log::Log goodLog() { return runRig("good", 1, nothing); }
 
 diagnosis::Diagnosis diagnose(const log::Log& log) { return diagnosis::diagnose(rigComponent(), {log}, {}); }
 
-// RMS of measured less simulated force over that of the measured one, of the panel.
+// Returns the RMS of measured minus simulated force of a panel, over the RMS of the measured force.
 double distance(const io::Axes& axes) {
   double difference = 0.0;
   double all = 0.0;
@@ -24,7 +24,7 @@ double distance(const io::Axes& axes) {
   return std::sqrt(difference / all);
 }
 
-// Two panels: far apart as it is, together with the correction, of which the title speaks.
+// Expects two panels: the curves differ as recorded and agree after the correction, which the title names.
 void expectCorrected(const log::Log& log, const std::string& correction) {
   const diagnosis::Diagnosis result = diagnose(log);
   ASSERT_EQ(result.answer.verdict, diagnosis::Verdict::check_bench) << correction;
@@ -35,7 +35,7 @@ void expectCorrected(const log::Log& log, const std::string& correction) {
   EXPECT_THAT(figures[0].figure.axes[0].title, HasSubstr("as it is"));
   EXPECT_THAT(figures[0].figure.axes[1].title, HasSubstr(correction));
   EXPECT_GT(distance(figures[0].figure.axes[0]), 0.5) << correction;
-  EXPECT_LT(distance(figures[0].figure.axes[1]), 0.05) << correction;  // the rig's noise is a hundredth
+  EXPECT_LT(distance(figures[0].figure.axes[1]), 0.05) << correction;  // the rig's noise is 1 % of the force
   EXPECT_THAT(diagnosis::toJson(result), HasSubstr("figure_bench.csv"));
 }
 

@@ -1,4 +1,4 @@
-// Errors of stiffness, loss angle and energy: of a known model, at any scale of time.
+// Errors of stiffness, loss angle and energy for a model whose errors are known, at fast and slow sampling.
 #include "diagnosis/results/characteristics.h"
 
 #include "rubber_suspension/element/constants.h"
@@ -10,10 +10,10 @@ namespace {
 constexpr Eigen::Index kSineSamples = 20000;
 constexpr double kStiffness = 1e6;
 
-// Sines of four frequencies one after the other on a spring and a dashpot.
+// Sines of four frequencies one after the other, measured on a spring and a dashpot.
 struct Measured {
   log::Record record;
-  Eigen::VectorXd simulated;  // a tenth too soft, and without the dashpot
+  Eigen::VectorXd simulated;  // spring 10 % too soft, no dashpot
 
   explicit Measured(double dt) {
     record.name = "sines";
@@ -41,15 +41,15 @@ struct Measured {
 
 TEST(CharacteristicErrors, AreThoseOfTheModel) {
   const diagnosis::CharacteristicErrors errors = Measured(1e-3).errors();
-  // Windows end within a cycle: of the sines beside them a hundredth is seen.
+  // Windows do not end at whole cycles, so up to 1 % of the neighbouring sines leaks in.
   EXPECT_NEAR(errors.stiffness, 1.0 - 0.9 / std::hypot(1.0, 0.1), 0.01);
   EXPECT_NEAR(errors.loss_angle, std::atan(0.1), 0.01);
-  EXPECT_NEAR(errors.energy, 1.0, 0.05);  // none of it is simulated
+  EXPECT_NEAR(errors.energy, 1.0, 0.05);  // the simulated spring dissipates none
 }
 
 TEST(CharacteristicErrors, AreTheSameOfASlowerTest) {
   const diagnosis::CharacteristicErrors fast = Measured(1e-3).errors();
-  // By a power of two, so that windows end at the same samples.
+  // The factor is a power of two, so that windows end at the same samples.
   const diagnosis::CharacteristicErrors slow = Measured(1024.0 * 1e-3).errors();
   EXPECT_EQ(fast.stiffness, slow.stiffness);
   EXPECT_EQ(fast.loss_angle, slow.loss_angle);

@@ -1,4 +1,4 @@
-// A diagnosis whose statements have to agree with each other: what tests of this folder make goes through here.
+// Runs a diagnosis and checks that its statements agree with each other; the tests of this folder use it.
 #pragma once
 
 #include "diagnosis/experiment/explanation.h"
@@ -9,8 +9,8 @@
 
 namespace rubber_suspension {
 
-/// A hypothesis leaves no more of the logs of the fit than one whose terms are among its own, a law that contains
-/// another than that one above all.
+/// Checks that a hypothesis never fits the logs worse than another whose terms it contains, beyond 1 % and a tenth of
+/// the noise floor.
 inline void checkContainment(const diagnosis::Diagnosis& d) {
   using diagnosis::hypotheses::FittedHypothesis;
   constexpr double kAsMuch = 1.01;
@@ -46,7 +46,7 @@ inline diagnosis::Diagnosis checkedTable(const io::ComponentDescription& compone
   return result;
 }
 
-/// Whether an effect is told alone, or alone among what else may be.
+/// Returns whether the effect is named alone, or is an alternative by itself.
 inline bool mayBe(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
   const auto is = [&](const diagnosis::Alternative& other) {
     return other.effects == std::vector<std::string>{effect};

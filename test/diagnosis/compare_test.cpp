@@ -1,4 +1,4 @@
-// Two reports side by side: what differs beyond noise and intervals, and files that are no report.
+// Comparison of two reports: changes beyond noise and intervals; files that are no report are refused.
 #include "diagnosis/report/compare.h"
 
 #include "support/test.h"
@@ -70,7 +70,7 @@ TEST_F(Compare, TellsValuesApartByTheirIntervals) {
   EXPECT_THAT(text, Not(HasSubstr("K_n")));
 }
 
-// The logs of another day have other names: places are compared over all logs, by their part of the force.
+// Logs of another day have other names, so cells are compared over all logs, by their share of the gap.
 TEST_F(Compare, FollowsThePlacesOfTheGap) {
   diagnosis::Diagnosis now = firstDay();
   now.gaps.unseen.as_configured = 0.2;

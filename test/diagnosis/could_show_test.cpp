@@ -1,4 +1,4 @@
-// What logs could show: known answers of plans, implants against real fits, programmes that cannot be used.
+// What planned logs could show: plans with known answers, implants compared with real fits, unusable programmes.
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/effect.h"
@@ -37,7 +37,7 @@ diagnosis::Plan planOf(const std::vector<log::Log>& logs, double size = 0.1) {
   return diagnosis::plan(rigComponent(), logs, options);
 }
 
-/// Of all that is asserted of one plan.
+/// The plan that several tests check.
 const diagnosis::Plan& planOfASweep() {
   static const diagnosis::Plan plan = planOf({sweep()});
   return plan;
@@ -53,8 +53,8 @@ const ImplantedEffect& row(const diagnosis::Plan& plan, const std::string& effec
   return *found;
 }
 
-// Stiffness and loss at one frequency are what the model's own three numbers can follow, whatever linear law makes
-// them. How far they may move for that the judgement says. Less than the lag that a rig may have is out of reach.
+// At one frequency, the three numbers of the model fit stiffness and loss of any linear law, as far as the judgement
+// lets them move. Effects that a delay within the rig's tolerance explains are out of reach.
 TEST(Plan, OneSineHidesWhatASweepFinds) {
   constexpr double kUsual = 0.06;  // of the force
   const diagnosis::Plan one = planOf({sine()}, kUsual);
@@ -66,7 +66,7 @@ TEST(Plan, OneSineHidesWhatASweepFinds) {
   }
 }
 
-// A zero that is new in each log is the rig's.
+// An offset that differs between logs is attributed to the rig.
 TEST(Plan, NeverFindsAZeroThatTheRigMayHave) {
   const diagnosis::Plan& plan = planOfASweep();
   EXPECT_EQ(row(plan, "force_offset").outcome, "out_of_reach");
@@ -133,7 +133,7 @@ TEST(Plan, WritesWhatItSays) {
   std::filesystem::remove_all(folder);
 }
 
-// What projection says is left is what a fit leaves of a force to which the effect was really added.
+// Projection predicts the residual that a fit really leaves of a force with the effect added.
 TEST(Implants, LeaveWhatAFitLeaves) {
   const fit::ModelParameters model(rigComponent(), fit::Level::specification);
   const std::vector<gap::PreparedRecord> records = {log::makeRecord(runRig("plain", 1, nothing, 2.0))};
@@ -155,7 +155,7 @@ TEST(Implants, LeaveWhatAFitLeaves) {
     with.front().force += kSize * implant.scale * (*term.unit_effect).front();
     const fit::Fitter fitted(with, model, kOneDeviation);
     const double left = fitted.fit({}, fitted.configured({}), {10}).gap;
-    // The model is not linear in its parameters, and noise of 0.2 % of the force is left as well.
+    // The model is not linear in its parameters, and noise of 0.2 % of the force remains as well.
     EXPECT_NEAR(left, kSize * implant.model.gap, 0.1 * kSize) << candidate.effect << " " << implant.term;
     ++compared;
   }

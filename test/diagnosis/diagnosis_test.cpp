@@ -16,8 +16,7 @@ TEST(Diagnosis, FindsNoGapWhereThereIsNone) {
   const diagnosis::Diagnosis& result = ofNothing();
   EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::none);
   EXPECT_TRUE(result.answer.effects.empty());
-  // 20 N of white noise over the standard deviation of the force; the floor is the median of some hundred spectral
-  // lines.
+  // The floor is estimated from the median of some hundred spectral lines of 20 N of white noise.
   double standard_deviation = 0.0;
   for (const log::Record& record : result.workings->simulated.records) {
     standard_deviation = std::max(standard_deviation, record.force_deviation);
@@ -71,7 +70,7 @@ TEST(Diagnosis, ReplayOfTheAugmentedFileGivesTheClaimedGap) {
   const double gap =
       std::sqrt((measured - simulated).squaredNorm() / static_cast<double>(measured.size())) / standard_deviation;
   EXPECT_NEAR(gap, result.gap_as_recorded.augmented, 1e-9);
-  // The unseen log has a zero and a start at rest of its own, which the gap does not count.
+  // The gap of the held-out log excludes an offset and the start from rest.
   EXPECT_NEAR(gap, result.gaps.unseen.augmented, 0.05 * gap);
 }
 
@@ -109,8 +108,8 @@ TEST(Diagnosis, RefusesALogWithoutForce) {
   EXPECT_THROW(diagnosis::diagnose(rigComponent(), {log}, {}), log::LogError);
 }
 
-// What the engineer rules out is not named, and the report says what it would be: both causes of this gap would be told
-// together, and the noise is that of the rig, whatever is named.
+// An excluded effect is not named, but the report states what it would explain. Both causes of this gap are excluded,
+// and the noise floor does not depend on what is named.
 TEST(Excluded, IsNotNamedButTold) {
   io::ComponentDescription component = rigComponent();
   component.excluded_effects = {"bump_stop", "friction"};

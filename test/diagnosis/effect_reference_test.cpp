@@ -1,4 +1,4 @@
-// The page of effects in docs/ is the one that the code prints, and names elements that a component file accepts.
+// The page of effects in docs/ is the one that the code prints.
 #include "diagnosis/report/effect_reference.h"
 
 #include "support/files.h"

@@ -1,4 +1,4 @@
-// Of logs that are longer than a search takes, excerpts stand for the whole.
+// Excerpts replace logs that are too long for the search.
 #include "diagnosis/prepare/excerpts.h"
 
 #include "gap/simulate.h"
@@ -16,7 +16,7 @@ using diagnosis::prepare::Excerpts;
 
 constexpr std::int64_t kNanoseconds = 10000000;  // [ns]
 
-// A sine of 1 Hz at 100 Hz whose amplitude [mm] changes every so many seconds.
+// A sine of 1 Hz sampled at 100 Hz, which keeps each amplitude [mm] for `seconds`.
 log::Log stairs(const std::vector<double>& amplitudes, double seconds) {
   const auto each = static_cast<std::size_t>(seconds * 100.0);
   return logOf(
@@ -76,7 +76,7 @@ TEST(Excerpts, HoldTheBeginningTheLargestMotionAndAllAmplitudes) {
   std::set<double> seen;
   std::int64_t last = -1;
   for (const log::Log& excerpt : excerpts.logs) {
-    EXPECT_GT(excerpt.stamp.front(), last);  // in the order of recording, none twice
+    EXPECT_GT(excerpt.stamp.front(), last);  // in the order of recording, without overlap
     last = excerpt.stamp.back();
     EXPECT_EQ(excerpt.force.size(), excerpt.size());
     seen.insert(std::round(1e5 * largest(excerpt)) / 100.0);
@@ -95,7 +95,7 @@ TEST(Excerpts, LeaveOutAStandstill) {
 TEST(Excerpts, WindowsHoldTenCyclesWhereTheyCan) {
   log::Log log = stairs({1.0}, 4000.0);
   for (std::int64_t& stamp : log.stamp) {
-    stamp /= 100;  // as fast as it may be: what counts are cycles, not seconds
+    stamp /= 100;  // a hundred times as fast: windows are counted in cycles, not in seconds
   }
   for (const std::size_t most : {80000U, 8000U, 4000U, 1500U}) {
     for (const log::Log& excerpt : makeExcerpts({log}, {}, most).logs) {
@@ -120,7 +120,7 @@ TEST(Excerpts, AHoldOutGivesItsBeginning) {
   EXPECT_EQ(excerpts.hold_out.front().stamp.front(), 0);
 }
 
-// What remembers longest and most: heat, the largest displacement, a slow Maxwell element.
+// The elements with the longest memory: self-heating, softening by the largest displacement, a slow Maxwell element.
 TEST(Excerpts, AreLedInByWhatLiesBetweenThem) {
   const std::vector<element::ElementDescription> elements = {
       spring(1e6),
@@ -147,19 +147,19 @@ TEST(Excerpts, AreLedInByWhatLiesBetweenThem) {
     rested.emplace_back(log::evenRecord(excerpts.logs[i]));
     led_in.emplace_back(log::evenRecord(excerpts.logs[i], excerpts.lead_in[i]));
   }
-  // Means over four samples of a sine of a hundred lack 0.3 % of its amplitude, and beyond them loading is the
-  // first: 2.9 % of the force where the amplitude is new, 0.6 % elsewhere.
+  // Means over four of 100 samples per cycle reduce the amplitude by 0.3 %, so a new amplitude still softens the rubber
+  // in the excerpt: an error of 2.9 % of the force there, 0.6 % elsewhere.
   EXPECT_LT(worst(led_in), 0.04);
   EXPECT_GT(worst(rested), 0.2) << "the test would not see it";
 }
 
-// A pause of 1e6 s is one step for the force, as in `replay` and the node, and nothing to spectra.
+// A pause of 1e6 s is one step for the force, as in `replay` and the node; spectra ignore it.
 TEST(Excerpts, BeginAnewBehindATimeGap) {
   const std::vector<element::ElementDescription> elements = {
       spring(1e6), maxwell(3e5, 0.01), friction(300.0, 3e-4), {"stress_softening", {{"reduction", {0.3}}}}};
   log::Log log = stairs({1.0, 2.0, 0.5}, 20.0);
   for (std::size_t i = 0; i < log.size(); ++i) {
-    log.stamp[i] += i < 2000 ? 0 : i < 4030 ? 70000000000 : 1000000000000000;  // behind the first and a short stretch
+    log.stamp[i] += i < 2000 ? 0 : i < 4030 ? 70000000000 : 1000000000000000;  // after the first and after a short part
   }
   log.force = gap::simulateLog(component::Component(elements), log);
   const Excerpts excerpts = makeExcerpts({log}, {}, log.size());
@@ -171,8 +171,8 @@ TEST(Excerpts, BeginAnewBehindATimeGap) {
   }
   const gap::Forces forces = gap::simulate(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
-    // Two steps that make up one in a straight line: to the rounding of the forces, for all but a Maxwell element that
-    // takes the mean over each of them.
+    // Splitting one straight step into two changes the force by rounding only, except in a Maxwell element, which uses
+    // the mean over each step.
     EXPECT_LT((records[r].force - forces[r]).cwiseAbs().maxCoeff(), 1e-9 * 3e3) << r;
   }
 }
@@ -200,7 +200,7 @@ TEST(Excerpts, ALongLogIsDiagnosedByThem) {
   EXPECT_LE(part.samples.searched, options.most_samples);
   EXPECT_EQ(part.samples.recorded, log.size());
   EXPECT_EQ(part.answer.verdict, whole.answer.verdict);
-  // Of the whole log, whatever was searched; the parameters may differ by what the noise leaves open.
+  // The gap is that of the whole log in both cases; the parameters may differ within the noise.
   EXPECT_NEAR(part.gap_as_recorded.as_configured, whole.gap_as_recorded.as_configured, 1e-12);
 }
 

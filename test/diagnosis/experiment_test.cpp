@@ -1,4 +1,4 @@
-// The next experiment: motions within limits, what tells explanations apart once the wrong one was refitted.
+// The next experiment: motions within limits that distinguish explanations even after the wrong one is refitted.
 #include "diagnosis/effect.h"
 #include "diagnosis/experiment/discrimination.h"
 #include "diagnosis/experiment/menu.h"
@@ -27,7 +27,7 @@ Bounds someBounds(double low, double high) {
   return bounds;
 }
 
-// What is proposed can be played on the machine that recorded the logs, also where these lie to one side of zero.
+// The machine that recorded the logs can play every proposal, even if its range lies on one side of zero.
 TEST(Experiments, StayWithinTheBounds) {
   for (const auto& [low, high] : {std::pair(-0.002, 0.0021), {0.004, 0.007}, {-0.003, 0.001}}) {
     const Bounds bounds = someBounds(low, high);
@@ -35,7 +35,7 @@ TEST(Experiments, StayWithinTheBounds) {
     ASSERT_GT(menu.size(), 20U);
     for (const Experiment& experiment : menu) {
       const Eigen::VectorXd& z = experiment.displacement;
-      // At rest at 0 at both ends, from where a machine starts.
+      // A motion starts and ends at rest at 0.
       EXPECT_GE(z.minCoeff(), std::min(0.0, low) - 1e-12) << experiment.description;
       EXPECT_LE(z.maxCoeff(), std::max(0.0, high) + 1e-12) << experiment.description;
       EXPECT_EQ(z[0], 0.0) << experiment.description;
@@ -65,7 +65,6 @@ TEST(Experiments, AreNoneWhereTheBoundsLeaveNoRoom) {
   EXPECT_TRUE(experimentMenu(bounds).empty());
 }
 
-// Of odd and of even multiples: the mean of a motion of odd lines over half a period shifted by half of it is 0.
 TEST(Experiments, MultisinesAreOddOrEven) {
   int odd = 0;
   int even = 0;
@@ -108,8 +107,8 @@ TEST(ExperimentLimits, AreRefusedWithKeyValueAndWhatIsAccepted) {
   EXPECT_THAT(refusal("force=much"), HasSubstr("much"));
 }
 
-// The component of the rig, which is linear, on slow triangles that tell nothing of rates; a dashpot against
-// relaxation.
+// A dashpot competes with relaxation on logs of slow triangles, which show no rate dependence. The component is the
+// linear one of the rig.
 class Rivals : public testing::Test {
  protected:
   Rivals()
@@ -150,8 +149,8 @@ class Rivals : public testing::Test {
     throw std::logic_error(effect);
   }
 
-  // Judged: an effect whose fit is as it is now, of all that the search has.
-  // Effects of a usual size, whose forms are wrong by less than is accepted: all are expected to leave about as much.
+  // Judges all hypotheses of the search with one effect as the answer. All effects have a usual size and form errors
+  // below the accepted one, so all are expected to have about the same residual.
   void judgeAs(int effect) {
     constexpr double kUsualSize = 0.002;  // square, of the force
     diagnosis::judge::Evidence& evidence = workings_.evidence;
@@ -176,7 +175,7 @@ class Rivals : public testing::Test {
     return static_cast<int>(found - search_.candidates.begin());
   }
 
-  // RMS difference that is left after a refit [N].
+  // Returns the RMS difference that remains after a refit [N].
   double afterRefit(const Experiment& experiment) {
     const std::vector<diagnosis::experiment::Explanation> explanations = {{&single("viscous_damping"), 1.0},
                                                                           {&search_.re_estimated, 0.0}};
@@ -202,7 +201,7 @@ Experiment motion(const std::function<double(double)>& law) {
   return experiment;
 }
 
-// A Maxwell element of any stiffness and break frequency makes what a dashpot makes of one sine; not of two of them.
+// A Maxwell element imitates a dashpot at one frequency exactly, but not at two.
 TEST_F(Rivals, OneSineCannotTellADashpotFromRelaxationTwoCan) {
   single("viscous_damping").fit.parameters.scales[0] = 2e3;
   const auto sine = [](double f) { return [f](double t) { return 1e-4 * std::sin(2.0 * element::kPi * f * t); }; };
@@ -229,7 +228,7 @@ TEST_F(Rivals, TheBestMotionLeavesLeastOpen) {
   }
 }
 
-// A set that holds the right one follows it anywhere, but its further member is then next to nothing.
+// The larger set can imitate the smaller one in any motion, but only with a negligible further member.
 TEST_F(Rivals, OfSetsThatHoldOneAnotherOneIsDecided) {
   const int damping = placeOf("viscous_damping");
   const int stop = placeOf("bump_stop");
@@ -253,13 +252,13 @@ TEST_F(Rivals, OfSetsThatHoldOneAnotherOneIsDecided) {
   EXPECT_LT(found.open, 0.5);
 }
 
-// A dashpot without force, which no motion tells from the model, and one of which fast motion tells.
+// No motion distinguishes a dashpot without force from the model; fast motion shows one with force.
 TEST_F(Rivals, ProposeNothingThatSettlesNextToNothing) {
   for (diagnosis::hypotheses::FittedHypothesis& other : search_.singles) {
-    other.fit.held_out = std::numeric_limits<double>::infinity();  // against the model as it is alone
+    other.fit.held_out = std::numeric_limits<double>::infinity();  // so that only the model competes
   }
   for (auto* hypothesis : {&single("viscous_damping"), &search_.re_estimated, &search_.as_configured}) {
-    hypothesis->fit.held_out = 0.01;  // the logs are slow, and next to noise is left
+    hypothesis->fit.held_out = 0.01;  // the slow logs leave little beyond noise
   }
   judgeAs(placeOf("viscous_damping"));
   diagnosis::ExperimentLimits limits;
@@ -295,7 +294,7 @@ TEST_F(Rivals, ProposalsKeepToTheLimitsGiven) {
     for (std::size_t i = 1; i < proposed.displacement.size(); ++i) {
       ASSERT_LE(std::abs(proposed.displacement[i]), 0.004);
       ASSERT_LE(std::abs(proposed.displacement[i] - proposed.displacement[i - 1]), 0.1 * proposed.dt * (1.0 + 1e-9));
-      ASSERT_LE(std::abs(1e6 * proposed.displacement[i]), 2500.0);  // its static stiffness is 1e6 N/m
+      ASSERT_LE(std::abs(1e6 * proposed.displacement[i]), 2500.0);  // the static stiffness is 1e6 N/m
     }
     ASSERT_LE(static_cast<double>(proposed.displacement.size()) * proposed.dt, 12.0);
   }

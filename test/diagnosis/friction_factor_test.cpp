@@ -1,4 +1,4 @@
-// Friction that differs from log to log, as that of a seal under another pressure, and friction that does not.
+// Friction that differs from log to log, as in a seal under different pressures, and friction that does not.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "support/test.h"

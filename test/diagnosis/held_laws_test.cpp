@@ -10,10 +10,10 @@ namespace {
 constexpr double kHeldStep = 1e-3;     // [s]
 constexpr double kHeldAt = 2e-3;       // [m]
 constexpr double kHeldNoise = 1e-6;    // standard deviation [m]
-constexpr double kSpringBeside = 1e6;  // of the spring beside each law [N/m]
+constexpr double kSpringBeside = 1e6;  // spring beside each law [N/m]
 constexpr Eigen::Index kHeldSamples = 10000;
 
-// Up to 2 mm within a second and a half, and from two seconds on held for eight.
+// Ramps to 2 mm within 1.5 s and holds it to 10 s.
 log::Record held() {
   log::Record record;
   record.dt = kHeldStep;
@@ -29,7 +29,7 @@ log::Record held() {
   return record;
 }
 
-// About a time [s].
+// Returns the mean force over the 0.5 s from a time [s].
 double meanAt(const Eigen::VectorXd& force, double time) {
   return force.segment(static_cast<Eigen::Index>(time / kHeldStep), kHeldSamples / 20).mean();
 }
@@ -55,9 +55,9 @@ fit::Excitation excitation() {
   return result;
 }
 
-// What noise takes from a law while 2 mm are held is taken at once, by the largest of it, and no more later: but for 2
-// % of what the law does, and the means of the noise of 500 samples on the spring and the law, of whose difference this
-// is 5 standard deviations.
+// The force that sensor noise removes from a law at a hold is lost at its beginning and grows no more after that. The
+// tolerance is 2 % of the force of the law plus 5 standard deviations of the difference of two means of 500 noisy
+// samples.
 TEST(HeldDisplacement, KeepsTheForceOfAnyLawThatIsWritten) {
   const log::Record record = held();
   for (const fit::Candidate& candidate : diagnosis::candidates(excitation())) {

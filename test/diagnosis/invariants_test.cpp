@@ -1,4 +1,4 @@
-// A report that contradicts itself is found out, and tells nothing.
+// A report that contradicts itself is detected and has no verdict.
 #include "diagnosis/invariants.h"
 
 #include "diagnosis/hypotheses/workings.h"

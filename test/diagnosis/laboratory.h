@@ -1,4 +1,4 @@
-// A virtual laboratory that measures tables of stiffness and loss angle, and what tests of their diagnosis share.
+// A virtual laboratory that measures tables of stiffness and loss angle, with helpers for tests of their diagnosis.
 #pragma once
 
 #include "fit/table_fit.h"
@@ -8,8 +8,8 @@
 
 namespace rubber_suspension::diagnosis {
 
-constexpr double kNoise = 0.01;    // of K*: what a good laboratory states
-constexpr int kMostCycles = 2000;  // until a loop has settled
+constexpr double kNoise = 0.01;    // relative noise of K* that a good laboratory states
+constexpr int kMostCycles = 2000;  // until a loop is settled
 
 inline io::ComponentDescription bush(const std::string& model, const std::string& more = "") {
   return componentOf("components:\n  bush:\n    " + model + "\n" + more);
@@ -33,7 +33,7 @@ inline io::ComponentDescription with(const std::string& model, const std::string
   return bush(model + ", add: [" + entry + "]}");
 }
 
-// The settled loops of a component at a point, by another way than the diagnosis takes.
+// Measures the settled loop of a component by code that the diagnosis does not use.
 inline fit::TablePoint pointOf(const component::Component& component, double frequency, double amplitude,
                                double mean = 0.0, int most_cycles = kMostCycles) {
   response::LoopOptions options;
@@ -43,7 +43,7 @@ inline fit::TablePoint pointOf(const component::Component& component, double fre
   return {frequency, amplitude, loop.stiffness, loop.loss_angle, mean};
 }
 
-// A laboratory: errors of stiffness and angle alike.
+// A laboratory whose stiffness and loss angle have the same relative error.
 class Laboratory {
  public:
   explicit Laboratory(unsigned seed, double noise = kNoise, int most_cycles = kMostCycles)

@@ -1,4 +1,4 @@
-// Lines of mains and pumps in the force of all logs, and what is told apart from them.
+// Lines of mains and pumps in the force of all logs, and signals that may be mistaken for them.
 #include "diagnosis/prepare/lines.h"
 
 #include "diagnosis/checked_diagnosis.h"
@@ -11,7 +11,7 @@ namespace {
 
 using diagnosis::prepare::RigLines;
 
-// An oscillation [N] whose phase is a random walk of 0.3 rad in a second.
+// An oscillation [N] whose phase is a random walk of 0.3 rad in one second.
 RigEffect line(double frequency, double amplitude) {
   return [=, generator = std::mt19937(7), phase = 0.0, before = 0.0](double time, double, double) mutable {
     phase += std::normal_distribution<double>(0.0, 0.3 * std::sqrt(std::max(time - before, 0.0)))(generator);
@@ -35,7 +35,7 @@ RigLines linesOf(const std::vector<log::Log>& logs) {
       records, gap::simulateEach(rigComponent().allElements(), {records.begin(), records.end()}));
 }
 
-// Logs of 20 s of a sine [Hz] at several amplitudes.
+// Logs of 20 s of a sine of a frequency [Hz], one for each of three amplitudes.
 std::vector<log::Log> sines(double frequency, const RigEffect& effect) {
   std::vector<log::Log> logs;
   for (const unsigned seed : {1U, 2U, 3U}) {
@@ -90,7 +90,7 @@ TEST(Lines, AreInAllLogs) {
   EXPECT_THAT(linesOf(logs).findings, SizeIs(0));
 }
 
-// Friction makes multiples of the frequency of a sine, and aliases of these, as steady as any line.
+// Friction produces harmonics of a sine and their aliases, which are as steady as any line.
 TEST(Lines, AreNoMultiplesOfTheMotion) {
   for (const double frequency : {1.0, 2.3, 5.0, 8.7, 16.7}) {
     EXPECT_THAT(linesOf(sines(frequency, rigFriction())).findings, SizeIs(0)) << frequency;
@@ -100,7 +100,7 @@ TEST(Lines, AreNoMultiplesOfTheMotion) {
   EXPECT_NEAR(beside.findings[0].frequency, 48.3, 0.1);
 }
 
-// A mode of high quality that noise excites is narrow, too, but its size varies.
+// A resonance with a high quality factor excited by noise is narrow as well, but its amplitude varies.
 TEST(Lines, AreSteady) {
   const double omega = 2.0 * element::kPi * 30.0 * 0.004;
   const double decay = std::exp(-omega / 200.0);

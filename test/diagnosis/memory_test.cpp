@@ -1,4 +1,4 @@
-// Logs beyond the machine's memory are refused before the search.
+// Logs that need more than the machine's memory are refused before the search.
 #include "diagnosis/prepare/memory.h"
 
 #include "rig.h"

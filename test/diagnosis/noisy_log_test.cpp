@@ -1,4 +1,4 @@
-// What logs count for whose force is little more than noise.
+// Weights of logs whose force is little more than noise.
 #include "measurement/rig_noise.h"
 #include "support/test.h"
 

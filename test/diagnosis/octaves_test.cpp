@@ -1,4 +1,4 @@
-// Shares of octaves in the energy of forces.
+// Shares of octaves in the energy of a force.
 #include "diagnosis/hypotheses/log_table.h"
 #include "rubber_suspension/element/constants.h"
 #include "support/test.h"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kSamples = 8192;
 
-// So many cycles over all samples.
+// A sine with `cycles` periods over all samples.
 Eigen::VectorXd sine(double cycles, double amplitude) {
   return amplitude *
          (2.0 * element::kPi * cycles / kSamples * Eigen::ArrayXd::LinSpaced(kSamples, 0.0, kSamples - 1.0)).sin();

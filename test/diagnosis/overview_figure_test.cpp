@@ -1,4 +1,4 @@
-// The figure of `diagnose --plot`: one picture each of where and how much, with what was found in its title.
+// The figure of `diagnose --plot`: panels that show where the gap is and how large, titled with the findings.
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/hypotheses/workings.h"
@@ -9,7 +9,7 @@
 namespace rubber_suspension {
 namespace {
 
-// A record of a sine whose model is 100 N off before and right after the augmentation.
+// A record of a sine whose model is off by 100 N before the augmentation and exact after it.
 diagnosis::Diagnosis madeUp(const std::string& log = "sine") {
   constexpr Eigen::Index kSize = 2000;
   log::Record record;
@@ -42,7 +42,7 @@ TEST(OverviewFigure, ShowsLoopsResidualsAndTime) {
   EXPECT_NEAR(figure.axes[1].curves[2].y[0], 0.0, 1e-12);
 }
 
-// A rotation: its units are those of the values, and what is called like a unit stays as it is called.
+// Labels have the units of a rotation; the name of a log that looks like a unit is unchanged.
 TEST(OverviewFigure, HasUnitsOfARotationAndNamesAsTheyAre) {
   diagnosis::Diagnosis diagnosis = madeUp("run 3 N");
   diagnosis.turns = true;

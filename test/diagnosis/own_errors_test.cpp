@@ -1,4 +1,4 @@
-// What belongs to single logs is told of these logs and written into no file; no file leaves more of a log.
+// Errors of single logs are reported for these logs and written to no file; no file fits a log worse.
 #include "diagnosis/results/own_errors.h"
 
 #include "checked_diagnosis.h"
@@ -20,7 +20,7 @@ TEST(OwnErrors, AreThoseOfLogsThatReadOtherwiseThanMost) {
   EXPECT_THAT(unlikeMost({0.001, 0.002, 0.003}, 0.01), ElementsAre(true, false, true)) << "all alike: about one";
 }
 
-// A gain of one log was the mean gain of all in the file, and all logs were to be calibrated.
+// A gain of one log must not become a mean gain of all logs in the file.
 TEST(OwnErrors, OfOneLogIsAFindingOfThatLog) {
   std::vector<log::Log> logs = runRigs({1, 2, 4}, nothing);
   for (double& force : logs[1].force) {
@@ -63,7 +63,7 @@ TEST(LeftOfLogs, IsWithoutAnOffsetAndTheRigsPart) {
   EXPECT_EQ(excessOf(without), 0.0);
 }
 
-// A little more in one log is within what is accepted, but not over all logs together.
+// A small increase in one log is accepted, but not over all logs together.
 TEST(LeftOfLogs, CountTogether) {
   EXPECT_EQ(excessOf({{"a", 0.010, 0.011, 4e-5}, {"b", 0.02, 0.01, 4e-5}}), 0.0);
   EXPECT_GT(excessOf({{"a", 0.010, 0.011, 4e-5}}), 0.0);

@@ -1,4 +1,4 @@
-// Model parameters, records, what noise does, and the menu of experiments.
+// Model parameters, records, noise, and the candidates.
 #include "diagnosis/effect.h"
 #include "diagnosis/judge/score.h"
 #include "fit/excitation.h"
@@ -34,7 +34,7 @@ TEST(ModelParameters, LeaveTheConfiguredModelAsItIs) {
   }
 }
 
-// Every point that is a factor of 3 off or less has a model: that is what the coordinates are for. So has any alpha.
+// Coordinates are chosen so that every point off by a factor of up to 3, with any alpha, has a valid model.
 TEST(ModelParameters, HaveAModelEverywhere) {
   const fit::ModelParameters model(fiveInputs(), fit::Level::specification);
   std::mt19937 generator(3);
@@ -59,7 +59,7 @@ TEST(Record, EstimatesTheNoiseOfTheDisplacement) {
   }
   const log::Record record = log::makeRecord(log);
   EXPECT_NEAR(record.displacement_noise, 1e-6, 0.15e-6);  // the median of about 200 averaged spectral lines
-  EXPECT_LT(record.highest_frequency, 15.0);              // 6.3 Hz is the fastest sine, the sweep spreads it
+  EXPECT_LT(record.highest_frequency, 15.0);              // the fastest sine has 6.3 Hz; the sweep broadens it
 }
 
 TEST(Record, FiltersOnlyTheNoiseOutOfTheDisplacement) {
@@ -77,7 +77,7 @@ TEST(Record, FiltersOnlyTheNoiseOutOfTheDisplacement) {
   const Eigen::Index inner = record.size() - 2 * kEnds;
   const Eigen::VectorXd error = (record.displacement - z).segment(kEnds, inner);
   const double left = std::sqrt(error.squaredNorm() / static_cast<double>(inner));
-  // Noise below the edge of the filter stays: of its power the part up to 1.3 times the passed frequency.
+  // Noise below the edge of the filter remains: the share of its power up to 1.3 times the passed frequency.
   const double expected = 1e-6 * std::sqrt(1.3 * record.passed_frequency * 2.0 * record.dt);
   EXPECT_LT(left, 1.3 * expected);
   EXPECT_LT(left, 0.7e-6);
@@ -102,7 +102,7 @@ TEST(FrictionNoise, IsNothingWithoutFriction) {
             std::vector<double>{0.0});
 }
 
-// What noise does to Berg's friction is known here, as the displacement without noise is.
+// The displacement without noise is known here, and so is the effect of noise on Berg's friction.
 TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
   const std::vector<element::ElementDescription> friction = {
       {"friction", {{"maximum_force", {300.0}}, {"displacement", {2e-4}}, {"dead_band", {2e-5}}}}};
@@ -114,7 +114,7 @@ TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
   const double known = rootMeanSquare(done) / noisy.force_deviation;
   const double estimated = measurement::frictionNoise(friction, {noisy}).front();
   EXPECT_GT(known, 1e-3) << "there is something to be estimated";
-  // One draw of few events, against three of them and three dead bands.
+  // A single draw of few events is compared with a mean over three draws and three dead bands.
   EXPECT_GT(estimated, 0.4 * known);
   EXPECT_LT(estimated, 2.5 * known);
 }
@@ -143,10 +143,10 @@ TEST(Record, RefusesALogThatDoesNotMove) {
   EXPECT_THROW(log::makeRecord(log), log::LogError);
 }
 
-// Scales of basis terms of a candidate in units of their typical ones, all others at nothing.
+// Scales of basis terms by candidate, in units of their typical scales; all others are zero.
 using Scales = std::map<std::string, std::vector<double>>;
 
-// The first terms of the candidates that have scales.
+// A hypothesis of the first terms of those candidates that have scales.
 fit::Hypothesis hypothesisOf(std::vector<fit::Candidate> candidates, const Scales& scales) {
   std::vector<int> members;
   for (std::size_t c = 0; c < candidates.size(); ++c) {
@@ -177,7 +177,7 @@ TEST(Candidates, AreEnteredOnceEach) {
   std::set<std::string> names;
   for (const fit::Candidate& candidate : diagnosis::candidates(fit::summarise(records))) {
     EXPECT_TRUE(names.insert(candidate.effect).second) << candidate.effect;
-    // The logs have neither a temperature nor another displacement, and forces of both signs.
+    // The logs have no temperature, no displacement across, and forces of both signs.
     EXPECT_EQ(candidate.applies(), candidate.effect != "temperature" && candidate.effect != "radial_coupling" &&
                                        candidate.effect != "lift_off")
         << candidate.effect;
@@ -194,7 +194,7 @@ TEST(Candidates, AreEnteredOnceEach) {
   EXPECT_THAT(io::effectNames(), ::testing::ElementsAreArray(names)) << "that a component file may exclude";
 }
 
-// Another displacement that moves by itself: one that follows the own, or next to none, tells of no radius.
+// Radial coupling needs a displacement across that is not proportional to the own one and not negligible.
 TEST(Candidates, RadialCouplingNeedsAnotherDisplacement) {
   const auto offered = [](double share, double apart) {
     log::Log log = noisyLog(0.0);
@@ -214,8 +214,8 @@ TEST(Candidates, RadialCouplingNeedsAnotherDisplacement) {
   EXPECT_FALSE(offered(0.0, 0.01));
 }
 
-// Forces of one sign, or less of the other: then it has the terms of a compliance, too, and where there is more than a
-// zero leaves, a contact with a preload.
+// Lift-off is offered if the forces of one sign are weak: below the size of an offset by a contact without preload,
+// above it by contacts with a preload and a slack stiffness as well.
 TEST(Candidates, LiftOffNeedsForcesOfOneSign) {
   for (const double side : {1.0, -1.0}) {
     for (const double share : {0.0, 0.05, 0.25, 0.5, 0.9}) {
@@ -237,7 +237,7 @@ TEST(Candidates, LiftOffNeedsForcesOfOneSign) {
   }
 }
 
-// The table of laws that have others as a limit: they have their terms, once each, and their further numbers count.
+// A law with others as a limit has their terms, once each, and more numbers than they have.
 TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
   const std::vector<fit::Candidate> all = diagnosis::candidates(fit::summarise({log::makeRecord(noisyLog(0.0))}));
   const auto placeOf = [&](const std::string& effect) {
@@ -305,7 +305,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<element::ElementDescription>{{"time_delay", {{"delay", {0.01}}}}},
                     std::vector<element::ElementDescription>{{"series_compliance", {{"stiffness", {1e7}}}}}));
 
-// Forces and normal equations from unit effects are those of simulating the whole model.
+// Superposed unit effects give the forces and normal equations of a simulation of the whole model.
 TEST_P(KnownEffects, AreWhatSimulationGives) {
   io::ComponentDescription component = rigComponent();
   component.add = GetParam();
@@ -334,12 +334,12 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
     const fit::BlockGrams expected_grams = fitter.linearise(simulated, parameters);
     const Eigen::MatrixXd& expected_sum = expected_grams.sum;
     const Eigen::MatrixXd actual_sum = fitter.linearise(superposed, parameters, {}, 2).sum;
-    // With what is free in a log, which takes all of a zero but its rounding.
+    // Scaled by the columns before elimination, which removes all of an offset but its rounding.
     const Eigen::VectorXd size = expected_grams.squares.cwiseSqrt().cwiseMax(1e-300);
     const Eigen::MatrixXd difference =
         size.cwiseInverse().asDiagonal() * (actual_sum - expected_sum) * size.cwiseInverse().asDiagonal();
-    // Rounding of difference quotients, 1e-16 of the force over the least of the effects, 1e-4 of it. About a model
-    // with other effects, or beside heat, terms have columns that are good for a direction alone.
+    // Difference quotients have rounding errors of 1e-16 of the force over the smallest effect, 1e-4 of it. About a
+    // model with other effects, or beside self-heating, columns of terms are accurate in direction only.
     const bool displaces = !GetParam().empty() || cases[i].count("self_heating") != 0;
     const Eigen::Index of_model = parameters.model.size();
     for (Eigen::Index j = 0; j < difference.cols(); ++j) {

@@ -1,4 +1,4 @@
-// Intervals of what a law closes of further logs: how often they hold it, and what makes them narrow.
+// Intervals of the closed share on further logs: their coverage, and what narrows them.
 #include "diagnosis/results/predictive.h"
 
 #include "diagnosis/judge/score.h"
@@ -12,13 +12,13 @@ namespace {
 using diagnosis::judge::Evidence;
 using diagnosis::results::Closing;
 
-constexpr double kGap = 0.2;       // before
-constexpr double kRemoved = 0.03;  // square of what the law adds
+constexpr double kGap = 0.2;       // before augmentation
+constexpr double kRemoved = 0.03;  // square of the force that the law adds, relative
 constexpr Closing kFirst{Evidence::kFirstSingle, 1.0, true};
 
 double width(const std::array<double, 2>& interval) { return interval[1] - interval[0]; }
 
-// Logs of one rig whose law leaves what the judgement expects, up to a factor that is the rig's own.
+// Logs of one rig whose law leaves the residual that the judgement expects, times a factor of the rig.
 class Rig {
  public:
   explicit Rig(unsigned seed) : generator_(seed) {
@@ -60,8 +60,8 @@ double closedOf(const std::vector<double>& left) {
   return gap::closedFraction(kGap, std::sqrt(sum), kFloor);
 }
 
-// Rigs as the judgement takes them: 95 % of the intervals hold what is closed of as many further logs. Of 200, 95 % are
-// 190, and four standard deviations of that are 12.
+// The rigs follow the model of the judgement, so 95 % of the intervals contain what is closed on as many further logs:
+// 190 of 200, with four standard deviations of 12.
 TEST(ClosedOnFurtherLogs, HoldsWhatIsClosedThere) {
   for (const std::size_t logs : {3U, 6U}) {
     int held = 0;
@@ -84,7 +84,7 @@ TEST(ClosedOnFurtherLogs, IsNarrowWhereManyLogsAgree) {
   EXPECT_GT(many[0], 0.9);
 }
 
-// Beside a rest the prior of a form error does not hold.
+// Beside a residual force the prior of the form error does not apply.
 TEST(ClosedOnFurtherLogs, IsWiderBesideARest) {
   const Evidence evidence = evidenceOf(std::vector<double>(3, std::pow(0.08, 2)));
   Closing beside = kFirst;
@@ -93,7 +93,7 @@ TEST(ClosedOnFurtherLogs, IsWiderBesideARest) {
             width(closedOnFurtherLogs(scoreTable(evidence), kFirst, 1000, 1)));
 }
 
-// A law that is at work opens no gap; one that is not may.
+// A law at work opens no gap; a law that is not may do so.
 TEST(ClosedOnFurtherLogs, IsBelowZeroForLawsThatAreNotAtWorkAlone) {
   const Evidence evidence = evidenceOf(std::vector<double>(2, std::pow(0.19, 2)));
   Closing other = kFirst;

@@ -97,7 +97,7 @@ double named(const std::vector<diagnosis::HeadlineValue>& values, const std::str
   return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
 }
 
-// Sliders that realise a friction of 6 kN, half of it at 0.35 mm, are told as just that.
+// Sliders that realise a friction of 6 kN, half of it at 0.35 mm, are reported with these two numbers.
 TEST(Headline, TellsSlidersAsForceAndDisplacementAtHalfForce) {
   element::ElementDescription table{"iwan_table", {{"yield_displacement", {}}, {"stiffness", {}}}};
   for (const element::JenkinsSlider& slider : element::iwanSliders(6000.0, 3.5e-4, 64)) {
@@ -109,12 +109,12 @@ TEST(Headline, TellsSlidersAsForceAndDisplacementAtHalfForce) {
   const auto values = headlineValuesOf({table});
   EXPECT_NEAR(named(values, "maximum_force"), 6000.0, 1e-6);
   EXPECT_NEAR(named(values, "displacement"), 3.5e-4, 0.02 * 3.5e-4) << "chords of the hyperbola cut its corner";
-  // One slider: half of its force at half of its way.
+  // One slider has half of its force at half of its yield displacement.
   const auto one = headlineValuesOf({{"iwan_table", {{"yield_displacement", {2e-3}}, {"stiffness", {1e6}}}}});
   EXPECT_NEAR(named(one, "displacement"), 1e-3, 1e-15);
 }
 
-// What a rate brings to its limit, or what grows, is part of the same friction: the limits add up.
+// Rate-dependent and growing friction are parts of the same friction, so the limits add up.
 TEST(Headline, AddsUpTheLimitsOfAllThatYields) {
   const std::vector<element::ElementDescription> friction = {
       {"iwan_table", {{"yield_displacement", {2e-3}}, {"stiffness", {1e6}}}},
@@ -129,7 +129,7 @@ TEST(Headline, AddsUpTheLimitsOfAllThatYields) {
   EXPECT_DOUBLE_EQ(named(alone, "maximum_force"), 1000.0);
 }
 
-// What people read is few numbers: seven terms of one effect are one, and what no fit moves is left out.
+// Seven terms of one effect are summarised by one number, and parameters that no fit varies are omitted.
 TEST(Headline, IsShortForPeople) {
   const auto softening =
       headlineValuesOf({{"stress_softening", {{"reduction", {0.2}}, {"width", {0.05}}, {"path", {1.0}}}},
@@ -142,7 +142,7 @@ TEST(Headline, IsShortForPeople) {
   EXPECT_DOUBLE_EQ(named(stop, "gap"), 0.002);
 }
 
-// Contacts in series: the first one that opens, and what holds all of them.
+// Contacts in series are summarised by the first that opens and the stiffness that holds all of them.
 TEST(Headline, OfContactsAreTheirPreloadAndWhatHoldsThem) {
   const element::ElementDescription strap{"lift_off", {{"side", {1.0}}}};
   element::ElementDescription bolted = strap;
@@ -223,7 +223,7 @@ TEST(Findings, AllHaveAMeaningAndARemedy) {
   EXPECT_GE(count, 15);
 }
 
-// What a page shows, as the terminal would print it: test/report/render_test.py finds it there.
+// The phrases on the first screen of a page; test/report/render_test.py looks for them there.
 TEST(InWords, HasWhatTheFirstScreenShows) {
   diagnosis::Diagnosis d;
   d.component = "bush <1>";
@@ -343,7 +343,7 @@ TEST(Sentence, SaysThatAllDisplacementsHaveOneSign) {
   EXPECT_THAT(diagnosis::words::sentence(d), Not(HasSubstr("All displacements")));
 }
 
-// Below one half no effect leads.
+// With a probability below one half no effect is named first.
 TEST(Sentence, ListsWhatMayBeWhereNoEffectIsLikely) {
   diagnosis::Diagnosis d;
   d.answer.verdict = diagnosis::Verdict::confounded;

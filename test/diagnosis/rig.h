@@ -1,4 +1,4 @@
-// A small virtual rig for tests: a Zener solid integrated exactly, effects and noise written out by hand.
+// A small virtual rig for tests: a Zener solid integrated exactly, with effects and noise written by hand.
 #pragma once
 
 #include "rubber_suspension/element/constants.h"
@@ -8,7 +8,7 @@
 
 namespace rubber_suspension {
 
-constexpr double kOneDeviation = 0.002;  ///< of a data sheet, as a gap
+constexpr double kOneDeviation = 0.002;  ///< gap that a departure of one standard deviation counts as
 
 /// The component of all test rigs: M2 with K_st = 1e6 N/m, K_n = 1.3e6 N/m at 4 Hz, f_b = 3 Hz.
 inline io::ComponentDescription rigComponent() {
@@ -17,12 +17,12 @@ inline io::ComponentDescription rigComponent() {
       "      dynamic_stiffness: 1.3e6\n      nominal_frequency: 4.0\n      break_frequency: 3.0\n");
 }
 
-/// What a rig does besides the component's own force; [N] of time [s], displacement [m] and rate [m/s].
+/// Force that a rig adds to that of the component [N], from time [s], displacement [m] and rate [m/s].
 using RigEffect = std::function<double(double time, double displacement, double rate)>;
 
 inline double nothing(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
 
-/// An effect that follows from the steps of the displacement [m]; it begins anew at the time 0 of each log.
+/// Returns an effect that depends on the steps of the displacement [m] and restarts at time 0 of each log.
 inline RigEffect ofSteps(const std::function<double(double step)>& law) {
   return [law, running = law, last = 0.0](double time, double z, double /*rate*/) mutable {
     if (time == 0.0) {
@@ -35,16 +35,16 @@ inline RigEffect ofSteps(const std::function<double(double step)>& law) {
   };
 }
 
-/// Friction that remembers where it turned.
+/// Friction with hysteresis: an elastic slider of 1.2e6 N/m that slips at 150 N.
 inline RigEffect rigFriction() {
   return ofSteps(
       [force = 0.0](double step) mutable { return force = std::clamp(force + 1.2e6 * step, -150.0, 150.0); });
 }
 
-/// Displacement [m] and rate [m/s] at a time [s]; asked for each sample once, in order.
+/// Displacement [m] and rate [m/s] at a time [s]; called once per sample, in order.
 using RigMotion = std::function<std::pair<double, double>(double time)>;
 
-/// A log of 5000 samples of a motion at a time step [s], with noise [N] of the generator.
+/// Records 5000 samples of a motion at a time step [s], with noise of a standard deviation [N].
 inline log::Log runMotion(const std::string& name, std::mt19937& generator, const RigMotion& motion,
                           const RigEffect& effect, double noise, double step) {
   constexpr int kSamples = 5000;
@@ -73,7 +73,7 @@ inline log::Log runMotion(const std::string& name, std::mt19937& generator, cons
   return log;
 }
 
-/// A log of 20 s at 250 Hz: a sine whose amplitude and frequency go through their ranges without a jump.
+/// Records 20 s at 250 Hz of a sine whose amplitude and frequency vary continuously.
 inline log::Log runRig(const std::string& name, unsigned seed, const RigEffect& effect, double noise = 20.0) {
   constexpr double kStep = 0.004;
   std::mt19937 generator(seed);
@@ -88,7 +88,7 @@ inline log::Log runRig(const std::string& name, unsigned seed, const RigEffect& 
   return runMotion(name, generator, motion, effect, noise, kStep);
 }
 
-/// Such a log of each seed.
+/// Returns one log of `runRig` per seed.
 inline std::vector<log::Log> runRigs(const std::vector<unsigned>& seeds, const RigEffect& effect, double noise = 20.0) {
   std::vector<log::Log> logs;
   for (const unsigned seed : seeds) {

@@ -1,4 +1,4 @@
-// Diagnoses of virtual rigs, each made once in a process: one run serves all tests that assert something of it.
+// Diagnoses of virtual rigs, each run once per process and shared by all tests that use it.
 #pragma once
 
 #include <algorithm>
@@ -11,19 +11,19 @@ namespace rubber_suspension {
 
 inline double stop(double /*time*/, double z, double /*rate*/) {
   const double depth = std::max(0.0, std::abs(z) - 0.0012);
-  return std::copysign(3e6 * depth * std::sqrt(depth / 0.0008), z);  // softer at first touch than the candidates' stops
+  return std::copysign(3e6 * depth * std::sqrt(depth / 0.0008), z);  // softer at first touch than the candidate's stops
 }
 
 inline double linearStop(double /*time*/, double z, double /*rate*/) {
   return std::copysign(2e6 * std::max(0.0, std::abs(z) - 0.0012), z);
 }
 
-/// Hum of a drive that starts and stops: in the force, but no function of the motion, and no steady line.
+/// Hum [N] of a drive that starts and stops: neither a function of the motion nor a steady line.
 inline double hum(double time, double /*displacement*/, double /*rate*/) {
   return std::sin(1.3 * time) > 0.0 ? 170.0 * std::sin(314.159 * time) : 0.0;
 }
 
-/// Three logs and an unseen one.
+/// Diagnoses three logs of a rig, with a fourth held out.
 inline diagnosis::Diagnosis diagnoseRig(const RigEffect& effect,
                                         const io::ComponentDescription& component = rigComponent()) {
   return checkedDiagnosis(component, runRigs({1, 2, 4}, effect), runRigs({3}, effect));
@@ -44,7 +44,7 @@ inline const diagnosis::Diagnosis& ofHum() {
   return run;
 }
 
-/// One log without a gap, and nothing held out.
+/// One log without a gap and without a held-out log.
 inline const diagnosis::Diagnosis& ofOneLog() {
   static const diagnosis::Diagnosis run = checkedDiagnosis(rigComponent(), runRigs({1}, nothing), {});
   return run;

@@ -1,5 +1,5 @@
-// Directions of a component of six: which can be diagnosed alone, the cross map on numbers, units of rotations. Whole
-// diagnoses are those of test/usage/six_directions_test.py.
+// Single directions of a component of six: which can be diagnosed alone, the cross map, units of rotations. Whole
+// diagnoses are tested in test/usage/six_directions_test.py.
 #include "rubber_suspension/diagnosis/six_directions.h"
 
 #include "diagnosis/results/cross_map.h"
@@ -20,8 +20,8 @@ using results::crossShare;
 
 constexpr double kNoiseLeft = 5.0;  // of the residuals [N]
 
-// x, y and z move at frequencies of their own, rx as x does, the others stand still. What is left of x is
-// coupling(x, z) [N] of millimetres, with noise and a zero of the log; of the others nothing but noise.
+// x, y and z move at different frequencies, rx as x does, and the others stand still. With displacements in mm, the
+// residual of x is coupling(x, z) [N] plus noise and an offset per log; other residuals are noise.
 template <class Coupling>
 std::vector<results::DirectionResiduals> residuals(Coupling coupling) {
   std::mt19937 generator(7);
@@ -48,7 +48,7 @@ std::vector<results::DirectionResiduals> residuals(Coupling coupling) {
 TEST(CrossMap, SaysWhichDisplacementPredictsTheRest) {
   const auto logs = residuals([](double x, double z) { return 40.0 * x * z; });
   const CrossShare by_z = crossShare(logs, kX, kZ);
-  // 40 N/mm^2 times 1.5/sqrt(2) and 1/sqrt(2) mm; the rest is noise.
+  // 40 N/mm^2 times 1.5/sqrt(2) mm and 1/sqrt(2) mm; all else is noise.
   const double rms = 40.0 * 1.5 / 2.0;
   EXPECT_NEAR(by_z.force, rms, 0.02 * rms);
   EXPECT_NEAR(by_z.share, rms * rms / (rms * rms + kNoiseLeft * kNoiseLeft), 0.01);
@@ -56,7 +56,7 @@ TEST(CrossMap, SaysWhichDisplacementPredictsTheRest) {
   EXPECT_LT(crossShare(logs, kZ, kX).share, 0.01);
 }
 
-// What a function of the direction's own motion says is no coupling, and neither is noise.
+// A residual that is a function of the direction's own motion, or noise, is no coupling.
 TEST(CrossMap, OwnMotionAndNoiseAreNoCoupling) {
   const auto logs = residuals([](double x, double) { return 30.0 * x * x * x; });
   for (const component::Direction by : {kY, kZ}) {
@@ -81,7 +81,7 @@ io::ComponentDescription radialBush() {
       .front();
 }
 
-// What a diagnosis of one direction simulates, the other as given motion, is what the whole bush does.
+// Simulating one direction with the other as a given motion gives the force of the whole bush.
 TEST(RadialStiffness, OfARecordIsThatOfTheBush) {
   const component::SixDirections bush = radialBush().six->makeComponent();
   component::SixDirectionsState state = bush.makeState();

@@ -1,4 +1,4 @@
-// What is said of a rest that no effect explains, and the surrogate that a diagnosis writes.
+// The statements on a residual force that no effect explains, and the surrogate that a diagnosis writes.
 #include "diagnosis/results/surrogate.h"
 
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFloor = 0.01;
 
-/// Six blocks of each of three logs whose gap falls from 0.1 to what is given for each log.
+/// Judges six blocks of each log, whose gap falls from 0.1 to the value given for that log.
 Surrogate judged(const std::vector<double>& after) {
   std::vector<fit::UnseenBlock> unseen;
   for (std::size_t log = 0; log < after.size(); ++log) {
@@ -51,20 +51,20 @@ TEST(JudgeRest, WhatIsNotPredictedIsNoFunctionOfTheMotion) {
   EXPECT_THAT(words::restNote(surrogate), HasSubstr("do not show whether the motion causes it"));
 }
 
-// A noise floor that is higher than what is left cannot be right; it must not make all of the rest predicted.
+// A noise floor above the residual is wrong and must not make the whole residual count as predicted.
 TEST(JudgeRest, AFloorAboveWhatIsLeftDoesNotCount) {
   const Surrogate surrogate = judged({0.0099, 0.0099, 0.0099});
   EXPECT_NEAR(surrogate.share, 1.0 - 0.0099 * 0.0099 / 0.01, 1e-6);
 }
 
-// One log of three that gains, and much, shows nothing of the others.
+// A large improvement in one log of three is no evidence for the others.
 TEST(JudgeRest, OneLogOfThreeIsNotEnough) {
   const Surrogate surrogate = judged({0.005, 0.1, 0.1});
   EXPECT_FALSE(surrogate.function_of_the_motion);
   EXPECT_GT(surrogate.chance, 0.05);
 }
 
-// A cable that catches on its guide every millimetre: in no list, and a function of the displacement alone.
+// A cable that catches on its guide every 3.1 mm: an unlisted function of the displacement alone.
 double catchingCable(double /*time*/, double z, double /*rate*/) { return 150.0 * std::sin(2e3 * element::kPi * z); }
 
 double replayedGap(const io::ComponentDescription& component, const log::Log& log) {
@@ -87,7 +87,7 @@ TEST_F(UnlistedEffect, IsSeenToBeAFunctionOfTheMotion) {
   EXPECT_THAT(result()->sentence, HasSubstr("The rest depends on the motion"));
 }
 
-// Closed on the log that took no part in anything: the goal of surrogates, 60 % of the gap beyond the noise.
+// On the held-out log the surrogate closes 60 % of the gap beyond the noise, the goal of surrogates.
 TEST_F(UnlistedEffect, IsClosedByTheSurrogateOnAnUnseenLog) {
   ASSERT_TRUE(result()->surrogate);
   const log::Log unseen = runRig("unseen", 3, catchingCable);
@@ -97,7 +97,7 @@ TEST_F(UnlistedEffect, IsClosedByTheSurrogateOnAnUnseenLog) {
   EXPECT_LT(after - floor, 0.4 * (before - floor)) << before << " to " << after << ", floor " << floor;
 }
 
-// The agreed accuracy of the claim.
+// The claimed gap is accurate to 0.1 % of the force.
 TEST_F(UnlistedEffect, ReplayOfTheSurrogateFileGivesTheClaimedGap) {
   ASSERT_TRUE(result()->surrogate);
   const ScratchFolder folder;
@@ -114,7 +114,7 @@ TEST_F(UnlistedEffect, ReplayOfTheSurrogateFileGivesTheClaimedGap) {
   EXPECT_EQ(header, "displacement_m,velocity_m_per_s,missing_force_N,surrogate_force_N,samples");
 }
 
-// On the map, too: what the surrogate adds is what is missing.
+// The map of missing force agrees with the force of the surrogate.
 TEST_F(UnlistedEffect, TheMapShowsWhatIsMissingAndThatTheSurrogateHasIt) {
   ASSERT_TRUE(result()->surrogate);
   const MissingForce& map = result()->surrogate->missing;
@@ -136,7 +136,7 @@ TEST(SurrogateOfHum, IsNoFunctionOfTheMotion) {
   ASSERT_TRUE(result.surrogate);
   EXPECT_FALSE(result.surrogate->function_of_the_motion) << result.sentence;
   EXPECT_THAT(result.sentence, HasSubstr("do not show whether the motion causes it"));
-  // It may not harm: as the augmented component, within a hundredth.
+  // The surrogate may be at most 1 % worse than the augmented component.
   EXPECT_LT(result.surrogate->gap, 1.01 * result.gap_as_recorded.augmented);
 }
 

@@ -13,7 +13,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// The table of friction beside a Zener solid, and one diagnosis for all that is asserted of it.
+// The table of friction beside a Zener solid, diagnosed once for several tests.
 const fit::MeasuredTable& frictionTable() {
   static const fit::MeasuredTable table = Laboratory(1).table(with(kZener, kFriction));
   return table;
@@ -49,12 +49,12 @@ double gapOf(const io::ComponentDescription& description, const fit::MeasuredTab
   return fit::gapOfTable(table.points, settled);
 }
 
-// By the settled loops that `estimate --from-table` computes, not by those of the diagnosis.
+// Gaps are computed from the settled loops of `estimate --from-table`, not from those of the diagnosis.
 TEST(TableDiagnosis, TheAugmentedComponentLeavesWhatTheReportSays) {
   const fit::MeasuredTable table = Laboratory(3).table(with(kZener, kFriction));
   const Diagnosis found = checkedTable(without(kZener), table);
   const auto reloaded = componentOf(io::toYaml({found.law.augmented}));
-  // Other samples of a cycle, which move the area of a loop with friction by some 1e-4.
+  // The two use different samples of a cycle, which changes the loop area of friction by some 1e-4.
   EXPECT_NEAR(gapOf(reloaded, table), found.gap_as_recorded.augmented, 1e-3);
   EXPECT_NEAR(gapOf(found.configured, table), found.gap_as_recorded.as_configured, 1e-3);
 }
@@ -103,8 +103,8 @@ TEST(TableDiagnosis, RefusesWhatItCannotUse) {
               ThrowsMessage<std::invalid_argument>(HasSubstr("bush: shifts with temperature, but lab has no column")));
 }
 
-// Over six decades of reduced frequency, of which the model has three. What it lacks is the temperature; what its three
-// decades leave of six is some five times the noise, which may be told as something else beside.
+// The rows span six decades of reduced frequency, the model three. It lacks the temperature; the decades that it does
+// not cover leave about five times the noise, which may appear as another effect besides.
 TEST(TableDiagnosis, NamesTemperatureWhereOneCurveHoldsAllRows) {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0.0, 3e-3);
@@ -156,8 +156,8 @@ TEST(Scatter, IsWhatTheLaboratoryStates) {
   EXPECT_EQ(table::scatterOf(Laboratory(1).table(without(kZener)).points, 0.02).level, 0.02);
 }
 
-// The upper end of an interval of 84 %: above the truth in 84 of 100 tables, so of 40 in 25 to 40 (99.9 %).
-// With 8 complex numbers free that end is 1.27 times the estimate; what the surface itself leaves comes on top.
+// The interval's upper end (84 %) exceeds the truth in 84 of 100 tables, so in at least 25 of 40 (99.9 %). With 8 free
+// complex numbers it is 1.27 times the estimate; the error of the smooth surface adds to it.
 TEST(Scatter, CoversTheNoiseOfRepeatsAndOfSmoothTables) {
   const io::ComponentDescription truth = with(kZener, kFriction);
   const fit::MeasuredTable exact = Laboratory(1, 0.0).table(truth);

@@ -1,4 +1,4 @@
-// What was taken out of a log is told by its kind and size, and in squares it adds up.
+// Parts that were removed from a log are reported with kind and size, and their squares add up.
 #include "diagnosis/results/taken_out.h"
 
 #include "diagnosis/words/text.h"
@@ -11,7 +11,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// The account of a log of the rig's own component, to which a force was added that its record may take out again.
+// Accounts for a log of the rig whose force has an effect added, with free columns that may remove it again.
 class TakenOutTest : public ::testing::Test {
  protected:
   std::vector<TakenOut> accountFor(const RigEffect& effect, const std::vector<RigEffect>& free) {
@@ -72,7 +72,7 @@ TEST_F(TakenOutTest, TellsAZero) {
   EXPECT_LT(left_, 0.02);
 }
 
-// A ramp from -1 to 1 has a root of a third.
+// A ramp from -1 to 1 has an RMS of 1/sqrt(3).
 TEST_F(TakenOutTest, TellsADrift) {
   const auto parts = accountFor([](double t, double, double) { return 20.0 * (t - 5.0); }, {one, ramp});
   const double end = 20.0 * (5000.0 * (log_.time(1) - log_.time(0)) - 5.0);
@@ -92,7 +92,7 @@ TEST_F(TakenOutTest, TellsWhatIsLeftFromBefore) {
   EXPECT_LT(left_, 0.02);
 }
 
-// Of a force that is recorded 3 % too large.
+// The force is recorded 3 % too large.
 TEST_F(TakenOutTest, TellsAGain) {
   log::Log log = runRig("log", 3, nothing, 2.0);
   for (double& force : log.force) {
@@ -112,7 +112,7 @@ TEST_F(TakenOutTest, TellsSpikes) {
               0.05 * 4000.0 / std::sqrt(5000.0) / deviation_);
 }
 
-// What stands in for a force that was not measured is no spike.
+// Values that replace unmeasured forces do not count as spikes.
 TEST_F(TakenOutTest, LeavesOutWhatWasNotMeasured) {
   log::Log log = runRig("log", 3, nothing, 2.0);
   log.counts.assign(log.size(), 1.0);

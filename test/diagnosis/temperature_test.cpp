@@ -1,4 +1,4 @@
-// The temperature in a diagnosis: a column that says nothing, one out of range, none.
+// The temperature in a diagnosis: a constant column, a temperature out of range, no column.
 #include "diagnosis/effect.h"
 #include "diagnosis/words/sentence.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -38,7 +38,7 @@ TEST(TemperatureEffect, NeedsATemperatureThatMovesInLogsThatAllHaveOne) {
   EXPECT_EQ(termsFor(one_without), 0U);
 }
 
-// An uneven time base is resampled, the temperature with it.
+// Resampling of an uneven time base includes the temperature.
 TEST(TemperatureEffect, IsResampledWithTheLog) {
   log::Log log = runAt("uneven", 1, [](double time) { return 5.0 + 0.8 * time; });
   for (std::size_t i = 0; i < log.size(); i += 2) {
@@ -46,7 +46,7 @@ TEST(TemperatureEffect, IsResampledWithTheLog) {
   }
   const log::Record record = log::makeRecord(log);
   ASSERT_EQ(record.temperature.size(), record.size());
-  // Moved by a millisecond of a ramp of 0.8 K/s, and linear in between.
+  // The tolerance covers shifts of a millisecond on a ramp of 0.8 K/s.
   EXPECT_NEAR(record.temperature[record.size() / 2], 5.0 + 0.8 * 0.5 * record.duration(), 0.8 * 2e-3 + 0.8 * record.dt);
 }
 

@@ -1,11 +1,11 @@
-// Stiffness and loss angle of the whole component, before and after.
+// Stiffness and loss angle of the whole component, before and after augmentation.
 #include "diagnosis/results/characteristics.h"
 #include "support/kit.h"
 
 namespace rubber_suspension {
 namespace {
 
-// 5 Hz and 2 mm.
+// A sine of 5 Hz and 2 mm.
 log::Record sine() {
   log::Record record;
   record.dt = 1e-3;
@@ -16,8 +16,8 @@ log::Record sine() {
   return record;
 }
 
-// Heat of hours would leave a fifth of the stiffness. That of 20 cycles takes 0.16 %: the sensitivity of 1e-4 1/J times
-// the work of 4 * 100 N * 2 mm in each.
+// Hours of heating would reduce the stiffness to a fifth. 20 cycles reduce it by 0.16 %: a sensitivity of 1e-4 1/J
+// times work of 4 * 100 N * 2 mm per cycle.
 TEST(WholeStiffness, IsToldBeforeTheComponentHasWarmed) {
   io::ComponentDescription before("bush", {spring(1e6), friction(100.0, 1e-5)});
   io::ComponentDescription after = before;
