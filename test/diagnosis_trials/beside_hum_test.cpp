@@ -1,4 +1,4 @@
-// A cause beside a force that no motion causes.
+// An effect beside a force that does not depend on the motion.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "rubber_suspension/element/constants.h"
@@ -8,9 +8,9 @@ namespace rubber_suspension {
 namespace {
 
 constexpr double kRigNoise = 10.0;  // [N]
-constexpr double kHum = 250.0;      // amplitude [N], of a force of about 1 kN
+constexpr double kHum = 250.0;      // amplitude [N]; the force is about 1 kN
 
-// A machine next door, whose speed wanders: in the band of the motion, and another one in each log.
+// A machine next door of varying speed: within the band of the motion, with another phase in each log.
 RigEffect machineNextDoor(double phase) {
   return [phase](double time, double /*displacement*/, double /*rate*/) {
     const double turns = 4.3 * time + 0.6 * std::sin(0.9 * time + phase);
@@ -25,7 +25,7 @@ TEST(BesideHum, NothingIsNamedWhereTheMotionCausesNothing) {
   }
   const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), logs, {});
   ASSERT_EQ(result.answer.verdict, diagnosis::Verdict::unknown) << result.sentence;
-  // A surrogate is on top of the augmented component.
+  // The surrogate is added to the augmented component.
   ASSERT_TRUE(result.surrogate);
   const auto below = result.law.augmented.allElements();
   const auto elements = result.surrogate->component.allElements();

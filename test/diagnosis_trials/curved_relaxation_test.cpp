@@ -1,4 +1,4 @@
-// Ramps and holds: relaxation along a curve, and linear relaxation beside a cubic spring.
+// Ramps and holds: nonlinear relaxation, and linear relaxation beside a cubic spring.
 #include "diagnosis/checked_diagnosis.h"
 #include "support/kit.h"
 
@@ -7,9 +7,9 @@ namespace {
 
 constexpr double kFilmReach = 2e-3;  // [m]
 constexpr double kFilmSpring = 1e6;  // [N/m]
-constexpr double kFilmNoise = 1.5;   // standard deviation, some 0.4 % of the force [N]
+constexpr double kFilmNoise = 1.5;   // standard deviation, about 0.4 % of the force [N]
 
-using Slope = std::function<double(double)>;  // of the displacement over the reach
+using Slope = std::function<double(double)>;  // of displacement over reach
 
 struct Film {
   double cubic = 0.0;  // force of the cubic spring at the reach [N]
@@ -20,12 +20,12 @@ Film linearBesideCubic() {
   return {1200.0, [](double) { return 4e5; }};
 }
 
-// Of another form than the element that stands for it.
+// This law differs in form from the candidate's element.
 Film alongCurve() {
   return {0.0, [](double x) { return 1.5e5 * (1.0 + 4.0 * x * x); }};
 }
 
-// Ramps of 2 s to each level, which is held for 18 s; sampled each 0.05 s, the branches in 20 steps of that.
+// Ramps of 2 s to each level, held for 18 s; sampled every 0.05 s, with 20 steps of the branches per sample.
 log::Log runFilm(const Film& film, const std::string& name, unsigned seed, const std::vector<double>& levels) {
   constexpr double kStep = 0.05;
   constexpr int kRamp = 40;

@@ -1,5 +1,5 @@
-// Whole diagnoses on rigs that share no code with the candidates: which effect they name, and how much of the gap it
-// closes.
+// Whole diagnoses of rigs that share no code with the candidates: the effects they name, and the share of the gap that
+// is closed.
 #include "diagnosis/shared_runs.h"
 #include "support/test.h"
 
@@ -10,7 +10,7 @@ diagnosis::Diagnosis diagnoseTwo(const RigEffect& effect) {
   return checkedDiagnosis(rigComponent(), runRigs({1, 2}, effect), runRigs({3}, effect));
 }
 
-// What the logs of the fit do not show cannot be named, but is no agreement either.
+// An effect that only the held-out log shows cannot be named, but the model is not confirmed either.
 TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotConfirm) {
   const diagnosis::Diagnosis result =
       checkedDiagnosis(rigComponent(), runRigs({1, 2}, nothing), {runRig("unseen", 3, stop)});
@@ -20,7 +20,7 @@ TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotConfirm) {
   EXPECT_NE(result.sentence.find("unseen"), std::string::npos) << result.sentence;
 }
 
-// Four logs and an unseen one.
+// Diagnoses four logs and a held-out one.
 diagnosis::Diagnosis diagnoseFour(const std::function<RigEffect(unsigned log)>& effect) {
   std::vector<log::Log> logs;
   for (const unsigned log : {1U, 2U, 4U, 5U}) {
@@ -29,14 +29,14 @@ diagnosis::Diagnosis diagnoseFour(const std::function<RigEffect(unsigned log)>& 
   return checkedDiagnosis(rigComponent(), logs, {runRig("unseen", 3, effect(3))});
 }
 
-// The mean of an asymmetric law is no zero of the force that has a cause of its own, however alike it is in all logs.
+// The mean of an asymmetric law is no separate offset, even if it is equal in all logs.
 TEST(Diagnosis, LeavesItsMeanToAnAsymmetricLaw) {
   const auto even = [](unsigned) -> RigEffect { return [](double, double z, double) { return 6e7 * z * z; }; };
   const diagnosis::Diagnosis result = diagnoseFour(even);
   EXPECT_EQ(result.answer.effects, std::vector<std::string>{"asymmetric_stiffness"}) << result.sentence;
 }
 
-// A drift that is another one in each log is predicted by nothing; that it is there, each log tells.
+// A drift that is different in each log cannot be predicted, but each log shows it.
 TEST(Diagnosis, NamesADriftThatIsNewInEachLog) {
   const auto drift = [](unsigned log) -> RigEffect {
     std::mt19937 generator(log);
@@ -61,8 +61,7 @@ TEST(Diagnosis, NamesDryFriction) {
   EXPECT_EQ(result.answer.effects.front(), "friction");
 }
 
-// With a mount in series a linear component is again linear: other values of the model do as well.
-// A log of the rig behind a mount that yields by `deflection` [m] to a force [N].
+// Records a log of the rig behind a mount whose `deflection` [m] depends on the force [N].
 log::Log runOnMount(const std::string& name, unsigned seed, const std::function<double(double)>& deflection,
                     const RigEffect& effect = nothing) {
   log::Log log = runRig(name, seed, effect, 0.0);
@@ -79,6 +78,7 @@ diagnosis::Diagnosis diagnoseOnMount(const std::function<double(double)>& deflec
                           {runOnMount("unseen", 3, deflection)});
 }
 
+// A linear component on a mount is linear again, so other values of the model fit as well.
 TEST(Diagnosis, TakesAMountForItselfOrForWrongValues) {
   constexpr double kMount = 6e6;  // [N/m]
   const diagnosis::Diagnosis result = diagnoseOnMount([](double force) { return force / kMount; });
@@ -86,8 +86,8 @@ TEST(Diagnosis, TakesAMountForItselfOrForWrongValues) {
       << result.sentence;
 }
 
-// Beside stiffening that the model knows a mount takes most where the force is large; a fifteenth of the compliance
-// hides in the values but for 0.5 % of the force.
+// Beside stiffening in the model, a mount matters most at large forces: other values imitate a fifteenth of the
+// compliance except for 0.5 % of the force.
 TEST(Diagnosis, TakesAMountBesideStiffeningForItselfOrForWrongValues) {
   constexpr double kMount = 2e7;   // [N/m], a fifteenth of the compliance
   constexpr double kCubic = 2e11;  // [N/m^3], 1.6 kN of 4 kN
@@ -102,8 +102,8 @@ TEST(Diagnosis, TakesAMountBesideStiffeningForItselfOrForWrongValues) {
       << result.sentence;
 }
 
-// A joint that yields more to tension, without the kink that the candidate has. An asymmetric stiffness leaves twice
-// the noise, with a dynamic stiffness 20 % below that of the sheet: only a sheet of 5 % rules it out.
+// The joint is softer in tension, without the candidate's kink. Asymmetric stiffness would leave a gap of twice the
+// noise with a dynamic stiffness 20 % below the data sheet, which only a tolerance of 5 % rules out.
 TEST(Diagnosis, FindsAnUnevenMountThatReEstimationHides) {
   constexpr double kMount = 5e6;  // [N/m]
   io::ComponentDescription component = rigComponent();
@@ -115,7 +115,7 @@ TEST(Diagnosis, FindsAnUnevenMountThatReEstimationHides) {
   ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
   EXPECT_EQ(result.answer.effects.front(), "series_compliance") << result.sentence;
   EXPECT_EQ(result.answer.effects.size(), 1U) << result.sentence;
-  // What is even may be one mount for both sides, or values of the base: what tension opens beyond is neither.
+  // A linear mount or other values may explain the even part, but not the additional compliance in tension.
   double opening = 0.0;
   for (const element::ElementDescription& entry : result.law.augmented.add) {
     ASSERT_EQ(entry.type, "series_compliance");
@@ -125,7 +125,7 @@ TEST(Diagnosis, FindsAnUnevenMountThatReEstimationHides) {
       opening += 1.0 / entry.value("stiffness");
     }
   }
-  // tanh averages to 0.5 to 0.8 at 1 to 2 kN.
+  // tanh averages 0.5 to 0.8 at forces of 1 to 2 kN.
   EXPECT_NEAR(opening, 0.3 / kMount, 0.15 / kMount);
 }
 
@@ -138,7 +138,7 @@ TEST(Diagnosis, FindsAMassThroughTheNoiseOfTheDisplacement) {
     for (std::size_t i = 1; i + 1 < z.size(); ++i) {
       log.force[i] += kMass * (z[i - 1] - 2.0 * z[i] + z[i + 1]) / (kStep * kStep);
     }
-    addNoise(log.displacement, 3e-6, seed);  // second differences make this 70 N
+    addNoise(log.displacement, 3e-6, seed);  // 70 N after second differences
     addNoise(log.force, 20.0, seed + 10);
     return log;
   };
@@ -146,12 +146,12 @@ TEST(Diagnosis, FindsAMassThroughTheNoiseOfTheDisplacement) {
       checkedDiagnosis(rigComponent(), {withMass("one", 1), withMass("two", 2)}, {withMass("unseen", 3)});
   ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
   EXPECT_EQ(result.answer.effects.front(), "inertia") << result.sentence;
-  // The node may not look ahead: without the filter that augmented.yaml asks for it would make 190 N of the noise, more
-  // than the mass makes of the motion.
+  // The node cannot look ahead: without the filter of augmented.yaml, noise would cause 190 N of inertia force, more
+  // than the motion does.
   EXPECT_GT(result.gaps.closed, 0.5) << result.sentence;
 }
 
-// Flow that stress hastens (Eyring's hyperbolic sine): neither friction nor relaxation nor both come close.
+// Flow accelerated by stress (Eyring's hyperbolic sine); friction and relaxation, even together, fit it worse.
 TEST(Diagnosis, ClosesMostOfCouplingOfRateAndAmplitudeByCouplingAlone) {
   const RigEffect flow = ofSteps([force = 0.0](double step) mutable {
     constexpr int kSubsteps = 50;
@@ -163,8 +163,8 @@ TEST(Diagnosis, ClosesMostOfCouplingOfRateAndAmplitudeByCouplingAlone) {
   });
   const diagnosis::Diagnosis result = diagnoseTwo(flow);
   ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
-  // It is named only where no others explain the gap, and here relaxation and friction together come close. What is
-  // named has the gap of the written file; the full laws of the others are compared with each other.
+  // The coupling is named only if no other set explains the gap, and friction with relaxation comes close here. Gaps of
+  // named effects are of the written file, others are of full laws, and only these are compared.
   const auto least = std::min_element(
       result.candidates.begin(), result.candidates.end(),
       [](const auto& x, const auto& y) { return std::tie(x.written, x.gap) < std::tie(y.written, y.gap); });

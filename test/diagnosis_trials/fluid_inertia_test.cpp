@@ -1,4 +1,4 @@
-// Hydraulic mounts whose law is not that of the candidate, and benches without one that may look like it.
+// Hydraulic mounts whose law differs from the candidate's, and benches without fluid that may look like one.
 #include <deque>
 #include <iostream>
 
@@ -9,17 +9,17 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr double kAmplitude = 2e-3;  // the largest of the motion [m]
+constexpr double kAmplitude = 2e-3;  // largest displacement [m]
 constexpr double kStep = 0.004;      // of the logs [s]
-constexpr int kParts = 16;           // of a step, in which the displacement is linear
+constexpr int kParts = 16;           // substeps, in which the displacement is linear
 
-/// A column of fluid whose track resists by the rate and its square, in a chamber that stiffens.
+/// A fluid column with linear and quadratic damping in a chamber that stiffens.
 struct Column {
-  double stiffness = 0.0;   ///< of the chamber at small pressure [N/m]
+  double stiffness = 0.0;   ///< chamber, at small pressure [N/m]
   double resonance = 0.0;   ///< [rad/s]
-  double laminar = 0.0;     ///< damping, of the critical one
-  double turbulent = 0.0;   ///< the same at the rate of a resonance of 1 mm
-  double stiffening = 0.0;  ///< of the chamber at the largest displacement, over its stiffness
+  double laminar = 0.0;     ///< damping ratio
+  double turbulent = 0.0;   ///< damping ratio of the quadratic part, at a resonance of 1 mm
+  double stiffening = 0.0;  ///< stiffness added to the chamber at the largest displacement, relative
 };
 
 RigEffect fluidOf(const Column& column) {
@@ -42,7 +42,7 @@ RigEffect fluidOf(const Column& column) {
   };
 }
 
-/// Drawn for each bench: a turbulent track, a chamber that stiffens, both, or two tracks of different length.
+/// Draws a mount with a turbulent track, a stiffening chamber, both, or two tracks of different length.
 RigEffect drawMount(int number) {
   std::mt19937 generator(static_cast<unsigned>(number));
   const auto between = [&](double low, double high) {
@@ -54,7 +54,7 @@ RigEffect drawMount(int number) {
     column.laminar *= 0.5;
     column.turbulent = between(0.05, 0.2);
   }
-  if (kind == 1 || kind == 2) {  // by a third where the column resonates: the chamber does not jump
+  if (kind == 1 || kind == 2) {  // by a third at the resonance, so that the chamber does not jump
     column.laminar = between(0.25, 0.4);
     column.stiffening = between(0.02, 0.06);
   }
@@ -76,14 +76,14 @@ RigEffect mass(double of) {
   };
 }
 
-RigEffect dahl(double limit) {  // of power 1.5
+RigEffect dahl(double limit) {  // exponent 1.5
   return ofSteps([limit, force = 0.0](double step) mutable {
     const double left = std::max(0.0, 1.0 - std::copysign(1.0, step) * force / limit);
     return force = std::clamp(force + 1e6 * step * std::pow(left, 1.5), -limit, limit);
   });
 }
 
-/// A spectrum from 0.05 to 50 Hz, by a power of the frequency.
+/// Relaxation from 0.05 to 50 Hz with stiffness as a power of the frequency.
 RigEffect relaxation(double stiffness) {
   return ofSteps([stiffness, forces = std::array<double, 10>{}](double step) mutable {
     double sum = 0.0;
@@ -96,7 +96,7 @@ RigEffect relaxation(double stiffness) {
   });
 }
 
-/// Flow that large forces accelerate.
+/// Viscous flow that large forces accelerate.
 RigEffect eyring(double stiffness) {
   return ofSteps([stiffness, x = 0.0](double step) mutable {
     x += step - kStep * 6.0 * 3e-4 * std::sinh(x / 3e-4);
@@ -104,7 +104,7 @@ RigEffect eyring(double stiffness) {
   });
 }
 
-/// The rig's component, recorded late by some samples.
+/// The force of the rig's component, recorded late by some samples.
 RigEffect late(int samples) {
   return [=, past = std::deque<double>()](double time, double z, double /*rate*/) mutable {
     if (time == 0.0) {
@@ -117,7 +117,7 @@ RigEffect late(int samples) {
   };
 }
 
-/// What the benches without fluid have, in three sizes.
+/// Effects of the benches without fluid, in three sizes.
 RigEffect without(int number) {
   const double size = std::array{0.4, 1.0, 2.0}[static_cast<std::size_t>(number / 10)];
   const std::vector<RigEffect> kinds = {
@@ -134,7 +134,7 @@ RigEffect without(int number) {
   return kinds[static_cast<std::size_t>(number % 10)];
 }
 
-/// Of two logs of one component: so few leave wide intervals, which say nothing of the names.
+/// Diagnoses only two logs of a component, which widens intervals but does not change names.
 diagnosis::Diagnosis diagnosisOf(unsigned number, const RigEffect& effect) {
   return diagnosis::diagnose(rigComponent(), runRigs({2 * number, 2 * number + 1}, effect), {});
 }
@@ -154,8 +154,8 @@ TEST(FluidInertia, IsNamedFirstWhereTheLawOfTheMountIsAnother) {
   EXPECT_GE(named, 9);
 }
 
-// The loss of an orifice: one track, its numbers within 5 % (their intervals, and the semi-implicit steps of the
-// bench), the small linear part of the loss within a third. What the file does not say is told with both readings.
+// An orifice with quadratic loss is one track. Its numbers are within 5 % (intervals, and the semi-implicit steps of
+// the bench), its small linear damping within a third. The sentence gives both readings that the file allows.
 TEST(FluidInertia, OfQuadraticLossIsOneTrack) {
   const Column orifice{5e5, 2.0 * element::kPi * 4.0, 0.05, 0.15, 0.0};
   const double mass = orifice.stiffness / std::pow(orifice.resonance, 2);

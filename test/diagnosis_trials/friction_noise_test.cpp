@@ -1,4 +1,4 @@
-// A drift beside Berg's friction, whose past nobody knows.
+// A drift beside Berg's friction whose initial state is unknown.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "gap/simulate.h"
@@ -8,9 +8,9 @@
 namespace rubber_suspension {
 namespace {
 
-// A drift of the load cell beside friction that forgets in the course of a log where it came from.
+// The load cell drifts while friction slowly loses the memory of its initial state.
 TEST(FrictionStarts, HideNoDrift) {
-  constexpr double kRate = 12.0;  // [N/s], over 20 s of a force of some 1 kN
+  constexpr double kRate = 12.0;  // [N/s], for 20 s; the force is about 1 kN
   const io::ComponentDescription component("bush", {spring(1e6), friction(2e3, 5e-3)});
   std::vector<log::Log> logs = runRigs({1, 2, 3}, nothing);
   for (unsigned log = 0; log < logs.size(); ++log) {

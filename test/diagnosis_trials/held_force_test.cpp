@@ -1,4 +1,4 @@
-// What a report promises is what `replay` of its component file leaves, on logs with holds and a noisy displacement.
+// A report promises the gap that `replay` of its component file has, on logs with holds and a noisy displacement.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "rubber_suspension/gap/gap.h"
@@ -19,7 +19,7 @@ log::Log moved(const std::string& name, unsigned seed) {
   return withNoise(runRig(name, seed, rigFriction(), 5.0), seed);
 }
 
-// From rest to one place within a second, there for eight, and for six at another.
+// Moves from rest to a first place within a second, holds it for eight, and holds a second place for ten.
 log::Log held(const std::string& name, unsigned seed, double first, double second) {
   const auto motion = [=](double time) {
     const double rate = time < 1.0 ? first : time > 9.0 && time < 10.0 ? second - first : 0.0;
@@ -39,7 +39,7 @@ TEST(HeldForce, IsThatOfTheFileThatIsWritten) {
                        {held("held", 4, 1.6e-3, -1e-3)});
   ASSERT_EQ(found.answer.effects, std::vector<std::string>{"friction"}) << found.sentence;
   const component::Component written = componentOf(io::toYaml({found.law.augmented})).makeComponent();
-  // At the lower end of what is said to be closed of further logs.
+  // The gap at the lower end of the interval of what is closed on further logs.
   const double most = found.gaps.unseen.re_estimated -
                       found.gaps.closed_interval[0] * (found.gaps.unseen.re_estimated - found.gaps.unseen.noise_floor);
   for (const log::Log& fresh : {held("fresh", 5, 1.8e-3, -1.2e-3), moved("moved", 6)}) {

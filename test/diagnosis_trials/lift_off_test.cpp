@@ -1,4 +1,4 @@
-// A strap that goes slack is told, with the force that it carries, and none is where nothing goes slack.
+// A strap that goes slack is named, with the force that it carries; no strap is named where none goes slack.
 #include "diagnosis/rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "support/test.h"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kNoise = 20.0;  // [N]
 
-/// The rig's component as a strap (side 1) or a chevron (-1): while slack, the rate of its length is what relaxes, by
+/// Replaces the force by that of a strap (side 1) or a chevron (-1). While slack, its length follows the relaxation, in
 /// Euler steps of a hundredth of a sample.
 log::Log unglued(log::Log log, double side) {
   constexpr int kPartsOfSample = 100;
@@ -16,8 +16,8 @@ log::Log unglued(log::Log log, double side) {
   const double spring = elements[0].value("stiffness");
   const double relaxing = elements[1].value("stiffness");
   const double rate = 2.0 * element::kPi * elements[1].value("break_frequency");
-  double length = std::max(0.0, side * log.displacement.front());  // of the strap under its force
-  double relaxed = length;                                         // what the dashpot has moved
+  double length = std::max(0.0, side * log.displacement.front());  // of the strap under force
+  double relaxed = length;                                         // displacement of the dashpot
   for (std::size_t i = 0; i < log.size(); ++i) {
     const double from = log.displacement[i == 0 ? 0 : i - 1];
     const double dt = (i == 0 ? 0.0 : log.time(i) - log.time(i - 1)) / kPartsOfSample;
@@ -32,7 +32,7 @@ log::Log unglued(log::Log log, double side) {
   return log;
 }
 
-/// The same from where a preload holds it: displacement and force are measured from there.
+/// Like `unglued`, with displacement and force measured from a preloaded state.
 log::Log preloaded(log::Log log, double side, double preload) {
   const double zero = side * preload / rigComponent().allElements()[0].value("stiffness");
   const std::vector<double> displacement = log.displacement;
@@ -47,7 +47,7 @@ log::Log preloaded(log::Log log, double side, double preload) {
   return log;
 }
 
-/// Ramps at three rates to 2 mm of one side and back, a log for each rate.
+/// Ramps to 2 mm of one side and back, one log for each of three rates.
 std::vector<log::Log> rampLogs(double side, const RigEffect& effect) {
   constexpr double kReach = 2e-3;
   std::vector<log::Log> logs;
@@ -83,7 +83,7 @@ TEST(LiftOff, BeyondAPreloadIsToldWithIt) {
   const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), logs, {});
   ASSERT_THAT(result.answer.effects, testing::ElementsAre("lift_off")) << result.sentence;
   ASSERT_EQ(result.law.augmented.add.size(), 1U);
-  // A zero of the displacement, which each log may have, does nearly the same on a linear test piece.
+  // An offset of the displacement, which each log may have, acts similarly on a linear test piece.
   EXPECT_NEAR(result.law.augmented.add.front().value("preload"), kPreload, 0.06 * kPreload);
   EXPECT_THAT(result.sentence, testing::HasSubstr("opens in tension beyond its preload, preload "));
   EXPECT_LT(result.gaps.unseen.augmented, 1.2 * result.gaps.unseen.noise_floor) << result.sentence;
@@ -102,14 +102,14 @@ TEST(LiftOff, OnRampsIsToldWithTheSideThatItCarries) {
   }
 }
 
-// On the same ramps, with force of one sign for the most part.
+// The force on these ramps has mostly one sign.
 TEST(LiftOff, IsNotToldOfFriction) {
   const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), rampLogs(1.0, rigFriction()), {});
   EXPECT_THAT(result.answer.effects, testing::Contains("friction")) << result.sentence;
   EXPECT_THAT(result.answer.effects, testing::Not(testing::Contains("lift_off"))) << result.sentence;
 }
 
-// A stop of one side makes the forces of the other the smaller ones, as an open contact does.
+// A stop on one side makes the forces of the other side smaller, as an open contact does.
 TEST(LiftOff, IsNotToldOfAStopOfOneSide) {
   const auto stop = [](double, double z, double) { return 3e6 * std::max(0.0, z - 5e-4); };
   const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), runRigs({1, 2}, stop), {});

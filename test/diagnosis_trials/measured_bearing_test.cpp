@@ -1,4 +1,4 @@
-// What a measured rubber bearing lacks: friction that grows with displacement and softening of its first loading.
+// A measured rubber bearing that needs friction growing with displacement and softening of the first loading.
 #include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "support/kit.h"
@@ -12,7 +12,7 @@ TEST(MeasuredBearing, LacksFrictionAndSoftening) {
   if (!std::filesystem::exists(path)) {
     GTEST_SKIP() << "no measured log: " << path << " is missing";
   }
-  // Neither friction nor softening is in a multi-Maxwell model; stiffnesses as read from the settled loops.
+  // A multi-Maxwell model has neither friction nor softening; its stiffnesses are read from the settled loops.
   const auto bearing = componentOf(
       "components: {bearing: {model: multi_maxwell, specification: {static_stiffness: 1.3e6, dynamic_stiffness: 1.5e6, "
       "nominal_frequency: 0.2, maximum_stiffness: 1.8e6, high_frequency: 2.0}}}");
@@ -21,8 +21,8 @@ TEST(MeasuredBearing, LacksFrictionAndSoftening) {
     EXPECT_EQ(std::count(result.answer.effects.begin(), result.answer.effects.end(), effect), 1)
         << effect << ": " << result.sentence;
   }
-  // On blocks that took no part in the fit. A fit without physical meaning reaches 4.9 %, friction of one limit and
-  // softening by a factor alone 7.9 %.
+  // The gap is that of held-out blocks. A fit without physical meaning reaches 4.9 %, friction of one limit with
+  // softening by a factor 7.9 %.
   EXPECT_LT(result.gaps.unseen.augmented, 0.055) << result.sentence;
 }
 

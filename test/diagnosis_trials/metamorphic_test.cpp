@@ -1,5 +1,5 @@
-// A bench in other units, turned round, faster, larger, or with its logs in another order: the same verdict, the same
-// probabilities.
+// The verdict and the probabilities are the same if a bench uses other units, is turned round, is faster or larger, or
+// has its logs in another order.
 #include "diagnosis/judge/numbers.h"
 #include "diagnosis/shared_runs.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -8,14 +8,14 @@
 namespace rubber_suspension {
 namespace {
 
-// A bench with other units, or another machine of the same kind: factors of length, force and time.
+// Factors of length, force and time for other units or another machine of the same kind.
 struct Scale {
   double length = 1.0;
   double force = 1.0;
   double time = 1.0;
 };
 
-// The force falls with the logarithm of time from half a second on: two elements a decade.
+// The force decreases with the logarithm of time from 0.5 s on, by two elements per decade.
 RigEffect creep() {
   return ofSteps([force = std::array<double, 5>{}](double step) mutable {
     double sum = 0.0;
@@ -61,7 +61,7 @@ diagnosis::Diagnosis diagnoseScaled(const RigEffect& effect, const Scale& scale)
                           {scaled(runRig("unseen", 3, effect), scale)});
 }
 
-/// The bench as it is: one run for all that others are compared with.
+/// Returns the diagnosis of the unchanged bench, which is run once.
 const diagnosis::Diagnosis& reference(const std::string& bench, const RigEffect& effect) {
   static std::map<std::string, diagnosis::Diagnosis> runs;
   const auto known = runs.find(bench);
@@ -114,12 +114,12 @@ TEST_P(Metamorphic, LengthForceAndTimeScale) {
   }
 }
 
-// Both channels change their sign where the test piece is pulled instead of pushed.
+// Both channels change sign if the test piece is pulled instead of pushed.
 TEST_P(Metamorphic, PulledTheOtherWayItIsTheSame) {
   expectTheSame(reference(GetParam().name, GetParam().effect), diagnoseScaled(GetParam().effect, {-1.0, -1.0, 1.0}));
 }
 
-// None of these effects remembers one log in the next.
+// None of these effects carries memory from one log to the next.
 TEST_P(Metamorphic, TheOrderOfLogsDoesNotMatter) {
   const std::vector<log::Log> logs = logsOf(GetParam().effect);
   const log::Log unseen = runRig("unseen", 3, GetParam().effect);
@@ -138,14 +138,14 @@ log::Log part(const log::Log& log, std::size_t begin, std::size_t end, const std
   return result;
 }
 
-// What other values leave beyond the noise is no more than what the judgement accepts.
+// Returns whether re-estimated values leave no more beyond the noise than the judgement accepts.
 bool isHidden(const diagnosis::Gap& gap) {
   const double accepted = diagnosis::judge::fittedNumbers().accepted;
   return gap.re_estimated * gap.re_estimated < gap.noise_floor * gap.noise_floor + accepted * accepted;
 }
 
-// The second half of a log starts in motion, so that less of it counts: the verdict is the same, not the last digit.
-// What it remembers of the first half is unknown there, so that values may hide creep, which remembers longest.
+// The second half of a log starts in motion with an unknown past, so less of it counts: the verdict is the same,
+// probabilities are not. Re-estimated values may then hide creep, which has the longest memory.
 TEST_P(Metamorphic, LogsInTwoHalvesTellTheSame) {
   std::vector<log::Log> halves;
   for (const log::Log& log : logsOf(GetParam().effect)) {

@@ -1,4 +1,4 @@
-// Whole diagnoses of measured tables: which effect they name, beside wrong values, and beside what logs say.
+// Whole diagnoses of measured tables: the effects they name, beside wrong values, and compared with those of logs.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/laboratory.h"
 #include "diagnosis/rig.h"
@@ -8,7 +8,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// Logs of the same component: its force under a motion through all amplitudes and frequencies, with noise of about 1 %.
+// Simulates logs of all amplitudes and frequencies of the table, with noise of about 1 %.
 std::vector<log::Log> logsOf(const io::ComponentDescription& truth) {
   const component::Component component = truth.makeComponent();
   std::vector<log::Log> logs = runRigs({1, 2, 3}, nothing);
@@ -19,7 +19,7 @@ std::vector<log::Log> logsOf(const io::ComponentDescription& truth) {
   return logs;
 }
 
-// The sets that may be, one after the other.
+// Lists the effects of all confounded sets.
 std::vector<std::string> listed(const Diagnosis& diagnosis) {
   std::vector<std::string> effects;
   for (const std::vector<std::string>& set : diagnosis.answer.confounded) {
@@ -28,7 +28,7 @@ std::vector<std::string> listed(const Diagnosis& diagnosis) {
   return effects;
 }
 
-// Told, or among what else may be.
+// Returns whether wrong values are the verdict or an alternative.
 bool mayBeValues(const Diagnosis& diagnosis) {
   const auto is = [](const Alternative& other) { return other.verdict == Verdict::parameter_error; };
   return diagnosis.answer.verdict == Verdict::parameter_error ||
@@ -51,7 +51,6 @@ TEST_P(BothShow, TheSameEffectInATableAndInLogs) {
   EXPECT_THAT(listed(by_table), Contains(effect)) << by_table.sentence;
   EXPECT_THAT(listed(by_logs), Contains(effect)) << by_logs.sentence;
   EXPECT_EQ(by_table.answer.effects.size(), 1U) << by_table.sentence;
-  // Most of the gap goes.
   EXPECT_GT(by_table.gaps.closed, 0.8);
 }
 
@@ -68,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
                          "{type: nonlinear_maxwell, stiffness: 1.5e6, break_frequency: 3, displacement: 2.0e-4}"}),
     [](const auto& test) { return std::string(test.param.effect); });
 
-// On a linear model a compliance is seen through the values that it would take to imitate it: these may be as well.
+// On a linear model, wrong values can imitate a series compliance, so they are accepted as well.
 TEST(TableDiagnosis, FindsASeriesCompliance) {
   const Diagnosis found = checkedTable(
       without(kManyMaxwell), Laboratory(1).table(with(kManyMaxwell, "{type: series_compliance, stiffness: 3.0e7}")));
@@ -89,7 +88,7 @@ TEST(TableDiagnosis, TellsWrongValuesFromEffects) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Diagnosis found = checkedTable(without(kZener), Laboratory(seed).table(without(kZenerOff)));
     EXPECT_EQ(found.answer.verdict, diagnosis::Verdict::parameter_error) << found.sentence;
-    // To the noise of the table over the root of its rows, and a few times that.
+    // The tolerance is a few times the noise of the table over the root of its number of rows.
     for (const SizedValue& size : found.law.model_sizes) {
       if (size.name == "static_stiffness") {
         EXPECT_NEAR(size.value, 1.1e6, 0.02 * 1.1e6);
@@ -103,7 +102,7 @@ TEST(TableDiagnosis, FindsFrictionBesideWrongValues) {
   EXPECT_THAT(found.answer.effects, ElementsAre("friction")) << found.sentence;
 }
 
-// Half as much again of all forces is a gain, or values that are all off by as much.
+// A factor of 1.5 on all forces is a gain, or values that are all off by that factor.
 TEST(TableDiagnosis, TellsAGainOrWrongValues) {
   fit::MeasuredTable table = Laboratory(1).table(without(kZener));
   for (fit::TablePoint& point : table.points) {
@@ -125,7 +124,7 @@ fit::MeasuredTable multiplied(const std::function<std::complex<double>(double fr
   return table;
 }
 
-// A fluid mount whose resonance at 6 Hz has another form than that of a column.
+// The mount resonates at 6 Hz with another law than the candidate's column.
 TEST(TableDiagnosis, NamesTheFluidOfAMount) {
   const Diagnosis found = checkedTable(without(kZener), multiplied([](double frequency) {
                                          const std::complex<double> x(0.0, frequency / 6.0);
@@ -134,7 +133,7 @@ TEST(TableDiagnosis, NamesTheFluidOfAMount) {
   EXPECT_THAT(listed(found), Contains("fluid_inertia")) << found.sentence;
 }
 
-// Stiffer about 6 Hz without any loss: nothing does that.
+// No effect raises the stiffness about 6 Hz without any loss.
 TEST(TableDiagnosis, RefusesWhatIsNotInTheList) {
   const Diagnosis found =
       checkedTable(without(kZener), multiplied([](double frequency) {
@@ -169,7 +168,7 @@ TEST(TableDiagnosis, FollowsTheTemperatureOfRows) {
   Laboratory laboratory(1);
   fit::MeasuredTable table{"lab", {}, {}};
   for (const double temperature : {0.0, 20.0, 40.0}) {
-    // Rates by the activation energy of 40 kJ/mol about 20 degC: the same component with another break frequency.
+    // An activation energy of 40 kJ/mol about 20 degC shifts the break frequency of the component.
     constexpr double kGas = 8.314462618;
     const double shift = std::exp(4e4 / kGas * (1.0 / 293.15 - 1.0 / (273.15 + temperature)));
     const component::Component component({spring(1e6), maxwell(6e5, 3.0 * shift)});
@@ -184,7 +183,7 @@ TEST(TableDiagnosis, FollowsTheTemperatureOfRows) {
   EXPECT_LT(found.gaps.unseen.augmented, 0.02);
 }
 
-// No second and no newton has a meaning of its own.
+// The diagnosis has no built-in scale of time or force.
 TEST(TableDiagnosis, OfASlowerAndSofterComponentIsTheSame) {
   constexpr double kSofter = 1e-3;
   const char* const slow =
@@ -196,7 +195,7 @@ TEST(TableDiagnosis, OfASlowerAndSofterComponentIsTheSame) {
                                          {0.005, 0.01, 0.02, 0.04, 0.08, 0.16}));
   EXPECT_EQ(one.answer.effects, other.answer.effects);
   EXPECT_EQ(one.answer.verdict, other.answer.verdict);
-  EXPECT_NEAR(one.gaps.unseen.augmented, other.gaps.unseen.augmented, 1e-4);  // where an iteration ends
+  EXPECT_NEAR(one.gaps.unseen.augmented, other.gaps.unseen.augmented, 1e-4);  // limited by the end of an iteration
   EXPECT_NEAR(one.law.model_sizes.back().value * kSofter, other.law.model_sizes.back().value,
               1e-3 * other.law.model_sizes.back().value);
 }

@@ -1,4 +1,4 @@
-// The temperature in whole diagnoses: a column that explains the gap, none, a component that follows it already.
+// The temperature in whole diagnoses: a column that explains the gap, no column, a component that already follows it.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/warm_rig.h"
 #include "rubber_suspension/gap/gap.h"
@@ -19,8 +19,8 @@ TEST(TemperatureEffect, IsNamedWhereTheColumnExplainsTheGap) {
   EXPECT_EQ(result.answer.effects.front(), "temperature") << result.sentence;
   EXPECT_GT(result.gaps.closed, 0.9);
   EXPECT_TRUE(temperatureOf(result).testable);
-  // WLF's slope at 20 degC is ln(10) C_1/C_2 = 0.096/K, an activation energy of 69 kJ/mol; from 5 to 45 degC that falls
-  // from 79 to 58, and the fit may lie at 50 to 90.
+  // WLF's slope at 20 degC is ln(10) C_1/C_2 = 0.096/K, an activation energy of 69 kJ/mol. From 5 to 45 degC this falls
+  // from 79 to 58 kJ/mol, so a fit of 50 to 90 is accepted.
   const auto slope = temperatureOf(result).parameters.lower_bound("change_of_rates");
   ASSERT_NE(slope, temperatureOf(result).parameters.end());
   constexpr double kGas = 8.314462618;  // [J/(mol K)]
@@ -28,7 +28,7 @@ TEST(TemperatureEffect, IsNamedWhereTheColumnExplainsTheGap) {
   EXPECT_THAT(slope->first, HasSubstr("change_of_rates_at_"));
   EXPECT_GT(energy, 50e3);
   EXPECT_LT(energy, 90e3);
-  // The node runs what was found: its replay has the gap of the report.
+  // The written component reproduces the gap of the report.
   const log::Log unseen = unseenLog();
   const double replayed =
       gap::relativeGap(unseen.force, gap::replay(result.law.augmented.makeComponent(), unseen).force);

@@ -1,4 +1,4 @@
-// Benches on which nothing is missing: the component is exactly the model, and only its data sheet is wrong.
+// Benches without a missing effect: the model is exact, and only its data sheet is wrong.
 #include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
@@ -11,7 +11,7 @@ namespace {
 constexpr int kSamples = 10000;
 constexpr double kStep = 0.002;  // [s]
 
-// Stiffnesses as factors of the true ones.
+// Returns the model with stiffnesses as factors of the true ones.
 io::ComponentDescription sheet(double k_st, double k_n, const std::string& tolerance = "10 %") {
   const std::string text = fmt::format(
       "components:\n  bush:\n    model: multi_maxwell\n    specification:\n      tolerance: {}\n"
@@ -31,7 +31,7 @@ double sweep(double t) { return 0.9 * std::sin(2.0 * element::kPi * 0.2 * (std::
 
 double hold(double t) { return t < 1.0 ? 2.0 * t : t < 8.0 ? 2.0 : t < 8.5 ? 2.0 - 7.0 * (t - 8.0) : -1.5; }
 
-// The motion [mm] in the true component, with noise of 0.5 % of the force.
+// Records the true component under a motion [mm], with noise of 0.5 % of the force.
 log::Log record(const std::string& name, double (*motion)(double), unsigned seed) {
   log::Log log = logOf(name, kSamples, std::llround(kStep * 1e9), [&](int i) {
     const double t = kStep * i;
@@ -47,7 +47,7 @@ diagnosis::Diagnosis diagnoseSheet(const io::ComponentDescription& component) {
   return checkedDiagnosis(component, {record("sines", sines, 1), record("sweep", sweep, 2)}, {record("hold", hold, 3)});
 }
 
-// A ladder that a fit held near its sheet would lack relaxation.
+// A fit bound to this data sheet would lack relaxation.
 TEST(WrongSheet, IsNoMissingEffect) {
   const double true_sheet = diagnoseSheet(sheet(1.0, 1.0)).gaps.unseen.as_configured;
   for (const auto& [k_st, k_n] : {std::pair(1.12, 0.90), std::pair(0.93, 1.06)}) {
@@ -66,12 +66,12 @@ TEST(WrongSheet, IsNoMissingEffect) {
   }
 }
 
-// Of a mass on a spring at its resonance a best spring alone is a small part of the true one.
+// At the resonance of a mass on a spring, the best spring alone is a small part of the true stiffness.
 TEST(WrongSheet, OfAGuessIsFollowedAsFarAsAGuessMayBeOff) {
-  constexpr double kStiffness = 1e6;  // [N/m], of which the guess has a thirtieth
-  constexpr double kMass = 5.3;       // [kg]: a resonance at 69 Hz
+  constexpr double kStiffness = 1e6;  // [N/m]; the guess is a thirtieth
+  constexpr double kMass = 5.3;       // [kg], a resonance at 69 Hz
   constexpr double kDamping = 200.0;  // [N s/m]
-  constexpr double kRate = 8000.0;    // [Hz], at which a second difference is the acceleration
+  constexpr double kRate = 8000.0;    // [Hz], fast enough to compute the acceleration by second differences
   const auto guess = componentOf(
       "components:\n  b:\n    model: kelvin_voigt\n    specification: {tolerance: guess, dynamic_stiffness: 33000, "
       "nominal_frequency: 0.05, relative_damping: 0.001}\n");
@@ -101,7 +101,7 @@ TEST(WrongSheet, OfAGuessIsFollowedAsFarAsAGuessMayBeOff) {
   EXPECT_NEAR(result.law.effect_sizes.front().value, kMass, 0.02 * kMass);
 }
 
-// The same sheet as a guess: values are identified, right or wrong.
+// With the same sheet as a guess, values are identified, whether right or wrong.
 TEST(WrongSheet, OfAGuessIsIdentified) {
   for (const auto& [k_st, k_n] : {std::pair(1.0, 1.0), std::pair(1.12, 0.90)}) {
     const diagnosis::Diagnosis result = diagnoseSheet(sheet(k_st, k_n, "guess"));
