@@ -1,5 +1,5 @@
-// Unknowns of one log alone, taken out of normal equations: the same as with all unknowns of all logs in one matrix,
-// and no block that is held out has a part in what takes its own error.
+// Elimination of per-log unknowns from normal equations: the solution equals that with all unknowns in one matrix, and
+// a held-out block has no influence on the nuisances that are removed from its own error.
 #include "numerics/elimination.h"
 
 #include "fit/normal_equations.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr Eigen::Index kSamplesOfLog = 2400;
 
-// Twelve triangles of 5 s, the force of a spring and noise, and a rig with a zero, a slow wave and a start.
+// Twelve triangles of 5 s on a spring, with noise and a rig that adds an offset, a slow wave and a transient.
 gap::PreparedRecord triangles(unsigned seed) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal;
@@ -69,7 +69,7 @@ Eigen::VectorXd solutionOf(const BlockGrams& blocks) {
   return solve(blocks.sum, {-bound, bound});
 }
 
-// Columns, residual and what is free of all logs in one matrix with rows for the penalties, whitened by the rig.
+// The matrix has columns, residual and nuisances of all logs, and rows for the penalties, whitened by the rig.
 TEST(Elimination, IsTheSolutionWithAllUnknownsInOneMatrix) {
   const std::vector<gap::PreparedRecord> records = someTriangles(3);
   const PerLogNuisances free{true, true, true};
@@ -101,7 +101,7 @@ TEST(Elimination, IsTheSolutionWithAllUnknownsInOneMatrix) {
   EXPECT_LT((sum - blocks.sum).cwiseAbs().maxCoeff(), 1e-9 * blocks.sum.cwiseAbs().maxCoeff());
 }
 
-// What the block held out adds to least squares with the rig's covariance, by that covariance itself.
+// The expected square of a held-out block is computed from the covariance of the rig.
 TEST(Elimination, HoldsBlocksOut) {
   const gap::PreparedRecord record = triangles(5);
   const Eigen::MatrixXd c = numerics::columnsOfWhitening(record.rig.columns);
@@ -128,7 +128,7 @@ TEST(Elimination, HoldsBlocksOut) {
   }
 }
 
-// Whatever is free: a fit does not know the blocks that it is judged by, and so errs no less there than in sample.
+// With any nuisances, a fit has no smaller error on held-out blocks than in sample.
 TEST(Elimination, LeavesNoLessOfBlocksHeldOutThanInSample) {
   for (const PerLogNuisances& free :
        {PerLogNuisances{}, PerLogNuisances{true}, PerLogNuisances{false, true}, PerLogNuisances{true, true, true}}) {

@@ -1,4 +1,4 @@
-// Rows of several temperatures as one curve.
+// Master curves from rows at several temperatures.
 #include "fit/master_curve.h"
 
 #include "fit/table_fit.h"
@@ -12,13 +12,13 @@ using element::ElementDescription;
 
 constexpr double kReference = 20.0;  // [degC]
 
-// K* of a spring of 1 MN/m and a springpot of 1 MN/m at 1 Hz, written out.
+// K* of a spring of 1 MN/m with a springpot of 1 MN/m at 1 Hz, computed directly.
 std::complex<double> stiffnessAt(double frequency) {
   const double order = 0.2;
   return 1e6 + 1e6 * std::polar(std::pow(frequency, order), 0.5 * element::kPi * order);
 }
 
-// Ten frequencies over three decades, at temperatures that shift by what `decades` says; noise of each part.
+// A table of ten frequencies over three decades per temperature, shifted by `decades`, with noise on both parts of K*.
 std::vector<TablePoint> tableOf(const std::vector<double>& temperatures, double (*decades)(double), double noise = 0.0,
                                 unsigned seed = 1) {
   std::mt19937 random(seed);
@@ -48,7 +48,7 @@ TEST(MasterCurve, FindsTheShiftsThatMadeTheTable) {
   EXPECT_EQ(curve.law.type, "wlf_shift");
   ASSERT_EQ(curve.shifts.size(), 6U);
   for (const FoundShift& shift : curve.shifts) {
-    // Two elements a decade leave some 2e-4 of K*, which moves by 2 % with a decade.
+    // Two elements per decade have an error of some 2e-4 of K*, which changes by 2 % per decade.
     EXPECT_NEAR(shift.decades, byWlf(shift.temperature), 0.02) << shift.temperature;
     EXPECT_NEAR(curve.decadesAt(shift.temperature), byWlf(shift.temperature), 0.02) << shift.temperature;
   }
@@ -64,8 +64,8 @@ TEST(MasterCurve, TakesArrheniusWhereThatMadeTheTable) {
   EXPECT_LT(curve.constants.front().deviation, 0.03);
 }
 
-// Of 20 tables with 5 shifts each, 95 of the 100 intervals of 95 % hold the truth on average, and 89 or more with a
-// probability of 99 %; the shifts of one table depend on each other, so that a few less may.
+// Of 100 intervals of 95 % in 20 tables, 89 or more contain the truth with a probability of 99 %. The shifts of one
+// table are correlated, so the test accepts a few less.
 TEST(MasterCurve, IntervalsHoldTheTruth) {
   int held = 0;
   int all = 0;
@@ -73,7 +73,7 @@ TEST(MasterCurve, IntervalsHoldTheTruth) {
     const auto points = tableOf({-10.0, 0.0, 10.0, 20.0, 30.0, 40.0}, byArrhenius, 3e-3, seed);
     for (const FoundShift& shift : masterCurve(points, kReference).shifts) {
       if (shift.deviation > 0.0) {
-        // By itself, from the temperature in the middle, which is the reference here.
+        // The shift is relative to the middle temperature, which is the reference here.
         held += std::abs(shift.decades - byArrhenius(shift.temperature)) <= 1.96 * shift.deviation ? 1 : 0;
         ++all;
       }
@@ -96,7 +96,7 @@ TEST(MasterCurve, RefusesTemperaturesThatDoNotMeet) {
   EXPECT_FALSE(leftBySuperposition(points).has_value());
 }
 
-// A law that no Arrhenius describes, and a stiffness that falls besides: one curve all the same.
+// The shifts follow no Arrhenius law and the stiffness falls with temperature, but one curve fits all rows.
 TEST(MasterCurve, LeavesTheNoiseOfAnyThermorheologicallySimpleTable) {
   constexpr double kNoise = 5e-3;
   std::vector<TablePoint> points = tableOf({-10.0, 5.0, 20.0, 35.0, 50.0}, byWlf, kNoise);
@@ -105,7 +105,7 @@ TEST(MasterCurve, LeavesTheNoiseOfAnyThermorheologicallySimpleTable) {
   }
   const auto left = leftBySuperposition(points);
   ASSERT_TRUE(left.has_value());
-  // Both parts have the noise; 50 complex numbers tell their level within 30 %.
+  // Both parts of K* have the noise; 50 complex numbers determine its level within 30 %.
   EXPECT_NEAR(std::sqrt(left->squares / left->free), std::sqrt(2.0) * kNoise, 0.3 * std::sqrt(2.0) * kNoise);
 }
 
@@ -118,10 +118,10 @@ TEST(MasterCurve, BecomesAPronySeriesOrASpringpot) {
   EXPECT_NEAR(pot.component.elements()[1].value("order"), 0.2, 2e-3);
   EXPECT_NEAR(pot.component.elements()[0].value("stiffness"), 1e6, 2e4);
   const TableFit prony = fitToTable(given, points, Series::prony);
-  EXPECT_LT(prony.misfit, 1e-2);  // one element a decade: a springpot between them is up to 1 % off
+  EXPECT_LT(prony.misfit, 1e-2);  // with one element per decade, a springpot is approximated within 1 %
   for (const TableFit& fit : {pot, prony}) {
     ASSERT_TRUE(fit.component.temperature.has_value());
-    // K* of the component found, at a temperature of the table by its own shift.
+    // The found component is evaluated at a temperature of the table, using its own shift.
     const auto shifted = reducedBy(*fit.component.temperature, {points.front()});
     const auto k = fit.component.makeComponent().complexStiffness(shifted.front().frequency);
     ASSERT_TRUE(k.has_value());
@@ -129,7 +129,7 @@ TEST(MasterCurve, BecomesAPronySeriesOrASpringpot) {
   }
 }
 
-// Rows of another amplitude have a curve of their own: friction lowers it, and the shifts stay.
+// Rows of another amplitude form their own curve, lowered by friction, with the same shifts.
 TEST(MasterCurve, KeepsAmplitudesApart) {
   std::vector<TablePoint> points = tableOf({0.0, 10.0, 20.0, 30.0}, byArrhenius);
   std::vector<TablePoint> larger = points;

@@ -1,4 +1,4 @@
-// Model parameters as unknowns: what the user would have to write.
+// Model parameters as unknowns, and the corresponding numbers of the data sheet.
 #include "fit/model_parameters.h"
 
 #include "support/kit.h"
@@ -32,7 +32,7 @@ TEST(ModelParameters, GivesRatiosWhereNoComponentHasThem) {
     ratios[key] = ratio;
   }
   EXPECT_NEAR(ratios.at("high_frequency"), 1e-3, 1e-9);  // proportional to the fastest break frequency
-  EXPECT_GT(ratios.at("dynamic_stiffness"), 1.0);        // all relaxes below the nominal frequency
+  EXPECT_GT(ratios.at("dynamic_stiffness"), 1.0);        // everything relaxes below the nominal frequency
   EXPECT_EQ(ratios.count("static_stiffness"), 0u);
 }
 
@@ -47,8 +47,7 @@ TEST(ModelParameters, GivesTheRatiosOfAComponentThatIs) {
   EXPECT_TRUE(model.ratios(Eigen::VectorXd::Zero(model.size())).empty());
 }
 
-// Where a component has the numbers, the departures are those that its specification tells; as configured there is
-// none.
+// Departures agree with the specification of the component where there is one, and are zero as configured.
 TEST(ModelParameters, DepartFromTheSheetInTolerances) {
   estimation::Specification sheet = multiMaxwell().specification();
   sheet.setTolerance({0.2, {{"dynamic_stiffness", 0.05}}});
@@ -62,7 +61,7 @@ TEST(ModelParameters, DepartFromTheSheetInTolerances) {
   for (const auto& [key, ratio] : model.ratios(near)) {
     ratios[key] = ratio;
   }
-  ASSERT_EQ(model.known().size(), 5U);  // four of the sheet, and the spring that is added
+  ASSERT_EQ(model.known().size(), 5U);  // four of the sheet, and the added spring
   for (std::size_t i = 0; i < 4; ++i) {
     const KnownNumber& number = model.known()[i];
     EXPECT_NEAR(departures[static_cast<Eigen::Index>(i)],
@@ -87,7 +86,7 @@ TEST(ModelParameters, OfElementsHaveTheirTolerances) {
   const ModelParameters guess(component, Level::specification);
   EXPECT_TRUE(guess.isGuess());
   EXPECT_FALSE(usual.isGuess());
-  component.add = {{"spring", {{"stiffness", {1e5}}}}};  // as beside a data sheet, what is added is no part of a guess
+  component.add = {{"spring", {{"stiffness", {1e5}}}}};  // an added element is no part of a guess
   const ModelParameters with_added(component, Level::specification);
   EXPECT_TRUE(with_added.isGuess());
   EXPECT_EQ(with_added.known().back().deviation, 0.3);
@@ -95,7 +94,7 @@ TEST(ModelParameters, OfElementsHaveTheirTolerances) {
   EXPECT_NEAR(usual.bounds()[0], std::log(10.0), 1e-12);
 }
 
-// Some sheets state one stiffness by another: of one Maxwell element, K at f_h.
+// Some data sheets define one stiffness by another, such as K at f_h of a single Maxwell element.
 TEST(ModelParameters, DepartFromEveryNumberThatASheetMayState) {
   for (const auto& [key, value] : std::map<std::string, double>{
            {"maximum_stiffness", 1.5e6}, {"loss_angle", 0.1}, {"relative_damping", 0.05}, {"break_frequency", 7.0}}) {

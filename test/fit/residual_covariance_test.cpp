@@ -8,7 +8,7 @@
 namespace rubber_suspension {
 namespace {
 
-// J'OJ with O = s^2 A^-1 A^-T of a run.
+// J'OJ with O = s^2 A^-1 A^-T for one run.
 Eigen::MatrixXd denseCovariance(const Eigen::MatrixXd& jacobian, const fit::Autoregression& model) {
   const Eigen::Index size = jacobian.rows();
   Eigen::MatrixXd filter = Eigen::MatrixXd::Identity(size, size);
@@ -23,7 +23,7 @@ TEST(ResidualCovariance, AgreesWithDenseMatrices) {
   fit::Autoregression model;
   model.coefficients = Eigen::Vector3d(-1.1, 0.5, -0.2);  // roots inside the unit circle
   model.innovation = 0.7;
-  const std::vector<Eigen::Index> runs = {600, 2, 256};  // more, less and exactly a block of the recursion
+  const std::vector<Eigen::Index> runs = {600, 2, 256};  // longer, shorter and as long as a block of the recursion
   srand(1);
   const Eigen::MatrixXd jacobian = Eigen::MatrixXd::Random(858, 4);
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(4, 4);
@@ -32,7 +32,7 @@ TEST(ResidualCovariance, AgreesWithDenseMatrices) {
     expected += denseCovariance(jacobian.middleRows(begin, length), model);
     begin += length;
   }
-  // Sums of 858 terms that the filter amplifies by less than ten.
+  // The tolerance covers sums of 858 terms that the filter amplifies by less than ten.
   EXPECT_LT((fit::projectedCovariance(jacobian, runs, model) - expected).norm(), 1e-12 * expected.norm());
 }
 

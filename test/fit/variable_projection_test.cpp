@@ -1,4 +1,4 @@
-// Fits of random models: never worse than the truth, and with it inside the intervals; the same bits on any processor.
+// Fits of random models: residuals as small as the truth's, intervals that contain it, equal bits on any processor.
 #include "rubber_suspension/fit/identification.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/processor/instructions.h"
@@ -7,7 +7,7 @@
 namespace rubber_suspension {
 namespace {
 
-// A log of sines of growing amplitude at a constant rate, its stamps rounded to microseconds, with a gap in the middle.
+// Sines of growing amplitude at a constant rate, with stamps rounded to microseconds and a gap in the middle.
 log::Log motion(int samples, std::int64_t step, double phase, std::int64_t gap = 0) {
   log::Log log = logOf("", samples, step, [](int /*i*/) { return 0.0; });
   for (std::size_t i = 0; i < log.size(); ++i) {
@@ -20,7 +20,7 @@ log::Log motion(int samples, std::int64_t step, double phase, std::int64_t gap =
   return log;
 }
 
-// The force of elements, with an offset and white noise relative to the largest force.
+// Simulates elements and adds an offset and white noise relative to the range of the force.
 void measure(const Entries& elements, double noise, std::mt19937& random, log::Log& measurement) {
   measurement.force = gap::simulateLog(component::Component(elements), measurement);
   const auto [low, high] = std::minmax_element(measurement.force.begin(), measurement.force.end());
@@ -30,7 +30,7 @@ void measure(const Entries& elements, double noise, std::mt19937& random, log::L
   }
 }
 
-// From one start: of several, any may come first at an optimum that has Maxwell elements in another order.
+// Uses one start, because the best of several may have its Maxwell elements in another order.
 fit::Identification fit(const Entries& elements, const std::vector<log::Log>& measurements,
                         const std::vector<std::string>& held = {}) {
   fit::IdentificationOptions options;
@@ -39,7 +39,7 @@ fit::Identification fit(const Entries& elements, const std::vector<log::Log>& me
   return fit::identify(elements, measurements, options);
 }
 
-// RMS of what the elements leave of the force, with the best offset: that of a fit in which nothing else is free.
+// Returns the RMS residual of the elements with the best offset.
 double residualOf(const Entries& elements, const std::vector<log::Log>& measurements) {
   double sum = 0.0;
   double squares = 0.0;
@@ -81,7 +81,7 @@ class RandomModel {
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   bool chance() { return between(0.0, 1.0) < 0.5; }
 
-  // One draw a line: the order of those among the arguments of a call is the compiler's choice.
+  // Each draw is a statement, because the compiler chooses the order in which arguments of a call are evaluated.
   void chooseElements() {
     truth.push_back(spring(between(1e6, 5e6)));
     if (chance()) {
@@ -130,14 +130,14 @@ TEST(VariableProjection, LeavesNoMoreThanTheTruthOverRandomModels) {
       }
     }
   }
-  // From one start a search may end at an optimum that is not the least.
+  // A search from one start may end at a local optimum.
   EXPECT_GE(at_best, models * 9 / 10);
-  // 95 % intervals; of Maxwell elements that changed places some are another's.
+  // Intervals are of 95 %; Maxwell elements that changed places are compared with the wrong one.
   EXPECT_GE(inside, parameters * 85 / 100);
   EXPECT_GE(parameters, 3 * models);
 }
 
-// A log whose residuals are correlated in time has wider intervals than one that is as noisy sample by sample.
+// Residuals that are correlated in time widen the intervals compared with white noise of the same size.
 TEST(VariableProjection, WidensIntervalsWhereResidualsAreCorrelated) {
   std::mt19937 random(3);
   const Entries truth = {spring(3e6), maxwell(5e5, 1.2), maxwell(4e5, 11.0), friction(900.0, 4e-4)};
@@ -186,7 +186,7 @@ TEST(VariableProjection, LeavesOutWhatIsNotThere) {
   log::Log measurement = motion(1500, 2000000, 0.0);
   const Entries truth = {spring(3e6), maxwell(5e5, 2.0), friction(900.0, 4e-4)};
   measure(truth, 1e-3, random, measurement);
-  for (std::size_t i = 1; i < measurement.force.size(); ++i) {  // energy that no Maxwell element can give
+  for (std::size_t i = 1; i < measurement.force.size(); ++i) {  // energy that no Maxwell element can add
     measurement.force[i] -= 2e3 * (measurement.displacement[i] - measurement.displacement[i - 1]) / 2e-3;
   }
   const Entries guess = {spring(2e6), dashpot(1e3), maxwell(5e5, 2.0), maxwell(5e5, 50.0), friction(500.0, 5e-4)};
@@ -196,7 +196,7 @@ TEST(VariableProjection, LeavesOutWhatIsNotThere) {
 }
 
 TEST(VariableProjection, EndsAtALimit) {
-  // Beyond half of the rate of 500 Hz no break frequency is searched.
+  // No break frequency is searched beyond half of the sampling rate of 500 Hz.
   std::mt19937 random(7);
   log::Log measurement = motion(1500, 2000000, 0.0);
   measure({spring(3e6), maxwell(3e6, 1e3), friction(900.0, 4e-4)}, 1e-5, random, measurement);
@@ -208,7 +208,7 @@ TEST(VariableProjection, EndsAtALimit) {
                                       [](const auto& parameter) { return parameter.name == "break_frequency"; });
   ASSERT_NE(frequency, result.parameters.end());
   EXPECT_FALSE(frequency->determined);
-  // The others are the best there: as where the limit itself is given and held.
+  // The other parameters are optimal there: they agree with a fit in which the limit is given and held.
   const fit::Identification held =
       fit({spring(2e6), maxwell(5e5, highest), friction(500.0, 5e-4)}, {measurement}, {"maxwell.break_frequency"});
   EXPECT_NEAR(result.residual / held.residual, 1.0, 1e-6);

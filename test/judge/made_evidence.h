@@ -1,4 +1,4 @@
-// Evidence that nobody measured: what hypotheses leave of logs, drawn or set.
+// Artificial evidence: residuals of hypotheses per log, drawn or given.
 #pragma once
 
 #include <cmath>
@@ -10,8 +10,8 @@
 
 namespace rubber_suspension::test {
 
-/// Squares in units of the force's variance, the same in each log where one is given.
-constexpr double kFloor = 0.003;  // a gap
+/// Squares are in units of the variance of the force, equal in all logs if one value is given.
+constexpr double kFloor = 0.003;  // as a gap
 
 inline diagnosis::judge::HypothesisEvidence fitted(std::vector<int> members, std::vector<double> log_errors,
                                                    std::vector<std::vector<double>> sizes) {
@@ -23,8 +23,8 @@ inline diagnosis::judge::HypothesisEvidence fitted(std::vector<int> members, std
   return hypothesis;
 }
 
-/// A model that leaves `left` of each log (a gap), and effects that remove nothing of it and add no force. Effects have
-/// names that no case told anything of. Blocks are of all logs together.
+/// Returns evidence of a model with a gap of `left` in each log, and of effects that reduce no residual and add no
+/// force. Names of effects are unknown to the fitted numbers. The first log has all blocks.
 inline diagnosis::judge::Evidence unexplained(std::size_t logs, int effects, double left, std::size_t blocks = 50) {
   diagnosis::judge::Evidence evidence;
   evidence.logs.assign(logs, {kFloor, 0.1, 1.0, false, 0});
@@ -41,7 +41,7 @@ inline diagnosis::judge::Evidence unexplained(std::size_t logs, int effects, dou
   return evidence;
 }
 
-/// Let a single effect leave another gap than the model without it: what it removes is its force.
+/// Sets the gap of a single effect to `left`; the square that it removes is that of its force.
 inline void explain(diagnosis::judge::Evidence& evidence, int effect, double left) {
   diagnosis::judge::HypothesisEvidence& single =
       evidence.hypotheses[static_cast<std::size_t>(diagnosis::judge::Evidence::kFirstSingle + effect)];

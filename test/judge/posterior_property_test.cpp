@@ -1,4 +1,4 @@
-// Properties of the judgement by posterior that hold on any evidence: RapidCheck draws it. Needs RapidCheck.
+// Properties of the posterior that hold for any evidence, which RapidCheck draws. Needs RapidCheck.
 #include <rapidcheck/gtest.h>
 
 #include <numeric>
@@ -17,10 +17,10 @@ using diagnosis::judge::HypothesisEvidence;
 using diagnosis::judge::SetPosterior;
 using diagnosis::judge::SetProbability;
 
-// The same evidence in every run, unless the environment asks for others.
+// Every run draws the same evidence, unless the environment sets RC_PARAMS.
 const bool kSeeded = setenv("RC_PARAMS", "seed=20261126", 0) == 0;
 
-// Gaps in steps of 0.1 %, which make short counterexamples.
+// Gaps are multiples of 0.1 %, which makes counterexamples short.
 double anyGap(int least, int most) { return 0.001 * *rc::gen::inRange(least, most); }
 
 std::vector<double> anySquares(std::size_t logs) {
@@ -31,7 +31,7 @@ std::vector<double> anySquares(std::size_t logs) {
   return squares;
 }
 
-// All singles and some pairs, whatever they leave and add.
+// All singles and some pairs, with any residuals and forces.
 Evidence anyEvidence() {
   const auto logs = static_cast<std::size_t>(*rc::gen::inRange(1, 7));
   const int effects = *rc::gen::inRange(1, 6);
@@ -69,7 +69,7 @@ RC_GTEST_PROP(AnyEvidence, HasProbabilitiesThatAddUpToOne, ()) {
   }
 }
 
-// The sets that cannot be told apart are as few as hold 90 % of all, and the one that is evidence is among them.
+// The confounded sets are the fewest that have 90 % of the probability, and the most probable one is among them.
 RC_GTEST_PROP(AnyEvidence, ListsTheFewestSets, ()) {
   const Evidence evidence = anyEvidence();
   const SetPosterior posterior = toldByHalving(posteriorOf(evidence));
@@ -92,7 +92,7 @@ RC_GTEST_PROP(AnyEvidence, ListsTheFewestSets, ()) {
   RC_ASSERT(effects == answer.confounded.front());
 }
 
-// What is said is the likeliest of its kind, and the alternatives follow it, the likeliest first.
+// The answer is the most probable of its kind, followed by the alternatives in order of probability.
 RC_GTEST_PROP(AnyEvidence, ListsAlternativesByProbability, ()) {
   const Evidence evidence = anyEvidence();
   const Answer answer = diagnosis::judge::answer(evidence);
@@ -126,7 +126,7 @@ RC_GTEST_PROP(AnyEvidence, SaysTheSameInAnyOrderOfItsLogs, ()) {
   }
 }
 
-// Weights of logs are relative: only what one log counts beside another one matters.
+// Only the ratios of the weights of logs matter.
 RC_GTEST_PROP(AnyEvidence, SaysTheSameAtAnyScaleOfTheWeights, ()) {
   Evidence evidence = anyEvidence();
   const SetPosterior before = posteriorOf(evidence);
@@ -139,7 +139,7 @@ RC_GTEST_PROP(AnyEvidence, SaysTheSameAtAnyScaleOfTheWeights, ()) {
   RC_ASSERT(std::abs(before.none - after.none) < 1e-9);
 }
 
-// What no model run follows is not the answer, however well it does on the other logs.
+// A hypothesis that cannot be simulated on one log is not the answer, however well it fits the others.
 RC_GTEST_PROP(AnyEvidence, NeverNamesWhatCannotBeSimulated, ()) {
   Evidence evidence = anyEvidence();
   HypothesisEvidence& first = evidence.hypotheses[Evidence::kFirstSingle];
@@ -147,7 +147,7 @@ RC_GTEST_PROP(AnyEvidence, NeverNamesWhatCannotBeSimulated, ()) {
   RC_ASSERT(probabilityOf(posteriorOf(evidence), {0}) == 0.0);
 }
 
-// Nothing that was fitted removes half of what is told as unknown.
+// If the verdict is unknown, no fitted set halves the residual force.
 RC_GTEST_PROP(AnyEvidence, IsUnknownOnlyWhereNoSetHalvesIt, ()) {
   const Evidence evidence = anyEvidence();
   RC_PRE(diagnosis::judge::answer(evidence).verdict == Verdict::unknown);
@@ -160,7 +160,7 @@ RC_GTEST_PROP(AnyEvidence, IsUnknownOnlyWhereNoSetHalvesIt, ()) {
   }
 }
 
-// One more on the list, which the logs lack something for: a temperature, another displacement.
+// An additional effect that the logs cannot show, such as one of a temperature that they lack, changes nothing.
 RC_GTEST_PROP(AnEffectThatDoesNotApply, ChangesNothing, ()) {
   Evidence evidence = anyEvidence();
   const SetPosterior before = posteriorOf(evidence);
@@ -189,7 +189,7 @@ RC_GTEST_PROP(AnEffectThatRemovesNothing, IsNeverNamed, ()) {
   RC_ASSERT(!namesEffects(diagnosis::judge::answer(evidence).verdict));
 }
 
-// Two effects of the same kind, of which one leaves less: the more blocks say so, the surer it is.
+// Of two similar effects the one with the smaller residual becomes more probable with more blocks.
 RC_GTEST_PROP(MoreData, IsSurer, ()) {
   const double left = anyGap(60, 400);
   const double better = *rc::gen::inRange(10, 60) * 0.01 * left;
@@ -206,7 +206,7 @@ RC_GTEST_PROP(MoreData, IsSurer, ()) {
   RC_ASSERT(odds(4 * blocks) > odds(blocks));
 }
 
-// An effect that explains a gap down to the noise is evidence, and nothing beside it.
+// An effect that explains the gap down to the noise is named alone.
 RC_GTEST_PROP(AnEffectThatExplainsTheGap, IsNamed, ()) {
   Evidence evidence = unexplained(5, *rc::gen::inRange(2, 20), anyGap(80, 400));
   explain(evidence, 1, anyGap(3, 6));
@@ -215,7 +215,7 @@ RC_GTEST_PROP(AnEffectThatExplainsTheGap, IsNamed, ()) {
   RC_ASSERT(answer.effects == std::vector<int>{1});
 }
 
-// Of two laws that leave and add the same, the one that contains the other loses by what its further numbers cost.
+// A law that contains another one of equal residual and force loses only by the cost of its further numbers.
 RC_GTEST_PROP(ALawBeyondAnother, LosesByItsCostAlone, ()) {
   const auto blocks = static_cast<std::size_t>(*rc::gen::inRange(10, 300));
   const double left = anyGap(3, 100);
@@ -231,7 +231,7 @@ RC_GTEST_PROP(ALawBeyondAnother, LosesByItsCostAlone, ()) {
   RC_ASSERT(std::abs(std::log(probabilityOf(posterior, {0}) / probabilityOf(posterior, {1})) - cost) < 1e-9 * cost);
 }
 
-// Of two laws that leave and add the same, the one that does the work of two is as improbable as two.
+// Of two laws with equal residual and force, one that contains two others has the prior of two effects.
 RC_GTEST_PROP(ALawThatContainsTwo, HasThePriorOfTwo, ()) {
   const double left = anyGap(3, 100);
   Evidence evidence = unexplained(5, 2, anyGap(100, 400));
@@ -247,10 +247,10 @@ RC_GTEST_PROP(ALawThatContainsTwo, HasThePriorOfTwo, ()) {
   RC_ASSERT(std::abs(std::log(probabilityOf(posterior, {0}) / probabilityOf(posterior, {1})) - cost) < 1e-9 * cost);
 }
 
-// A rest in an octave of its own does not hide what an effect removes of the others.
+// A residual force in one octave does not hide what an effect removes in the others.
 RC_GTEST_PROP(AListedEffectBesideARestInAnotherOctave, KeepsItsName, ()) {
   const auto logs = static_cast<std::size_t>(*rc::gen::inRange(2, 7));
-  const double removed = anyGap(90, 200);  // well above the size below which an effect is improbable
+  const double removed = anyGap(90, 200);  // well above the size of improbable effects
   const double rest = anyGap(90, 200);
   Evidence evidence = unexplained(logs, 3, std::hypot(removed, rest), 10 * logs);
   explain(evidence, 0, rest);
@@ -267,7 +267,7 @@ RC_GTEST_PROP(AListedEffectBesideARestInAnotherOctave, KeepsItsName, ()) {
   RC_ASSERT(answer.effects == std::vector<int>{0});
 }
 
-// An effect whose force is twice that of something that the list lacks: four fifths of the square of the gap are its.
+// The effect has twice the force of an unlisted one, and so four fifths of the square of the gap.
 RC_GTEST_PROP(AListedEffectBesideAnUnlistedOne, KeepsItsName, ()) {
   const double left = anyGap(150, 400);
   Evidence evidence = unexplained(5, *rc::gen::inRange(2, 20), left);

@@ -1,4 +1,4 @@
-// Evidence of a diagnosis from its file, to judge it again.
+// Reads the evidence of a diagnosis from a file, to judge it again.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// As toJson() writes it; reads schema 3, too. Throws std::invalid_argument for text that is not such evidence.
+/// Reads evidence as toJson() writes it. Throws std::invalid_argument for other text and for older schemas.
 judge::Evidence parseEvidence(const std::string& text);
 
 }  // namespace rubber_suspension::diagnosis

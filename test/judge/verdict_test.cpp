@@ -1,4 +1,4 @@
-// Words for verdicts, as reports and records have them.
+// The words for verdicts in reports and records.
 #include "rubber_suspension/diagnosis/verdict.h"
 
 #include "support/test.h"
