@@ -1,5 +1,5 @@
-// closed_loop: does the experiment that a diagnosis proposes decide? Virtual benches play it, and a random programme of
-// the same length beside it; both are diagnosed again with the logs before.
+// closed_loop: tests whether the experiment that a diagnosis proposes decides. Virtual benches play it and, for
+// comparison, a random programme of the same length; each is diagnosed together with the earlier logs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -40,11 +40,11 @@ struct Options {
 };
 
 struct Tally {
-  int open = 0;           // benches whose log leaves two names or more open
-  int proposed = 0;       // of these: an experiment was proposed
-  int by_proposal = 0;    // the truth alone at 90 % after the log proposed
-  int by_random = 0;      // after a random programme of the same length
-  double promised = 0.0;  // sum of the confidences stated
+  int open = 0;           // benches whose log leaves two or more names open
+  int proposed = 0;       // of these, benches with a proposed experiment
+  int by_proposal = 0;    // the truth alone has 90 % after the proposed log
+  int by_random = 0;      // the same after a random programme of the same length
+  double promised = 0.0;  // sum of the stated confidences
 };
 
 diagnosis::Diagnosis diagnose(const VirtualBench& bench, const std::vector<log::Log>& logs, int threads) {
@@ -54,7 +54,7 @@ diagnosis::Diagnosis diagnose(const VirtualBench& bench, const std::vector<log::
   return diagnosis::diagnose(bench.component(), logs, {}, options);
 }
 
-// Effects of which the log does not tell whether they are at work.
+// Returns the number of effects whose presence the log leaves open.
 int openNames(const diagnosis::Diagnosis& diagnosis) {
   constexpr double kSure = 0.9;
   return static_cast<int>(std::count_if(

@@ -1,4 +1,4 @@
-// The virtual bench.
+// Draws the virtual bench from a seed and plays programmes on it.
 #include "virtual_bench.h"
 
 #include <fmt/format.h>
@@ -17,9 +17,9 @@ namespace rubber_suspension::closed_loop {
 namespace {
 
 constexpr double kStep = 0.004;      // [s]
-constexpr double kDuration = 20.0;   // of each log before the experiment [s]
-constexpr double kStroke = 0.002;    // of the machine [m]
-constexpr double kFrequency = 12.0;  // highest of any log [Hz]
+constexpr double kDuration = 20.0;   // [s], each log before the experiment
+constexpr double kStroke = 0.002;    // [m], of the machine
+constexpr double kFrequency = 12.0;  // [Hz], highest in any log
 constexpr double kTwoPi = 2.0 * element::kPi;
 
 using element::ElementDescription;
@@ -49,9 +49,9 @@ double standardDeviation(const std::vector<double>& values) {
       Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
 }
 
-constexpr std::size_t kFiner = 8;  // steps of the component for one of a log: it moves smoothly between samples
+constexpr std::size_t kFiner = 8;  // steps of the component per sample of a log
 
-// Between samples by cubic interpolation (Catmull-Rom).
+// Interpolates between samples by Catmull-Rom cubics.
 std::vector<double> finer(const std::vector<double>& z) {
   std::vector<double> result;
   for (std::size_t i = 0; i + 1 < z.size(); ++i) {
@@ -69,7 +69,7 @@ std::vector<double> finer(const std::vector<double>& z) {
   return result;
 }
 
-// Force at the samples of a programme, from the state after the first of them.
+// Returns the force at the samples of a programme, which starts in a state at its first sample.
 std::vector<double> forceAtSamples(const component::Component& component, component::ComponentState& state,
                                    const Programme& programme) {
   const std::vector<double> z = finer(programme.displacement);
@@ -82,14 +82,14 @@ std::vector<double> forceAtSamples(const component::Component& component, compon
   return sampled;
 }
 
-// A law of an effect at a strength; laws and shapes are not those of the candidates where the elements allow it.
+// An effect as an element of a given strength; its form differs from the candidate's if there is another element.
 struct Effect {
   const char* name;
-  double strength;  // where the search for the wanted gap begins
+  double strength;  // start of the search for the wanted gap
   std::function<ElementDescription(double strength)> at;
 };
 
-// The element whose parameter is the strength, but no more than `most`.
+// Returns an element whose parameter is the strength, limited to `most`.
 std::function<ElementDescription(double)> one(const char* type, const char* parameter,
                                               const element::ParameterValues& others = {}, double most = HUGE_VAL) {
   return [=](double strength) {
@@ -134,7 +134,7 @@ void VirtualBench::addEffect(std::vector<ElementDescription> elements) {
       {"creep", 0.2 * k, [=](double s) { return maxwell(s, 0.006 + 0.01 * shape); }}};
   const Effect& effect = effects[std::uniform_int_distribution<std::size_t>(0, effects.size() - 1)(draw_)];
   effect_ = effect.name;
-  // The strength that makes the wanted gap on a sweep of amplitude and frequency within the machine's limits.
+  // The strength is adjusted to the wanted gap on a sweep of amplitude and frequency within the machine's limits.
   const Programme probe = programmeOf("probe", kDuration, [&](double t) {
     return z * (0.6 + 0.4 * std::sin(0.5 * t)) * std::sin(kTwoPi * (1.5 * t + 0.06 * t * t));
   });

@@ -1,4 +1,4 @@
-// A virtual bench with one component whose missing effect is known.
+// A virtual bench of one component whose missing effect is known.
 #pragma once
 
 #include <random>
@@ -12,35 +12,34 @@
 
 namespace rubber_suspension::closed_loop {
 
-/// A motion to play: displacement [m] at even steps dt [s].
+/// A motion to play: displacement [m] at constant steps dt [s].
 struct Programme {
   std::string name;
   double dt = 0.0;
   std::vector<double> displacement;
 };
 
-/// A component on a bench: drawn from a seed are its model, what the specification errs by (3 %), one missing effect
-/// that makes a gap of 5 to 15 %, and noise of 0.3 to 1 %. The component goes through its logs one after the other and
-/// rests between them.
+/// Simulates a component on a bench. A seed determines the model, the error of the specification (3 %), one missing
+/// effect with a gap of 5 to 15 %, and noise of 0.3 to 1 %. The component plays its logs in order, with rests between.
 class VirtualBench {
  public:
   explicit VirtualBench(unsigned seed);
 
-  /// What the user wrote: without the effect, of values that are a little off.
+  /// Returns the description that the user wrote: without the effect, and with slightly wrong values.
   const io::ComponentDescription& component() const { return component_; }
   const std::string& effect() const { return effect_; }
   const diagnosis::ExperimentLimits& limits() const { return limits_; }
 
-  /// A log that leaves much open: a sine of one frequency and amplitude or slow triangles, of small motion.
+  /// Draws an ambiguous log: small motion, either a sine of one frequency and amplitude or slow triangles.
   Programme poorProgramme();
 
-  /// Motion of a random spectrum and amplitude, eased in and out, of this length [s], within the limits.
+  /// Draws a motion of random spectrum and amplitude with soft ends within the limits, of a duration [s].
   Programme randomProgramme(double duration);
 
-  /// Play on the component as the logs so far have left it.
+  /// Plays a programme on the component in its present state and returns the log.
   log::Log play(const Programme& programme);
 
-  /// The state of the component and of the noise, to play two programmes after the same logs.
+  /// State of component and noise, with which two programmes can be played after the same logs.
   struct Memory {
     component::ComponentState state;
     std::mt19937 noise;
@@ -58,7 +57,7 @@ class VirtualBench {
   io::ComponentDescription component_;
   std::string effect_;
   diagnosis::ExperimentLimits limits_;
-  std::vector<component::Component> true_component_;  // one, made once all is drawn
+  std::vector<component::Component> true_component_;  // one, constructed after all draws
   Memory memory_;
   double noise_ = 0.0;  // [N]
 };

@@ -1,4 +1,4 @@
-// Specifications without a solution: each is refused with key, value and the intervals that would do.
+// Specifications without a solution are refused with key, value and the accepted intervals.
 #include <regex>
 
 #include "estimation/values.h"
@@ -119,7 +119,7 @@ struct Interval {
   double upper;
 };
 
-// Whether the specification that a message calls the nearest has a solution.
+// Returns whether the specification that a message calls nearest has a solution.
 bool nearestIsSolvable(estimation::Model model, const std::string& message) {
   const std::string before = "nearest: specification: ";
   const std::size_t place = message.find(before);
@@ -129,7 +129,7 @@ bool nearestIsSolvable(estimation::Model model, const std::string& message) {
          }) == "";
 }
 
-// The intervals "key in (a, b)" of a message, each part of an "or" too.
+// Parses the intervals "key in (a, b)" of a message, including those after "or".
 std::vector<Interval> intervalsIn(const std::string& message) {
   std::vector<Interval> intervals;
   const std::string text = message.substr(message.find("accepted: "));
@@ -146,7 +146,7 @@ TEST(Refusal, NamesTheIntervalOfTheDynamicStiffness) {
   const Values values = with(kFiveInputs, "maxwell_elements", 2.0);
   const std::string message = refusal(estimation::Model::multi_maxwell, values);
   EXPECT_THAT(message, HasSubstr("dynamic_stiffness: 4.2e+06 N/m"));
-  // All stiffness in the last or in the first element: f_l = 5 Hz, q = sqrt(5).
+  // The bounds have all stiffness in the last or in the first element: f_l = 5 Hz, q = sqrt(5).
   const auto single = [](double break_frequency) {
     const std::complex<double> ratio(0.0, 4.0 / break_frequency);
     return std::abs(3e6 + 1.9e6 * ratio / (1.0 + ratio));
@@ -198,7 +198,7 @@ TEST(Refusal, EveryIntervalNamedHoldsSolutions) {
   }
 }
 
-// Where no single input helps, two have to move.
+// If no change of a single input is enough, two have to change.
 TEST(Refusal, TellsWhatIsNearestToOneStiffnessThroughout) {
   const Values values = with(with(kFiveInputs, "dynamic_stiffness", 3e6), "maximum_stiffness", 3e6);
   const std::string message = refusal(estimation::Model::multi_maxwell, values);

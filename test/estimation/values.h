@@ -1,4 +1,4 @@
-// Values of specifications by their keys, with and without some.
+// Values of specifications by key, with operators that add, replace and remove some.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Specifications that are legal and odd: what is warned of, in the units that the user wrote, and what is not.
+// Warnings of unusual specifications, in the units of the user; usual ones cause none.
 #include "rubber_suspension/estimation/notes.h"
 #include "support/test.h"
 

@@ -1,4 +1,4 @@
-// Specifications of a whole component: reference values, and for any elements that are added the targets are met.
+// Specifications of a whole component: reference values, and targets that are met with any added elements.
 #include "rubber_suspension/estimation/whole.h"
 
 #include <rapidcheck/gtest.h>
@@ -11,7 +11,7 @@
 namespace rubber_suspension {
 namespace {
 
-// The same cases in every run, unless the environment asks for others.
+// Every run draws the same cases, unless the environment sets RC_PARAMS.
 const bool kSeeded = setenv("RC_PARAMS", "seed=20150817 max_success=50", 0) == 0;
 
 constexpr double kDegree = element::kPi / 180.0;
@@ -47,7 +47,7 @@ TEST(WholeComponent, OfTooLargeARatioIsRefusedAsABaseIs) {
   EXPECT_THAT(text, testing::HasSubstr("accepted: "));
 }
 
-// Computed by an independent program: docs/estimation.md. Tolerances are half of the last digit.
+// An independent program computed these values (docs/estimation.md); tolerances are half of the last digit.
 TEST(WholeComponent, OfFiveInputsWithFriction) {
   const struct {
     double amplitude, alpha, loss_angle;
@@ -72,7 +72,7 @@ TEST(WholeComponent, OfFiveInputsWithFriction) {
   }
 }
 
-// The base alone has no friction, and the whole is far from what is specified.
+// A specification of the base ignores friction, so the whole component differs much from it.
 TEST(WholeComponent, OfABaseIsWhatComesOut) {
   for (const auto& [amplitude, stiffness, angle] :
        {std::tuple(2e-3, 5.38137e6, 9.0587), std::tuple(1e-3, 5.78245e6, 7.9395)}) {
@@ -105,7 +105,7 @@ TEST(WholeComponent, NeedsAnAmplitudeWhereItIsNonlinear) {
   EXPECT_EQ(refusal(estimation::Model::multi_maxwell, specificationOf(values), {maxwell(2e5, 1.0)}), "");
 }
 
-// Springs and Maxwell elements that are added are part of K_st and K_max.
+// Added springs and Maxwell elements are part of K_st and K_max.
 TEST(WholeComponent, SharesItsStiffnessesWithWhatIsAdded) {
   const Entries add = {spring(5e5), maxwell(2e5, 1.0)};
   const auto base = estimation::resolve(estimation::Model::multi_maxwell, specificationOf(fiveInputs(4.2e6, 2e-3)), add)
@@ -129,7 +129,7 @@ TEST(WholeComponent, LeavesOutWhatNeverSettles) {
             estimation::resolve(estimation::Model::multi_maxwell, specification, kFriction).specification.values());
 }
 
-/// A base that has a solution, and what is added to it.
+/// A base that has a solution.
 struct Case {
   estimation::Model model;
   std::map<std::string, double> base;
@@ -163,7 +163,7 @@ std::map<std::string, double> anyBase(estimation::Model model) {
   return base;
 }
 
-/// Each of these has a settled loop; behind the last two the forces do not add up.
+/// Draws elements that have a settled loop; the last two are in series, so forces do not add up.
 Entries anyAdded(estimation::Model model) {
   const Entries all = {friction(2e3, 5e-4),
                        entry("iwan maximum_force=1e3 displacement=3e-4 sliders=8"),
@@ -176,7 +176,7 @@ Entries anyAdded(estimation::Model model) {
                        entry("inertia_track mass=100 damping=3e3 stiffness=4e5"),
                        entry("free_play gap=5e-5"),
                        entry("series_compliance stiffness=6e7")};
-  // Slow elements take hundreds of cycles to settle behind a compliance.
+  // Behind a compliance, slow elements need hundreds of cycles to settle.
   const int end = static_cast<int>(all.size()) - (model == estimation::Model::multi_maxwell ? 2 : 0);
   Entries added;
   for (const int i : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, end))) {
@@ -204,7 +204,7 @@ double addedLimit(const Entries& added) {
   return sum;
 }
 
-// What a base with anything added has is specified: then there is a solution, and the one found has it.
+// The characteristics of a base with any added elements are specified, so a solution exists and has to be found.
 RC_GTEST_PROP(WholeComponent, MeetsWhatIsSpecifiedForAnyAdd, ()) {
   using estimation::Model;
   const Model model = *rc::gen::element(Model::kelvin_voigt, Model::maxwell, Model::maxwell_dashpot, Model::friction,
@@ -239,7 +239,7 @@ RC_GTEST_PROP(WholeComponent, MeetsWhatIsSpecifiedForAnyAdd, ()) {
   }
 }
 
-// 3.1 kN/mm at 40 Hz is that at 40 Hz, for one Maxwell element (closed form) and for five.
+// A stiffness of 3.1 kN/mm at 40 Hz is met at 40 Hz by one Maxwell element (closed form) and by five.
 TEST(HighFrequencyStiffness, IsThatAtItsFrequency) {
   const std::map<std::string, double> values = {{"static_stiffness", 2e6},
                                                 {"dynamic_stiffness", 2.5e6},
@@ -282,7 +282,7 @@ estimation::Specification pointsOf(const Entries& truth, const std::vector<std::
   return specification;
 }
 
-// Points that a model makes are met by it, whatever the model.
+// Every model meets points that it generated itself.
 TEST(Points, OfAModelAreMet) {
   using estimation::Model;
   const std::vector<std::pair<double, double>> places = {{0.5, 1e-3}, {4.0, 2e-3}, {4.0, 5e-4}, {20.0, 2e-4}};
@@ -311,7 +311,7 @@ TEST(Points, OfAModelAreMet) {
       EXPECT_NEAR(misfit.stiffness / *misfit.point.stiffness, 1.0, 1e-5) << estimation::toString(model);
       EXPECT_NEAR(misfit.loss_angle, *misfit.point.loss_angle, 1e-5) << estimation::toString(model);
     }
-    // The numbers of the base make the same elements.
+    // The numbers of the resolved base give the same elements.
     const Entries again = estimation::estimate(model, resolved.specification);
     for (const auto& [frequency, amplitude] : places) {
       EXPECT_NEAR(at(again, frequency, amplitude).stiffness / at(elements, frequency, amplitude).stiffness, 1.0, 1e-5)
@@ -320,7 +320,7 @@ TEST(Points, OfAModelAreMet) {
   }
 }
 
-// Two points that contradict each other: the heavier one is met better, and the misfit is told.
+// Of two contradictory points, the one with more weight is met better, and the misfit is reported.
 TEST(Points, AreWeighted) {
   estimation::Specification specification;
   specification.setPoints({{4.0, 0.0, 4e6, 0.1, 100.0}, {4.0, 0.0, 5e6, 0.1, 1.0}});

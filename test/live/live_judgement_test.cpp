@@ -1,4 +1,4 @@
-// What may be said while a bench runs: the evidence by its inequality, the onset, the rules of the judgement.
+// The judgement while a bench runs: the inequality of the evidence, the onset, and the rules for names.
 #include "diagnosis/live/live_judgement.h"
 
 #include "support/test.h"
@@ -9,11 +9,11 @@ namespace {
 using diagnosis::live::LiveJudgement;
 using diagnosis::live::SequentialEvidence;
 
-// The worst that the inequality allows: every bet is at fair odds. Of 400 runs of n bets at most n/c may reach c.
+// If every bet is fair, the worst case, at most a share n/c of the runs of n bets may reach c.
 TEST(SequentialEvidence, KeepsItsInequalityWhereEveryBetIsFair) {
   constexpr int kRuns = 400;
   constexpr int kBets = 20000;
-  constexpr double kThreshold = 2e5;  // so that at most one run in ten may
+  constexpr double kThreshold = 2e5;  // so that at most one run in ten may reach it
   std::mt19937 random(1);
   int reached = 0;
   for (int run = 0; run < kRuns; ++run) {
@@ -25,7 +25,7 @@ TEST(SequentialEvidence, KeepsItsInequalityWhereEveryBetIsFair) {
     }
     reached += once ? 1 : 0;
   }
-  // 40 expected at the bound; three standard deviations of a count above it are 40 + 3 * 6.
+  // At the bound, 40 runs are expected, with a standard deviation of 6.
   EXPECT_LE(reached, 58);
   EXPECT_GE(reached, 1) << "a bound that is never approached would make a test that cannot fail";
 }
@@ -39,7 +39,7 @@ TEST(SequentialEvidence, ForgetsBetsLostBeforeTheEffect) {
   for (; !evidence.isReached(); ++needed) {
     evidence.add(true);
   }
-  // log(3.6e6)/log(1.8) = 25.7 blocks of a second: a third of the two minutes that a name may take.
+  // log(3.6e6)/log(1.8) = 25.7 blocks of a second, about a fifth of the two minutes within which a name is due.
   EXPECT_EQ(needed, 26);
 }
 
@@ -76,7 +76,7 @@ TEST(Onset, IsNotFoundInNoise) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     found += diagnosis::live::lastChange(steps({{400, 0.0}}, 0.15, seed)) ? 1 : 0;
   }
-  // Only the window of a look follows from it; one in a hundred is little against that.
+  // A false change only shortens the window of a look, so one in a hundred is acceptable.
   EXPECT_LE(found, 3);
 }
 
@@ -128,7 +128,7 @@ TEST(LiveJudgement, AnEffectThatDoesNotPredictIsNotNamed) {
     if (i % 60 == 0) {
       judgement.addLook({diagnosis::Verdict::named, {"creep"}});
     }
-    judgement.addBlock(block(i, 10.0, i % 2 == 0 ? 9.9 : 10.1));  // as often better as worse
+    judgement.addBlock(block(i, 10.0, i % 2 == 0 ? 9.9 : 10.1));  // better as often as worse
   }
   EXPECT_EQ(judgement.now().verdict, std::nullopt);
   EXPECT_THAT(judgement.now().effects, IsEmpty());

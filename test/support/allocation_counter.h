@@ -1,14 +1,14 @@
-// Counts the allocations of a program, those of the libraries that it loads too.
+// Counts the allocations of a program, including those of its libraries.
 #pragma once
 
 #include <cstddef>
 
 namespace rubber_suspension::test {
 
-/// Allocations by operator new since the start of the program.
+/// Returns the number of allocations by operator new since the start of the program.
 std::size_t allocations();
 
-/// Allocations since construction, by any thread.
+/// Counts the allocations of all threads since its construction.
 class AllocationCounter {
  public:
   std::size_t count() const { return allocations() - start_; }

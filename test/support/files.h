@@ -1,4 +1,4 @@
-// Texts and files of tests: as a whole, by their first line, with a part replaced.
+// Contents of files and pages, and replacements in texts.
 #pragma once
 
 #include "support/scratch_folder.h"
@@ -11,10 +11,10 @@ inline std::string firstLine(const std::filesystem::path& path) {
   return text.substr(0, text.find('\n'));
 }
 
-/// The text of docs/`name`.md.
+/// Returns the text of docs/`name`.md.
 inline std::string pageInDocs(const std::string& name) { return contentOf(TEST_DIR "/../docs/" + name + ".md"); }
 
-/// Files of this folder of test/ that end so, by name.
+/// Returns the sorted paths of the files with an extension in a folder of test/.
 inline std::vector<std::string> filesIn(const std::string& folder, const std::string& extension) {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(TEST_DIR "/" + folder)) {
@@ -26,7 +26,7 @@ inline std::vector<std::string> filesIn(const std::string& folder, const std::st
   return files;
 }
 
-/// The text with one part, which it has to have, replaced at its first place.
+/// Returns the text with the first occurrence of `part` replaced; a missing part fails the test.
 inline std::string replaced(std::string text, const std::string& part, const std::string& by) {
   const std::size_t at = text.find(part);
   EXPECT_NE(at, std::string::npos) << part;

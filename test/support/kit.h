@@ -1,4 +1,4 @@
-// Elements, components, logs and settled sines that tests are made of.
+// Elements, components, logs and settled sines for tests.
 #pragma once
 
 #include "rubber_suspension/component/component.h"
@@ -12,7 +12,7 @@ namespace rubber_suspension {
 
 using Entries = std::vector<element::ElementDescription>;
 
-/// The entry of a text such as "iwan_table yield_displacement=1e-4,5e-4 stiffness=2e6,1e6": type, keys and values.
+/// Parses an entry such as "iwan_table yield_displacement=1e-4,5e-4 stiffness=2e6,1e6": type, keys and values.
 inline element::ElementDescription entry(const std::string& text) {
   std::istringstream words(text);
   element::ElementDescription description;
@@ -27,7 +27,7 @@ inline element::ElementDescription entry(const std::string& text) {
   return description;
 }
 
-/// The same with numbers that the test computes.
+/// Parses an entry and adds parameters with numbers that the test computes.
 inline element::ElementDescription entry(const std::string& text,
                                          const std::vector<std::pair<std::string, double>>& more) {
   element::ElementDescription description = entry(text);
@@ -54,7 +54,7 @@ inline element::ElementDescription maxwell(double stiffness /* [N/m] */, double 
   return {"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {break_frequency}}}};
 }
 
-/// Forces [N], displacements [m].
+/// Berg's friction with a maximum force [N] and the displacement of half of it [m].
 inline element::ElementDescription friction(double maximum_force, double displacement) {
   return {"friction", {{"maximum_force", {maximum_force}}, {"displacement", {displacement}}}};
 }
@@ -65,7 +65,7 @@ inline element::ElementDescription friction(double maximum_force, double displac
   return element;
 }
 
-/// A component with a state, for tests of its total force [N].
+/// A component with its state, for tests of its total force [N].
 struct WithState : component::Component {
   using component::Component::Component;
   component::ComponentState state = makeState();
@@ -75,8 +75,8 @@ struct WithState : component::Component {
   double relax(double displacement) { return Component::relax(state, displacement).total; }
 };
 
-/// First harmonic of the settled force over that of the displacement [N/m] under a sine of an amplitude [m] and a
-/// frequency [Hz], sampled so often a cycle: that of the last cycle. `step` makes the force of a time step [s] and a
+/// Returns the first harmonic of the force over that of the displacement [N/m] in the last cycle of a sine of an
+/// amplitude [m] and a frequency [Hz], with `samples` per cycle. `step` returns the force [N] of a time step [s] to a
 /// displacement [m].
 template <class Step>
 std::complex<double> settledStiffness(double frequency, int samples, int cycles, double amplitude, const Step& step) {
@@ -97,12 +97,12 @@ inline std::complex<double> settledStiffness(const component::Component& compone
   });
 }
 
-/// The only component of a component file. Throws ComponentFileError.
+/// Returns the first component of a component file. Throws ComponentFileError.
 inline io::ComponentDescription componentOf(const std::string& text, const std::string& file = "test") {
   return io::parseComponentFile(text, file).at(0);
 }
 
-/// Adds white noise of this standard deviation.
+/// Adds white noise of a standard deviation.
 inline void addNoise(std::vector<double>& values, double deviation, unsigned seed) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal(0.0, deviation);
@@ -111,7 +111,7 @@ inline void addNoise(std::vector<double>& values, double deviation, unsigned see
   }
 }
 
-/// A log at an interval [ns], whose displacement [m] follows from the number of the sample.
+/// Returns a log at an interval [ns] whose displacement [m] is a function of the index of the sample.
 template <class Displacement>
 log::Log logOf(const std::string& name, int samples, std::int64_t interval, const Displacement& displacement) {
   log::Log log;
@@ -123,7 +123,7 @@ log::Log logOf(const std::string& name, int samples, std::int64_t interval, cons
   return log;
 }
 
-/// The same with a force [N], which follows from the number of the sample and the displacement.
+/// Returns such a log with a force [N], a function of the index of the sample and the displacement.
 template <class Displacement, class Force>
 log::Log logOf(const std::string& name, int samples, std::int64_t interval, const Displacement& displacement,
                const Force& force) {
@@ -134,14 +134,14 @@ log::Log logOf(const std::string& name, int samples, std::int64_t interval, cons
   return log;
 }
 
-/// A log at a rate [Hz] over a duration [s], whose displacement [m] is a function of time.
+/// Returns a log at a rate [Hz] over a duration [s] whose displacement [m] is a function of time [s].
 template <class Displacement>
 log::Log recorded(double rate, double duration, const Displacement& displacement) {
   return logOf("log", static_cast<int>(std::lround(duration * rate)), std::llround(1e9 / rate),
                [&](int i) { return displacement(i / rate); });
 }
 
-/// The same with a force [N], which is a function of time and the displacement.
+/// Returns such a log with a force [N], a function of time and the displacement.
 template <class Displacement, class Force>
 log::Log recorded(double rate, double duration, const Displacement& displacement, const Force& force) {
   return logOf(

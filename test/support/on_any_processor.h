@@ -1,4 +1,4 @@
-// Tests that run once for each kind of instructions.
+// Tests that run once per set of instructions.
 #pragma once
 
 #include "rubber_suspension/processor/instructions.h"
@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::test {
 
-/// All kinds of instructions that this processor has, one after the other.
+/// Limits the instructions of the processor to the parameter of the test.
 class OnAnyProcessor : public testing::TestWithParam<processor::Instructions> {
  protected:
   OnAnyProcessor() { processor::useAtMost(GetParam()); }

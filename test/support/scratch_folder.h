@@ -1,4 +1,4 @@
-// A folder of its own for the files of a test, and a file in one; both go with the object.
+// A temporary folder for a test, and a file in one; destructors delete both.
 #pragma once
 
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 
 namespace rubber_suspension {
 
-/// The bytes of a file; none where it cannot be read.
+/// Returns the bytes of a file, or an empty string if it cannot be read.
 inline std::string contentOf(const std::filesystem::path& path) {
   std::ostringstream content;
   content << std::ifstream(path, std::ios::binary).rdbuf();

@@ -1,4 +1,4 @@
-// What every gtest includes: GoogleTest, what most of them need of the standard library, and the message of an error.
+// Includes of every gtest: GoogleTest, common headers of the standard library, and messageOf.
 #pragma once
 
 #include <fmt/format.h>
@@ -48,7 +48,7 @@ using testing::StartsWith;
 using testing::ThrowsMessage;
 using testing::UnorderedElementsAre;
 
-/// The message of the error of this type that an action throws; empty where it throws none.
+/// Returns the message of the `Error` that an action throws, or an empty string.
 template <class Error, class Action>
 std::string messageOf(const Action& action) {
   try {
