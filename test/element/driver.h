@@ -1,4 +1,4 @@
-// Steps a law by itself, for tests of its own formulas.
+// Steps a single law, for tests of its formulas.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"
@@ -8,19 +8,19 @@ namespace rubber_suspension::test {
 
 using Law = std::shared_ptr<const element::ParallelElement>;
 
-/// The law of an entry, one whose force adds.
+/// Returns the law of an entry whose force adds.
 inline Law lawOf(const element::ElementDescription& description) {
   return std::get<Law>(element::makeElement(description));
 }
 inline Law lawOf(const std::string& text) { return lawOf(entry(text)); }
 
-/// Force of a law at rest at a displacement [N]: all of it where the law is elastic.
+/// Returns the force of a law at rest at a displacement [N].
 inline double forceAt(const Law& law, double displacement) {
   std::vector<double> memory(law->memorySize());
   return law->initialise(displacement, memory.data());
 }
 
-/// A law whose force adds, or an effect on displacement, with its memory and the last displacement.
+/// Steps a law whose force adds, or an effect on the displacement, and stores its memory and displacement.
 class Driver {
  public:
   explicit Driver(const std::string& text, double start = 0.0) : Driver(entry(text), start) {}
@@ -31,17 +31,17 @@ class Driver {
     output_ = apply([&](const auto& law) { return law.initialise(start, memory_.data()); });
   }
 
-  /// Output (force [N] or displacement [m]) after a step of dt [s] to a displacement [m].
+  /// Steps for dt [s] to a displacement [m] and returns the output, a force [N] or a displacement [m].
   double step(double dt, double displacement) {
     const element::Motion motion{dt, displacement, displacement - displacement_};
     displacement_ = displacement;
     return output_ = apply([&](const auto& law) { return law.step(motion, memory_.data()); });
   }
 
-  /// Memory and force [N] after a long rest at the present displacement.
+  /// Rests for long at the present displacement and returns the force [N].
   double relax() { return output_ = law().relax(displacement_, memory_.data()); }
 
-  /// The same along a straight line in many steps; returns the work done [J] by the trapezoidal rule.
+  /// Moves along a straight line in `steps` steps and returns the work [J] by the trapezoidal rule.
   double walk(double duration, double displacement, int steps) {
     const double start = displacement_;
     double work = 0.0;
@@ -72,7 +72,7 @@ class Driver {
   double output_;
 };
 
-/// Work of one closed cycle between -amplitude and amplitude from -amplitude on [J], after `settling` cycles.
+/// Returns the work [J] of one cycle from -amplitude to amplitude and back, after `settling` cycles.
 inline double settledWork(Driver& driver, double amplitude, int settling, int steps) {
   driver.walk(1.0, -amplitude, steps);
   for (int i = 0; i < settling; ++i) {

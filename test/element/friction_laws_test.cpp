@@ -1,4 +1,4 @@
-// Laws of friction: limits that vary, slide, flow or lie behind a play, and the force of a first loading.
+// Friction laws with limits that vary, slide, flow or act behind a play, and the force of a first loading.
 #include "element/driver.h"
 #include "element/implicit_flow.h"
 #include "support/test.h"
@@ -14,7 +14,7 @@ TEST(VariableFriction, LimitGrowsWithDisplacementToEitherSide) {
   EXPECT_NEAR(driver.step(0.01, -4e-3), -5.0 * 400.0, 1e-9);
 }
 
-// Slow ramps at the limit: the force falls by e along the travel, and nothing returns at rest.
+// At the limit the force falls by a factor of e over the travel and does not recover at rest.
 TEST(VariableFriction, WearsAlongTheTravelForGood) {
   Driver driver("variable_friction stiffness=1e6 yield_displacement=4e-4 travel=0.05");
   EXPECT_NEAR(driver.step(0.01, 0.05), 400.0 * std::exp(-1.0), 1e-9);
@@ -41,7 +41,7 @@ TEST(VariableFriction, BuildsUpAtRest) {
   EXPECT_NEAR(driver.memory()[1], 1.0, 1e-12);
 }
 
-// Against 1e6 explicit steps over a cycle, which err by 1e-5; 4000 implicit ones err by dt v_0/y, 3e-3 of the limit.
+// 1e6 explicit steps per cycle have an error of 1e-5, 4000 implicit ones of dt v_0/y, 3e-3 of the limit.
 TEST(ViscoplasticFriction, StepsSolveTheEquation) {
   Driver driver("viscoplastic_friction stiffness=1e6 yield_displacement=4e-4 half_rate=5e-3");
   constexpr int kSteps = 4000;
@@ -100,13 +100,13 @@ TEST(FrictionBehindPlay, IsMissingOverTwiceTheGapAfterAReversal) {
   EXPECT_NEAR(driver.step(0.01, 1.2e-3 - 1e-4), -100.0, 1e-9) << "contact on the other side after 0.4 mm more";
 }
 
-// 4 k y (A - g - y), by trapezoids of 1/4000 of the way each.
+// The loss is 4 k y (A - g - y), integrated by trapezoids of 1/4000 of the way.
 TEST(FrictionBehindPlay, LosesWhatItsFormulaSays) {
   Driver driver("friction_behind_play stiffness=1e6 yield_displacement=4e-4 gap=2e-4");
   EXPECT_NEAR(settledWork(driver, 2e-3, 2, 4000), 4.0 * 400.0 * (2e-3 - 6e-4), 1e-6);
 }
 
-// In steady motion a damper moves as fast: F = k tau v or k y; after a reversal it relaxes and then is missing.
+// In steady motion the force is F = k tau v or k y; after a reversal it relaxes and then vanishes within the gap.
 TEST(DamperBehindPlay, IsMissingAfterAReversal) {
   for (const auto& [law, force, tolerance] :
        {std::tuple("maxwell_behind_play stiffness=1e6 break_frequency=200 gap=1e-3",
@@ -123,8 +123,8 @@ TEST(DamperBehindPlay, IsMissingAfterAReversal) {
   }
 }
 
-// d' = -v_r sqrt(d/y) has sqrt(d) fall by v_r/(2 sqrt(y)) a second; the error of the implicit step is half a step of
-// that rate, 2.5e-5 of 100 N over a step of 1e-6 s.
+// With d' = -v_r sqrt(d/y), sqrt(d) falls by v_r/(2 sqrt(y)) per second. The error of the implicit step is half a step
+// of that rate, 2.5e-5 of 100 N with steps of 1e-6 s.
 TEST(PowerDashpotBehindPlay, SlowsDownInClosedForm) {
   Driver driver("power_dashpot_behind_play stiffness=1e6 displacement=1e-4 reference_rate=0.05 exponent=2 gap=1e-3");
   driver.walk(1.0, 0.05, 1000);
@@ -143,7 +143,7 @@ TEST(FirstLoading, CarriesItsShareOfTheDisplacementFromZeroOn) {
   EXPECT_NEAR(driver.step(0.01, -1e-3), -kStiffness * 0.2e-3, 1e-9) << "the other side is new";
 }
 
-// By the equation itself, in steps of 1e-5 of the way: the first-order scheme errs by as much.
+// The equation itself is integrated in steps of 1e-5 of the way, and the first-order error is as large.
 TEST(FirstLoading, FollowsItsEquationFromAReachOn) {
   Driver driver("first_loading stiffness=1e6 yield_share=0.1");
   driver.step(0.01, 1e-3);
@@ -181,7 +181,7 @@ TEST(FirstLoading, OfOneSideLeavesTheOtherAlone) {
   EXPECT_LT(driver.step(0.01, -1e-3), 0.0);
 }
 
-// A reach that each outward sample of noise moves on would take all of the force within some hundred of them.
+// Without a dead band, some hundred outward samples of noise would move the reach and remove all force.
 TEST(FirstLoading, NoiseWithinTheDeadBandTakesNothing) {
   Driver driver("first_loading stiffness=1e6 yield_share=0.1 dead_band=1e-5");
   driver.step(0.01, 1e-3);

@@ -1,4 +1,4 @@
-// Laws that are another law in a limit, at a steady rate or within a gap.
+// Laws that equal another law in a limit, at a steady rate or within a gap.
 #include "element/driver.h"
 #include "support/test.h"
 
@@ -13,8 +13,8 @@ struct Limit {
   double dt;              // [s]
   double reach;           // [m]
   double tolerance;       // [N]
-  int samples = 0;        // a cycle, where the motion is a sine
-  bool relative = false;  // whether the tolerance is a share of the force
+  int samples = 0;        // per cycle if the motion is a sine
+  bool relative = false;  // the tolerance is a share of the force
 };
 
 const double kOneHertz = 2.0 * element::kPi;  // [rad/s]
@@ -57,7 +57,7 @@ const std::vector<Limit> kLimits = {
      0.02,
      3e-3,
      0.0},
-    // Motion over 10 mm changes the rate of relaxation and the network by 1e-14, less than rounding.
+    // Motion of 10 mm changes the relaxation rate and the network by 1e-14, less than rounding.
     {"payne_maxwell_for_a_long_travel",
      {entry("payne_maxwell stiffness=1e6 break_frequency=2 recovery_time=0.3 travel=1e12")},
      {maxwell(1e6, 2.0)},
@@ -70,7 +70,7 @@ const std::vector<Limit> kLimits = {
      0.02,
      3e-3,
      1e-8},
-    // 1e-9 of the largest force.
+    // The tolerance is 1e-9 of the largest force.
     {"nonlinear_maxwell_below_its_yield",
      {entry("nonlinear_maxwell stiffness=1e6 break_frequency=2 displacement=1e6")},
      {maxwell(1e6, 2.0)},
@@ -95,14 +95,14 @@ const std::vector<Limit> kLimits = {
      0.01,
      2e-3,
      1e-9},
-    // Where it slides, the implicit step falls short of the limit by the share v_0 dt/(dz - ...) < 1e-10.
+    // While it slides, the implicit step is below the limit by the share v_0 dt/(dz - ...) < 1e-10.
     {"viscoplastic_friction_far_above_its_half_rate",
      {entry("viscoplastic_friction stiffness=1e6 yield_displacement=4e-4 half_rate=1e-12")},
      {entry("coulomb_friction maximum_force=400 stiffness=1e6")},
      0.01,
      2e-3,
      1e-8 * 400.0},
-    // Amplitude a 4000th of y. Half a step of the implicit method, 0.5 dt/tau = 3e-3 of the force k z at most.
+    // The amplitude is a 4000th of y. The implicit method lags by half a step, 0.5 dt/tau = 3e-3 of the force k z.
     {"viscoplastic_friction_of_small_force",
      {entry("viscoplastic_friction stiffness=1e6 yield_displacement=4e-4 half_rate=5e-3")},
      {maxwell(1e6, 5e-3 / 4e-4 / kOneHertz)},
@@ -159,7 +159,7 @@ TEST_P(InALimit, IsTheOtherLaw) {
   }
 }
 
-/// A force that a law tends to at a steady rate.
+/// A force to which a law tends at a steady rate.
 struct Flow {
   std::string law;
   double rate;      // [m/s]
@@ -181,18 +181,18 @@ std::vector<Flow> flows() {
       {"payne_maxwell stiffness=1e6 break_frequency=0 recovery_time=0 travel=5e-4", 0.05, 2.0, 1, 500.0, 1e-9},
       {"transient_network stiffness=1e6 break_frequency=0 recovery_time=0.3 travel=5e-3", 0.05, 10.0, 1,
        5e3 / (1.0 + 0.05 * 0.3 / 5e-3), 1e-9},
-      // Balance of wear and build-up: m = 1/(1 + v T_b/s).
+      // Wear and build-up balance at m = 1/(1 + v T_b/s).
       {"variable_friction stiffness=1e6 yield_displacement=4e-4 travel=2e-3 build_up_time=0.5", 0.01, 20.0, 1,
        400.0 / (1.0 + 0.01 * 0.5 / 2e-3), 1e-9},
-      // c v + c_2 v^2. Steps of 1 ms leave some 1e-4 of the quadratic part (see inertia_track_test.cpp).
+      // c v + c_2 v^2. Steps of 1 ms have an error of 1e-4 of the quadratic part (see inertia_track_test.cpp).
       {"inertia_track mass=250 damping=6e3 stiffness=1e6 quadratic_damping=2e5", 0.05, 1.0, 1000,
        6e3 * 0.05 + 2e5 * 0.05 * 0.05, 0.5}};
-  // The column of an inertia track follows at v, and the force is that of the track, c v; critical at 9 kg = c^2/(4 k).
+  // The column of an inertia track follows at v with the damping force c v; damping is critical at 9 kg = c^2/(4 k).
   for (const double mass : {250.0, 9.0, 0.5}) {
     flows.push_back(
         {fmt::format("inertia_track mass={} damping=6e3 stiffness=1e6", mass), 0.01, 100.0, 1, 60.0, 1e-9 * 6e3});
   }
-  // F = k y (v/v_r)^p, to rounding, since the flow of a step is that at its end.
+  // F = k y (v/v_r)^p up to rounding, because a step uses the flow at its end.
   for (const double exponent : {0.5, 0.8, 1.0, 1.7, 2.0}) {
     for (const double rate : {0.025, 0.05, 0.1}) {
       flows.push_back({fmt::format("power_dashpot_behind_play stiffness=1e6 displacement=1e-4 reference_rate=0.05 "
@@ -209,7 +209,7 @@ std::vector<Flow> flows() {
            10.0, 4000, force, 1e-4 * force});
     }
   }
-  // Half of the limit at the half rate. Of the transient, which decays by y/v_0 = 80 ms or faster, 1e-11 is left.
+  // The force at the half rate is half of the limit. The transient decays with y/v_0 = 80 ms or faster, to 1e-11.
   for (const double share : {-9.0, -1.0, -0.1, 0.1, 1.0, 9.0}) {
     flows.push_back({"viscoplastic_friction stiffness=1e6 yield_displacement=4e-4 half_rate=5e-3", 5e-3 * share, 2.0,
                      2000, 400.0 * share / (1.0 + std::abs(share)), 1e-8 * 400.0});

@@ -1,4 +1,4 @@
-// Maxwell element, dashpot, springpot and creep: closed forms in time and frequency, and their limits.
+// Maxwell element, dashpot, springpot and creep compared with closed forms in time and frequency, and their limits.
 #include <boost/math/special_functions/expint.hpp>
 
 #include "element/driver.h"
@@ -19,7 +19,7 @@ TEST(Maxwell, RelaxesAsAnExponential) {
   EXPECT_NEAR(driver.step(0.3, 1e-3), 2e3 * std::exp(-0.3 / law.relaxationTime()), 1e-6);
 }
 
-// Under constant velocity v: F = c v (1 - exp(-t/tau)), c = k tau, in one step or in many.
+// At constant velocity v, F = c v (1 - exp(-t/tau)), c = k tau, in one step or in many.
 TEST(Maxwell, RampIsExactAtAnyStep) {
   const double tau = 1.0 / (2.0 * element::kPi * 1.5);
   for (const int steps : {1, 3, 1000}) {
@@ -33,12 +33,12 @@ TEST(Maxwell, StepCoefficientsKeepTheirDigitsAtAnyRatio) {
   for (const double ratio : {1e-15, 1e-9, 1e-3, 1.0, 50.0, 1e3, 1e12}) {
     const element::MaxwellStep step(3.0, element::Relaxation::over(ratio));
     const double gain = ratio < 1e-5 ? 3.0 * (1.0 - 0.5 * ratio) : 3.0 * -std::expm1(-ratio) / ratio;
-    EXPECT_NEAR(step.gain / gain, 1.0, 1e-10) << ratio;  // the series errs by ratio^2/6
+    EXPECT_NEAR(step.gain / gain, 1.0, 1e-10) << ratio;  // the series has an error of ratio^2/6
     EXPECT_NEAR(step.decay, std::exp(-ratio), 1e-15) << ratio;
   }
 }
 
-// Polach's example (kN/mm): K_st = 3 and one element with f_b and k1 meet K = 4.2 at 4 Hz, with these loss angles.
+// In Polach's example (kN/mm), K_st = 3 and one element of f_b and k1 give K = 4.2 at 4 Hz with these loss angles.
 TEST(Maxwell, MeetsThePapersExample) {
   struct Row {
     double break_frequency, stiffness, angle;
@@ -63,14 +63,14 @@ TEST(Maxwell, LimitsAreSpringAndDashpot) {
   EXPECT_NEAR(std::abs(dashpot / std::complex<double>(0.0, omega * damping) - 1.0), 0.0, 1e-8);
 }
 
-/// Ratio of the first harmonic under a sine of 4 Hz to K*.
+/// Returns the ratio of the first harmonic under a sine of 4 Hz to K*.
 std::complex<double> settledShare(const char* law, int samples) {
   Driver driver(law);
   const auto step = [&](double dt, double displacement) { return driver.step(dt, displacement); };
   return settledStiffness(4.0, samples, 2, 1.0, step) / *driver.law().complexStiffness(2.0 * element::kPi * 4.0);
 }
 
-// The rate of the last step: under a sampled sine c (1 - exp(-i w dt))/dt, late by half a step.
+// The rate of the last step of a sampled sine gives c (1 - exp(-i w dt))/dt, which lags by half a step.
 TEST(Dashpot, SampledSineInClosedForm) {
   constexpr double kAngle = 2.0 * element::kPi / 40.0;
   const std::complex<double> expected = (1.0 - std::polar(1.0, -kAngle)) / std::complex<double>(0.0, kAngle);
@@ -78,8 +78,8 @@ TEST(Dashpot, SampledSineInClosedForm) {
   EXPECT_NEAR(std::arg(expected), -0.5 * kAngle, 1e-12);
 }
 
-// The rate of a parabola is exact at any step lengths; under a sine the loss stiffness errs by (w dt)^2/3 and the phase
-// by (w dt)^3/4 at most.
+// The rate of a parabola is exact for any step lengths. Under a sine, the loss stiffness has an error of (w dt)^2/3 and
+// the phase of (w dt)^3/4 at most.
 TEST(SmoothDashpot, IsExactForAParabolaAndHasNoLag) {
   Driver parabola("dashpot damping=2e4 order=2");
   double t = 0.0;
@@ -115,7 +115,7 @@ TEST(ThinningDashpot, HasALimitOfItsForce) {
   }
 }
 
-// The force over a steady rate about a place, in steps that are small against the reference displacement.
+// Returns the damping at a place from a steady rate, with steps far below the reference displacement.
 double dampingAt(double side, double place) {
   Driver driver(entry("position_dashpot damping=2e4 reference_displacement=1e-3 power=3", {{"side", side}}),
                 place - 1e-9);
@@ -175,7 +175,7 @@ TEST(Springpot, RelaxesAsAPowerOfTime) {
     const double force = driver.step(next - time, 1e-3);
     time = next;
     const double expected = 1e3 * std::pow(2.0 * element::kPi * 4.0 * time, -0.3) / std::tgamma(0.7);
-    EXPECT_NEAR(force / expected, 1.0, 2e-3) << time;  // the bank's error in frequency, seen in time
+    EXPECT_NEAR(force / expected, 1.0, 2e-3) << time;  // error of the bank in frequency, transformed to time
   }
 }
 
@@ -189,8 +189,7 @@ TEST(Creep, ForceFallsLinearlyInTheLogarithmOfTime) {
   for (double next : {1.0, 10.0, 100.0, 1e3, 1e4}) {
     const double force = driver.step(next - time, 1e-3);
     if (time > 0.0) {
-      // A spectrum that is constant up to T = 1e5 s falls by S z/ln 10 (E1(t1/T) - E1(t2/T)); the bank ripples about
-      // it.
+      // A spectrum that is constant up to T = 1e5 s gives S z/ln 10 (E1(t1/T) - E1(t2/T)); the bank ripples about it.
       const double spectrum =
           (boost::math::expint(1, time / 1e5) - boost::math::expint(1, next / 1e5)) / std::log(10.0);
       EXPECT_NEAR(before - force, kPerDecade * 1e-3 * spectrum, 5e-3 * kPerDecade * 1e-3) << next;

@@ -1,4 +1,4 @@
-// Properties that hold on every path: RapidCheck draws the paths and shrinks those that fail. Needs RapidCheck.
+// Properties on every path: RapidCheck draws the paths and shrinks those that fail. Needs RapidCheck.
 #include <rapidcheck/gtest.h>
 
 #include "element/driver.h"
@@ -8,7 +8,7 @@
 namespace rubber_suspension::test {
 namespace {
 
-// The same paths in every run, unless the environment asks for others.
+// Every run draws the same paths, unless the environment sets RC_PARAMS.
 const bool kSeeded = setenv("RC_PARAMS", "seed=20150817", 0) == 0;
 
 struct Move {
@@ -16,7 +16,7 @@ struct Move {
   double displacement;
 };
 
-/// Integers make short counterexamples: displacement in um, duration in decades of time from 1 ns to 1000 s.
+/// Integers make counterexamples short: displacements are in um, durations in decades from 1 ns to 1000 s.
 std::vector<Move> anyPath() {
   const auto numbers = *rc::gen::container<std::vector<std::pair<int, int>>>(
       rc::gen::pair(rc::gen::inRange(-10000, 10001), rc::gen::inRange(-9, 4)));
@@ -74,7 +74,7 @@ RC_GTEST_PROP(AnyPath, FrictionStaysWithinItsMaximum, ()) {
   }
 }
 
-// After any past, an excursion and return within a range that was passed through before leaves no trace.
+// An excursion within a range that was passed before leaves no trace after its return.
 RC_GTEST_PROP(AnyPath, IwanClosesAnyMinorLoop, ()) {
   Driver driver("iwan maximum_force=5e3 displacement=2e-4");
   for (const Move& move : anyPath()) {
@@ -89,7 +89,7 @@ RC_GTEST_PROP(AnyPath, IwanClosesAnyMinorLoop, ()) {
   RC_ASSERT(std::abs(driver.step(1.0, top) - force) <= 1e-12 * 5e3);
 }
 
-// A mirrored path gives the mirrored force for every law that is the same in both directions.
+// A mirrored path gives the mirrored force for every symmetric law.
 RC_GTEST_PROP(AnyPath, MirroredGivesMirroredForce, ()) {
   const std::vector<Move> path = anyPath();
   for (const element::ElementDescription& description : typicalElements()) {
@@ -105,7 +105,7 @@ RC_GTEST_PROP(AnyPath, MirroredGivesMirroredForce, ()) {
     component::ComponentState down = component.makeState();
     for (const Move& move : path) {
       const double force = component.step(up, move.dt, move.displacement).total;
-      // Equal to the last bit but behind a mount, where the solver's bracket lies on the other side.
+      // The forces are equal to the last bit except behind a mount, where the solver's bracket is on the other side.
       RC_ASSERT(std::abs(force + component.step(down, move.dt, -move.displacement).total) <=
                 1e-9 * std::abs(force) + 1e-6);
     }

@@ -1,4 +1,4 @@
-// Relaxation over a step against the exponential in extended precision.
+// Relaxation over a step compared with the exponential in extended precision.
 #include "rubber_suspension/element/relaxation.h"
 
 #include "support/test.h"
@@ -6,14 +6,14 @@
 namespace rubber_suspension::test {
 namespace {
 
-// A few roundings of 1.1e-16, and some times as much of the polynomial.
+// A few roundings of 1.1e-16, and some more in the polynomial.
 constexpr double kStated = 4e-16;
 
 void expectExact(double x) {
   const element::Relaxation relaxation = element::Relaxation::over(x);
   const long double decay = std::exp(-static_cast<long double>(x));
   const long double mean = -std::expm1(-static_cast<long double>(x)) / x;
-  // Where hardly anything is left, 1 less what has relaxed is exact to the rounding of that 1.
+  // For a small decay, 1 minus the relaxed share is exact to the rounding of 1.
   EXPECT_NEAR(static_cast<double>(relaxation.decay - decay), 0.0, kStated * std::max(0.5, static_cast<double>(decay)))
       << x;
   EXPECT_NEAR(static_cast<double>(relaxation.mean / mean - 1.0L), 0.0, kStated) << x;
@@ -21,7 +21,7 @@ void expectExact(double x) {
 
 TEST(Relaxation, IsExactWithinItsStatedError) {
   for (int i = 0; i <= 20000; ++i) {
-    expectExact(element::Relaxation::kSmall * (i + 1) / 20000.0);  // small, and just beyond
+    expectExact(element::Relaxation::kSmall * (i + 1) / 20000.0);  // small, and just above
     expectExact(1e-18 * std::pow(1e22, i / 20000.0));              // from 1e-18 to 1e4
   }
 }

@@ -1,4 +1,4 @@
-// Numbers of the surrogate: each operator against its closed form, the bounds, what is refused.
+// The surrogate: closed forms of each operator, its bounds, and refused parameters.
 #include "rubber_suspension/element/residual.h"
 
 #include "element/typical_elements.h"
@@ -29,7 +29,7 @@ ResidualBasis::Layout typicalLayout() {
   return layout;
 }
 
-/// A basis that is moved along straight lines from rest at zero.
+/// Moves a basis along straight lines from rest at zero.
 class Moving {
  public:
   explicit Moving(const ResidualBasis::Layout& layout) : basis_(layout), memory_(ResidualBasis::kMemorySize) {
@@ -69,8 +69,8 @@ TEST(ResidualBasis, AStopFollowsUpToItsWidthAndBackAtOnce) {
   EXPECT_DOUBLE_EQ(moving[ResidualBasis::kStop], -0.02);
 }
 
-// A ramp of speed v leaves v tau (1 - exp(-t/tau)) of a relaxing share. Steps of x = dt/tau err by x^2/6 of what
-// decays, here by 1e-4 of the fastest at most.
+// A ramp of speed v gives a relaxing share v tau (1 - exp(-t/tau)). Steps of x = dt/tau have an error of x^2/6 of what
+// decays, at most 1e-4 of the fastest share.
 TEST(ResidualBasis, ARelaxingShareIsThatOfAMaxwellElement) {
   Moving moving(typicalLayout());
   moving.moveTo(kStroke, 0.2, 2000);
@@ -81,8 +81,8 @@ TEST(ResidualBasis, ARelaxingShareIsThatOfAMaxwellElement) {
   }
 }
 
-// The mean of |sin| is 2/pi; over 60 time constants of 0.3 s nothing of the start is left, and at 10 Hz the leaky
-// integrator lets 1/(2 pi 20 Hz 0.3 s) = 2.7 % of the first harmonic pass, which is two thirds of the mean.
+// The mean of |sin| is 2/pi. After 60 time constants of 0.3 s the start is forgotten; at 10 Hz the leaky integrator
+// passes 1/(2 pi 20 Hz 0.3 s) = 2.7 % of the first harmonic, which is two thirds of the mean.
 TEST(ResidualBasis, TheAmplitudeIsTheMeanOfTheShare) {
   const ResidualBasis basis(typicalLayout());
   std::vector<double> memory(ResidualBasis::kMemorySize);
@@ -96,9 +96,9 @@ TEST(ResidualBasis, TheAmplitudeIsTheMeanOfTheShare) {
   EXPECT_NEAR(memory[ResidualBasis::kAmplitude], 1.0 / element::kPi, 0.03 / element::kPi);
 }
 
-// A step of displacement in one sample lets a resonator ring: x = exp(-D w t) (cos w_d t + D/sqrt(1-D^2) sin w_d t)
-// with D = 0.15. The trapezoidal rule is 1e-3 off after three of the 40 ms periods at 0.1 ms, the step itself half a
-// sample.
+// After a step of the displacement a resonator rings: x = exp(-D w t) (cos w_d t + D/sqrt(1-D^2) sin w_d t), D = 0.15.
+// With steps of 0.1 ms the error of the trapezoidal rule is 1e-3 after three periods of 40 ms; the displacement step
+// itself takes a sample, a delay of half a sample.
 TEST(ResidualBasis, AResonatorRingsAtItsFrequency) {
   Moving moving(typicalLayout());
   moving.moveTo(kStroke, 1e-4, 1);
@@ -125,14 +125,14 @@ TEST(ResidualBasis, EvaluatesProductsHatsAndResonators) {
   EXPECT_NEAR(values[10 * 4 + 1], 0.09, 1e-14);       // q times q
   EXPECT_NEAR(values[3 * 4 + 2], 0.2 * 0.09, 1e-14);  // the fourth stop times q^2
   EXPECT_NEAR(values[10 * 4 + 3], 0.3 * moving[ResidualBasis::kAmplitude], 1e-14);
-  // 0.3 is between the points 0.25 and 0.5; less the hat at zero.
+  // 0.3 is between the points 0.25 and 0.5; the hat at zero is subtracted.
   EXPECT_NEAR(values[kProducts + 5], 0.8, 1e-12);
   EXPECT_NEAR(values[kProducts + 6], 0.2, 1e-12);
   EXPECT_NEAR(values[kProducts + 4], -1.0, 1e-12);
   EXPECT_DOUBLE_EQ(values[kProducts + 9], moving[ResidualBasis::kPosition]);
 }
 
-// The entry that a fit writes gives the sum of weights times functions: each function is there, none twice.
+// The written entry gives the sum of weights times functions, with each function exactly once.
 TEST(Residual, ItsForceIsTheWeightedSumOfTheFunctions) {
   const ResidualBasis basis(typicalLayout());
   Eigen::VectorXd weights(basis.size());
@@ -144,7 +144,7 @@ TEST(Residual, ItsForceIsTheWeightedSumOfTheFunctions) {
   for (int i = 1; i <= 500; ++i) {
     const double z = kStroke * std::sin(0.02 * i) * std::cos(0.11 * i);
     moving.moveTo(z, kDt, 1);
-    // Sums of 69 products of some 100 N.
+    // The tolerance is the rounding of sums of 69 products of some 100 N.
     ASSERT_NEAR(component.step(kDt, z), weights.dot(moving.values()), 1e-10) << i;
   }
 }
@@ -173,7 +173,7 @@ TEST(Residual, BeyondTheRangeItIsAsAtItsEnd) {
   }
 }
 
-// A diagnosis may leave out the resonators.
+// A diagnosis may omit the resonators.
 TEST(Residual, RunsWithoutResonators) {
   element::ElementDescription law = typicalResidual();
   WithState with({law});
@@ -221,7 +221,7 @@ TEST(Residual, RefusesWhatDoesNotFit) {
   EXPECT_THROW(element::makeElement(law), std::invalid_argument) << "a range of nothing";
 }
 
-// Nothing that a file may hold leads to numbers that are not finite.
+// No values that a file may contain lead to infinite forces.
 TEST(Residual, StaysFiniteAtTheEndsOfItsRanges) {
   element::ElementDescription law = typicalResidual();
   law.values["relaxation_times"] = {1e-9, 1e-9, 1.0, 1e30};

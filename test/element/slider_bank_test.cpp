@@ -8,7 +8,7 @@
 namespace rubber_suspension::test {
 namespace {
 
-// Force at a displacement reached from rest without reversal [N].
+// Returns the force at a displacement that is reached from rest without reversal [N].
 double backbone(const element::SliderBank& law, double displacement) {
   double force = 0.0;
   for (const element::JenkinsSlider& slider : law.sliders()) {
@@ -30,7 +30,7 @@ TEST(Iwan, BackboneReachesHalfAtItsDisplacementAndAllAtTheEnd) {
   }
 }
 
-// With many sliders the backbone is the hyperbola of Berg's first loading, but for its end at 50 z2 (4 % of the force).
+// The backbone of many sliders is the hyperbola of Berg's first loading, except for its end at 50 z2 (4 %).
 TEST(Iwan, BackboneIsCloseToBergs) {
   const element::SliderBank law(element::iwanSliders(5.0, 2.2, 64));
   for (const double z : {0.2, 1.0, 2.0, 4.0, 10.0}) {
@@ -57,8 +57,8 @@ TEST(Iwan, MinorLoopClosesToTheLastBit) {
   EXPECT_NEAR(driver.step(1.0, 3.0), backbone(law, 3.0), 1e-12) << "goes on along the backbone";
 }
 
-// Masing: the settled peak is that of the backbone (2.37 for this example, where Berg's element has 1.99), and the
-// branch after a reversal is the backbone doubled.
+// By Masing's rules the settled peak is on the backbone (2.37 in this example, 1.99 with Berg's element), and the
+// branch after a reversal is the doubled backbone.
 TEST(Iwan, SettledLoopObeysMasing) {
   const element::SliderBank law(element::iwanSliders(5.0, 2.2, 16));
   Driver driver("iwan maximum_force=5 displacement=2.2");
@@ -73,7 +73,7 @@ TEST(Iwan, SettledLoopObeysMasing) {
 TEST(SliderBank, LossOfASettledLoopInClosedForm) {
   const element::SliderBank law({{2.0, 400.0}, {0.1, 2000.0}, {0.5, 1000.0}});
   constexpr double kAmplitude = 1.5;
-  double expected = 0.0;  // of a parallelogram for each slider that slides
+  double expected = 0.0;  // sum of the parallelograms of all sliders that slide
   for (const element::JenkinsSlider& slider : law.sliders()) {
     expected += 4.0 * slider.maximumForce() * std::max(0.0, kAmplitude - slider.yield_displacement);
   }
@@ -100,7 +100,7 @@ TEST(CoulombFriction, LossTendsToThatOfCoulombsLaw) {
   constexpr double kAmplitude = 1e-3;
   Driver driver("coulomb_friction maximum_force=2e3 stiffness=1e10");
   const double coulomb = 4.0 * 2e3 * kAmplitude;
-  // Short by F_max/(k A) = 2e-4, of which the coarse walk of 1 um adds half a step at each of two turns: 1e-3.
+  // The loss is smaller by F_max/(k A) = 2e-4; the coarse steps of 1 um add half a step at each of two turns, 1e-3.
   EXPECT_NEAR(settledWork(driver, kAmplitude, 1, 2000), coulomb, 2e-3 * coulomb);
 }
 

@@ -1,4 +1,4 @@
-// The word that a misspelt one was meant to be: what is suggested, and where nothing is.
+// Suggestions for misspelt words, and words without one.
 #include "element/suggestion.h"
 
 #include "support/test.h"
@@ -38,7 +38,7 @@ TEST(NearestWord, IsNothingWhereNoneIsNear) {
   EXPECT_FALSE(element::nearestWord("", keys));
   EXPECT_FALSE(element::nearestWord("spring", keys));     // it is known
   EXPECT_FALSE(element::nearestWord("stiffness", keys));  // part of two
-  EXPECT_FALSE(element::nearestWord("s", keys));          // nothing of it would be left
+  EXPECT_FALSE(element::nearestWord("s", keys));          // too short to suggest anything
   EXPECT_FALSE(element::nearestWord(std::string(100000, 's'), keys));
 }
 

@@ -1,4 +1,4 @@
-// Laws of temperature against published constants: shift factors, change of reference, where they hold.
+// Temperature laws compared with published constants: shift factors, other references, validity.
 #include "rubber_suspension/element/catalogue.h"
 #include "support/kit.h"
 
@@ -21,15 +21,15 @@ Shift arrhenius(double energy, double reference) {
 
 double decades(const Shift& shift, double temperature) { return std::log10(shift->at(temperature).time); }
 
-// M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77 (1955) 3701: the universal constants at T_g, here
-// 0 degC; by hand -17.44 50/(51.6 + 50) = -872/101.6 and so on.
+// M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77 (1955) 3701: the universal constants at T_g, here 0
+// degC. By hand, -17.44 50/(51.6 + 50) = -872/101.6 and so on.
 TEST(WlfShift, UniversalConstantsAtTheGlassTransition) {
   const Shift shift = wlf(17.44, 51.6, 0.0);
   EXPECT_DOUBLE_EQ(shift->at(0.0).time, 1.0);
   EXPECT_NEAR(decades(shift, 50.0), -8.582677165354331, 1e-13);
   EXPECT_NEAR(decades(shift, 10.0), -2.831168831168831, 1e-13);
   EXPECT_NEAR(decades(shift, 100.0), -11.503957783641161, 1e-12);
-  // Their form at T_s = T_g + 50 K has 8.86 and 101.6 K, to the digits printed.
+  // The form at T_s = T_g + 50 K has 8.86 and 101.6 K, to the digits printed.
   const Shift above = wlf(8.86, 101.6, 50.0);
   for (const double temperature : {10.0, 40.0, 50.0, 80.0}) {
     EXPECT_NEAR(decades(above, temperature), decades(shift, temperature) - decades(shift, 50.0), 0.02) << temperature;
@@ -64,7 +64,7 @@ TEST(WlfShift, HoldsAsFarAsTwentyDecadesToTheSlowSide) {
   EXPECT_TRUE(range.contains(200.0));
 }
 
-// exp(50000/8.31446 (1/303.15 - 1/293.15)), computed apart.
+// exp(50000/8.31446 (1/303.15 - 1/293.15)), computed separately.
 TEST(ArrheniusShift, FactorOfAnActivationEnergy) {
   const Shift shift = arrhenius(50e3, 20.0);
   EXPECT_DOUBLE_EQ(shift->at(20.0).time, 1.0);
@@ -72,8 +72,8 @@ TEST(ArrheniusShift, FactorOfAnActivationEnergy) {
   EXPECT_NEAR(std::log(shift->at(30.0).time), 50e3 / 8.31446261815324 * (1.0 / 303.15 - 1.0 / 293.15), 1e-12);
 }
 
-// E = ln(10) R T_0^2 C_1/C_2 is the slope of WLF at its reference: over a kelvin the two differ by the curvature, at
-// most 1 % of the shift.
+// E = ln(10) R T_0^2 C_1/C_2 is the slope of WLF at its reference. Over 1 K the two differ by the curvature, at most 1
+// % of the shift.
 TEST(ArrheniusShift, HasTheSlopeOfWlf) {
   const Shift of_wlf = wlf(8.61, 200.4, 25.0);
   const double energy = std::log(10.0) * 8.31446261815324 * 298.15 * 298.15 * 8.61 / 200.4;
@@ -89,7 +89,7 @@ TEST(ArrheniusShift, HoldsAsFarAsTwentyDecadesToTheSlowSide) {
   EXPECT_NEAR(decades(back, back->temperatures().upper), element::kMostDecades, 1e-9);
 }
 
-// b_T = T/T_0 of entropic elasticity is linear in T with the coefficient 1/T_0, which is 1/293.15 K at 20 degC.
+// b_T = T/T_0 of entropic elasticity is linear in T with the coefficient 1/T_0, which is 1/(293.15 K) at 20 degC.
 TEST(VerticalShift, ProportionalToTheAbsoluteTemperature) {
   const Shift vertical = shiftOf(entry("vertical_shift", {{"coefficient", 1.0 / 293.15}, {"reference", 20.0}}));
   EXPECT_NEAR(vertical->at(80.0).force, 353.15 / 293.15, 1e-15);

@@ -1,4 +1,4 @@
-// Typical parameters of every law, for tests that all laws must pass, and what each law is known to be.
+// Typical parameters of every law, for tests of all laws, and properties of laws.
 #pragma once
 
 #include <ostream>
@@ -8,8 +8,7 @@
 
 namespace rubber_suspension::test {
 
-/// A surrogate of some kN over a range that the tests' motions stay within, with forces that differ from function to
-/// function.
+/// Returns a surrogate of some kN for the range of the tests' motions, with a different weight for each function.
 inline element::ElementDescription typicalResidual() {
   std::vector<double> weights(44);
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -34,7 +33,7 @@ inline element::ElementDescription typicalResidual() {
            {"resonance_weights", resonance_weights}}};
 }
 
-/// A law with parameters as on a component of 3 kN/mm that moves by some millimetres.
+/// Returns all laws with parameters that suit a component of 3 kN/mm that moves by some millimetres.
 inline std::vector<element::ElementDescription> typicalElements() {
   return {
       spring(3e6),
@@ -134,13 +133,13 @@ inline std::vector<element::ElementDescription> typicalElements() {
   };
 }
 
-/// True for spring, friction, ...; false for effects on displacement or force and for mounts.
+/// Returns true for spring, friction, ...; false for effects on displacement or force and for mounts.
 inline bool addsForce(const element::ElementDescription& description) {
   return element::lawOf(element::makeElement(description)).action() == element::Action::adds_force;
 }
 
-/// A component that shows the law: alone where its force adds, on a specimen with loss, and with this, where it needs
-/// one.
+/// Returns a component that shows the law: the law alone if its force adds, otherwise on a specimen with loss and the
+/// elements `with`.
 inline component::Component subject(const element::ElementDescription& description,
                                     const std::vector<element::ElementDescription>& with = {
                                         entry("coulomb_friction maximum_force=1e3 stiffness=5e6")}) {
@@ -153,7 +152,7 @@ inline component::Component subject(const element::ElementDescription& descripti
   return component::Component(elements);
 }
 
-/// The same with a linear specimen, for laws whose K* is in question.
+/// Returns the law on a linear specimen, for tests of K*.
 inline component::Component linearSubject(const element::ElementDescription& description) {
   return subject(description, {});
 }
@@ -166,16 +165,15 @@ inline bool isPassive(const element::ElementDescription& description) {
   return element::lawOf(element::makeElement(description)).passive();
 }
 
-/// A force of the component that depends on the displacement alone.
+/// Returns whether the law is a force of the component that depends on the displacement alone.
 inline bool isElastic(const element::ElementDescription& description) {
   const element::ElementPointer element = element::makeElement(description);
   const auto* law = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
   return law != nullptr && !(*law)->onRig() && (*law)->part() == element::Part::elastic;
 }
 
-/// Those whose step is exact for displacement that is linear in between, whatever its length. Free play and delay bend
-/// the line between two samples, which the specimen behind them does not see (their own exactness: see their own
-/// tests).
+/// Returns whether a step of any length is exact for linearly varying displacement. Free play and delay bend the line
+/// between two samples, which a law behind them cannot know; they have tests of their own.
 inline bool isExact(const element::ElementDescription& description) {
   const bool approximate =
       isOneOf(description,
@@ -184,7 +182,7 @@ inline bool isExact(const element::ElementDescription& description) {
                "variable_friction", "viscoplastic_friction", "residual", "dashpot_along_curve"});
   const bool softens_slowly = description.type == "stress_softening" &&
                               (description.values.count("path") != 0 || description.values.count("recovery_time") != 0);
-  // The mean speed changes within a step, and a dead band is left within one.
+  // The mean speed changes within a step, and a dead band ends within one.
   const bool softens_in_motion =
       (description.type == "payne_maxwell" && description.value("recovery_time") > 0.0) ||
       (description.type == "transient_network" && description.values.count("dead_band") != 0);
@@ -198,7 +196,7 @@ inline bool isExact(const element::ElementDescription& description) {
 
 namespace rubber_suspension {
 
-/// For the messages of parameterised tests.
+/// Prints an entry in the messages of parameterised tests.
 inline void PrintTo(const element::ElementDescription& description, std::ostream* stream) {
   *stream << description.type;
   for (const auto& [name, values] : description.values) {

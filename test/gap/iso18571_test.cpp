@@ -1,4 +1,4 @@
-// The rating of ISO/TS 18571 against values computed by hand, and by a plain program of numpy that tries every shift
+// The rating of ISO/TS 18571, compared with values computed by hand and by a plain numpy program that tries every shift
 // and fills every cell of the warping.
 #include "rubber_suspension/gap/iso18571.h"
 
@@ -27,15 +27,15 @@ void expectRating(const Iso18571& rating, double corridor, double phase, double 
   EXPECT_NEAR(rating.total, 0.4 * corridor + 0.2 * (phase + magnitude + slope), tolerance);
 }
 
-// One of five samples is 1 off 4: ((2 - 1)/1.8)^2 of the corridor, 1 of 8 in magnitude. The differences are
-// 2, 2, 0, -2, -2 and 2, 1.5, 0, -1.5, -2, their means over 1, 3, 5, 3, 1: 2, 4/3, 0, -4/3, -2 and 2, 7/6, 0, -7/6, -2.
+// One of five samples differs from 4 by 1: ((2 - 1)/1.8)^2 of the corridor, 1 of 8 in magnitude. The differences are 2,
+// 2, 0, -2, -2 and 2, 1.5, 0, -1.5, -2, their means over 1, 3, 5, 3, 1: 2, 4/3, 0, -4/3, -2 and 2, 7/6, 0, -7/6, -2.
 TEST(Iso18571, OfFiveSamplesByHand) {
   const Iso18571 rating = gap::rateIso18571(signal({0, 2, 4, 2, 0}), signal({0, 2, 3, 2, 0}));
   expectRating(rating, (4.0 + std::pow(1.0 / 1.8, 2)) / 5.0, 1.0, 1.0 - 0.125 / 0.5,
                1.0 - (1.0 / 3.0) / (20.0 / 3.0) / 2.0, 1e-12);
 }
 
-// One sample late of two that are allowed; what is left after the shift is equal.
+// The delay is one sample of two that are allowed; the signals are equal after the shift.
 TEST(Iso18571, OfADelayByHand) {
   const Iso18571 rating =
       gap::rateIso18571(signal({0, 1, 4, 3, 1, 0, -1, 0, 0, 0}), signal({0, 0, 1, 4, 3, 1, 0, -1, 0, 0}));
@@ -74,8 +74,8 @@ TEST(Iso18571, OfEqualAndOfHopelessSignals) {
   EXPECT_EQ(gap::iso18571Grade(0.95) + gap::iso18571Grade(0.6) + gap::iso18571Grade(0.5), "excellentfairpoor");
 }
 
-// One answer of 1e200 among ordinary ones, and signals whose squares have no number: a rating, and the same one in any
-// unit.
+// A value of 1e200 among ordinary ones, and signals whose squares overflow or vanish, have a rating that does not
+// depend on the unit.
 TEST(Iso18571, OfNumbersWhoseSquaresOverflow) {
   const Eigen::VectorXd test = signal(50, [](double k) { return std::sin(0.1 * k) * std::exp(-k / 30.0); });
   Eigen::VectorXd burst = test;
@@ -89,7 +89,7 @@ TEST(Iso18571, OfNumbersWhoseSquaresOverflow) {
   }
 }
 
-// A sine, and a programme of sines of several frequencies, repeat themselves; a sweep and a pulse do not.
+// A sine and a sequence of sines of several frequencies repeat; a sweep and a pulse do not.
 TEST(Iso18571, SeesWhatRepeatsItself) {
   const auto repeats = [](const Eigen::VectorXd& test) { return gap::rateIso18571(test, test).repeats; };
   EXPECT_TRUE(repeats(signal(1000, [](double k) { return std::sin(0.05 * k); })));
@@ -98,7 +98,7 @@ TEST(Iso18571, SeesWhatRepeatsItself) {
   EXPECT_FALSE(repeats(signal(1000, [](double k) { return std::exp(-std::pow((k - 400) / 50, 2)); })));
 }
 
-// Minutes at 1 kHz. In blocks, the magnitude stays near that of the whole: the error of the model is everywhere alike.
+// A log of minutes is rated in blocks, with nearly the magnitude of the whole because the error is uniform.
 TEST(Iso18571, OfALongLog) {
   const auto law = [](double k) { return std::sin(1e-2 * k) + 0.7 * std::sin(3.1e-3 * k) + std::sin(7.7e-4 * k); };
   const auto model = [&](double k) { return 0.9 * law(k) + 0.05 * std::sin(0.11 * k); };

@@ -1,4 +1,4 @@
-// Logs whose motion is odd for a component: what is said of millimetres in a column of metres, and of what is not odd.
+// Logs whose motion is unusual for a component, such as millimetres in a column of metres, and logs with usual motion.
 #include "gap/odd_motion.h"
 
 #include "support/kit.h"
@@ -23,14 +23,14 @@ io::ComponentDescription withFriction() {
 }
 
 TEST(OddMotion, ByTheStiffnessOfTheLog) {
-  // 1.9 mm read as 1.9 m, against 3e6 N/m: a thousand times too soft. Kilonewtons read as newtons are the same.
+  // 1.9 mm read as 1.9 m is a thousand times too soft for 3e6 N/m, as are kilonewtons read as newtons.
   EXPECT_THAT(gap::oddMotion(sine(1.9, kStiffness / 1000.0), kPlain).value_or(""),
               HasSubstr("1e+03 times softer than the component"));
   EXPECT_THAT(gap::oddMotion(sine(1.9e-6, kStiffness * 1000.0), kPlain).value_or(""), HasSubstr("times stiffer"));
   for (const double factor : {0.05, 1.0, 20.0}) {  // another component, not another unit
     EXPECT_FALSE(gap::oddMotion(sine(2e-3, factor * kStiffness), kPlain)) << factor;
   }
-  // A stroke that is long for the component and agrees with its force is as it says.
+  // A long stroke with a force that agrees with it is no error of units.
   EXPECT_FALSE(gap::oddMotion(sine(1.0, kStiffness), withFriction()));
 }
 

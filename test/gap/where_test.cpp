@@ -1,4 +1,4 @@
-// The map of the gap: cells of known errors, and no second with a meaning of its own.
+// The map of the gap: cells of known errors, and no built-in scale of time.
 #include "rubber_suspension/gap/where.h"
 
 #include "rubber_suspension/element/constants.h"
@@ -11,8 +11,8 @@ namespace {
 constexpr Eigen::Index kSize = 16384;
 constexpr double kStiffness = 1e6;
 
-// A sine of 3 cycles in 1000 samples, then one of 9 of a tenth of the amplitude; its mean frequency is that of the
-// first, which has nearly all of the motion.
+// A sine of 3 cycles in 1000 samples, then one of 9 cycles with a tenth of the amplitude. The mean frequency is that of
+// the first, which has nearly all of the motion.
 log::Record twoSines(double dt) {
   log::Record record;
   record.name = "sines";
@@ -50,7 +50,7 @@ TEST(GapMap, FindsAnErrorOfStiffness) {
 }
 
 TEST(GapMap, OfASlowerTestIsTheSameAtLowerFrequencies) {
-  constexpr double kSlower = 1024.0;  // octaves stay octaves
+  constexpr double kSlower = 1024.0;  // a power of two, so that octaves map to octaves
   const auto fast = mapOf(twoSines(1e-3));
   const auto slow = mapOf(twoSines(kSlower * 1e-3));
   ASSERT_EQ(fast.size(), slow.size());
