@@ -1,5 +1,5 @@
-// A component: sums, order of the displacement path, series compliance, delay and parts against closed forms; state,
-// trial steps, tangent.
+// A component: sums, order of the displacement path, series compliance, delay and parts compared with closed forms;
+// state, trial steps, tangent.
 #include "rubber_suspension/component/component.h"
 
 #include "element/driver.h"
@@ -75,7 +75,7 @@ TEST(Component, OrderOfElementsIsWithoutInfluenceButForRounding) {
   }
 }
 
-/// One of each kind, all slots of the memory in use.
+/// A component with one element of each kind, which uses all slots of the memory.
 class Everything : public testing::Test {
  protected:
   component::Component component_{typicalElements()};
@@ -152,8 +152,8 @@ TEST(Component, WithoutElementsIsWithoutForce) {
   EXPECT_EQ(*component.complexStiffness(1.0), 0.0);
 }
 
-// Springs in series: 1/(1/K + 1/K_s), at once and to the solver's last digits; several add up, and what yields to one
-// side adds up there alone.
+// Springs in series have 1/(1/K + 1/K_s), up to the solver's last digits. Several compliances add up; those of one side
+// add up on that side only.
 TEST(SeriesCompliance, OfASpringIsASpringInSeries) {
   const struct {
     Entries compliances;
@@ -174,8 +174,8 @@ TEST(SeriesCompliance, OfASpringIsASpringInSeries) {
   }
 }
 
-// Spring and Maxwell element behind a series compliance are a spring and a Maxwell element of other values:
-// K = K_s (k0 + M)/(K_s + k0 + M); in the time domain the specimen's displacement is taken as linear in between.
+// Spring and Maxwell element behind a series compliance act as a spring and a Maxwell element of other values: K = K_s
+// (k0 + M)/(K_s + k0 + M). A step assumes that the specimen's displacement is linear.
 TEST(SeriesCompliance, TendsToTheClosedFormWithTheStep) {
   const component::Component component({kSpring, kMaxwell, kSeriesCompliance});
   const std::complex<double> specimen = *component::Component({kSpring, kMaxwell}).complexStiffness(4.0);
@@ -187,8 +187,8 @@ TEST(SeriesCompliance, TendsToTheClosedFormWithTheStep) {
   EXPECT_LE(fine, 1e-3 * std::abs(expected));
 }
 
-// The bare specimen moved by what the compliance leaves must give the same force. With an idle stop the general path is
-// taken, without it that of springs, Maxwell elements and friction.
+// The bare specimen gives the same force for the displacement that the compliance leaves. With an idle stop the general
+// solver runs, without it that for springs, Maxwell elements and friction.
 TEST(SeriesCompliance, ForceBalanceHoldsWithFriction) {
   const element::ElementDescription opens = entry("series_compliance stiffness=8e6 side=1");
   const element::ElementDescription closes = entry("series_compliance stiffness=5e6 closing_force=2e3");
@@ -214,7 +214,7 @@ TEST(SeriesCompliance, ForceBalanceHoldsWithFriction) {
   }
 }
 
-// F = K z' and z = z' + F/(K_s (1 + |F|/F_c)) make a quadratic equation in F.
+// F = K z' and z' = z - F/(K_s (1 + |F|/F_c)) give a quadratic equation in F.
 TEST(SeriesCompliance, ThatClosesUnderLoadMeetsTheClosedForm) {
   constexpr double kStiffness = 4e6;
   constexpr double kClosing = 800.0;
@@ -255,7 +255,7 @@ TEST(LiftOff, BeyondItsPreloadIsOpenOrHeld) {
     WithState open({kSpring, contact});
     WithState held({kSpring, bolted});
     for (const double z : {1e-3, -1.9e-4, -1e-3, 2e-3, -5e-3}) {
-      const double beyond = (z + 2e-4) / (1.0 / 3e6 + 1.0 / 1e6);  // specimen and holder share what is beyond
+      const double beyond = (z + 2e-4) / (1.0 / 3e6 + 1.0 / 1e6);  // specimen and holder share the excess displacement
       EXPECT_NEAR(side * open.step(1e-3, side * z), std::max(-600.0, 3e6 * z), kRounding) << z;
       EXPECT_NEAR(side * held.step(1e-3, side * z), z > -2e-4 ? 3e6 * z : -600.0 + beyond, kRounding) << z;
       EXPECT_NEAR(side * open.initialise(side * z), std::max(-600.0, 3e6 * z), kRounding) << z;
@@ -264,7 +264,7 @@ TEST(LiftOff, BeyondItsPreloadIsOpenOrHeld) {
   }
 }
 
-// A linear test piece that was preloaded long ago, measured from there.
+// The origin of displacement and force is a linear test piece that was preloaded long ago.
 TEST(LiftOff, WithAPreloadIsOneWithoutAboutAnotherZero) {
   constexpr double kPreload = 1500.0;
   const double preloaded = kPreload / kSpring.value("stiffness");
@@ -282,8 +282,8 @@ TEST(LiftOff, WithAPreloadIsOneWithoutAboutAnotherZero) {
   EXPECT_GT(open, 100);
 }
 
-// Held until the Maxwell element is relaxed, then let go: the strap is too long by z_0 k_m/(k + k_m), and recovers at
-// the rate k/(tau (k + k_m)). Contact returns at the length that it has by then.
+// The strap is released after its Maxwell element has relaxed: it is too long by z_0 k_m/(k + k_m) and recovers at the
+// rate k/(tau (k + k_m)). The contact closes at the length at that time.
 TEST(LiftOff, RecoversWhileSlack) {
   constexpr double kHeld = 1e-3;
   constexpr double kSlack = 0.05;  // [s]
@@ -305,10 +305,10 @@ TEST(LiftOff, RecoversWhileSlack) {
   component::ComponentState below = state;
   EXPECT_NEAR(strap.step(below, kQuick, 0.99 * length).total, 0.0, 1e-9);
   const double closed = 0.01 * length * (spring + maxwell);
-  EXPECT_NEAR(strap.step(state, kQuick, 1.01 * length).total, closed, 0.02 * closed);  // of steps of 1/1600 of the time
+  EXPECT_NEAR(strap.step(state, kQuick, 1.01 * length).total, closed, 0.02 * closed);  // error of the finite steps
 }
 
-// The path is the test piece's own where the contact is closed, with all that a test piece can have.
+// A closed contact changes no bit of the force of the test piece, whatever elements it has.
 TEST(LiftOff, ChangesNothingWhileClosed) {
   const element::ElementDescription softening = entry("stress_softening reduction=0.3");
   Entries laws = {kSpring, kMaxwell, kFriction, softening};
@@ -330,8 +330,8 @@ TEST(LiftOff, ChangesNothingWhileClosed) {
   EXPECT_GT(open, 200) << "half of the motion, and what friction and relaxation leave of the length";
 }
 
-// A test piece of all that stores and loses, on a bracket: the work of the plate over random loops, each up to where it
-// may be slack and back. What a step gives may be off by the force's change over it, as the rule of trapezoids is.
+// A test piece with elements that store and dissipate, on a bracket: the work of the plate over random loops into the
+// slack and back is not negative. The trapezoidal rule has an error of up to the change of the force over a step.
 TEST(LiftOff, WithBranchesNeverGivesMoreEnergyThanItGot) {
   constexpr int kParts = 200;
   constexpr double kRounding = 1e-9;  // [N], of the root where the contact is open
@@ -374,7 +374,7 @@ TEST(LiftOff, WithBranchesNeverGivesMoreEnergyThanItGot) {
   }
 }
 
-// A stop that is never reached adds nothing, but is no law that the series balance has a closed form for.
+// An idle stop adds no force, but needs the general solver instead of the closed form.
 TEST(SeriesCompliance, IsSolvedAlikeWithAndWithoutOtherElements) {
   const element::ElementDescription idle = entry("bump_stop stiffness=1e6 gap=1");
   for (unsigned trial = 0; trial < 60; ++trial) {
@@ -401,15 +401,15 @@ TEST(SeriesCompliance, IsSolvedAlikeWithAndWithoutOtherElements) {
       largest = std::max(largest, std::abs(force));
     }
     for (std::size_t i = 0; i < forces.size(); ++i) {
-      // Rounding of a displacement of 2 mm through the dashpot, which multiplies it by up to 3e7 N/m.
+      // A rounding of a displacement of 2 mm is multiplied by the dashpot with up to 3e7 N/m.
       ASSERT_NEAR(forces[i], expected[i], 1e-11 * largest) << "trial " << trial << ", step " << i;
     }
   }
 }
 
 TEST(SeriesCompliance, SolvesWhereTheSpecimenSoftens) {
-  // Tangent stiffness of the specimen 3e6 + 2 k2 z falls to -1e6 at z = -2 mm, within what the compliance of 1/3e7 can
-  // hold.
+  // The tangent stiffness of the specimen, 3e6 + 2 k2 z, falls to -1e6 at z = -2 mm, still stable with the compliance
+  // of 1/3e7.
   WithState component({kSpring, kSeriesCompliance, entry("asymmetric_stiffness quadratic=1e9")});
   for (int i = 1; i <= 100; ++i) {
     const double z = -2e-3 * i / 100;
@@ -419,7 +419,7 @@ TEST(SeriesCompliance, SolvesWhereTheSpecimenSoftens) {
   }
 }
 
-/// Entries of a displacement path, in each order.
+/// Returns the entries of a displacement path in each order.
 std::vector<Entries> inEachOrder(Entries path) {
   const auto byType = [](const element::ElementDescription& one, const element::ElementDescription& other) {
     return one.type < other.type;
@@ -432,8 +432,8 @@ std::vector<Entries> inEachOrder(Entries path) {
   return orders;
 }
 
-// Friction and relaxation hold a force within the gap, and samples lie to either side of its edge, so that another
-// order gives other forces; the last two expectations make sure of that.
+// Friction and relaxation have a force within the gap, and samples are on both sides of its edge, so that other orders
+// give other forces; the last two expectations check this.
 TEST(DisplacementPath, IsDelayThenFreePlayThenSeriesCompliance) {
   constexpr double kStep = 1e-3;  // [s]
   const element::ElementDescription delay = entry("time_delay delay=0.4e-3");
@@ -446,7 +446,7 @@ TEST(DisplacementPath, IsDelayThenFreePlayThenSeriesCompliance) {
     WithState behind_play({kSpring, kMaxwell, kFriction, kSeriesCompliance});
     Driver delayed(delay);
     double of_play_first = 0.0;        // largest difference [m]
-    double of_compliance_first = 0.0;  // likewise
+    double of_compliance_first = 0.0;  // the same [m]
     for (int i = 1; i <= 200; ++i) {
       const double z = sineAt(i, 50, 1e-3);
       const double before = sineAt(i - 1, 50, 1e-3);
@@ -572,7 +572,7 @@ TEST(Tangent, OfLinearElementsInClosedForm) {
   walk(component, state, 8, 20);
   const element::MaxwellStep step(1.3e6, element::Relaxation::over(kDt * 2.0 * element::kPi * 1.43));
   const component::Tangent tangent = component.tangent(state, kDt, 1e-3, trial);
-  // 1e-16 of some kN over 2e-8 m.
+  // The error is that of 1e-16 of some kN over 2e-8 m.
   EXPECT_NEAR(tangent.stiffness, 3e6, 1e-8 * 3e6);
   EXPECT_NEAR(tangent.damping, 1e4 + kDt * step.gain, 1e-8 * 1e4);
 }
@@ -589,8 +589,7 @@ TEST(Tangent, OfFrictionAndSeriesComplianceInClosedForm) {
   EXPECT_EQ(tangent.damping, 0.0);
 }
 
-// An implicit integrator in use: a mass on the component, trapezoidal rule with Newton's method, against the same
-// motion with a step 16 times as fine.
+// Simulates a mass on the component with an implicit integrator: the trapezoidal rule with Newton's method.
 double displacementOfMass(const component::Component& component, double dt, double duration) {
   constexpr double kMass = 5000.0;
   constexpr double kLoad = 4000.0;

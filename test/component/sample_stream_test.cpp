@@ -1,4 +1,4 @@
-// The rules for time: which samples are accepted, and that nothing else touches the state.
+// The rules for time: accepted samples, and dropped ones, which do not change the state.
 #include "rubber_suspension/component/sample_stream.h"
 
 #include "support/allocation_counter.h"
@@ -100,7 +100,7 @@ TEST_F(Stream, DroppedSamplesLeaveNoTrace) {
   EXPECT_EQ(stream_.counters().dropped(), 300U);
 }
 
-// A gap is one long step with linear displacement in between: the same as if the missing samples had been there.
+// A gap is one long step with linear displacement, which equals the sum of the missing steps.
 TEST_F(Stream, BridgesAGapExactly) {
   stream_.push(0, 0.0);
   const component::StreamForce bridged = stream_.push(501 * kMs, 1e-3);
@@ -168,7 +168,7 @@ TEST_F(Stream, RestoredStreamContinuesBitByBit) {
   EXPECT_THROW(other.deserialise(0, 0.0, {}), std::invalid_argument);
 }
 
-// Samples whose force overflows, at any distance from each other, against a stream that never gets them.
+// Samples whose force overflows, at any distances, have no effect compared with a stream without them.
 void expectNoTraceOfOverflows(const component::Component& component, double too_far) {
   component::SampleStream stream(component);
   component::SampleStream untouched(component);
@@ -194,8 +194,8 @@ void expectNoTraceOfOverflows(const component::Component& component, double too_
 }
 
 TEST_F(Stream, ForcesThatOverflowLeaveNoTrace) {
-  constexpr double kNoDisplacement = 1e31;  // [m]; refused without a step
-  constexpr double kTooFar = 1e30;          // [m]; of whose force there is no number
+  constexpr double kNoDisplacement = 1e31;  // [m], refused without a step
+  constexpr double kTooFar = 1e30;          // [m], with a force that overflows
   const Entries stop = {entry("bump_stop gap=1 stiffness=1e30 exponent=3 reference_depth=1e-99")};
   const Entries softening = {entry("stress_softening reduction=0.3")};
   expectNoTraceOfOverflows(component_, kNoDisplacement);
@@ -203,7 +203,7 @@ TEST_F(Stream, ForcesThatOverflowLeaveNoTrace) {
   expectNoTraceOfOverflows(component::Component(component_.elements() + stop + softening), kTooFar);
 }
 
-// A delay would hold it, and give a force that is not finite one sample later.
+// A delay would store the displacement and give an infinite force several samples later.
 TEST_F(Stream, RefusesADisplacementBeyondAnyComponentWhenItComes) {
   const component::Component delayed(component_.elements() + Entries{entry("time_delay delay=5e-3")});
   component::SampleStream stream(delayed);

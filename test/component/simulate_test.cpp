@@ -1,4 +1,4 @@
-// Blocks of samples against sample by sample: the same bits, whatever the laws and wherever a block ends.
+// Blocks of samples give the same bits as single samples, for any laws and any length of the blocks.
 #include "element/typical_elements.h"
 #include "kernel/laws_one_by_one.h"
 #include "rubber_suspension/component/sample_stream.h"
@@ -12,7 +12,7 @@ namespace {
 constexpr double kStep = 1e-3;                  // [s]
 constexpr std::int64_t kNanoseconds = 1000000;  // of a step
 
-/// A sine with noise, so that friction turns often, and with pauses.
+/// Returns a sine with noise, so that friction reverses often, and with pauses.
 std::vector<double> randomPath(std::mt19937& random, std::size_t samples) {
   std::normal_distribution<double> noise(0.0, 1.0);
   std::vector<double> path(samples);
@@ -62,7 +62,7 @@ TEST_P(Simulate, AllocatesNothing) {
   EXPECT_EQ(counter.count(), 0U);
 }
 
-/// Stamps with all that a stream judges: even runs, other steps, gaps, repeats, steps back, restarts.
+/// Returns stamps with everything that a stream handles: even runs, other steps, gaps, repeats, steps back, restarts.
 std::vector<std::int64_t> randomStamps(std::mt19937& random, std::size_t samples) {
   const std::vector<std::int64_t> steps = {2 * kNanoseconds, 700 * kNanoseconds, 0, -kNanoseconds,
                                            -3000 * kNanoseconds};
@@ -74,7 +74,7 @@ std::vector<std::int64_t> randomStamps(std::mt19937& random, std::size_t samples
   return stamps;
 }
 
-/// pushAll() until all samples are through, past those that are dropped.
+/// Repeats pushAll() for all samples, skipping those that are dropped.
 std::vector<double> forcesOfAll(component::SampleStream& stream, const std::vector<std::int64_t>& stamps,
                                 const std::vector<double>& path) {
   std::vector<double> force(path.size(), 0.0);

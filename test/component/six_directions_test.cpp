@@ -1,4 +1,4 @@
-// A component of six directions: numbers of the reference implementation, power, momentum, tangents.
+// A component of six directions: numbers of a reference implementation, power, momentum, tangents.
 #include "rubber_suspension/component/six_directions.h"
 
 #include "component/bushes.h"
@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 const std::vector<RotationMeasure> kMeasures = {RotationMeasure::vector, RotationMeasure::cardan};
 
-// The reference is an independent implementation in numpy, whose own checks are gradients of potentials.
+// The reference is an independent implementation in numpy, verified by gradients of potentials.
 SixDirectionsLaws referenceLaws(RotationMeasure measure) {
   SixDirectionsLaws laws;
   laws.elements[component::kX] = {spring(4e6), entry("progressive_stiffness cubic=2e12")};
@@ -101,7 +101,7 @@ TEST(SixDirections, RotationMeasuresTurnBackToTheirRotations) {
   }
 }
 
-// Springs and dashpots of known twist: F = K q + C q', M = N^-T (...), whatever the step before.
+// The forces of springs and dashpots at a known twist, F = K q + C q', M = N^-T (...), do not depend on the last step.
 TEST(SixDirections, DashpotsAnswerToATwist) {
   SixDirectionsLaws laws = referenceLaws(RotationMeasure::cardan);
   for (auto& elements : laws.elements) {
@@ -128,7 +128,7 @@ TEST(SixDirections, DashpotsAnswerToATwist) {
 TEST(SixDirections, ADisplacedBodyComesBack) {
   SixDirectionsLaws laws = framed(fullLaws(RotationMeasure::vector));
   for (auto& elements : laws.elements) {
-    elements.pop_back();  // friction, which would hold it where its limit balances the springs
+    elements.pop_back();  // friction, which could balance the springs
   }
   const SixDirections bush(laws);
   auto state = bush.makeState();
@@ -139,7 +139,7 @@ TEST(SixDirections, ADisplacedBodyComesBack) {
     const component::Wrench wrench = bush.step(state, 1e-4, body.pose).wrench;
     body.push(SixDirections::reactions(body.pose, wrench).on_b, 1e-4);
   }
-  // The slowest branch, of 3 Hz, leaves exp(-2 pi 3 4) at most.
+  // The slowest branch, of 3 Hz, decays to exp(-2 pi 3 4).
   EXPECT_LT(body.pose.translation().norm(), 1e-9);
   EXPECT_LT(Eigen::AngleAxisd(body.pose.linear()).angle(), 1e-9);
   EXPECT_LT(body.momentum.norm(), 1e-6);
@@ -174,8 +174,8 @@ TEST(SixDirections, TwoFreeBodiesKeepTheirMomentum) {
   }
 }
 
-// Work of the wrench on the bodies and of the forces on the coordinates, over a fine path: the two are one power, which
-// elastic directions have none of.
+// Over a fine path the work of the wrench on the bodies equals that of the forces on the coordinates, and is zero for
+// elastic directions.
 TEST(SixDirections, TheWrenchDoesTheWorkOfItsDirections) {
   for (const RotationMeasure measure : kMeasures) {
     const LoopWork loop = closedLoop(SixDirections(framed(fullLaws(measure))), 10000);

@@ -1,5 +1,5 @@
-// Temperature: shifted dynamic stiffness against the master curve, the reduced time of a changing temperature, what
-// keeps its own time, and that a component without one is as it was.
+// Temperature: shifted dynamic stiffness and the master curve, the reduced time of a changing temperature, elements
+// with their own time, and components without a temperature law.
 #include "element/typical_elements.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/component/sample_stream.h"
@@ -23,12 +23,12 @@ const element::ElementDescription kHeating = entry("self_heating energy_sensitiv
 
 constexpr double kReference = 20.0;  // [degC]
 
-// Of natural rubber's constants with the vertical shift of entropic elasticity.
+// Returns the constants of natural rubber with the vertical shift of entropic elasticity.
 element::ElementDescription wlf(double vertical = 1.0 / 293.15) {
   return entry("wlf_shift c1=8.86 c2=101.6", {{"reference", kReference}, {"vertical", vertical}});
 }
 
-// The factors of wlf(), written out again.
+// The factors of wlf(), computed separately.
 element::Shift factorsAt(double temperature) {
   const double above = temperature - kReference;
   return {std::pow(10.0, -8.86 * above / (101.6 + above)), (temperature + 273.15) / 293.15};
@@ -36,7 +36,7 @@ element::Shift factorsAt(double temperature) {
 
 double displacementAt(int i) { return 1e-3 * std::sin(0.013 * i) + 4e-4 * std::sin(0.11 * i); }
 
-// From rest, at a temperature that holds throughout.
+// Returns the forces from rest at a constant temperature.
 std::vector<double> forces(const component::Component& component, double temperature, double dt, int count) {
   component::ComponentState state = component.makeState();
   component.setTemperature(state, temperature);
@@ -48,9 +48,9 @@ std::vector<double> forces(const component::Component& component, double tempera
   return result;
 }
 
-// At a constant temperature the component is the one at its reference with all rates and the force scaled: steps of
-// dt/a_T there give the same forces over b_T, whatever the law. Factors err by some roundings, and what e.g. 1/tau is
-// multiplied by in another order: 1e-12 of the largest force.
+// At a constant temperature all rates and the force are scaled: steps of dt/a_T at the reference give the forces over
+// b_T, for every law. The factors and the order of products such as 1/tau have rounding errors of 1e-12 of the largest
+// force.
 TEST(Temperature, ShiftsEveryLawAlike) {
   constexpr double kDt = 1e-3;
   for (const element::ElementDescription& law : typicalElements()) {
@@ -88,12 +88,12 @@ TEST(Temperature, DynamicStiffnessFollowsTheMasterCurve) {
   EXPECT_EQ(*component.complexStiffness(4.0, kReference), *master.complexStiffness(4.0));
 }
 
-// The sine in time gives K*(omega, T) with the error of its sampling, which falls with the square of the step.
+// A simulated sine gives K*(omega, T) with a sampling error of second order in the step.
 TEST(Temperature, SimulatedSineTendsToTheShiftedStiffness) {
   const component::Component component({kSpring, kMaxwell, wlf()});
   constexpr double kFrequency = 4.0;
   constexpr double kTemperature = 5.0;
-  constexpr int kCycles = 400;  // 100 s; a_T = 34 makes 4 s of the relaxation time
+  constexpr int kCycles = 400;  // 100 s; a_T = 34 extends the relaxation time to 4 s
   const std::complex<double> expected = *component.complexStiffness(kFrequency, kTemperature);
   std::vector<double> errors;
   for (const int samples : {100, 200}) {
@@ -107,7 +107,7 @@ TEST(Temperature, SimulatedSineTendsToTheShiftedStiffness) {
   EXPECT_LE(errors[1], 1e-3 * std::abs(expected));
 }
 
-// Rig, mount and delay have no temperature of rubber: K* of the test piece alone is shifted.
+// Rig, mount and delay are not of rubber: only K* of the test piece is shifted.
 TEST(Temperature, LeavesRigMountAndDelayAlone) {
   const component::Component component({kSpring, kMaxwell, kMount, kMass, kDelay, wlf()});
   constexpr double kFrequency = 9.0;
@@ -121,8 +121,8 @@ TEST(Temperature, LeavesRigMountAndDelayAlone) {
   EXPECT_LE(std::abs(*component.complexStiffness(kFrequency, kTemperature) - expected), 1e-12 * std::abs(expected));
 }
 
-// F = b(T(t)) times the integral of k exp(-(xi(t) - xi(s))) dz(s), xi the reduced time over tau: for a ramp at two
-// temperatures one after the other, in closed form.
+// F = b(T(t)) times the integral of k exp(-(xi(t) - xi(s))) dz(s) with xi, the reduced time over tau, in closed form
+// for a ramp at two successive temperatures.
 TEST(Temperature, ReducedTimeOfAChangeIsExact) {
   const component::Component component({kMaxwell, wlf()});
   constexpr double kRate = 2e-3;  // [m/s]
@@ -152,7 +152,7 @@ TEST(Temperature, ReducedTimeOfAChangeIsExact) {
 
 TEST(Temperature, AtTheReferenceTheBitsAreThoseWithoutAShift) {
   const Entries laws = {kSpring, kDashpot, kMaxwell, kSpringpot, kFriction, kHeating};
-  // The same path of a component that is more than its kernel, heating being no basic law.
+  // Self-heating is no basic law of the kernel, so both components are stepped by the same general code.
   EXPECT_EQ(forces(component::Component(laws + Entries{wlf()}), kReference, 1e-3, 400),
             forces(component::Component(laws), kReference, 1e-3, 400));
 }
@@ -235,7 +235,7 @@ TEST(Temperature, IsPartOfTheStateThatIsSaved) {
   EXPECT_EQ(component.step(restored, 1e-3, 2e-3).total, component.step(state, 1e-3, 2e-3).total);
 }
 
-// A force that is not finite is taken back at the temperature that held, also where that changed before.
+// A sample with an infinite force is reverted at the temperature before it, even if the temperature had changed.
 TEST(TemperatureOfAStream, ASampleTakenBackLeavesTheStateAsItWas) {
   const element::ElementDescription stiffening = entry("progressive_stiffness quintic=1e15");
   const component::Component component({kSpring, kMaxwell, stiffening, wlf()});

@@ -1,4 +1,4 @@
-// Trial steps leave nothing behind: any number of them, then the accepted ones, gives what the accepted ones give
+// Trial steps have no effect: any number of them before the accepted steps gives the forces of the accepted steps
 // alone.
 #include "rubber_suspension/component/trial_stepper.h"
 
