@@ -1,5 +1,5 @@
 # Tests of the virtual rigs, their generator, the rules of reports and the scorer: python3 -m unittest in this folder.
-# Short logs keep it quick; every number expected here comes from the theory or from the request itself.
+# Logs are short for speed; every expected number comes from the theory or from the request itself.
 """Tests of the blind trial's own machinery."""
 import filecmp
 import json
@@ -24,7 +24,7 @@ EXAMPLE = {"static_stiffness": 3.0, "dynamic_stiffness": 4.2, "nominal_frequency
 
 
 def small_rig(seed=0, seconds=8.0, model="multi_maxwell"):
-    """A component with three short logs, and the sizes that laws are drawn by."""
+    """Return a component with four short logs, and the sizes from which laws are drawn."""
     rng = np.random.default_rng(seed)
     specification = {"static_stiffness": 3e6, "dynamic_stiffness": 4.2e6, "nominal_frequency": 4.0,
                      "maximum_stiffness": 4.9e6, "high_frequency": 25.0, "maxwell_elements": 3}
@@ -73,7 +73,7 @@ class BaseTest(unittest.TestCase):
         r = 1j * 2 * np.pi * 4.0 * b.tau[0]
         self.assertAlmostEqual(abs(b.k0 + b.k[0] * r / (1 + r)), 4.2, places=9)
         b = base.berg(dict(EXAMPLE, nominal_amplitude=2.0, loss_angle=math.atan(0.1), break_frequency=1.45))
-        # The reference rounds differently where friction and Maxwell force are added: 0.05 % is their distance.
+        # The reference rounds the sum of friction and Maxwell force differently, by 0.05 %.
         np.testing.assert_allclose([b.friction_force, b.friction_z2, b.k[0]], [4.9209, 2.2109, 0.26087], rtol=5e-4)
 
     def test_specification_without_solution_is_refused(self):
@@ -97,7 +97,7 @@ class LawTest(unittest.TestCase):
                         self.assertAlmostEqual(full, 0.05, delta=0.05 * 0.03)
                     self.assertGreater(full, 0.01)
                     self.assertLessEqual(visible, full * 1.1)
-                    # The gap of the fine grid is that of the coarse one on which the strength was found.
+                    # The gap on the fine grid agrees with that on the coarse grid, where the strength was found.
                     both = rig.Rig(component, z, rate, [one])
                     force = both.force({id(one): strength})
                     again = rig.gap([a - b for a, b in zip(force, both.base_force())], force)
@@ -122,7 +122,7 @@ class LawTest(unittest.TestCase):
 
 
 class FormErrorTest(unittest.TestCase):
-    """Laws that are nobody's, on a base off its ladder."""
+    """Laws with form errors, on a base with more relaxation than its model."""
 
     def test_a_law_is_off_by_about_the_size_and_grows_with_its_strength(self):
         _, z, rate, scale = small_rig()
@@ -130,7 +130,7 @@ class FormErrorTest(unittest.TestCase):
         off = form_error.inexact(np.random.default_rng(6), scale, plain, None, 0.2)
         shares = [f.function(z, rate) for f in (plain, off)]
         difference = form_error.rms([a - b for a, b in zip(*shares)]) / form_error.rms(shares[0])
-        # RMS of the drawn function over the path of these logs, which see a part of it, and of a drift of 6 % at most.
+        # The range covers the RMS of the drawn function over parts of its domain, and a drift of at most 6 %.
         self.assertTrue(0.08 < difference < 0.4, difference)
         again = off.function(z, rate)
         for a, b in zip(shares[1], again):
@@ -221,7 +221,7 @@ class CaseTest(unittest.TestCase):
                            (built["model"], case.component_yaml(built["rng"], "a", built["model"],
                                                                 built["specification"]))):
             self.assertIn(f"model: {name}\n", text)
-        # The rig's own grid is four times finer than the log: that is all the difference there may be.
+        # The rig's grid is four times finer than the log, which is the only difference.
         for (_, _, measured), true in zip(built["logs"], built["true"]):
             self.assertLess(np.std(measured - true) / np.std(true), 0.1)
         self.assertLess(built["label"]["gap"]["as_configured"], 2e-3)
@@ -266,7 +266,7 @@ class MachineTest(unittest.TestCase):
 
 
 def report_of(verdict, effects=(), **changes):
-    """A report that keeps every rule."""
+    """Return a report that obeys every rule."""
     naming = bool(effects)
     says = {"none": "none", "parameter_error": "parameter_error", "unknown": "none_of_these"}.get(verdict, "effects")
     left = 0.05 if verdict == "partly" else 0.011
@@ -347,7 +347,7 @@ class ScoreTest(unittest.TestCase):
 
 
 class FurtherTest(unittest.TestCase):
-    """What is measured on further logs, apart from the command itself."""
+    """Gaps on further logs, without the command itself."""
 
     def test_re_estimated_component(self):
         file = {"model": "maxwell", "specification": {"static_stiffness": 2.0, "dynamic_stiffness": 3.0}, "elements": None}

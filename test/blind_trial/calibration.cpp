@@ -1,4 +1,4 @@
-// Fit of the judgement's numbers.
+// Fits the numbers of the judgement to cases of known cause.
 #include "calibration.h"
 
 #include <ceres/gradient_problem.h>
@@ -22,11 +22,11 @@ using diagnosis::judge::numberTable;
 using diagnosis::judge::SetPosterior;
 using diagnosis::judge::SetProbability;
 
-constexpr double kPartOfTruth = 0.2;   // of `unknown`, where a listed effect is beside an unlisted one
-constexpr double kValuesOfNone = 0.3;  // of wrong values, where the model is about right as configured
-constexpr double kAccepted = 0.02;     // of the force, by an engineer
+constexpr double kPartOfTruth = 0.2;   // of `unknown`, if a listed effect is at work beside an unlisted one
+constexpr double kValuesOfNone = 0.3;  // of wrong values, if the model is nearly right as configured
+constexpr double kAccepted = 0.02;     // gap that an engineer accepts
 
-// The unknowns of the fit: the rows of the table, positive ones by their logarithm, then the rates.
+// The unknowns of the fit: the rows of the table, with logarithms of positive ones, then the base rates.
 class Unknowns {
  public:
   explicit Unknowns(const std::vector<FittedCase>& cases) {
@@ -84,7 +84,7 @@ class Unknowns {
   std::vector<std::string> rates_;
 };
 
-// Negative logarithm of the probability of numbers and labels together.
+// Negative logarithm of the joint probability of numbers and labels.
 class Loss final : public ceres::FirstOrderFunction {
  public:
   Loss(const std::vector<FittedCase>& cases, const Unknowns& unknowns)
@@ -138,7 +138,7 @@ bool isIn(const std::string& name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// One of the known causes, and nothing that is not known of it.
+// Returns whether the names contain one of the known causes and nothing beyond the accepted effects.
 bool fitsMachine(const std::vector<std::string>& names, const Truth& truth) {
   const bool any =
       std::any_of(names.begin(), names.end(), [&](const std::string& name) { return isIn(name, truth.effects); });

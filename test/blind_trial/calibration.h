@@ -1,4 +1,4 @@
-// Numbers of the judgement of greatest posterior probability on cases of known cause.
+// Fits the numbers of the judgement to cases of known cause by maximum posterior probability.
 #pragma once
 
 #include <string>
@@ -10,29 +10,29 @@
 
 namespace rubber_suspension::blind_trial {
 
-/// Added to the probability of a truth before its logarithm is taken: one case must not outweigh all others.
+/// Added to the probability of a truth before the logarithm, so that no single case outweighs all others.
 constexpr double kLeastProbability = 1e-3;
 
-/// A case as the fit takes it.
+/// A case as input of the fit.
 struct FittedCase {
   diagnosis::judge::ScoreTable table;
   Truth truth;
   bool hidden = false;
-  bool far_off = false;  ///< the model as configured leaves more than an engineer accepts
+  bool far_off = false;  ///< the gap as configured exceeds what an engineer accepts
 };
 
-/// Cases with evidence; the others tell nothing of the numbers.
+/// Returns the cases with evidence; others contain no information on the numbers.
 std::vector<FittedCase> fittedCases(const std::vector<TrialCase>& cases);
 
-/// Probability that the judge gives to what the label says; where that has several answers, to all of them.
+/// Returns the probability that the judge gives to the labelled truth, summed over its accepted answers.
 double probabilityOfTruth(const FittedCase& known, const diagnosis::judge::JudgeNumbers& numbers);
 
-/// Logarithms of these probabilities and the prior of the numbers are made greatest together
-/// (L-BFGS of Ceres), from what is believed beforehand and from the numbers as fitted last: there are several such
-/// places, and the best one counts. Base rates are of the effects that occur in the evidence.
+/// Maximises the probability of labels and prior numbers by L-BFGS (Ceres). It starts from the prior means and from the
+/// last fitted numbers, because there are several maxima, and keeps the best. Base rates are those of the effects in
+/// the evidence.
 diagnosis::judge::JudgeNumbers calibrate(const std::vector<FittedCase>& cases);
 
-/// The source file that holds the numbers; `of` tells in words how they were fitted.
+/// Returns the source file with the numbers; `of` describes the fit in words.
 std::string fittedNumbersSource(const diagnosis::judge::JudgeNumbers& numbers, const std::string& of);
 
 }  // namespace rubber_suspension::blind_trial

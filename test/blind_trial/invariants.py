@@ -1,19 +1,19 @@
-# What every report of a diagnosis must say of itself, whatever it found: verdict, gaps, floor, interval and
-# probabilities agree (docs/diagnosis.md lists it). Only what report.json shows; src/diagnosis/invariants.cpp asks the
-# same of the result itself before it is told, and of what the page says: a report that broke one there is a `defect`.
+# Rules for the content of every report: verdict, gaps, floor, interval and probabilities agree (docs/diagnosis.md lists
+# them). They use report.json alone. src/diagnosis/invariants.cpp checks the same rules on the result, and on the words
+# of the page, before the report is written; a report that breaks one is a `defect`.
 """Invariants of a report."""
 import math
 
-LISTED = 0.02           # a set that holds a less probable effect is not listed
-WORTH_SAYING = 0.02     # logarithm of a changed value
-SLACK = 1e-3            # of sums, fractions and gaps, which are rounded
+LISTED = 0.02           # lower limit of the probability of effects in listed sets
+WORTH_SAYING = 0.02     # logarithm of the smallest reported change of a value
+SLACK = 1e-3            # for rounded sums, fractions and gaps
 NAMING = ("named", "confounded", "partly")
-WEIGHED = ("none", "parameter_error", "unknown", *NAMING)  # verdicts for which an answer was weighed
+WEIGHED = ("none", "parameter_error", "unknown", *NAMING)  # verdicts with a weighed answer
 CHECKS = {}             # by name
 
 
 def rule(name, verdicts=None):
-    """Register a check, which applies to reports of these verdicts, by default to all."""
+    """Register a check for reports with these verdicts, by default for all."""
     def register(check):
         CHECKS[name] = lambda report: None if verdicts and report["verdict"] not in verdicts else check(report)
         return check
@@ -32,7 +32,7 @@ def verdict_has_its_effects(report):
 
 @rule("named: the gap falls and the interval excludes 0, or the data sheet is right", NAMING)
 def named_closes(report):
-    """The gap falls and the interval of what is closed excludes 0, or values are nearer to the data sheet."""
+    """Check that the gap falls with an interval of the closed share above 0, or that values are nearer to the sheet."""
     gap = report["gap"]
     if report.get("withheld"):
         return None
@@ -50,7 +50,7 @@ def closed_is_of_the_gaps(report):
     if span <= 0.0:
         return False
     fraction = (gap["re_estimated"] - gap["augmented"]) / span
-    # What is closed beyond the floor may be given as all.
+    # A share that closes more than the floor may be reported as all of the gap.
     return abs(min(fraction, 1.0) - min(report["closed"]["fraction"], 1.0)) <= SLACK
 
 
@@ -62,7 +62,7 @@ def interval_holds_the_fraction(report):
 
 @rule("the parts removed from the logs add up", WEIGHED)
 def taken_out_adds_up(report):
-    """In squares: what a log leaves as recorded, less what was taken out of it, is what it leaves."""
+    """Check in squares: the gap as recorded minus the parts taken out of the log is the gap of the log."""
     if "taken_out" not in report:
         return None
     for log in report["admission"]:
@@ -75,15 +75,15 @@ def taken_out_adds_up(report):
 
 @rule("no other fit predicts unseen data better")
 def no_fit_predicts_better(report):
-    """The error of blocks that took no part in a fit is no less than that in sample, but for 2 % by chance; a law without
-    a model has no error."""
+    """Check that the error on held-out blocks is at least that in sample, except for 2 % by chance; a law without a
+    model has no error."""
     trials = [trial for trial in report.get("trials", []) if None not in (trial["in_sample"], trial["held_out"])]
     return all(trial["in_sample"] <= 1.02 * trial["held_out"] * (1.0 + SLACK) for trial in trials)
 
 
 @rule("the noise floor is not above any gap")
 def floor_is_least(report):
-    """The floor is no more than the least gap of any model."""
+    """Check that the floor is at most the least gap of any model."""
     gap = report["gap"]
     gaps = [gap["as_configured"], gap["re_estimated"], gap["augmented"]]
     gaps += [c.get("gap") for c in report["candidates"]]
@@ -97,7 +97,7 @@ def posterior_is_one(report):
 
 @rule("the verdict is the most probable", WEIGHED)
 def verdict_is_the_likeliest(report):
-    """`unknown` only if none of these is the likeliest, and so for the others."""
+    """Check that the kind of the verdict has the largest posterior probability."""
     says = {"none": "none", "parameter_error": "parameter_error", "unknown": "none_of_these", "named": "effects",
             "confounded": "effects", "partly": "effects"}[report["verdict"]]
     return report["posterior"][says] >= max(report["posterior"].values()) - SLACK
@@ -109,7 +109,7 @@ def probability_of(report, effect):
 
 @rule("effects are as probable as the sets that contain them", WEIGHED)
 def candidates_are_of_the_sets(report):
-    """An effect is as probable as the sets that hold it: none more than all of them, all together no less."""
+    """Check that all sets together are as probable as any effect, and no more than the sum over effects."""
     effects = report["posterior"]["effects"]
     probabilities = [c["probability"] for c in report["candidates"]]
     if any(probability_of(report, one["effect"]) > 0.0 for one in report.get("excluded", [])):
@@ -124,21 +124,21 @@ def first_set_is_named(report):
 
 @rule("no set contains an improbable effect", NAMING)
 def sets_are_probable(report):
-    """No other set holds an effect that the table gives below 2 %."""
+    """Check that the other listed sets contain only effects with a probability of at least 2 %."""
     return all(probability_of(report, effect) >= LISTED - SLACK for s in report["confounded"][1:] for effect in s)
 
 
 @rule("alternatives are sorted by probability", WEIGHED)
 def alternatives_follow(report):
-    """By probability, and no more than 1 with what is said."""
+    """Check that probabilities decrease and, with that of the answer, add up to at most 1."""
     others = [a["probability"] for a in report["alternatives"]]
     return others == sorted(others, reverse=True) and report["probability"] + sum(others) <= 1.0 + SLACK
 
 
 @rule("the headline has the largest change")
 def headline_is_the_largest(report):
-    """Where the sentence says how far one of the specification's values is off, no other value is farther off beyond its
-    interval, but for the band of frequencies and values at a bound of the fit."""
+    """Check that no other value is beyond its interval and farther off than the one in the sentence, except for the
+    band of frequencies and values at a bound of the fit."""
     far = []
     for size in report.get("model_sizes", []):
         given, value, (low, high) = size["configured"], size["value"], size["interval_95"]
@@ -157,7 +157,7 @@ def headline_is_the_largest(report):
 
 @rule("shares add up to the removed part of the gap", WEIGHED)
 def shares_add_up(report):
-    """What values and effects remove of the gap as configured is what is removed."""
+    """Check that the shares of values and effects add up to the removed part of the gap as configured."""
     gap = report["gap"]
     removed = 1.0 - gap["augmented"] / gap["as_configured"]
     return abs(sum(report["share_of_configured_gap"].values()) - removed) <= SLACK
@@ -165,7 +165,7 @@ def shares_add_up(report):
 
 @rule("the written file is not worse on any log")
 def file_leaves_no_more(report):
-    """Nor of all logs together; an effect that is withheld is not written."""
+    """Check the gaps of single logs and of all logs together; a withheld effect is not written."""
     logs = report.get("left_of_logs", [])
     if any(log["written"] ** 2 > log["as_configured"] ** 2 + log["allowed"] + SLACK ** 2 for log in logs):
         return False
@@ -193,7 +193,7 @@ def each_effect_removes(report):
 
 @rule("an interval that ends at a bound says so")
 def bounds_are_said(report):
-    """An interval of an effect's size that ends at 0 says that this is a bound."""
+    """Check that an interval of a size that ends at 0 is marked as a bound."""
     return all(size["at_bound"][0] for size in report.get("effect_sizes", [])
                if size["interval_95"][0] == 0.0 and size["value"] > 0.0)
 
@@ -222,7 +222,7 @@ def surrogate_is_there(report):
 
 
 def checked(report):
-    """By check: True, False, or None where it does not apply. What cannot be read does not hold."""
+    """Return by check: True, False, or None where it does not apply. An unreadable report fails."""
     out = {}
     for name, check in CHECKS.items():
         try:

@@ -1,5 +1,5 @@
-// Judges the evidence of many diagnoses again: how often the answer is right and stated probabilities true, and the fit
-// of the judgement's numbers.
+// Judges the evidence of many diagnoses again: the rate of right answers, the calibration of stated probabilities, and
+// the fit of the judgement's numbers.
 //
 // Cases are folders FOLDER with FOLDER_labels and FOLDER_reports beside them, as `generate.py` and `run.py --evidence`
 // write them.
@@ -37,7 +37,7 @@ std::vector<std::string> namesOf(const std::vector<int>& effects, const Evidence
   return names;
 }
 
-// Without evidence the diagnosis refused the logs, or failed.
+// If evidence is missing, the diagnosis refused the logs or failed.
 Said saidOf(const TrialCase& known, const JudgeNumbers& numbers) {
   if (!known.evidence) {
     return {diagnosis::Verdict::check_bench, {}, 0.0};
@@ -71,7 +71,7 @@ Counts count(const std::vector<Judged>& judged, const std::string& group) {
   return counts;
 }
 
-// "86.0 % (72 to 95 %)": a share with its 95 % interval (Clopper and Pearson, Biometrika 26, 1934).
+// Formats a share with its 95 % interval (Clopper and Pearson, Biometrika 26, 1934): "86.0 % (72 to 95 %)".
 std::string share(long part, long all) {
   using Binomial = boost::math::binomial;
   constexpr double kTail = 0.025;
@@ -134,7 +134,7 @@ void printStated(const std::vector<Judged>& judged) {
   }
 }
 
-// Of what labels say; of cases with evidence.
+// Returns the mean logarithm of the probability of the labelled truth over all cases with evidence.
 double meanLogarithmOfTruth(const std::vector<TrialCase>& cases, const std::vector<JudgeNumbers>& numbers) {
   double sum = 0.0;
   double count = 0.0;
@@ -147,7 +147,7 @@ double meanLogarithmOfTruth(const std::vector<TrialCase>& cases, const std::vect
   return sum / count;
 }
 
-// Numbers of each case: as fitted last, or fitted without the fold that the case is in.
+// Returns the numbers for each case: the last fitted ones, or those fitted without the fold of the case.
 std::vector<JudgeNumbers> numbersOf(const std::vector<TrialCase>& cases, int folds) {
   if (folds == 0) {
     return {cases.size(), diagnosis::judge::fittedNumbers()};
@@ -194,7 +194,7 @@ std::string today() {
   return text.data();
 }
 
-// Two lines of a comment: "2026-11-26, on 60 cases", "12 machine, 48 single".
+// Returns two lines of a comment: "2026-11-26, on 60 cases", "12 machine, 48 single".
 std::string fitInWords(const std::vector<TrialCase>& cases) {
   std::map<std::string, int> kinds;
   int number = 0;
@@ -233,7 +233,7 @@ void printVerdicts(const std::vector<TrialCase>& cases) {
 struct Options {
   std::vector<std::string> folders;
   std::string numbers;
-  int folds = 0;  // 0: numbers as fitted last
+  int folds = 0;  // 0: the last fitted numbers
   bool verdicts = false;
 
   command_line::OptionTable table() {

@@ -1,4 +1,4 @@
-// Reading cases and telling whether answers are right.
+// Reads cases and decides whether answers are right.
 #include "judged_case.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ bool areAll(const std::vector<std::string>& names, const std::vector<std::string
   return std::all_of(wanted.begin(), wanted.end(), [&](const std::string& name) { return has(names, name); });
 }
 
-// What rigs of other authors label as in no list, and its name in the list since.
+// A label of rigs by other authors for an effect that the list did not have, and its present name.
 constexpr std::pair<const char*, const char*> kListedSince = {"hydraulic_resonance", "fluid_inertia"};
 
 Truth truthOf(const nlohmann::json& label) {
@@ -113,7 +113,7 @@ bool TrialCase::isRight(const Said& said) const {
   if (isHidden() && said.verdict == Verdict::parameter_error) {
     return true;
   }
-  // A series spring on a linear base makes such a base again.
+  // A linear base with a series spring is again a linear base.
   if (truth.effects == std::vector<std::string>{"series_compliance"} && !truth.unlisted &&
       (said.verdict == Verdict::parameter_error || said.verdict == Verdict::confounded)) {
     return true;
@@ -151,7 +151,7 @@ std::vector<TrialCase> casesOfFolder(const std::string& folder) {
   std::vector<TrialCase> cases;
   for (const fs::path& label : filesIn(stem + "_labels")) {
     const std::string name = label.stem().string();
-    if (fs::exists(stem + "_reports/" + name + "/run.json")) {  // not while it runs
+    if (fs::exists(stem + "_reports/" + name + "/run.json")) {  // skips cases that are running
       cases.push_back(
           caseOf(fs::path(stem).filename().string() + "/" + name, label, stem + "_reports/" + name + "/evidence.json"));
     }

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Cases of real machines of which people know what is at work: their logs with a spring and a dashpot for a model.
-# Half of the machines are for fitting numbers, half for judging.
+# Writes measured logs of real machines with known effects as cases, with a spring and a dashpot as the model. Half of
+# the machines are for fitting numbers, half for judging.
 """Write measured logs of machines with a known cause as cases of a trial."""
 import argparse
 import dataclasses
@@ -24,14 +24,14 @@ DATA = os.environ.get("RUBBER_SUSPENSION_DATA") or os.path.join(PACKAGE, "data")
 
 @dataclasses.dataclass
 class Machine:
-    """Logs of one machine, or a table with its component file, and what is at work in it."""
+    """Logs of one machine, or a table with its component file, and the effects at work in it."""
 
-    data: str        # pattern below the folder of the data
+    data: str        # pattern below the folder of data
     effects: tuple   # one of these has to be named first
-    also: tuple      # may be named besides; anything else is an effect too many
-    why: str         # by how it was made and tested, whatever a model says
-    rig: str         # machines of one rig depend on each other
-    config: str = ""  # of a table
+    also: tuple      # may be named in addition; any other is one effect too many
+    why: str         # evidence from construction and tests, independent of any model
+    rig: str         # machines of one rig are not independent
+    config: str = ""  # for a table
 
 
 FRICTION_AND_OFFSET = (("friction", "force_offset"), ("viscous_damping",))
@@ -71,12 +71,12 @@ JUDGE = {
     "dma_mid": Machine("dma_temperature/mid.csv", ("temperature",), (), *POLYMER, "dma_temperature/mid.yaml"),
     "dma_narrow": Machine("dma_temperature/narrow.csv", ("temperature",), (), *POLYMER, "dma_temperature/narrow.yaml"),
 }
-COMPONENT_OF_TABLES = "c"  # in their component files
+COMPONENT_OF_TABLES = "c"  # name in their component files
 HALVES = {"fit": FIT, "judge": JUDGE}
 
 
 def read_log(path):
-    """Time [s], displacement [m], force [N]."""
+    """Return time [s], displacement [m] and force [N]."""
     with open(path, encoding="utf-8") as file:
         units = [column.split("_")[-1] for column in file.readline().strip().split(",")]
     t, z, f = np.loadtxt(path, delimiter=",", skiprows=1, usecols=(0, 1, 2)).T
@@ -84,8 +84,8 @@ def read_log(path):
 
 
 def spring_and_dashpot(paths):
-    """Stiffness [N/m] and damping [N s/m] by least squares beside a zero, to two digits, as somebody would write them
-    down. All logs are taken on one even grid, with the displacement smoothed."""
+    """Fit stiffness [N/m] and damping [N s/m] beside an offset by least squares, rounded to two digits as a user would
+    write them. All logs are resampled to one even grid, with the displacement smoothed."""
     logs = [read_log(path) for path in paths]
     rate = 1.0 / min(float(np.median(np.diff(t))) for t, _, _ in logs)
     displacement, force, columns = [], [], []
@@ -102,7 +102,7 @@ def spring_and_dashpot(paths):
 
 
 def guess_yaml(name, stiffness, dashpot):
-    """Spring and dashpot as a data sheet that is a guess; without dashpot next to none."""
+    """Return spring and dashpot as a data sheet that is a guess; without dashpot, the damping is nearly zero."""
     damping = 1e-3 if dashpot > 0.0 else 1e-4
     frequency = damping * stiffness / (math.pi * dashpot) if dashpot > 0.0 else 1.0
     numbers = {"dynamic_stiffness": stiffness, "nominal_frequency": frequency, "relative_damping": damping}
@@ -111,7 +111,7 @@ def guess_yaml(name, stiffness, dashpot):
 
 
 def write(name, machine, data, output, labels):
-    """The case in OUTPUT/NAME, its label beside; False where the data are missing."""
+    """Write the case to OUTPUT/NAME with its label; return False if the data are missing."""
     paths = sorted(glob.glob(os.path.join(data, machine.data)))
     if not paths:
         return False

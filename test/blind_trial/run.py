@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Runs `diagnose` over the cases of a blind trial, with a time limit, and records time and peak memory of each.
-# It reads the cases only, never the labels.
+# Runs `diagnose` on the cases of a blind trial with a time limit, and records time and peak memory of each. It reads
+# the cases only, never the labels.
 """Run a diagnosis over all cases of a blind trial."""
 import argparse
 import concurrent.futures
@@ -19,7 +19,7 @@ DEFECT = 3  # exit status of a report that contradicts itself
 
 
 def description(folder):
-    """What case.json holds; for a folder without it the component and the logs log_*.csv that lie in it."""
+    """Return the content of case.json, or else the component and the logs log_*.csv of the folder."""
     path = os.path.join(folder, "case.json")
     if os.path.isfile(path):
         with open(path, encoding="utf-8") as file:
@@ -31,11 +31,11 @@ def description(folder):
 
 
 def command(binary, folder, report_folder, evidence):
-    """The command line for one case."""
+    """Return the command line for one case."""
     case = description(folder)
     out = [binary, "--config", os.path.join(folder, "component.yaml"), "--component", case["component"],
            "--output", report_folder] + ["--evidence"] * evidence
-    if case.get("table"):  # of a sheet that is some times off, not its units
+    if case.get("table"):  # the sheet is wrong by some factor, the units are right
         return out + ["--accept-units", "--from-table", os.path.join(folder, case["table"])]
     for option, key in (("--log", "logs"), ("--hold-out", "hold_out")):
         for log in case[key]:
@@ -44,7 +44,7 @@ def command(binary, folder, report_folder, evidence):
 
 
 def run_one(binary, folder, report_folder, limit, evidence=False):
-    """One diagnosis; returns what run.json holds."""
+    """Run one diagnosis and return the content of run.json."""
     shutil.rmtree(report_folder, ignore_errors=True)
     os.makedirs(report_folder)
     start = time.monotonic()

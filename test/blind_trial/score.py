@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# What the reports of a trial state beside the verdict, against the sealed labels: rules that every report keeps, gaps
-# that `replay` finds again, what is really closed on further logs, time and memory. judge_again counts right verdicts.
+# Compares the statements of reports beside the verdict with the sealed labels: rules of every report, gaps that
+# `replay` reproduces, the share closed on further logs, time and memory. judge_again counts right verdicts.
 """Score the reports of a blind trial."""
 import argparse
 import json
@@ -19,7 +19,7 @@ def known(values):
 
 
 def rate(flags):
-    """{hits, of, rate, interval_95} with Wilson's interval; flags that are None do not count."""
+    """Return {hits, of, rate, interval_95} with Wilson's interval; flags that are None do not count."""
     flags = [bool(flag) for flag in known(flags)]
     n, k = len(flags), sum(flags)
     if n == 0:
@@ -31,13 +31,13 @@ def rate(flags):
 
 
 def median(values):
-    """{value: median, of: count}."""
+    """Return {value: median, of: count}."""
     values = known(values)
     return {"value": float(np.median(values)) if values else None, "of": len(values)}
 
 
 def text(figure):
-    """A figure in a cell of a table."""
+    """Format a figure for a cell of a table."""
     if "rate" not in figure:
         return "-" if figure["value"] is None else f"{figure['value']:.3f} (of {figure['of']})"
     if figure["rate"] is None:
@@ -47,14 +47,14 @@ def text(figure):
 
 
 def closed_on_further(case, what="augmented"):
-    """The fraction of the gap that a component file really closes on further logs, down to the gap of a perfect model."""
+    """Return the fraction of the gap that a component file closes on further logs; a perfect model has 1."""
     gaps = case.further or {}
     span = gaps.get("re_estimated", 0.0) - case.label["noise"].get("floor_further", 0.0)
     return min(1.0, (gaps["re_estimated"] - gaps[what]) / span) if what in gaps and span > 0.0 else None
 
 
 def is_covered(case):
-    """Whether interval_95 of the report holds that fraction; None where the report names nothing."""
+    """Return whether interval_95 of the report contains that fraction; None if the report names nothing."""
     closed = closed_on_further(case)
     if closed is None or not case.report["effects"]:
         return None
@@ -63,7 +63,7 @@ def is_covered(case):
 
 
 def measure_further(binary, cases, labels):
-    """Sets `further` of each case that has further logs and a report with gaps; `error` there holds a refusal."""
+    """Set `further` of each case with further logs and gaps in its report, or `error` there if replay fails."""
     for case in cases:
         if "file" in case.label and case.report and case.report["verdict"] not in ("check_bench", "defect"):
             try:
@@ -73,7 +73,7 @@ def measure_further(binary, cases, labels):
 
 
 def rows_of(cases, binary):
-    """(name, figure) of each row of the table."""
+    """Return (name, figure) of each row of the table."""
     reports = [case.report for case in cases if case.report]
     rows = [("cases with a report", rate(case.report is not None for case in cases)),
             ("reports without a defect", rate(report["verdict"] != "defect" for report in reports))]
@@ -91,7 +91,7 @@ def rows_of(cases, binary):
 
 
 def cost_of(cases):
-    """Time and memory of the diagnoses."""
+    """Return time and memory of the diagnoses."""
     runs = known(case.run for case in cases)
     if not runs:
         return {}
@@ -103,7 +103,7 @@ def cost_of(cases):
 
 
 def score(cases, binary=None):
-    """All figures as a dict that JSON can hold."""
+    """Return all figures as a dict for JSON."""
     by_case = [{"case": case.label["case"], "further": case.further,
                 "verdict": case.report["verdict"] if case.report else "missing"} for case in cases]
     return {"rows": dict(rows_of(cases, binary)), "cost": cost_of(cases), "by_case": by_case}

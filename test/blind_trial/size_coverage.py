@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# How often the 95 % intervals of a report hold the size of an effect: fresh benches whose laws have other forms than
-# those that are fitted, with the number that a law of the list would have to give.
+# Coverage of the 95 % intervals that a report gives for the sizes of effects, on new benches whose laws differ in form
+# from the fitted ones; the truth is the number that a law of the list would have to give.
 """Coverage of sizes. Usage: size_coverage.py FOLDER --diagnose PATH --replay PATH [--benches 60] [--seed 2] [--jobs 1]
 
 Prints by kind and pooled how many sizes of effects that were named lie in their interval. Benches that FOLDER has
@@ -19,8 +19,8 @@ from replayed import force_along, write_log
 RATE = 250.0
 SECONDS = 20.0
 TIME = np.arange(0.0, SECONDS, 1.0 / RATE)
-STIFFNESS = 1.2e6  # of the base [N/m], of the order that sizes have
-SHEET_ERROR = 0.1  # standard deviation of the numbers of a data sheet, as its tolerance is
+STIFFNESS = 1.2e6  # of the base [N/m]; sizes are of this order
+SHEET_ERROR = 0.1  # standard deviation of the numbers of a data sheet, equal to its tolerance
 SHEET = """components:
   bush:
     model: maxwell
@@ -33,7 +33,7 @@ SHEET = """components:
 
 
 def motions(rng):
-    """Displacements [m]; the last is held out."""
+    """Return displacements [m]; the last log is held out."""
     fade = np.clip(np.minimum(TIME, SECONDS - TIME) / 0.5, 0.0, 1.0)
 
     def sines(largest):
@@ -46,12 +46,12 @@ def motions(rng):
     return {"sines": sines(2.4e-3), "sweep": sweep, "hold": hold, "unseen": sines(2.2e-3)}
 
 
-# ---- laws: (rng) -> {size: truth}, and a force that is added, or what becomes of the motion or of the force ----------
+# ---- laws: (rng) -> {size: truth}, and either an added force or a function of the motion or of the force ------------
 
 def dahl(rng):
-    """Friction whose slope falls by a power other than any that is fitted."""
+    """Friction whose slope falls with another power than any fitted one."""
     force, slip, power = rng.uniform(120, 300), rng.uniform(0.03e-3, 0.2e-3), rng.uniform(0.7, 1.4)
-    # From a reversal at the limit to no force: half of the way that Masing's rule takes from rest.
+    # The displacement from a reversal at the limit to zero force is half of that from rest, by Masing's rule.
     half = 0.5 * slip * (np.log(2.0) if abs(power - 1) < 1e-9 else (1 - 2.0 ** (1 - power)) / (power - 1))
 
     def law(z):
@@ -66,7 +66,7 @@ def dahl(rng):
 
 
 def stop(rng):
-    """A stop of rubber, whose force grows by a power."""
+    """A rubber stop whose force grows with a power of the depth."""
     gap, power = rng.uniform(1.0e-3, 1.6e-3), rng.uniform(1.1, 1.9)
     most = rng.uniform(0.4, 1.0) * 1500.0
 
@@ -77,7 +77,7 @@ def stop(rng):
 
 
 def spectrum(low, high, total):
-    """Maxwell elements close together over a band, by the exact step."""
+    """Closely spaced Maxwell elements over a band, with exact steps."""
     rates = 2 * np.pi * np.geomspace(low, high, 9)
 
     def law(z):
@@ -92,7 +92,7 @@ def spectrum(low, high, total):
 
 
 def relaxation(rng):
-    """Slower than the element of the base, so that this one's values do not take it over."""
+    """Relaxation slower than the element of the base, so that the values of the base cannot imitate it."""
     total = rng.uniform(0.15, 0.35) * STIFFNESS
     low = rng.uniform(0.1, 0.2)
     return {"stiffness": total}, spectrum(low, 6.0 * low, total), None
@@ -105,7 +105,7 @@ def creep(rng):
 
 
 def mass(rng):
-    """A fixture on a joint that gives way a little: its own resonance lies far above the motion."""
+    """A fixture on a slightly flexible joint, with a resonance far above the motion."""
     m, resonance = rng.uniform(8.0, 25.0), 2 * np.pi * rng.uniform(60.0, 100.0)
 
     def law(z):
@@ -124,7 +124,7 @@ def play(rng):
 
 
 def delay(rng):
-    """A filter of second order in front of the force, whose delay is that of low frequencies."""
+    """A second-order filter of the force, whose delay at low frequencies is the truth."""
     late = rng.uniform(2e-3, 5e-3)
     rate = 2.0 / late
     return {"delay": late}, "filter", lambda f: np.fft.irfft(
@@ -139,7 +139,7 @@ def write_bench(folder, kind, rng, replay):
     os.makedirs(folder, exist_ok=True)
     values = np.array([1e6, 1.3e6, 3.0])
     sheet = values * rng.normal(1.0, SHEET_ERROR, 3)
-    while sheet[1] < 1.05 * sheet[0]:  # no such model
+    while sheet[1] < 1.05 * sheet[0]:  # the model has no solution
         sheet = values * rng.normal(1.0, SHEET_ERROR, 3)
     for name, numbers in (("true", values), ("component", sheet)):
         with open(f"{folder}/{name}.yaml", "w", encoding="utf-8") as file:
@@ -172,7 +172,7 @@ def run(folder, number, kind, options):
 
 
 def sizes(truth, report):
-    """(name, truth, size of the report) of each size that the report gives of the effect."""
+    """Return (name, truth, reported size) of each size that the report gives of the effect."""
     if truth["kind"] not in report["effects"]:
         return []
     found = {s["name"]: s for s in report["effect_sizes"] if s["owner"] == truth["kind"]}

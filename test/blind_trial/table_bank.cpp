@@ -1,5 +1,5 @@
-// Tables of virtual components with noise, and what the diagnosis makes of them: the figures of docs/tables.md.
-// table_bank NOISE TABLES [few]: noise of K* [-], tables for each component, 12 rows in place of 24.
+// Diagnoses tables of virtual components with noise, for the figures of docs/tables.md.
+// table_bank NOISE TABLES [few]: noise of K* [-], tables per component, 12 rows instead of 24.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -21,7 +21,7 @@ struct Case {
   std::string configured;
   std::string truth;
   std::string added;
-  std::string right;  // effect, or verdict without one
+  std::string right;  // effect, or the verdict if none
 };
 
 const std::vector<Case>& cases() {

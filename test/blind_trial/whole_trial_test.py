@@ -1,5 +1,5 @@
-# A very small blind trial from nothing to its figures, and wrong data sheets.
-# whole_trial_test.py FOLDER: that of the commands `diagnose`, `judge_again` and `replay`.
+# A very small blind trial from generation to figures, and wrong data sheets.
+# whole_trial_test.py FOLDER: the folder of the commands `diagnose`, `judge_again` and `replay`.
 """Tests of the blind trial with the commands."""
 import filecmp
 import os
@@ -21,7 +21,7 @@ REPLAY = os.path.join(PROGRAMS, "replay")
 
 
 def script(name, *words):
-    """What a script of this folder prints."""
+    """Return the output of a script of this folder."""
     return subprocess.run([os.path.join(HERE, name), *words], check=True, capture_output=True, text=True).stdout
 
 
@@ -68,7 +68,7 @@ class TrialTest(unittest.TestCase):
 
 
 class WrongSheetsTest(unittest.TestCase):
-    """One bench of each model whose sheet is wrong."""
+    """One bench of each model with a wrong sheet."""
 
     def write(self, folder):
         cases = os.path.join(folder, "cases")
@@ -84,7 +84,7 @@ class WrongSheetsTest(unittest.TestCase):
                     simulated = replayed.replay(REPLAY, case + "/component.yaml", "bush", log)
                     gap = np.std(measured - simulated) / np.std(measured)
                     self.assertGreater(gap, wrong_sheets.NOISE)  # the sheet is wrong,
-                    self.assertLess(gap, 4.0 * wrong_sheets.OFF["static_stiffness"])  # by what sheets are off
+                    self.assertLess(gap, 4.0 * wrong_sheets.OFF["static_stiffness"])  # by usual errors
 
     def test_are_the_same_of_the_same_seed(self):
         with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as other:

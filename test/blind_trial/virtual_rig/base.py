@@ -1,5 +1,5 @@
-# The rubber component inside the virtual rig: spring, Maxwell elements, dashpot and Berg friction, and how the five
-# numbers of a specification become their parameters (Polach 2015; Berg 1997). Python on its own, no code of the package.
+# The rubber component of the virtual rig: spring, Maxwell elements, dashpot and Berg friction, and their parameters
+# from the five numbers of a specification (Polach 2015; Berg 1997). This Python code shares nothing with the package.
 """Base components of the virtual rigs [SI]."""
 import dataclasses
 import math
@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 from scipy.signal import lfilter
 
 
-FRICTION_RATE = 500.0  # that of the logs [Hz]
+FRICTION_RATE = 500.0  # the rate of the logs [Hz]
 
 
 class Unsolvable(ValueError):
@@ -17,9 +17,9 @@ class Unsolvable(ValueError):
 
 
 def berg_response(z, z2, dead_band=0.0):
-    """Friction force over F_max of Berg's element along the displacement z [m]; starts at rest, so does z.
+    """Return the force of Berg's element over F_max along the displacement z [m], starting from rest.
 
-    A reversal counts once the motion has backed off from its extremum by more than the dead band [m].
+    A reversal counts once the motion has moved back from its extremum by more than the dead band [m].
     """
     out = np.empty_like(z)
     z_s, f_s, direction, extremum = float(z[0]), 0.0, 0, float(z[0])
@@ -36,7 +36,7 @@ def berg_response(z, z2, dead_band=0.0):
 
 
 def _branch(way, start, direction, z2):
-    """Force over F_max at a distance `way` from the last reversal, where it was `start`."""
+    """Return the force over F_max at a distance `way` from the last reversal, where it was `start`."""
     room = 1.0 - direction * start
     return start + way * room / (z2 * room + direction * way)
 
@@ -54,7 +54,7 @@ class Base:
     dead_band: float = 0.0
 
     def parts(self, z, rate):
-        """Elastic force and the rest [N], each a list over the logs z [m] sampled at `rate` [Hz]."""
+        """Return the elastic force and all other force [N], each a list over the logs z [m] sampled at `rate` [Hz]."""
         elastic = [self.k0 * x for x in z]
         rest = [self._memory(x, rate) for x in z]
         return elastic, rest
@@ -73,7 +73,7 @@ class Base:
         return rest
 
     def tangent(self, z, rate):
-        """Derivatives of the force by every parameter, a list over the logs of matrices (samples x parameters)."""
+        """Return the derivatives of the force by all parameters, as a (samples x parameters) matrix for each log."""
         matrices = []
         for x in z:
             columns = [x]
@@ -90,7 +90,7 @@ class Base:
         return matrices
 
     def scaled(self, rng, spread):
-        """A copy with every parameter off by its own factor; also the factors."""
+        """Return a copy with an independent factor on each parameter, and the factors."""
         def factor():
             return float(np.exp(rng.choice([-1.0, 1.0]) * rng.uniform(0.4, 1.0) * math.log1p(spread)))
         factors = {"k0": factor(), "k": [factor() for _ in self.k], "tau": [factor() ** 2 for _ in self.tau]}
@@ -108,17 +108,17 @@ class Base:
 
 
 def maxwell_response(z, tau, rate):
-    """Force over stiffness of a Maxwell element, exact for a displacement that is linear between samples [m]."""
+    """Return force over stiffness of a Maxwell element, exact for displacement [m] that is linear between samples."""
     decay = -1.0 / (rate * tau)
     gain = -np.expm1(decay) / -decay
     return lfilter([gain], [1.0, -math.exp(decay)], np.diff(z, prepend=z[0]))
 
 
 def friction_on_grid(z, z2, rate, dead_band):
-    """Berg's element at no more than FRICTION_RATE, linear in between.
+    """Return Berg's element at up to FRICTION_RATE, linear in between.
 
-    It has no memory beyond the last reversal, so a small reversal between two samples of a log would shift all that
-    follows; a base is to be what its model says, so it sees the samples of the log.
+    It stores only the last reversal, so a small reversal between two samples of a log would shift all later forces. The
+    base has to agree with its model, so it uses the samples of the log.
     """
     skip = max(1, int(round(rate / FRICTION_RATE)))
     if skip == 1:
@@ -131,7 +131,7 @@ def friction_on_grid(z, z2, rate, dead_band):
 
 
 def from_specification(model, s):
-    """The base of a component file's `model` with specification `s` (a dict, SI). Raises Unsolvable."""
+    """Return the base of a component file's `model` with specification `s` (a dict, SI). Raises Unsolvable."""
     return {"maxwell": maxwell, "maxwell_dashpot": maxwell_dashpot, "berg": berg, "multi_maxwell": multi_maxwell}[model](s)
 
 
@@ -164,7 +164,7 @@ def multi_maxwell(s):
 
 
 def maxwell(s):
-    """One Maxwell element that meets K_n at f_n, with K_max given: |K|^2 = (K_st^2 + u K_max^2)/(1+u), u = (f_n/f_b)^2."""
+    """One Maxwell element from K_n at f_n and K_max: |K|^2 = (K_st^2 + u K_max^2)/(1+u), u = (f_n/f_b)^2."""
     low_k, mid_k, high_k = s["static_stiffness"], s["dynamic_stiffness"], s["maximum_stiffness"]
     if not low_k < mid_k < high_k:
         raise Unsolvable("stiffnesses do not increase")
@@ -173,7 +173,7 @@ def maxwell(s):
 
 
 def maxwell_dashpot(s):
-    """Real and imaginary part of K at f_n, break frequency given."""
+    """Real and imaginary part of K at f_n with a given break frequency."""
     low_k, mid_k, delta = s["static_stiffness"], s["dynamic_stiffness"], s["loss_angle"]
     f_n, r = s["nominal_frequency"], s["nominal_frequency"] / s["break_frequency"]
     k1 = (mid_k * math.cos(delta) - low_k) * (1 + r * r) / (r * r)
@@ -184,14 +184,14 @@ def maxwell_dashpot(s):
 
 
 def berg_steady_state(z0, z2):
-    """Peak force over F_max, and loss energy over F_max, of a settled loop of amplitude z0."""
+    """Return peak force and loss energy, both over F_max, of a settled loop of amplitude z0."""
     peak = (math.sqrt(z2 * z2 + z0 * z0 + 6.0 * z2 * z0) - z2 - z0) / (2.0 * z2)
     near = z2 * (1.0 + peak)
     return peak, 2.0 * (2.0 * z0 - near * (1.0 + peak) * math.log1p(2.0 * z0 / near))
 
 
 def berg(s):
-    """Berg friction and one Maxwell element that share the loss energy at (f_n, A_n), four to one."""
+    """Berg friction and one Maxwell element that share the loss energy at (f_n, A_n) in the ratio four to one."""
     low_k, mid_k, delta, a = s["static_stiffness"], s["dynamic_stiffness"], s["loss_angle"], s["nominal_amplitude"]
     share = 0.2
     r = s["nominal_frequency"] / s["break_frequency"]

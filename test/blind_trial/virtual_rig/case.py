@@ -1,5 +1,5 @@
 # One case of the trial: draws component, programme, effects and noise, runs the rig, writes the folder and the label.
-# Everything follows from seed and number; the label goes to another folder than what a diagnosis may see.
+# Everything depends on seed and number only; the label is in another folder, hidden from the diagnosis.
 """Cases of the blind trial."""
 import dataclasses
 import json
@@ -14,11 +14,11 @@ from .effect import Scale
 from .rig import Rig, Ruler, gap
 
 RATE = 500.0          # of the logs [Hz]
-FINE = 4              # samples of the rig's own grid per sample of a log
+FINE = 4              # samples of the rig's grid per sample of a log
 TRAINING, HOLD_OUT = 6, 2
-SEEN = TRAINING + HOLD_OUT  # by a diagnosis
+SEEN = TRAINING + HOLD_OUT  # logs that a diagnosis sees
 BANK = 11             # of the seeds
-# With form error: of each law, in RMS; how often two laws are mixed; stiffness of the base that its model lacks.
+# With form error: RMS error of each law, probability of a mixed law, additional stiffness of the base.
 FORM_ERROR, MIXED, BASE_ERROR = (0.10, 0.30), 0.5, (0.02, 0.10)
 
 
@@ -29,18 +29,18 @@ NAMES = ("left_secondary", "right_secondary", "bush_1", "engine_mount", "emergen
 FAMILIES = (((1e5, 6e5), (3e-4, 1.5e-3)), ((8e5, 6e6), (3e-4, 2e-3)), ((5e5, 1.2e7), (1e-3, 6e-3)),
             ((3e5, 3e6), (5e-3, 2e-2)))
 
-# Pairs that no log can tell from one effect, or that undo each other.
+# Pairs that no log can distinguish from one effect, or that cancel each other.
 HOPELESS = ({"relaxation", "creep"}, {"relaxation", "series_compliance"}, {"viscous_damping", "time_delay"},
             {"relaxation", "viscous_damping"}, {"creep", "force_drift"}, {"force_offset", "asymmetric_stiffness"},
             {"creep", "series_compliance"}, {"force_offset", "force_drift"}, {"progressive_stiffness", "bump_stop"},
             {"friction", "backlash"}, {"inertia", "fluid_inertia"})  # one contains the other
-# Coupling is what is left where no two effects explain the gap, and a contact opens on programmes of its own.
+# Coupling is named only if no two effects explain the gap; a contact needs its own programmes.
 ALONE = ("rate_amplitude_coupling", "lift_off")
 PAIRED = [effect for effect in laws.EFFECTS if effect not in ALONE]
 
 
 def plan(cases, seed):
-    """Kinds of all cases, shuffled: 60 % single effects, 12 % pairs, 8 % none, 8 % parameter error, 12 % unknown."""
+    """Shuffle the kinds of all cases: 60 % single effects, 12 % pairs, 8 % none, 8 % parameter error, 12 % unknown."""
     rng = np.random.default_rng(np.random.SeedSequence([BANK, seed, 10**6]))
     quota = {"single": 0.60, "pair": 0.12, "none": 0.08, "parameter_error": 0.08, "unknown": 0.12}
     kinds = []
@@ -74,7 +74,7 @@ def draw_pair(rng):
 
 
 def draw_specification(rng, effects):
-    """(model, specification, base, amplitude): a component that its model describes exactly."""
+    """Return (model, specification, base, amplitude) of a component that its model describes exactly."""
     model, extra = draw_model(rng, effects)
     for _ in range(1000):
         family = FAMILIES[int(rng.integers(len(FAMILIES)))]
@@ -101,14 +101,14 @@ def draw_specification(rng, effects):
 
 
 def draw_model(rng, effects):
-    """A model in which the effects are missing: further Maxwell elements show on few only, friction not on Berg's."""
+    """Draw a model without the effects: more Maxwell elements show on models with few, friction not on Berg's."""
     names, weights = ["multi_maxwell_5", "multi_maxwell_3", "maxwell", "berg", "maxwell_dashpot"], [5, 4, 1.5, 1.5, 0.5]
     if "relaxation" in effects:
         weights = [0.7, 2.0, 5, 1.0, 0]
     if "series_compliance" in effects:
         weights = [1.5, 1.0, 0.5, 5, 0]
     if "lift_off" in effects:
-        weights[4] = 0  # as behind a compliance
+        weights[4] = 0  # as it would be behind a compliance
     if "friction" in effects:
         weights[3] = 0
     if "viscous_damping" in effects:
@@ -120,7 +120,7 @@ def draw_model(rng, effects):
 
 
 def wrong_specification(rng, model, s, spread):
-    """A specification off by up to `spread`, still solvable; also the factors."""
+    """Return a solvable specification off by up to `spread`, with the factors and the base."""
     for _ in range(200):
         factors = {k: float(np.exp(rng.choice([-1, 1]) * rng.uniform(0.2, 1.0) * math.log1p(spread)))
                    for k in s if k not in ("maxwell_elements", "nominal_amplitude")}
@@ -136,7 +136,7 @@ def wrong_specification(rng, model, s, spread):
 
 
 def draw_logs(rng, amplitude, further, duration):
-    """Displacements on the fine grid, their kinds and the actuator."""
+    """Return displacements on the fine grid, their kinds and the actuator."""
     rig = excitation.Actuator(rng, amplitude, RATE * FINE)
     kinds, held, programme, repeat = excitation.draw_programme(rng, rig, TRAINING, HOLD_OUT + further)
     z = [excitation.make(rng, rig, k, duration * float(int(rng.uniform(30.0, 60.0)))) for k in kinds + held]
@@ -146,7 +146,7 @@ def draw_logs(rng, amplitude, further, duration):
 
 
 def loaded_to_one_side(rng, z, amplitude, rate):
-    """The programme about a preload of its own in each log, all of one sign, without which no contact stays closed."""
+    """Return the programme about preloads of one sign, one per log; without a preload no contact stays closed."""
     side = rng.choice([-1.0, 1.0])
     rise = 0.5 - 0.5 * np.cos(np.pi * np.minimum(np.arange(max(len(x) for x in z)) / rate, 1.0))
     return [x + side * amplitude * rng.uniform(0.4, 0.9) * rise[:len(x)] for x in z]
@@ -156,10 +156,10 @@ def loaded_to_one_side(rng, z, amplitude, rate):
 
 
 def build(seed, number, kind, effect_names, small, further=0, duration=1.0, inexact=False):
-    """Everything about a case in memory: a dict with logs, component file and label.
+    """Build a case in memory: a dict with logs, component file and label.
 
-    `further` logs are of the same rig, and no diagnosis sees them; `duration` is a share of the usual 30 to 60 s.
-    `inexact` rigs have form error: laws of no textbook, and a base off the ladder of its model.
+    `further` logs are of the same rig but hidden from the diagnosis; `duration` is a share of the usual 30 to 60 s.
+    `inexact` rigs have form errors and a base with more relaxation than its model.
     """
     rng = np.random.default_rng(np.random.SeedSequence([BANK, seed, number]))
     wanted = rng.uniform(0.028, 0.034) if small else laws.log_uniform(rng, 0.05, 0.30)
@@ -168,7 +168,7 @@ def build(seed, number, kind, effect_names, small, further=0, duration=1.0, inex
     attempts = (arrange(rng, effect_names, wanted, by_visible, further, duration, form) for _ in range(4))
     case = dict(best_of(attempts, wanted, 0.85 if by_visible else 0.3), rng=rng, kind=kind, wanted=wanted,
                 by_visible=by_visible, further=further)
-    # One component in eight is described by its elements, one with friction more often.
+    # One component in eight is described by its elements, more often if it has friction.
     share = {"berg": 0.6, "maxwell_dashpot": 0.3}.get(case["model"], 0.12)
     case["as_elements"] = bool(rng.random() < share)
     apply_parameter_error(case)
@@ -177,7 +177,7 @@ def build(seed, number, kind, effect_names, small, further=0, duration=1.0, inex
 
 
 def best_of(attempts, wanted, enough):
-    """The first rig whose effects reach enough of the wanted gap, or the one that comes closest."""
+    """Return the first rig whose effects reach enough of the wanted gap, or the one that comes closest."""
     best, most = None, -1.0
     for attempt in attempts:
         reached = attempt["visible"] / wanted if attempt["effects"] else 1.0
@@ -189,7 +189,7 @@ def best_of(attempts, wanted, enough):
 
 
 def draw_effect(rng, scale, name, form):
-    """An effect by one of its laws; with form error where there is a generator for it."""
+    """Draw an effect by one of its laws, with form error if `form` is a generator."""
     effect = laws.draw(rng, scale, name)
     if form is None:
         return effect
@@ -198,7 +198,7 @@ def draw_effect(rng, scale, name, form):
 
 
 def arrange(rng, effect_names, wanted, by_visible, further, duration, form):
-    """Component, programme and effects with their strengths."""
+    """Draw component, programme and effects, and find the strengths."""
     model, specification, base, amplitude = draw_specification(rng, effect_names)
     if form is not None:
         base = form_error.off_ladder(form, base, form.uniform(*BASE_ERROR), 10.0, 0.005)
@@ -221,14 +221,14 @@ def arrange(rng, effect_names, wanted, by_visible, further, duration, form):
 
 
 def strength_of(ruler, effect, wanted, by_visible):
-    """As the ruler finds it, but nothing holds a contact that opens: with less than all of it, it is a compliance."""
+    """Return the strength from the ruler; a contact gets the full strength, because less of it is a compliance."""
     if effect.stage == "contact":
         return effect.strongest, ruler.gaps({id(effect): effect.strongest})
     return ruler.strength_for(effect, wanted, by_visible)
 
 
 def scale_of(z, rate, stiffness, force, top_frequency):
-    """Sizes of the logs that a diagnosis sees; the lengths are those of all."""
+    """Return sizes of the logs that a diagnosis sees, and the lengths of all logs."""
     seen = z[:SEEN]
     peaks = [float(np.max(np.abs(x))) for x in seen]
     return Scale(stiffness=stiffness, amplitude=max(peaks), least_amplitude=min(peaks),
@@ -239,7 +239,7 @@ def scale_of(z, rate, stiffness, force, top_frequency):
 
 
 def shares_of(rng, count):
-    """How the effects of a pair divide the gap: squares add up to 1 and none is below half of the other."""
+    """Draw the shares of a pair in the gap: their squares add up to 1, and none is below half of the other."""
     if count < 2:
         return [1.0]
     angle = rng.uniform(math.atan(0.5), math.atan(2.0))
@@ -247,7 +247,7 @@ def shares_of(rng, count):
 
 
 def apply_parameter_error(case):
-    """The values of the file become wrong: the point of the case, or in three of ten cases in passing."""
+    """Make the values of the file wrong: always for parameter errors, otherwise in three of ten cases."""
     rng, kind = case["rng"], case["kind"]
     case["file_specification"], case["parameter_error"] = case["specification"], None
     case["file_base"] = bases.Base(**{f.name: getattr(case["base"], f.name) for f in dataclasses.fields(bases.Base)})
@@ -262,14 +262,14 @@ def apply_parameter_error(case):
 
 
 def wrong_file(case, spread):
-    """The file's values are off by up to `spread`, those of the rig are not."""
+    """Make the file's values wrong by up to `spread`; those of the rig stay."""
     s, factors, base = wrong_specification(case["rng"], case["model"], case["specification"], spread)
     case["file_specification"], case["file_base"] = s, base
     case["parameter_error"] = {"level": "specification", "factors": factors}
 
 
 def measure(case):
-    """Runs the rig, then the sensors: noise, colour, quantisation."""
+    """Run the rig and add the sensors' noise, colour and quantisation."""
     rng, z = case["rng"], case["z"]
     true = [f[::FINE] for f in case["rig"].force(case["strengths"])]
     coarse = [x[::FINE] for x in z]
@@ -284,7 +284,7 @@ def measure(case):
     for f, x in zip(true, coarse):
         force.append(quantised(f + typical * ratio * noise(rng, len(f), colour), steps[1]))
         displacement.append(quantised(x + sensor * rng.standard_normal(len(x)), steps[0]))
-    # A file that lists elements may give friction its dead band of six times the noise.
+    # A file that lists elements may give friction a dead band of six times the noise.
     banded = case["as_elements"] and case["base"].friction_force > 0.0
     case["dead_band"] = max(6.0 * sensor, 2.0 * steps[0]) if banded else 0.0
     case.update(true=true, coarse=coarse, force=force, displacement=displacement,
@@ -292,7 +292,7 @@ def measure(case):
 
 
 def noise(rng, n, colour):
-    """Noise of standard deviation 1, of which a share `colour` is slow (first-order, about 8 Hz)."""
+    """Return noise of standard deviation 1, of which a share `colour` is slow (first order, about 8 Hz)."""
     white = rng.standard_normal(n)
     if colour == 0.0:
         return white
@@ -305,10 +305,10 @@ def quantised(x, step):
 
 
 def noise_floor(case, logs):
-    """Gap of a perfect model of the base that is fed with the measured displacement: the part that nothing can close.
+    """Return the gap of a perfect model of the base with the measured displacement, which no model can close.
 
-    The model sees samples with noise: a dashpot differentiates that, and a Berg element takes it for reversals unless
-    it has a dead band, after which its path is another one.
+    The model's input has noise, which a dashpot differentiates, and in which a Berg element without a dead band sees
+    reversals that change its path.
     """
     base, rate, difference = case["base"], RATE, []
     model_base = dataclasses.replace(base, dead_band=case["dead_band"], c0=0.0)
@@ -322,7 +322,7 @@ def noise_floor(case, logs):
 
 
 def finish(case, seed, number):
-    """What a diagnosis sees, and the label."""
+    """Assemble the logs for the diagnosis, and the label."""
     rng, further = case["rng"], case["further"]
     everything = list(range(SEEN))
     held = everything[TRAINING:]
@@ -361,15 +361,15 @@ UNITS_F = (("N", 1.0, 3), ("kN", 1e-3, 6), ("MN", 1e-6, 9))
 
 
 def write(case, folder, label_folder):
-    """The case's folder (component.yaml, logs, case.json) and its sealed label (json, and the true forces)."""
+    """Write the case's folder (component.yaml, logs, case.json) and its sealed label (json, and the true forces)."""
     rng, label = case["rng"], case["label"]
     os.makedirs(folder, exist_ok=True)
     os.makedirs(label_folder, exist_ok=True)
     name = str(rng.choice(NAMES))
     z_unit, f_unit = UNITS_Z[int(rng.choice(3, p=[0.2, 0.65, 0.15]))], UNITS_F[int(rng.choice(3, p=[0.3, 0.6, 0.1]))]
-    # A thermometer in the room; where the specimen heats itself it would have to show that, so there is none.
+    # A thermometer in the room. It is omitted if the specimen heats itself, because it would have to show that.
     warm = 20.0 + rng.uniform(-3, 6) if rng.random() < 0.2 and "self_heating" not in label["effects"] else None
-    ambient = label["parameters"].get("temperature")  # where it is the effect
+    ambient = label["parameters"].get("temperature")  # if temperature is the effect
     files = []
     for i, (kind, z, f) in enumerate(case["logs"]):
         prefix, before = ("log", 0) if i < TRAINING else ("hold_out", TRAINING)
@@ -407,7 +407,7 @@ def write_log(path, rate, z, f, z_unit, f_unit, temperature):
 
 
 def component_yaml(rng, name, model, s):
-    """The component file; stiffnesses sometimes as text with a unit."""
+    """Return the component file; stiffnesses are sometimes text with a unit."""
     lines = ["components:", f"  {name}:", f"    model: {model}", "    specification:"]
     with_units = rng.random() < 0.3
     for key, value in s.items():
@@ -424,7 +424,7 @@ def component_yaml(rng, name, model, s):
 
 
 def element_entries(base, dead_band):
-    """The base as a list of (type, parameters) of a component file's `elements`."""
+    """Return the base as (type, parameters) entries of `elements` in a component file."""
     entries = [("spring", {"stiffness": base.k0})]
     entries += [("maxwell", {"stiffness": k, "break_frequency": 1.0 / (2.0 * math.pi * tau)})
                 for k, tau in zip(base.k, base.tau)]

@@ -1,11 +1,11 @@
-# What an effect of a virtual rig is, and at which stage between actuator and log it acts.
-# The strength of an effect is one number; everything else about it is drawn once.
+# Effects of a virtual rig and the stages between actuator and log at which they act.
+# The strength of an effect is one number; its other parameters are drawn once.
 """Effects as data: a stage, a function, a range of strength."""
 import dataclasses
 from typing import Callable
 
-# Order in which the stages act. Displacement: delay -> mount -> contact -> play -> specimen (base + parallel) -> factor;
-# then what is added on the rig, then what the force transducer and its filter do.
+# Order of the stages. Displacement: delay -> mount -> contact -> play -> specimen (base + parallel) -> factor; then
+# forces added on the rig, then the force transducer and its filter.
 STAGES = ("displacement", "mount", "contact", "play", "parallel", "factor", "added", "transducer")
 
 
@@ -22,7 +22,7 @@ class Effect:
       transducer:         (force, rate, strength) -> force, a list over the logs
     strongest: largest plausible strength.
     parameters: for the sealed label.
-    name: as in the reports; for what is in no list, the prefix `unknown:` and what it is.
+    name: as in the reports; for unlisted effects, `unknown:` and a description.
     law: the functional form.
     """
 
@@ -36,15 +36,15 @@ class Effect:
 
 @dataclasses.dataclass
 class Scale:
-    """Sizes of a case that the laws are drawn by [SI]."""
+    """Sizes of a case from which the laws are drawn [SI]."""
 
     stiffness: float        # dynamic stiffness of the component
     amplitude: float        # largest displacement
-    least_amplitude: float  # largest displacement of the log that moves least
+    least_amplitude: float  # largest displacement of the log with the least motion
     speed: float            # RMS of the velocity
     force: float            # typical standard deviation of the force
     top_frequency: float    # highest frequency of the actuator
-    training: int           # the first logs, recorded one after the other on one specimen
+    training: int           # number of first logs, recorded in order on one specimen
     lengths: list           # samples of each log on the fine grid
     rate: float             # of the fine grid
-    side: float = 1.0       # the sign of the force that the programme asks for, where it has one
+    side: float = 1.0       # sign of the force in one-sided programmes

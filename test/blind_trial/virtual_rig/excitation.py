@@ -1,12 +1,12 @@
-# What the actuator of a virtual rig does: sines, sweeps, track-like noise, holds, preloads, triangles.
-# Every log starts at rest at zero and is smoothed by an actuator of limited bandwidth.
+# Motion of the actuator of a virtual rig: sines, sweeps, track-like noise, holds, preloads, triangles. Every log starts
+# at rest at zero, smoothed by the limited bandwidth of the actuator.
 """Displacement programmes [m] on a fine time grid."""
 import numpy as np
 from scipy.signal import butter, lfilter
 
 KINDS = ("sines", "sweep", "track", "holds", "preloaded_sines", "triangle", "amplitude_sweep", "two_tone")
 
-# Test programmes: which kinds a laboratory ran. Some leave effects confounded or untestable, as in life.
+# Test programmes: the kinds that a laboratory ran. Some leave effects confounded or untestable, as real ones do.
 PROGRAMMES = {
     "rich": (KINDS, 0.42),
     "sines_only": (("sines", "amplitude_sweep", "preloaded_sines"), 0.12),
@@ -32,7 +32,7 @@ class Actuator:
         return np.minimum(self.amplitude, self.product / np.maximum(frequency, 1e-6))
 
     def level(self, rng):
-        """An amplitude, as a share of the largest."""
+        """Draw an amplitude as a share of the largest."""
         if self.levels is not None:
             return float(rng.choice(self.levels))
         return float(np.exp(rng.uniform(np.log(0.1), 0.0)))
@@ -42,7 +42,7 @@ class Actuator:
 
 
 def envelope(n, edge):
-    """A raised-cosine edge of `edge` samples at both ends of n ones."""
+    """Return a window of n samples with raised-cosine edges of `edge` samples."""
     edge = max(1, min(edge, n // 3))
     window = np.ones(n)
     rise = 0.5 - 0.5 * np.cos(np.pi * np.arange(edge) / edge)
@@ -51,7 +51,7 @@ def envelope(n, edge):
 
 
 def sines(rng, rig, n, amplitude_scale=1.0):
-    """Sine blocks of random frequency and amplitude; a block may come back at the end as a repeat."""
+    """Sine blocks of random frequency and amplitude; the last block may repeat the first."""
     count = int(rng.integers(4, 10))
     length = n // count
     blocks = [(rig.frequency(rng), rig.level(rng)) for _ in range(count)]
@@ -76,7 +76,7 @@ def sweep(rng, rig, n):
 
 
 def track(rng, rig, n):
-    """Noise between two frequencies whose amplitude spectrum falls with a power of the frequency."""
+    """Noise in a band whose amplitude spectrum falls with a power of the frequency."""
     low, high, slope = rng.uniform(0.1, 0.6), rig.top_frequency * rng.uniform(0.4, 1.0), rng.uniform(0.6, 1.8)
     f = np.fft.rfftfreq(n, 1.0 / rig.rate)
     shape = np.zeros_like(f)
@@ -142,12 +142,12 @@ _MAKERS = {"sines": sines, "sweep": sweep, "track": track, "holds": holds, "prel
 
 
 def make(rng, rig, kind, duration):
-    """What the actuator really does for one log of `duration` [s]."""
+    """Return the actual motion of the actuator for one log of `duration` [s]."""
     n = int(round(duration * rig.rate))
     command = _MAKERS[kind](rng, rig, n)
-    while not np.any(command):  # holds of a short log may all be at zero
+    while not np.any(command):  # all holds of a short log may be at zero
         command = _MAKERS[kind](rng, rig, n)
-    # Nobody records a log that hardly moves: at least a quarter of the largest amplitude.
+    # No log hardly moves: the peak is at least a quarter of the largest amplitude.
     command *= max(1.0, 0.25 * rig.amplitude / np.max(np.abs(command)))
     lead = int(0.1 * rig.rate)
     command = np.concatenate([np.zeros(lead), command[:n - lead]])
@@ -155,7 +155,7 @@ def make(rng, rig, kind, duration):
 
 
 def draw_programme(rng, rig, training, hold_out):
-    """Kinds of the logs, the programme's name, and which training log repeats which (or None)."""
+    """Return the kinds of the logs, the programme's name, and a repeated pair of training logs (or None)."""
     names = list(PROGRAMMES)
     weights = np.array([PROGRAMMES[k][1] for k in names])
     name = str(rng.choice(names, p=weights / weights.sum()))

@@ -1,7 +1,7 @@
-# Form error: rubber is no law of a textbook. Each law of a rig times a smooth random function of displacement, speed and
-# level, mixed with another law of the same effect, with a size that drifts; a linear base that is no ladder of springs
-# and dashpots as the file says. Numbers that judge laws are fitted on such rigs: on exact ones they come out too sure.
-"""What keeps the laws of a rig from being exactly those of any candidate."""
+# Form error, because rubber follows no textbook law. Each law of a rig is multiplied by a smooth random function of
+# displacement, speed and level, mixed with another law of the effect, and drifts; a linear base has more relaxation
+# than its model. Numbers of the judgement are fitted on such rigs, because exact rigs would make them overconfident.
+"""Form errors, by which the laws of a rig differ from those of all candidates."""
 import dataclasses
 
 import numpy as np
@@ -9,12 +9,12 @@ import numpy as np
 from .base import Base, maxwell_response
 
 ONE_FORM = ("inertia", "time_delay", "force_offset", "force_drift", "sensor_gain")  # exact on any rig
-WAVES = 5              # of each random function
-LEVEL_TIME = 2.0       # over which the level of the motion is taken [s]
+WAVES = 5              # per random function
+LEVEL_TIME = 2.0       # averaging time of the level of motion [s]
 
 
 class SmoothFactor:
-    """1 plus a smooth random function, about `size` in RMS, of displacement, speed and level over their scales."""
+    """1 plus a smooth random function of scaled displacement, speed and level, with an RMS of about `size`."""
 
     def __init__(self, rng, scale, size):
         self.scale, self.size = scale, size
@@ -37,8 +37,8 @@ class SmoothFactor:
 
 
 def drifting(rng, samples, rate, fine_rate, size):
-    """1 plus a slow course over a log, of about `size`: half a wave to one and a half."""
-    t = np.arange(samples) * fine_rate / rate  # of the fine grid, so that a coarse grid sees the same
+    """Return 1 plus a slow drift of about `size` over a log: half a wave to one and a half."""
+    t = np.arange(samples) * fine_rate / rate  # independent of the grid
     length = max(t[-1], 1.0)
     return 1.0 + size * np.sin(np.pi * rng.uniform(1.0, 3.0) * t / length + rng.uniform(0.0, 2.0 * np.pi))
 
@@ -48,9 +48,9 @@ def rms(forces):
 
 
 def inexact(rng, scale, effect, other, size):
-    """The effect with a form that is nobody's: only for forces that the motion causes, in parallel to the component.
+    """Return the effect with a form error; only for forces in parallel to the component that depend on the motion.
 
-    `other` is a second law of the same effect, mixed in by up to as much again, or None.
+    `other` is a second law of the same effect, mixed in with a share of up to 1, or None.
     """
     if effect.stage != "parallel" or effect.name in ONE_FORM:
         return effect
@@ -76,7 +76,7 @@ def inexact(rng, scale, effect, other, size):
 
 @dataclasses.dataclass
 class OffLadder(Base):
-    """A linear base with more relaxation than its model has; what is more is in `extra_k` [N/m] and `extra_tau` [s]."""
+    """A linear base with more relaxation than its model: `extra_k` [N/m] and `extra_tau` [s]."""
 
     extra_k: list = dataclasses.field(default_factory=list)
     extra_tau: list = dataclasses.field(default_factory=list)
@@ -89,9 +89,9 @@ class OffLadder(Base):
 
 
 def off_ladder(rng, base, size, slowest, fastest):
-    """The base with four more Maxwell elements, of `size` of its static stiffness together.
+    """Return the base with four more Maxwell elements, of `size` times its static stiffness together.
 
-    Relaxation times are drawn between those ends [s].
+    Relaxation times are drawn between `fastest` and `slowest` [s].
     """
     k = size * base.k0 * rng.dirichlet(np.ones(4))
     tau = np.exp(rng.uniform(np.log(fastest), np.log(slowest), 4))

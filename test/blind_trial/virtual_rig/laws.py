@@ -1,5 +1,5 @@
-# The laws by which the effects of a virtual rig act: one or more for each effect.
-# Several share their form with what the diagnosis fits: sliders, Prony, dead zone, linear stop, ramp, mass, offset, delay.
+# The laws of the effects of a virtual rig, one or more per effect. Some share their form with what the diagnosis fits:
+# sliders, Prony, dead zone, linear stop, ramp, mass, offset, delay.
 """Effect laws. `LAWS[effect]` is a list of makers; a maker draws an Effect from (rng, scale)."""
 import dataclasses
 import math
@@ -14,7 +14,7 @@ LAWS = {}
 
 
 def law(effect, name):
-    """Register a maker of an effect's law."""
+    """Register a maker for a law of an effect."""
     def register(maker):
         def named(rng, scale):
             return dataclasses.replace(maker(rng, scale), name=effect, law=name)
@@ -28,7 +28,7 @@ def log_uniform(rng, low, high):
 
 
 def each(function):
-    """A parallel law that works on one log."""
+    """Return a parallel law from a function of one log."""
     return lambda z, rate: [function(x, rate) for x in z]
 
 
@@ -38,7 +38,7 @@ FRICTION_RATE = 1000.0
 
 
 def on_friction_grid(function):
-    """Run a scalar loop at no more than 1 kHz, linear in between."""
+    """Run a scalar loop at up to 1 kHz, linear in between."""
     def run(z, rate):
         skip = max(1, int(round(rate / FRICTION_RATE)))
         out = []
@@ -59,7 +59,7 @@ def slip_length(rng, scale):
 
 
 def in_small_steps(slope, length, limit=math.inf):
-    """A friction force over its limit whose slope by z/length is `slope(h, step)`; no step is above 1/4."""
+    """Return a friction force over its limit with the slope `slope(h, step)` by z/length, in steps of up to 1/4."""
     def run(z, rate):
         out, h = np.empty_like(z), 0.0
         for i, step in enumerate((np.diff(z, prepend=z[0]) / length).tolist()):
@@ -106,7 +106,7 @@ def coulomb(rng, scale):
 
 @law("friction", "random_iwan")
 def random_iwan(rng, scale):
-    """Jenkins sliders in parallel, all sliders of all logs in one step; force 1 when all slide."""
+    """Jenkins sliders in parallel, normalised to force 1 when all slide."""
     count = int(rng.integers(4, 11))
     thresholds = slip_length(rng, scale) * np.exp(rng.normal(0.0, 0.9, count))
     weights = rng.dirichlet(np.ones(count))
@@ -133,7 +133,7 @@ def random_iwan(rng, scale):
 
 
 def elastic_effect(function, scale, parameters, strongest=1.0):
-    """`function` takes z over the largest amplitude; its share is scaled to 1 N at that amplitude, then by strength."""
+    """Return an effect of `function` of z over the largest amplitude, scaled to 1 at that amplitude."""
     size = max(abs(float(function(np.array([1.0]))[0])), abs(float(function(np.array([-1.0]))[0])), 1e-12)
     return Effect("parallel", each(lambda z, rate: function(z / scale.amplitude) / size),
                   strongest * scale.stiffness * scale.amplitude, parameters)
@@ -179,7 +179,7 @@ def asymmetric_slopes(rng, scale):
 
 
 def stop_effect(rng, scale, contact, parameters):
-    """A stop at 55 to 85 % of the largest displacement; one side, the other, or both."""
+    """Return a stop at 55 to 85 % of the largest displacement, on one or both sides."""
     gap, side = rng.uniform(0.55, 0.85), str(rng.choice(["upper", "lower", "both", "both"]))
     other = gap * rng.uniform(0.9, 1.1)
 
@@ -207,7 +207,7 @@ def bump_exponential(rng, scale):
 
 
 def play_effect(scale, function, parameters):
-    # No log may lie inside the play altogether.
+    # Every log has to exceed the play.
     return Effect("play", lambda z, rate, g: [function(x, g) for x in z], 0.6 * scale.least_amplitude, parameters)
 
 
@@ -235,7 +235,7 @@ def free_play_rounded(rng, scale):
 
 
 def kernel_effect(kernel, strongest, parameters):
-    """force = strength * sum_j kernel(t - t_j) dz_j."""
+    """Return force = strength * sum_j kernel(t - t_j) dz_j."""
     def run(z, rate):
         t = (np.arange(len(z)) + 0.5) / rate
         return fftconvolve(np.diff(z, prepend=z[0]), kernel(t, rate))[:len(z)]
@@ -295,7 +295,7 @@ def damping_thinning(rng, scale):
 
 @law("rate_amplitude_coupling", "eyring_flow")
 def coupling_eyring(rng, scale):
-    """df/dt = dz/dt - w s sinh(f/s), f in units of the displacement; Heun's method."""
+    """Integrate df/dt = dz/dt - w s sinh(f/s), f in units of the displacement, by Heun's method."""
     w = 2 * np.pi * scale.top_frequency * log_uniform(rng, 0.03, 0.5)
     s = scale.amplitude * log_uniform(rng, 0.05, 0.4)
 
@@ -315,7 +315,7 @@ def coupling_eyring(rng, scale):
 
 
 def running_peaks(z, training):
-    """Largest past |z| at each sample; carried from one training log to the next, anew for each hold-out log."""
+    """Return the largest past |z| at each sample; training logs continue it, each hold-out log starts anew."""
     out, past = [], 0.0
     for i, x in enumerate(z):
         start = past if i < training else 0.0
@@ -325,7 +325,7 @@ def running_peaks(z, training):
 
 
 def factor_effect(factors, strongest, parameters):
-    """`factors(z, elastic, rest, rate)` gives the loss of stiffness at strength 1, a list over the logs."""
+    """Return an effect of `factors(z, elastic, rest, rate)`, the loss of stiffness at strength 1 for each log."""
     def run(z, elastic, rest, rate, strength):
         losses = factors(z, elastic, rest, rate)
         return [(1.0 - strength * x) * (a + b) for x, a, b in zip(losses, elastic, rest)]
@@ -370,7 +370,7 @@ def softening_damage(rng, scale):
 
 
 def temperatures(force, z, rate, tau_fast, tau_slow, share):
-    """Rise of a two-node body that takes up the loss power, each log from cold; the hottest of all is 1."""
+    """Return the temperature rise of a two-node body heated by the loss, cold at the start of each log, maximum 1."""
     skip = max(1, int(rate / 50.0))
     out = []
     for f, x in zip(force, z):
@@ -390,7 +390,7 @@ def temperatures(force, z, rate, tau_fast, tau_slow, share):
 
 @law("self_heating", "two_nodes_linear")
 def heating_linear(rng, scale):
-    """Elastic force and the rest fall in proportion to the temperature, the rest faster by the loss factor."""
+    """Elastic and other force fall in proportion to the temperature, the other force faster by a factor."""
     fast, slow, share = rng.uniform(6.0, 25.0), rng.uniform(60.0, 240.0), rng.uniform(0.3, 0.8)
     extra = rng.uniform(1.0, 1.8)
 
@@ -417,18 +417,18 @@ def series_hardening(rng, scale):
 
 @law("lift_off", "rough_seat")
 def contact_rough(rng, scale):
-    """A seat that is not glued, in series with the specimen, with rough faces that lose touch by and by: the opening
-    grows with the logarithm of the force (Greenwood).
+    """An unglued seat in series with the specimen. Its rough faces separate gradually: the opening grows with the
+    logarithm of the force (Greenwood).
 
-    Where it is open a guide holds the specimen, less so the stronger the effect: at strength 1 nothing does. The law of
-    the seat is where its step leads nowhere: with an exact maximum, force >= 0, opening >= 0, one of them 0.
+    While open, a guide of 1/strength - 1 times the stiffness holds the specimen; at strength 1 there is none. The fixed
+    point of the step is the law of the seat: in the limit of smooth faces, force >= 0, opening >= 0, one of them 0.
     """
     roughness = scale.amplitude * log_uniform(rng, 0.002, 0.02)
 
     def run(z, inner, force, s):
         guide, w = scale.stiffness * (1.0 / s - 1.0), s * roughness
         ahead = force + guide * (inner - z)
-        step = ahead / (2.0 * scale.stiffness + guide)  # as stiff as the specimen is in no direction
+        step = ahead / (2.0 * scale.stiffness + guide)  # stiffer than the specimen in either direction
         return z + scale.side * (w * np.logaddexp(0.0, scale.side * (inner - step - z) / w))
     return Effect("contact", run, 1.0, {"roughness": roughness, "side": scale.side})
 
@@ -440,7 +440,7 @@ def inertia_rigid(rng, scale):
 
 
 def shifted(x, samples):
-    """x later by a number of samples that need not be whole; at rest before its start."""
+    """Return x delayed by a number of samples, not necessarily whole; at rest before its start."""
     n = np.arange(len(x), dtype=float)
     return np.interp(n - samples, n, x, left=x[0])
 
@@ -456,7 +456,7 @@ def delay_force(rng, scale):
 
 
 def filtered(force, rate, numerator, denominator):
-    """An analogue filter (coefficients in s) on logs that were constant before their start, whatever the rate."""
+    """Apply an analogue filter (coefficients in s) to logs that were constant before their start, at any rate."""
     out = []
     for x in force:
         n = len(x) + 2048
@@ -474,7 +474,7 @@ def delay_butterworth(rng, scale):
 
 
 def added_logs(maker, scale, parameters, strongest=0.5):
-    """A share drawn once for every log, as a function of time that can be taken at any rate."""
+    """Return shares drawn once per log, as functions of time that are available at any rate."""
     shares = [maker(n) for n in scale.lengths]
 
     def run(z, rate):
@@ -524,8 +524,8 @@ def drift_pink(rng, scale):
 
 @law("fluid_inertia", "stiffening_chamber")
 def stiffening_chamber(rng, scale):
-    """A column of fluid q'' + 2 d w q' = w^2 f, whose f = x (1 + cube x^2) is the force of the chamber, x = z - q over
-    the amplitude: the rubber that bulges by the pressure stiffens."""
+    """A column of fluid q'' + 2 d w q' = w^2 f with the force f = x (1 + cube x^2) of the chamber, x = z - q over the
+    amplitude: the chamber stiffens under pressure."""
     cube = rng.uniform(0.05, 0.4)
     w, d = 2 * np.pi * scale.top_frequency * log_uniform(rng, 0.25, 0.8), rng.uniform(0.08, 0.4)
 
@@ -548,7 +548,7 @@ def stiffening_chamber(rng, scale):
     return Effect("parallel", each(run), 2.0 * scale.stiffness * scale.amplitude, {"cube": cube, "w": [w], "d": [d]})
 
 
-# ---- what is in nobody's list ----------------------------------------------------------------------------------------
+# ---- effects that are not in the list -------------------------------------------------------------------------------
 
 
 @law("unknown:load_cell_saturation", "soft_clip")
@@ -612,7 +612,7 @@ def cross_talk(rng, scale):
 
 @law("backlash", "damper_in_a_hard_joint")
 def backlash_damper(rng, scale):
-    """A dashpot behind a clearance whose contact hardens: F = c dw/dt = k d^1.5, d the depth of contact."""
+    """A dashpot behind a clearance with a contact that hardens: F = c dw/dt = k d^1.5, d the depth of contact."""
     gap = scale.amplitude * log_uniform(rng, 0.03, 0.25)
     w, depth = 2 * np.pi * scale.top_frequency * rng.uniform(1.0, 4.0), scale.amplitude * rng.uniform(0.02, 0.1)
 
@@ -637,6 +637,6 @@ UNKNOWN = tuple(k for k in LAWS if k.startswith("unknown:"))
 
 
 def draw(rng, scale, effect):
-    """An Effect of that name by one of its laws."""
+    """Draw an Effect of that name by one of its laws."""
     makers = LAWS[effect]
     return makers[int(rng.integers(len(makers)))](rng, scale)

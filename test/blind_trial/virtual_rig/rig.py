@@ -1,4 +1,4 @@
-# A virtual rig: a base component, effects in their stages, and how strong an effect has to be for a wanted gap.
+# A virtual rig: a base component, effects in their stages, and the strength of an effect for a wanted gap.
 """From displacement to force, and the search for strengths."""
 import math
 
@@ -10,7 +10,7 @@ LARGEST_GAP = 0.40  # of an effect, before any re-estimation
 
 
 def gap(difference, force):
-    """RMS of the difference over the standard deviation of the force, root mean square over the logs."""
+    """Return the RMS over all logs of the difference over the standard deviation of the force."""
     return math.sqrt(np.mean([np.mean(d**2) / np.var(f) for d, f in zip(difference, force)]))
 
 
@@ -19,7 +19,7 @@ def decimated(logs, skip):
 
 
 class Rig:
-    """A base with effects. `force(strengths)` runs the chain; shares that do not depend on a strength are kept."""
+    """A base with effects. `force(strengths)` runs the chain; shares that do not depend on a strength are cached."""
 
     def __init__(self, base, z, rate, effects):
         self.base, self.z, self.rate = base, z, rate
@@ -27,18 +27,18 @@ class Rig:
         self._kept = {}
 
     def coarse(self, skip):
-        """The same rig on every skip-th sample."""
+        """Return the same rig on every skip-th sample."""
         return Rig(self.base, decimated(self.z, skip), self.rate / skip, self.effects)
 
     def base_force(self):
         return self._keep("base", lambda: self.base.force(self.z, self.rate))
 
     def share(self, effect):
-        """Force of a linear effect at strength 1, on the undisturbed displacement."""
+        """Return the force of a linear effect at strength 1, on the undisturbed displacement."""
         return self._keep(id(effect), lambda: effect.function(self.z, self.rate))
 
     def force(self, strengths):
-        """Force of all logs with effect i at strengths[id(effect)]; an effect that is missing there is off."""
+        """Return the force of all logs with effect i at strengths[id(effect)]; effects missing there are off."""
         active = [(e, strengths[id(e)]) for e in self.effects if strengths.get(id(e), 0.0) > 0.0]
         z = self.z
         for effect, s in active:
@@ -55,7 +55,7 @@ class Rig:
         return force
 
     def _behind_mount(self, z, mount, active):
-        """Displacement behind the mount by iterating over whole logs: the mount gives way by what the force asks."""
+        """Find the displacement behind the mount, which yields to the force, by iterating over whole logs."""
         inner, relax = z, 1.0 / (1.0 + sum(s for _, s in mount))
         size = max(float(np.max(np.abs(x))) for x in z)
         for _ in range(30):
@@ -71,7 +71,7 @@ class Rig:
         return self._specimen(inner, active)
 
     def _specimen(self, z, active):
-        """Force of the specimen, behind contacts that open: both carry one force, found over whole logs."""
+        """Find the force of specimen and opening contacts, in series, over whole logs."""
         contacts = [(e, s) for e, s in active if e.stage == "contact"]
         inner, size = z, max(float(np.max(np.abs(x))) for x in z)
         for _ in range(60 if contacts else 0):
@@ -111,9 +111,9 @@ class Rig:
 
 
 class Ruler:
-    """Measures gaps on a coarse grid: in full, and what is left once the base's own parameters have been re-estimated.
+    """Measures gaps on a coarse grid: the full gap, and the visible one after re-estimation of the base.
 
-    The latter is a projection on the tangent space of the parameters, so an estimate, not a fit.
+    The visible gap is an estimate by projection onto the tangent space of the parameters, not a fit.
     """
 
     def __init__(self, rig, skip):
@@ -123,7 +123,7 @@ class Ruler:
         self._tangent = [m[::self._sub] for m in self.rig.base.tangent(self.rig.z, self.rig.rate)]
 
     def gaps(self, strengths):
-        """(full gap, visible gap) of the effects at these strengths against the bare base."""
+        """Return (full gap, visible gap) of the effects at these strengths relative to the bare base."""
         force = self.rig.force(strengths)
         difference = [a - b for a, b in zip(force, self.reference)]
         return gap(difference, force), self.visible(difference, force)
@@ -136,15 +136,15 @@ class Ruler:
         norms = np.linalg.norm(matrix, axis=0)
         matrix = matrix / np.where(norms > 0.0, norms, 1.0)
         target = np.concatenate([d[::self._sub] * w for d, w in zip(difference, weights)])
-        # A hair of ridge: directions that the logs do not excite are not moved.
+        # A small ridge keeps directions that the logs do not excite unchanged.
         normal = matrix.T @ matrix + 1e-9 * np.eye(matrix.shape[1])
         left = target - matrix @ np.linalg.solve(normal, matrix.T @ target)
         return float(np.linalg.norm(left) * math.sqrt(self._sub / len(difference)))
 
     def strength_for(self, effect, wanted, visible):
-        """Strength at which the (visible) gap is as wanted, or the strongest plausible one; and both gaps there.
+        """Return the strength for the wanted (visible) gap, or the strongest plausible one, with both gaps.
 
-        Where most of an effect would hide in the base's parameters, the full gap stops at LARGEST_GAP.
+        If the base's parameters would hide most of an effect, the full gap is limited to LARGEST_GAP.
         """
         def measure(s):
             both = self.gaps({id(effect): s})
