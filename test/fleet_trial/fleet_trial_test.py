@@ -16,7 +16,7 @@ PIECES = 8
 
 
 class FleetTest(unittest.TestCase):
-    """Six fleets of eight test pieces. Thresholds are what such small fleets have to reach, not what they can."""
+    """Six fleets of eight test pieces. Thresholds are minimum requirements for such small fleets."""
 
     @classmethod
     def setUpClass(cls):
@@ -37,7 +37,7 @@ class FleetTest(unittest.TestCase):
         self.assertNotIn("check_bench", [job["values"]["verdict"] for job in self.jobs])
 
     def intervals(self, parameter):
-        """Of the median, by type."""
+        """Return the interval of the median by type."""
         return {name: row["median_interval_95"] for name, kind in self.types.items() for row in kind["parameters"]
                 if row["name"] == parameter and "median_interval_95" in row}
 
@@ -74,7 +74,7 @@ class FleetTest(unittest.TestCase):
 
     def test_a_rig_that_gives_way_takes_more_of_the_stiff_type(self):
         medians = {row["type"]: row["median"] for row in self.fleet["rigs"] if row["parameter"] == "static_stiffness"}
-        # 2.5e-8 m/N take log(1 + 2.5e-8 K): 2.5 % of 1 MN/m, 11.8 % of 5 MN/m, the scatter of eight pieces aside.
+        # A compliance of 2.5e-8 m/N reduces ln K by log(1 + 2.5e-8 K): 2.5 % at 1 MN/m, 11.8 % at 5 MN/m.
         self.assertLess(medians["soft_rig_stiff"], medians["soft_rig_soft"] - 0.05)
 
 

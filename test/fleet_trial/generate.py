@@ -1,5 +1,5 @@
-# Writes virtual fleets: components of one type with scatter between test pieces, whose truth the labels alone know.
-# The rigs are those of the blind trial, which share no code with the package. The same seed gives the same files.
+# Writes virtual fleets: components of one type with scatter between test pieces, whose truth only the labels state. The
+# rigs are those of the blind trial, which share no code with the package. The same seed gives the same files.
 """Virtual fleets: logs of many test pieces of one type, a jobs file for `campaign`, and labels."""
 import math
 import multiprocessing
@@ -19,18 +19,17 @@ from virtual_rig.rig import Rig, Ruler  # noqa: E402
 
 SECONDS = 12.0    # of each log
 RATE = 250.0      # of the logs [Hz]
-FINE = 4          # samples of the rig's own grid per sample of a log
+FINE = 4          # samples of the rig's grid per sample of a log
 TOP_FREQUENCY = 10.0  # of the motion [Hz]
 NOISE = 0.003     # of the force, as a share of its standard deviation
 KINDS = ("sines", "sweep", "holds", "track")
 SCATTER = {"static_stiffness": 0.04, "dynamic_stiffness": 0.02, "maximum_stiffness": 0.02}
-# Standard deviations of logarithms: that of the static one moves all three (hardness of the rubber), the others are
-# steps on top of it, so that no piece has a dynamic stiffness below its static one by chance alone.
+# Standard deviations of logarithms: the static one moves all three (hardness of the rubber), the others add to it, so
+# that the dynamic stiffness of a piece is not below the static one by chance alone.
 
-# What the fleets are; `seed` is a part of that of their draws. `scatter` is in units of SCATTER, `wrong` and `size` are
-# logarithms, `gap` is what the effect leaves after re-estimation, `compliance` is that of the rig [m/N], `stiffness` the
-# static one [N/m]. Types of the same `rig` are tested on one; the types of the rig "good" differ in nothing but what is
-# said of each.
+# The fleets. `seed` is part of the seed of their draws. `scatter` is in units of SCATTER, `wrong` and `size` are
+# logarithms, `gap` is that after re-estimation, `compliance` is that of the rig [m/N], `stiffness` the static one
+# [N/m]. Types of the same `rig` are tested on one; those of the rig "good" differ only by the other entries.
 SOFT_RIG = {"rig": "soft", "scatter": 1.0, "compliance": 2.5e-8}
 FLEETS = {
     "scatter": {"seed": 1, "rig": "good", "scatter": 1.0},
@@ -43,7 +42,7 @@ FLEETS = {
 
 
 def specification_of(fleet, rng):
-    """What the component file of a type says [SI]."""
+    """Return the numbers of a type's component file [SI]."""
     static = FLEETS[fleet].get("stiffness") or laws.log_uniform(rng, 5e5, 5e6)
     dynamic = static * rng.uniform(1.3, 1.45)
     return {"static_stiffness": float(f"{static:.5g}"), "dynamic_stiffness": float(f"{dynamic:.5g}"),
@@ -52,7 +51,7 @@ def specification_of(fleet, rng):
 
 
 def piece_of(plan, wrong, specification, rng):
-    """A test piece's own specification, and its logarithms over that of the file, which are the truth."""
+    """Return a test piece's specification, and the logarithms of its ratios to the file, which are the truth."""
     for _ in range(1000):
         steps = {name: plan.get("scatter", 0.0) * size * rng.standard_normal() for name, size in SCATTER.items()}
         common = steps["static_stiffness"]
@@ -67,12 +66,12 @@ def piece_of(plan, wrong, specification, rng):
 
 
 def compliance(size):
-    """The rig gives way by `size` [m/N]."""
+    """Return an effect for a rig that yields by `size` [m/N]."""
     return Effect("mount", lambda force, strength: strength * force, size, {}, "series_compliance", "linear")
 
 
 def programme(rng):
-    """The displacements of one type's test: the same for each piece, as a test bench runs them."""
+    """Return the displacements of a type's test, equal for all pieces, as on a test bench."""
     actuator = excitation.Actuator(rng, 2e-3, RATE * FINE)
     actuator.top_frequency = TOP_FREQUENCY
     actuator.smoothing = excitation.butter(2, 45.0 / (0.5 * RATE * FINE))
@@ -80,7 +79,7 @@ def programme(rng):
 
 
 def moving(rng, actuator, kind):
-    """A log that moves for half a second at least: of short holds, all levels may be drawn at 0."""
+    """Return a log with at least half a second of motion; the levels of short holds may all be 0."""
     while True:
         with np.errstate(divide="ignore", invalid="ignore"):
             z = excitation.make(rng, actuator, kind, SECONDS)
@@ -89,14 +88,14 @@ def moving(rng, actuator, kind):
 
 
 def one(job):
-    """Write one test piece; returns its label."""
+    """Write one test piece and return its label."""
     fleet, number, pieces, seed, output = job
     plan = FLEETS[fleet]
     type_rng = np.random.default_rng(np.random.SeedSequence([seed, 1, plan["seed"], 0]))
     specification = specification_of(fleet, type_rng)
     wrong = plan.get("wrong", {})
     if not wrong:
-        type_rng.standard_normal()  # keeps the draws of earlier versions
+        type_rng.standard_normal()  # keeps the random draws of earlier versions
     z = programme(type_rng)
     marked = set(type_rng.permutation(pieces)[:round(plan.get("share", plan.get("outliers", 0.0)) * pieces)].tolist())
     rng = np.random.default_rng(np.random.SeedSequence([seed, 2, plan["seed"], 0, number]))
@@ -121,7 +120,7 @@ def one(job):
 
 
 def measured(plan, base, z, rng, has_effect):
-    """Forces with noise on the grid of the logs."""
+    """Return forces with noise on the grid of the logs."""
     effects, strengths = [], {}
     if has_effect:
         effects.append(laws.draw(rng, scale_of(base, z), plan["effect"]))
@@ -150,7 +149,8 @@ def component_yaml(specification):
 
 
 def generate(pieces, seed, output):
-    """Writes all fleets, of so many test pieces each, with a jobs file: each is a type of its own, on the rig of its kind.
+    """Write all fleets with `pieces` test pieces each, and a jobs file; each fleet is a type, on the rig of its kind.
+
     Returns a label for each piece.
     """
     jobs = [(fleet, number, pieces, seed, output) for fleet in FLEETS for number in range(pieces)]

@@ -1,4 +1,4 @@
-"""A page in headless Chromium: its measures, pictures and prints, by the DevTools protocol over a pair of pipes."""
+"""A page in headless Chromium: its dimensions, pictures and prints, by the DevTools protocol over two pipes."""
 import base64
 import json
 import os
@@ -8,19 +8,19 @@ import tempfile
 
 
 def chromium():
-    """The browser's path; None where it is not installed."""
+    """Return the browser's path, or None if it is not installed."""
     return shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
 
 class Page:
-    """One tab with one file in it."""
+    """A tab with one file."""
 
     def __init__(self, path):
         self.profile = tempfile.mkdtemp(prefix="rubber_suspension.")
         command_end, self.output = os.pipe()
         self.input, answer_end = os.pipe()
 
-        def as_three_and_four():  # the descriptors that --remote-debugging-pipe speaks on
+        def as_three_and_four():  # the descriptors that --remote-debugging-pipe uses
             ends = os.dup(command_end), os.dup(answer_end)
             os.dup2(ends[0], 3)
             os.dup2(ends[1], 4)

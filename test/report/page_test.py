@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Runs `diagnose` on the shipped example and looks at the page: what has to hold of any page without a browser, and in
-headless Chromium, where it is installed, at 1200 x 900, at 400 px, in the dark and on paper.
+"""Runs `diagnose` on the shipped example and checks the page: its source, and its look in headless Chromium, if that is
+installed, at 1200 x 900, at 400 px, in the dark and on paper.
 
-Usage: page_test.py FOLDER_OF_THE_PROGRAMS EXAMPLE OUTPUT. Pictures and print lie in OUTPUT. Exit status 77 where all
-that can be checked without a browser holds and there is none.
+Usage: page_test.py FOLDER_OF_THE_PROGRAMS EXAMPLE OUTPUT. OUTPUT receives pictures and print. The exit status is 77 if
+Chromium is missing and all other checks pass.
 """
 import csv
 import html.parser
@@ -20,8 +20,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import browser
 
 PROGRAMS, EXAMPLE, OUTPUT = (os.path.abspath(argument) for argument in sys.argv[1:4])
-LARGEST = 400_000  # bytes of a page about six logs
-# Elements that a page of a given width has to hold: all but those within drawings, which scale as a whole.
+LARGEST = 400_000  # bytes, for a page about six logs
+# Elements that exceed the width of a page, except those within drawings, which scale as a whole.
 TOO_WIDE = """
 Array.from(document.body.querySelectorAll(':not(svg *)')).filter(e => {
   const box = e.getBoundingClientRect();
@@ -29,7 +29,7 @@ Array.from(document.body.querySelectorAll(':not(svg *)')).filter(e => {
     && getComputedStyle(e).display != 'inline' && e.clientWidth > 0);
 }).map(e => e.tagName + '.' + e.className + ': ' + e.textContent.slice(0, 60))
 """
-# Texts of the first screen that lie over each other, or that reach beyond what holds them.
+# Texts of the first screen that overlap or exceed their containers.
 OVERLAPS = """
 (() => {
   const texts = [], wrong = [];
@@ -59,12 +59,12 @@ OVERLAPS = """
   return wrong;
 })()
 """
-# How the parts of the bar as configured are filled: colour and pattern.
+# Fill of the parts of the bar as configured: colour and pattern.
 FILLS = """
 Array.from(document.querySelectorAll('.keys i')).map(e => [getComputedStyle(e).backgroundColor,
   getComputedStyle(e).backgroundImage])
 """
-# Contrast of each text that is shown, by WCAG 2, with what lies behind it.
+# Contrast of each visible text with its background, by WCAG 2.
 LOW_CONTRAST = """
 (() => {
   const rgb = text => text.match(/[\\d.]+/g).map(Number);
@@ -107,7 +107,7 @@ def example(kind):
 
 
 def reversed_log():
-    """A log of the example with the sign of the force reversed: a bench to be checked."""
+    """Return a log of the example with the sign of the force reversed, so that the bench has to be checked."""
     path = os.path.join(OUTPUT, "reversed.csv")
     with open(example("log_")[0], encoding="utf-8") as source, open(path, "w", encoding="utf-8") as target:
         header = source.readline()
@@ -121,7 +121,7 @@ def reversed_log():
 
 
 def open_question():
-    """The first second of a log of the example, in which little happens."""
+    """Return the first 200 lines of a log of the example, in which little happens."""
     path = os.path.join(OUTPUT, "open.csv")
     with open(example("log_")[1], encoding="utf-8") as source, open(path, "w", encoding="utf-8") as target:
         target.writelines(source.readlines()[:200])
@@ -129,7 +129,7 @@ def open_question():
 
 
 def shortened_log():
-    """A log of the example without its last sample: the same log twice is refused."""
+    """Return a log of the example without its last sample, because the same log twice is refused."""
     path = os.path.join(OUTPUT, "shortened.csv")
     with open(example("log_")[0], encoding="utf-8") as source, open(path, "w", encoding="utf-8") as target:
         target.writelines(source.readlines()[:-1])
@@ -137,7 +137,7 @@ def shortened_log():
 
 
 class Outline(html.parser.HTMLParser):
-    """What a page is made of."""
+    """Tags and links of a page."""
 
     def __init__(self, text):
         super().__init__()
@@ -186,7 +186,7 @@ class WithoutBrowser(Reports):
         self.assertLessEqual(len(headline.split()), 25, headline)
 
     def test_a_bench_to_be_checked_is_seen(self):
-        """The loops as they are and with the correction, drawn and as numbers."""
+        """The loops as recorded and corrected, drawn and as numbers."""
         text = self.text(self.pages[1])
         self.assertEqual(text.count("<svg"), 2)
         self.assertLess(text.index("<svg"), text.index("<h2>"))
@@ -207,7 +207,7 @@ class WithoutBrowser(Reports):
             low, high = size["interval_95"]
             self.assertTrue(low <= size["value"] <= high, size)
 
-    # Read by the layout of RPC III: records of 128 bytes, numbers of four.
+    # Follows the layout of RPC III: records of 128 bytes, numbers of four.
     def check_drive_file(self, folder):
         with open(os.path.join(folder, "next_experiment.drv"), "rb") as file:
             data = file.read()
