@@ -1,4 +1,4 @@
-// The results of a campaign as CSV, as JSON, and by the types of its components.
+// Writes the results of a campaign as CSV and JSON, and the statistics of its fleet.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,7 +22,7 @@ std::string csvCell(const ordered_json& value) {
   }
   std::string text = value.is_string() ? value.get<std::string>() : value.dump();
   if (value.is_string() && !text.empty() && std::string("=+-@\t").find(text[0]) != std::string::npos) {
-    text.insert(0, 1, '\'');  // or a spreadsheet would evaluate it
+    text.insert(0, 1, '\'');  // otherwise a spreadsheet would evaluate it
   }
   const bool plain = text.find_first_of(",\"\n\r") == std::string::npos;
   return plain ? text : "\"" + boost::replace_all_copy(text, "\"", "\"\"") + "\"";
@@ -95,7 +95,7 @@ void writeJson(const std::string& path, const std::vector<std::string>& rows) {
 
 CollectSummary collect(const Manifest& manifest, const std::string& folder) {
   CollectSummary summary;
-  ordered_json columns;  // by the names of all values, in the order of the manifest
+  ordered_json columns;  // names of all values, in the order of the manifest
   Fleet fleet;
   std::vector<std::string> rows;
   for (const Job& job : manifest.jobs) {

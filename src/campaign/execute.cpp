@@ -45,7 +45,7 @@ std::string setsText(const std::vector<std::vector<std::string>>& sets) {
   return element::joined(sets, " | ", [](const auto& set) { return fmt::format("{}", fmt::join(set, " + ")); });
 }
 
-// The effects of what else may be right, and the verdict of what has none.
+// Returns the effects of an alternative, or its verdict if it has none.
 std::vector<std::string> effectsOf(const diagnosis::Alternative& other) {
   return other.effects.empty() ? std::vector<std::string>{toString(other.verdict)} : other.effects;
 }
@@ -71,9 +71,9 @@ ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
   return values;
 }
 
-// A fleet uses re-estimated values only if they mean something on their own: not with a wrong sign, unit or column,
-// which make them meaningless; not with an unexplained residual, which biases them; and with an added effect, whose
-// form they depend on, only if other values alone would explain the logs, too.
+// Returns true if the re-estimated values are meaningful without an effect. A wrong sign, unit or column makes them
+// meaningless, and an unexplained residual biases them. With an added effect they depend on its form, so they count
+// only if other parameter values alone would also explain the logs.
 bool hasValuesOfItsOwn(const diagnosis::Diagnosis& d) {
   const bool other_values_do =
       std::any_of(d.answer.alternatives.begin(), d.answer.alternatives.end(), [](const diagnosis::Alternative& other) {
@@ -83,7 +83,7 @@ bool hasValuesOfItsOwn(const diagnosis::Diagnosis& d) {
          d.answer.verdict != Verdict::unknown && (d.answer.effects.empty() || other_values_do);
 }
 
-// Adds the logarithm of the ratio, if it has one.
+// Adds the logarithm of the ratio if it is finite and positive.
 void addChange(const std::string& name, double ratio, Findings& findings) {
   if (std::isfinite(ratio) && ratio > 0.0) {
     findings.changes[name] = std::log(ratio);
@@ -127,15 +127,15 @@ std::map<std::string, io::FileHash> filesIn(const std::string& folder) {
   std::map<std::string, io::FileHash> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file() && name.front() != '.') {  // a hidden one is what a killed process was writing
+    if (entry.is_regular_file() && name.front() != '.') {  // hidden files are leftovers of killed processes
       files[name] = io::hashFile(entry.path());
     }
   }
   return files;
 }
 
-// Rethrows errors of the machine, not of the job: lack of memory, as std::bad_alloc, of disk space or of file
-// descriptors, which writers and readers of many formats report only in their text.
+// Rethrows errors of the machine, not of the job: lack of memory as std::bad_alloc, lack of disk space or file
+// descriptors, which many readers and writers report only in their text.
 void rethrowOfTheMachine(const std::exception& error) {
   const auto tells = [text = std::string(error.what())](int code) {
     return text.find(std::strerror(code)) != std::string::npos;
@@ -282,7 +282,7 @@ class Executor {
     return kept_logs_.emplace(key, std::move(log)).first->second;
   }
 
-  // Makes the folder if it is missing; files of an earlier attempt have the same names and are replaced.
+  // Creates the folder if it is missing; files of an earlier attempt have the same names and are replaced.
   std::string makeReportFolder(const Job& job) const {
     std::string folder = folder_ + "/" + reportFolder(job.id);
     io::makeFolder(folder);
@@ -306,7 +306,7 @@ class Executor {
   std::map<std::string, log::Log> kept_logs_;
   std::size_t kept_samples_ = 0;
   std::optional<std::size_t> kept_config_;
-  std::vector<io::ComponentDescription> components_;  // of that file
+  std::vector<io::ComponentDescription> components_;  // of the file kept_config_
 };
 
 }  // namespace

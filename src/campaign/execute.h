@@ -10,8 +10,8 @@
 
 namespace rubber_suspension::campaign {
 
-/// Returns a function that executes a job and writes its report and record; a failure is the record's error. It caches
-/// the files read last. The manifest has to outlive it. Throws std::runtime_error where no record can be written.
+/// Returns a function that executes a job and writes its report and record, with any error of the job in the record.
+/// The function caches files; the manifest must outlive it. It throws if the machine lacks memory or disk space.
 std::function<Record(const Job&)> executorOf(const std::string& folder, const Manifest& manifest,
                                              const LogReader& read_log);
 

@@ -1,4 +1,4 @@
-// Findings of a fleet that a single component cannot show, as JSON.
+// Statistics of a fleet as JSON.
 #include "campaign/fleet.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kTail = 0.025;           // of a 95 % interval
-constexpr std::size_t kMostListed = 500;  // components of a type: table.csv has all
+constexpr double kTail = 0.025;           // probability beyond each end of a 95 % interval
+constexpr std::size_t kMostListed = 500;  // components per type; table.csv has all
 
 // Frequency of each name, most frequent first.
 ordered_json sharesOf(const std::vector<std::string>& names, std::size_t components) {
@@ -41,7 +41,7 @@ ordered_json sharesOf(const std::vector<std::string>& names, std::size_t compone
   return shares;
 }
 
-// Rank, from 1, of the value at either end of the median's interval; 0 for too few values.
+// Returns the rank, from 1, of the value at either end of the median's interval; 0 for too few values.
 std::size_t rankOfInterval(std::size_t count) {
   const boost::math::binomial below_median(static_cast<double>(count), 0.5);
   std::size_t rank = 0;
@@ -57,7 +57,7 @@ ordered_json withDistribution(ordered_json head, const ordered_json& distributio
 }
 
 bool isFarOut(double value, const ordered_json& distribution) {
-  constexpr double kFar = 4.0;  // distances of the quartiles: of normal values six standard deviations from the median
+  constexpr double kFar = 4.0;  // distances of the quartiles; for normal values six standard deviations from the median
   const auto [lower, upper] = distribution["quartiles"].get<std::array<double, 2>>();
   return distribution["components"] >= kFewestComponents &&
          std::max(lower - value, value - upper) > kFar * (upper - lower) &&
@@ -128,7 +128,7 @@ ordered_json Fleet::describe(const std::string& type, const std::vector<Componen
           {"listed", listed}};
 }
 
-// Rigs that had only one type cannot be compared.
+// Omits rigs that had only one type, because nothing can be compared.
 ordered_json Fleet::describeRigs() const {
   std::map<std::array<std::string, 3>, std::vector<double>> values;
   std::map<std::string, std::set<std::string>> types_of;

@@ -1,5 +1,5 @@
-// Results of a campaign at its end: one table, in the order of the manifest, and what a fleet shows
-// that a single component cannot: how often a verdict or an effect occurs, and how values scatter.
+// Results of a campaign: a table in the order of the manifest, and statistics of the fleet, such as how often a verdict
+// or an effect occurs and how values scatter.
 #pragma once
 
 #include <map>
@@ -20,26 +20,26 @@ nlohmann::ordered_json distributionOf(std::vector<double> values);
 /// Smallest logarithm that a bench can resolve: no smaller deviation makes a value an outlier.
 constexpr double kWorthSaying = 0.02;
 
-/// Fewest values among which an outlier counts.
+/// Smallest number of values among which outliers are reported.
 constexpr std::size_t kFewestComponents = 6;
 
-/// Collects components job by job, in the order of the manifest, and counts.
+/// Statistics of components, which are added job by job in the order of the manifest.
 class Fleet {
  public:
-  /// Jobs that failed, and replays, add nothing.
+  /// Adds the components of diagnoses and estimates; ignores failed jobs and replays.
   void add(const Job& job, const Record& record);
 
   /// Returns types and rigs by name, as in fleet.json. A type has `verdicts` and named `effects`, most frequent first,
   /// each with the share of the diagnosed components and its interval_95, by Jeffreys' prior; `parameters`, the
   /// distributions of logarithms of re-estimated over configured values; `far_out`, values farther from the quartiles
-  /// than four times their distance, and from the median by more than a bench holds; `listed`, its first components.
-  /// `rigs` has the same distributions by rig, type and parameter, if a rig had several types: a compliant rig reduces
-  /// the stiffness of a stiff type more than of a soft one, a wrong gain scales all alike.
+  /// than four times their distance, and from the median than kWorthSaying; and `listed`, its first components. `rigs`
+  /// has the same distributions by rig, type and parameter for rigs with several types: a compliant rig reduces the
+  /// stiffness of a stiff type more than that of a soft one, a wrong gain scales all alike.
   nlohmann::ordered_json analyse() const;
 
  private:
   struct Component {
-    std::string id;  // of its job
+    std::string id;  // id of its job
     std::string name;
     std::string report;  // path relative to the campaign's folder; may be empty
     std::string test_rig;
@@ -55,13 +55,13 @@ class Fleet {
 struct CollectSummary {
   std::size_t done = 0;
   std::size_t failed = 0;
-  std::size_t missing = 0;          ///< broken records among them
-  std::vector<std::string> broken;  ///< what is wrong with those
-  std::string page_problem;         ///< why there is no fleet.html; empty where there is
+  std::size_t missing = 0;          ///< including broken records
+  std::vector<std::string> broken;  ///< errors of the broken records
+  std::string page_problem;         ///< reason why there is no fleet.html; empty if there is one
 };
 
-/// Writes table.csv, table.json, fleet.json and fleet.html: the same bytes regardless of time, place and order of the
-/// work. A job without a result has a row, too. Throws std::runtime_error.
+/// Writes table.csv, table.json, fleet.json and fleet.html, whose bytes do not depend on the time, place or order of
+/// the runs. Jobs without a result have a row, too. Throws std::runtime_error.
 CollectSummary collect(const Manifest& manifest, const std::string& folder);
 
 inline std::string tableCsvPath(const std::string& folder) { return folder + "/table.csv"; }
@@ -69,8 +69,7 @@ inline std::string tableJsonPath(const std::string& folder) { return folder + "/
 inline std::string fleetJsonPath(const std::string& folder) { return folder + "/fleet.json"; }
 inline std::string fleetReportPath(const std::string& folder) { return folder + "/fleet.html"; }
 
-/// The fleet report for programs: schema rubber_suspension/fleet/3, the counts of jobs and what the fleet shows. The
-/// same bytes for the same results.
+/// Returns fleet.json: schema rubber_suspension/fleet/3, the counts of jobs and Fleet::analyse().
 std::string toJson(const Fleet& fleet, const CollectSummary& summary);
 
 }  // namespace rubber_suspension::campaign

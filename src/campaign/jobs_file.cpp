@@ -61,7 +61,7 @@ class JobsReader : public io::YamlReader {
     return [this, member](const Entry& entry, auto& target) { this->load(entry, target.*member); };
   }
 
-  // The keys of the options; `of` returns the options of a target.
+  // Returns the keys of the options; `of` returns the options of a target.
   template <class Target, class Of>
   std::vector<Key<Target>> optionKeys(Of of) {
     std::vector<Key<Target>> keys;
@@ -78,7 +78,7 @@ class JobsReader : public io::YamlReader {
     value = entry.text();
   }
 
-  // A list, or a single text.
+  // Accepts a list or a single text.
   void load(const Entry& entry, std::vector<std::string>& values) {
     const bool is_list = entry.node.IsSequence() && entry.node.size() > 0;
     values.resize(is_list ? entry.node.size() : 1);
@@ -95,7 +95,7 @@ class JobsReader : public io::YamlReader {
 
   void load(const Entry& entry, int& starts) { starts = static_cast<int>(loadWhole(entry, 1.0, 1000.0)); }
 
-  // A rate [Hz] ends where a stamp, a whole number of nanoseconds, does; a gap that is bridged [s] is no hour.
+  // A sampling rate is at most 1e9 Hz because stamps are whole nanoseconds; a bridged gap lasts at most an hour.
   void load(const Entry& entry, double& value) {
     const bool is_rate = log::endsWith(entry.path, "sampling_rate");
     value = is_rate ? loadWithin(entry, 1e-9, 1e9, "a number from 1e-9 to 1e9")
@@ -258,7 +258,7 @@ class JobsReader : public io::YamlReader {
   }
 };
 
-// In (0, 1), never its ends: a normal number would be infinite there.
+// Returns a number between 0 and 1. Adding 0.5 avoids 0, for which a normal number would be infinite.
 double uniform(std::mt19937_64& generator) {
   constexpr int kBits = 53;  // of a double's significand
   return std::ldexp(static_cast<double>(generator() >> (64 - kBits)) + 0.5, -kBits);

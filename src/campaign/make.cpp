@@ -1,4 +1,4 @@
-// From a jobs file to a manifest.
+// Makes a manifest from a jobs file.
 #include "campaign/make.h"
 
 #include <fmt/format.h>
@@ -29,12 +29,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Escapes a folder's name, which is no pattern.
+// Escapes the name of a folder, which must not act as a pattern.
 std::string escaped(const std::string& text) { return std::regex_replace(text, std::regex(R"([*?[\\])"), R"(\$&)"); }
 
-// Files that `pattern` of the shell (*, ?, [...]) names, relative to `folder` unless it begins with a slash: absolute
-// paths without symbolic links resolved, sorted byte by byte, so that the order is that of no locale. Empty where
-// nothing matches.
+// Returns the files that the shell pattern (*, ?, [...]) matches, relative to `folder` unless it begins with a slash:
+// absolute paths with symbolic links kept, sorted by bytes so that the order does not depend on the locale.
 std::vector<std::string> matchPattern(const std::string& folder, const std::string& pattern) {
   const std::string base = fs::absolute(folder.empty() ? "." : folder).lexically_normal().string();
   glob_t matches{};
@@ -66,7 +65,7 @@ struct Reading {
 struct Place {
   std::string name;  // relative to the folder of the jobs file, as users know it
   std::string config;
-  std::vector<io::InputFile> logs;  // those held out, too
+  std::vector<io::InputFile> logs;  // including those held out
 };
 
 constexpr const char* kLog = "log";
@@ -86,7 +85,7 @@ void check(const Job& job, const std::string& path, const LogReader& read_log) {
       "{}: has no measured force; accepted: a log with a column of the measured force", path);
 }
 
-// Each on one line, and once.
+// Puts each problem on one line and removes duplicates.
 std::vector<std::string> distinctLines(const std::vector<std::string>& problems) {
   std::set<std::string> seen;
   std::vector<std::string> lines;
@@ -115,7 +114,7 @@ class Maker {
     }
   }
 
-  // Hashes every file and reads every log, by several threads.
+  // Hashes every file and reads every log, with several threads.
   void checkInputs(int threads, const LogReader& read_log) {
     std::vector<InputFile>& files = manifest_.inputs;
     std::vector<std::string> found(files.size() + readings_.size());
@@ -229,7 +228,7 @@ class Maker {
     }
   }
 
-  // Refuses the same log twice as evidence; a replay may have copies.
+  // Refuses a log that is given twice and, except for replays, copies of a log under other names.
   void refuseTwice(const JobGroup& group, const std::vector<io::InputFile>& logs) {
     std::set<std::string> seen;
     std::vector<io::InputFile> distinct;
@@ -305,7 +304,7 @@ class Maker {
     return job;
   }
 
-  // Index of a file in the list of inputs, which has each once.
+  // Returns the index of a file in the list of inputs, to which new files are appended.
   std::size_t inputOf(const std::string& path) {
     const auto [place, added] = inputs_.emplace(path, manifest_.inputs.size());
     if (added) {
@@ -344,7 +343,7 @@ class Maker {
     }
   }
 
-  // One job for all logs, or one each.
+  // Adds one job for all logs, or one per log.
   void addJobs(const JobGroup& group, const Job& job) {
     if (group.command != Command::replay && !group.one_job_per_log) {
       addJob(job);
@@ -370,7 +369,7 @@ class Maker {
   std::string output_;  // the campaign's own folder
   Manifest manifest_;
   std::unordered_map<std::string, Components> components_;  // by the text of their file
-  std::unordered_map<std::string, std::size_t> inputs_;     // places by path
+  std::unordered_map<std::string, std::size_t> inputs_;     // indices by path
   std::vector<Reading> readings_;
   std::set<std::pair<std::size_t, nlohmann::ordered_json>> seen_readings_;
   std::vector<std::string> notes_;

@@ -1,4 +1,4 @@
-// From a jobs file to a manifest: patterns and tolerances expand to jobs, and every input is checked before any runs.
+// Makes a manifest from a jobs file: expands patterns and tolerances to jobs, and checks every input beforehand.
 #pragma once
 
 #include <functional>
@@ -10,18 +10,18 @@
 
 namespace rubber_suspension::campaign {
 
-/// Reads a log of any kind; of one with several components, that of the name given. Several threads may call it.
+/// Reads a log of any kind, from one with several components that of the given name. Several threads may call it.
 using LogReader =
     std::function<log::Log(const std::string& path, const std::string& component, const log::LogFormat& format)>;
 
 struct Expansion {
   Manifest manifest;
   std::vector<std::string> notes;     ///< omitted or repeated inputs
-  std::vector<std::string> problems;  ///< what is wrong with the inputs, a line each, none twice; then there is no job
+  std::vector<std::string> problems;  ///< distinct errors of the inputs; if there are any, the manifest is empty
 };
 
-/// Expands a jobs file. `output`, the campaign's own folder, is none of those that a pattern names. Component files are
-/// loaded, logs read and hashed, draws estimated.
+/// Expands a jobs file: loads component files, reads and hashes logs, estimates drawn specifications. Patterns do not
+/// match `output`, the campaign's own folder.
 Expansion makeManifest(const std::string& jobs_file, const std::string& output, const std::string& version, int threads,
                        const LogReader& read_log);
 

@@ -47,7 +47,7 @@ void forEachMember(Visit visit) {
   visit("command", &Job::command, true);
 }
 
-// Content and, of a log, its name.
+// Returns the digest of the content and the name of each file.
 ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<InputFile>& inputs) {
   return element::each(files, [&](std::size_t file) -> ordered_json {
     return {inputs.at(file).content.sha256, std::filesystem::path(inputs.at(file).path).stem().string()};
@@ -56,12 +56,12 @@ ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<
 
 const char* const kManifestSchema = "rubber_suspension/campaign/1";
 
-// Folders are named by two letters of the id each, so that none has more than some hundred entries.
+// Records are spread over 256 folders by the first two digits of the id, so that no folder becomes too large.
 constexpr std::size_t kPrefix = 2;
 
 std::string split(const std::string& id) { return id.substr(0, kPrefix) + "/" + id.substr(kPrefix); }
 
-// Throws std::invalid_argument where a job names what is not there.
+// Throws std::invalid_argument if a job has no logs, no valid id, or an input that is not in the manifest.
 void checkJob(const Job& job, std::size_t inputs) {
   std::vector<std::size_t> files = job.logs;
   files.insert(files.end(), job.hold_out.begin(), job.hold_out.end());
@@ -114,7 +114,7 @@ void from_json(const nlohmann::json& json, JobOptions& options) {
       json.at(key).get_to(options.*option);
     }
   });
-  for (const auto& entry : json.items()) {  // a manifest of another version may have others, which must not go unheard
+  for (const auto& entry : json.items()) {  // those of another version may be unknown and must not be ignored
     element::refuseIf(std::find(known.begin(), known.end(), entry.key()) == known.end(), "'{}' is unknown{}",
                       entry.key(), element::didYouMean(entry.key(), known));
   }

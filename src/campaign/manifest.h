@@ -1,5 +1,5 @@
-// The manifest: every job of a campaign, one command on one component with its logs, its identity, the files that it
-// reads, and its folder.
+// The manifest lists the jobs of a campaign, each of which is one command on one component and its logs, and the files
+// that the jobs read.
 #pragma once
 
 #include <cstdint>
@@ -24,17 +24,17 @@ enum class Command {
 enum class Reports {
   none,  ///< its record only
   data,  ///< what other programs read: report.json, augmented.yaml; identification.json, component.yaml; force.csv
-  full,  ///< and the page for people, report.html, whose figures take longer than many a diagnosis
+  full,  ///< also report.html, whose figures take longer than many a diagnosis
 };
 
-// In the order of the enumerations.
+// Names, in the order of the enumerators.
 const std::vector<std::string> kCommands = {"diagnose", "estimate", "replay"};
 const std::vector<std::string> kReports = {"none", "data", "full"};
 
 inline const std::string& toString(Command command) { return kCommands.at(static_cast<std::size_t>(command)); }
 inline const std::string& toString(Reports reports) { return kReports.at(static_cast<std::size_t>(reports)); }
 
-/// The options of a job, those of the commands under the same names.
+/// Options of a job; the commands have options of the same names.
 struct JobOptions {
   Reports reports = Reports::data;
   bool evidence = false;                   ///< as --evidence, of diagnose
@@ -83,13 +83,13 @@ struct InputFile {
   io::FileHash content;
 };
 
-/// Numbers are places in the manifest's list of inputs.
+/// One job; `config`, `logs` and `hold_out` are indices into the inputs of the manifest.
 struct Job {
   std::string id;          ///< SHA-256 of what decides its result, 64 hexadecimal digits
   std::string group;       ///< name of its entry in the jobs file
   std::string type;        ///< components of one type are compared with each other
-  std::string test_rig;    ///< what is tested on one rig may share its stiffness
-  std::string test_piece;  ///< distinguishes components of one name: the folder, or the number of the draw
+  std::string test_rig;    ///< name of the rig; jobs of one rig may share its compliance
+  std::string test_piece;  ///< folder, with the number of the draw if any; distinguishes components of one name
   Command command = Command::diagnose;
   std::string component;
   std::size_t config = 0;
@@ -99,41 +99,41 @@ struct Job {
   JobOptions options;
 };
 
-/// Its name for a user: its entry in the jobs file, test piece, and the beginning of its id.
+/// Returns the name of a job for messages: its entry in the jobs file, its test piece and the beginning of its id.
 std::string nameOf(const Job& job);
 
-/// Id of a job. It depends on the contents of its files, the names of its logs (which the report shows), its options
-/// and the version of the program, not on the folders of the files.
+/// Returns the id of a job. It depends on the contents of its files, the names of its logs (which the report shows),
+/// its options and the version of the program, but not on the folders of the files.
 std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version);
 
 void to_json(nlohmann::ordered_json& json, const JobOptions& options);
 
-/// A line of a manifest; of options and lists only what is not the default. Reading it throws std::invalid_argument or
-/// nlohmann::json::exception.
+/// Writes or reads a line of a manifest, which omits options and lists at their defaults. Reading throws
+/// std::invalid_argument or nlohmann::json::exception.
 void to_json(nlohmann::ordered_json& json, const Job& job);
 void from_json(const nlohmann::json& json, Job& job);
 
 struct Manifest {
-  std::string version;  ///< of the program that made it
+  std::string version;  ///< version of the program that made the manifest
   std::vector<InputFile> inputs;
   std::vector<Job> jobs;
 
-  /// Places of the jobs of different ids, each once, in the order of the manifest: jobs of the same inputs and options
-  /// are worked off once and share their result.
+  /// Returns the indices of the jobs with distinct ids, in the order of the manifest: jobs with equal inputs and
+  /// options run once and share the result.
   std::vector<std::size_t> distinctJobs() const;
 };
 
-/// Where things lie in the folder of a campaign.
+/// Paths in the folder of a campaign.
 inline std::string manifestPath(const std::string& folder) { return folder + "/manifest.jsonl"; }
 std::string recordPath(const std::string& folder, const std::string& id);
 
-/// The folder of a job's reports, relative to that of the campaign.
+/// Returns the folder of a job's reports, relative to that of the campaign.
 std::string reportFolder(const std::string& id);
 
-/// JSON lines: a header with the numbers of lines, the inputs, the jobs. Throws std::runtime_error.
+/// Writes JSON lines: a header with the numbers of inputs and jobs, the inputs, the jobs. Throws std::runtime_error.
 void writeManifest(const Manifest& manifest, const std::string& folder);
 
-/// Throws std::runtime_error that names the file, the line and what is accepted.
+/// Reads a manifest. Throws std::runtime_error that names the file, the line and what is accepted.
 Manifest readManifest(const std::string& folder);
 
 }  // namespace rubber_suspension::campaign

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 const std::string kDigestKey = ",\"sha256\":\"";
 
-// The text of a record as it is written: its last member is the digest of all before.
+// Returns the text of a record with the digest of all other members as its last member.
 std::string withDigest(std::string text) {
   const std::string digest = io::sha256(text);
   text.pop_back();
@@ -53,8 +53,7 @@ ordered_json recordJson(const Record& record) {
           {"seconds", record.seconds}};
 }
 
-// Throws std::exception for what is no complete record. Copies of JSON call themselves for each level, so the depth is
-// bounded.
+// Throws std::exception if the text is not a complete record. The depth is bounded because copying JSON recurses.
 Record recordFromText(const std::string& text) {
   static constexpr int kDeepest = 16;
   const auto json = ordered_json::parse(text, [](int depth, ordered_json::parse_event_t, ordered_json&) {
@@ -79,7 +78,7 @@ Record recordFromText(const std::string& text) {
   return record;
 }
 
-// Kind of the entry in a record's place that is no regular file; empty where it is one, or nothing is there.
+// Returns the kind of an entry that is not a regular file; "" for a regular file or if nothing is there.
 std::string otherKind(const std::string& path) {
   std::error_code unknown;  // reported when reading fails
   const fs::file_status status = fs::status(path, unknown);
@@ -89,7 +88,7 @@ std::string otherKind(const std::string& path) {
   return fs::is_directory(status) ? "a folder" : (fs::is_fifo(status) ? "a pipe" : "a device or socket");
 }
 
-// Throws std::runtime_error for a record of something else, or whose report is not there as it was written.
+// Throws std::runtime_error if the record is of another job or version, or if it or its report has changed.
 void check(const Record& record, const std::string& text, const std::string& folder, const std::string& id,
            const std::string& version, FileCheck files) {
   using Error = std::runtime_error;
@@ -131,9 +130,9 @@ void writeRecord(const Record& record, const std::string& folder) {
 }
 
 FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version, FileCheck files) {
-  constexpr std::uintmax_t kLargest = std::uintmax_t{16} << 20;  // bytes; ten thousand values are a fraction of this
+  constexpr std::uintmax_t kLargest = std::uintmax_t{16} << 20;  // bytes; far more than ten thousand values
   const std::string path = recordPath(folder, id);
-  if (const std::string kind = otherKind(path); !kind.empty()) {  // a pipe would have its reader wait
+  if (const std::string kind = otherKind(path); !kind.empty()) {  // reading a pipe would block
     return {std::nullopt, path + ": is " + kind + "; accepted: a record"};
   }
   std::error_code unknown;  // reported when opening fails

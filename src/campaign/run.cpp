@@ -1,4 +1,4 @@
-// Works off the jobs of a campaign.
+// Runs the jobs of a campaign.
 #include "campaign/run.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 namespace rubber_suspension::campaign {
 namespace {
 
-// Shows progress and remaining time: in place on a terminal, otherwise a line now and then.
+// Shows progress and remaining time, in place on a terminal and otherwise in one line per minute.
 class RunProgress {
  public:
   RunProgress(std::size_t total, const Say& say) : total_(total), say_(say) {}
@@ -57,7 +57,7 @@ class RunProgress {
   std::size_t done_ = 0;
 };
 
-// The jobs of the shard that are to be worked off.
+// Returns the jobs of the shard that are to be run.
 std::vector<std::size_t> jobsToDo(const Manifest& manifest, const std::string& folder, const RunOptions& options,
                                   const Say& say, RunSummary& summary) {
   const std::vector<std::size_t> distinct = manifest.distinctJobs();

@@ -1,4 +1,4 @@
-// Works off the jobs of a campaign, or a shard of them: what is done is passed over, what fails is a record.
+// Runs the jobs of a campaign, or a shard of them. Jobs with a result are skipped; a failure is stored as a record.
 #pragma once
 
 #include <cstddef>
@@ -18,38 +18,38 @@ struct Shard {
   bool holds(std::size_t place) const { return place % count == index - 1; }
 };
 
-/// "3/8" is the third of eight shards. Throws std::invalid_argument that says what is accepted.
+/// Parses "3/8", the third of eight shards. Throws std::invalid_argument that states what is accepted.
 Shard parseShard(const std::string& text);
 
-/// Default time limit of a job [min]. It only ends jobs that would never end: a diagnosis searches at most 300,000
-/// samples, in some minutes, however long its logs are.
+/// Default time limit of a job [min], meant only for jobs that would never end: a diagnosis searches at most 300,000
+/// samples, which takes some minutes, however long its logs are.
 constexpr double kJobMinutes = 240.0;
 
 struct RunOptions {
   Shard shard;
   int workers = 1;
-  bool retry_failed = false;         ///< work failed jobs off again
-  double job_minutes = kJobMinutes;  ///< a job that takes longer has failed; 0: there is no limit
+  bool retry_failed = false;         ///< run failed jobs again
+  double job_minutes = kJobMinutes;  ///< a job that takes longer counts as failed; 0: no limit
 };
 
 struct RunSummary {
   std::size_t done = 0;
   std::size_t failed = 0;
-  std::size_t passed_over = 0;    ///< that were done or failed before
-  std::size_t failed_before = 0;  ///< of those passed over
-  std::size_t not_done = 0;       ///< for lack of memory, or killed from outside; the next run tries them again
+  std::size_t passed_over = 0;    ///< done or failed before
+  std::size_t failed_before = 0;  ///< failed ones among them
+  std::size_t not_done = 0;       ///< out of memory, or killed from outside; the next run repeats them
   bool interrupted = false;
 };
 
-/// Receives each line for the user: broken records that are done again, failed jobs, and now and then the progress.
+/// Receives each line for the user: broken records whose jobs run again, failed jobs, and progress from time to time.
 using Say = std::function<void(const std::string& line)>;
 
-/// Throws std::runtime_error where the manifest is of another version than `version`, or nothing can be written: a full
-/// disk ends the run, and the next one continues.
+/// Runs the jobs. Throws std::runtime_error if the manifest is of another version than `version` or a file cannot be
+/// written; after a full disk, the next run continues.
 RunSummary run(const std::string& folder, const std::string& version, const RunOptions& options,
                const LogReader& read_log, const Say& say);
 
-/// Throws std::runtime_error where a manifest was made by another version of the program than this.
+/// Throws std::runtime_error if the manifest was made by another version of the program.
 void requireVersion(const Manifest& manifest, const std::string& folder, const std::string& version);
 
 }  // namespace rubber_suspension::campaign

@@ -1,5 +1,5 @@
-// Progress of a campaign: existing records, and jobs that runs are working on. Each run lists its current jobs in a
-// file in the campaign's folder, which is informative only and may be deleted.
+// Progress of a campaign: existing records, and jobs that are running. Each run lists its current jobs in a file in the
+// campaign's folder, which is informative only and may be deleted.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@ class Heartbeat {
   Heartbeat& operator=(const Heartbeat&) = delete;
   ~Heartbeat();  ///< removes the file
 
-  /// Names the jobs; writes every few seconds only.
+  /// Writes the ids of the running jobs, at most every few seconds.
   void beat(const Manifest& manifest, const std::vector<std::size_t>& running);
 
  private:
@@ -30,11 +30,11 @@ class Heartbeat {
 constexpr double kSilentForLong = 120.0;
 
 struct JobCounts {
-  std::size_t jobs = 0;  ///< of different ids
+  std::size_t jobs = 0;  ///< with different ids
   std::size_t done = 0;
   std::size_t failed = 0;
-  std::size_t broken = 0;   ///< their records are cut off or of another version, and will be done again
-  std::size_t running = 0;  ///< of those without a record
+  std::size_t broken = 0;   ///< records that are cut off or of another version; their jobs will run again
+  std::size_t running = 0;  ///< without a record
   std::size_t missing = 0;  ///< neither done nor failed, broken or running
 };
 
@@ -43,11 +43,11 @@ struct Status {
   std::map<std::string, JobCounts> by_group;
   std::vector<std::string> failures;  ///< name and error of each failed job, in the order of the manifest
   std::vector<std::string> broken;
-  std::vector<std::string> silent_runs;  ///< that ended without saying so
-  double seconds_per_job = 0.0;          ///< mean of those done [s of one worker]; 0: none is
+  std::vector<std::string> silent_runs;  ///< runs that stopped reporting
+  double seconds_per_job = 0.0;          ///< mean over the jobs done [s]; 0: none is done
 };
 
-/// Reads every record. Throws std::runtime_error.
+/// Reads every record and returns the progress. Throws std::runtime_error.
 Status statusOf(const Manifest& manifest, const std::string& folder);
 
 std::string toText(const Status& status);

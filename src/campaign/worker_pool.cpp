@@ -1,4 +1,4 @@
-// Worker processes that receive jobs from their supervisor, and report their ends, over a socket each.
+// Worker processes, each connected to its supervisor by a socket for jobs and their results.
 #include "campaign/worker_pool.h"
 
 #include <fmt/format.h>
@@ -28,16 +28,16 @@
 namespace rubber_suspension::campaign {
 namespace {
 
-// A message of a worker is one letter, a JobEnd or this, and a reason.
+// A message of a worker is one byte, a JobEnd or kException, followed by a reason.
 constexpr char kException = 'e';
-constexpr std::size_t kLongestMessage = 4096;  // bytes; the record of a job has its whole error
+constexpr std::size_t kLongestMessage = 4096;  // bytes; the record of a job has the whole error
 
 void report(int socket, char end, const std::string& reason) {
   const std::string message = end + reason;
   send(socket, message.data(), std::min(message.size(), kLongestMessage), MSG_NOSIGNAL);
 }
 
-// The life of a worker process, until the supervisor closes the connection or ends it.
+// Executes jobs in a worker process until the supervisor closes the connection or ends the process.
 void serve(int socket, const PoolCallbacks& callbacks) {
   try {
     const auto work = callbacks.start_worker();
@@ -67,10 +67,10 @@ struct Worker {
   pid_t pid;
   int socket;
   std::optional<std::size_t> job{};
-  double seconds = 0.0;  // since it was given the job [s]
+  double seconds = 0.0;  // running time of the job [s]
 };
 
-// While it exists, SIGINT, SIGTERM and SIGHUP are blocked until it asks for them.
+// While a Pool exists, SIGINT, SIGTERM and SIGHUP are blocked, and run() polls for them.
 class Pool {
  public:
   Pool(const std::vector<std::size_t>& jobs, const PoolCallbacks& callbacks, double longest)
@@ -126,11 +126,11 @@ class Pool {
     if (child == 0) {
       sigprocmask(SIG_SETMASK, &signals_before_, nullptr);
       prctl(PR_SET_PDEATHSIG, SIGTERM);
-      if (getppid() == supervisor) {  // else it died before
+      if (getppid() == supervisor) {  // otherwise the supervisor died before prctl()
         serve(ends[1], callbacks_);
       }
       std::fflush(nullptr);
-      _exit(0);  // neither destructors nor what a test framework would do at exit belong here
+      _exit(0);  // skips destructors and exit handlers, such as those of a test framework
     }
     close(ends[1]);  // now the worker alone has this end, and its death closes the connection
     workers_.push_back({child, ends[0]});
@@ -141,7 +141,7 @@ class Pool {
       worker.job = waiting_.front();
       worker.seconds = 0.0;
       waiting_.pop_front();
-      send(worker.socket, &*worker.job, sizeof *worker.job, MSG_NOSIGNAL);  // where it is dead, look() will find out
+      send(worker.socket, &*worker.job, sizeof *worker.job, MSG_NOSIGNAL);  // look() notices a dead worker
     }
   }
 
