@@ -13,10 +13,10 @@ class AgreementOptions {
  public:
   OptionTable table();
 
-  /// Throws UsageError that names option, text and what is accepted.
+  /// Returns the limits. Throws UsageError that names the option, its text and what is accepted.
   gap::AgreementLimits limits() const;
 
-  /// Writes the JSON, if its file is given and there was something to compare. Throws std::runtime_error.
+  /// Writes the JSON if its file is given and anything was compared. Throws std::runtime_error.
   void write(const std::string& component, const std::string& log,
              const std::vector<gap::ComparedForce>& compared) const;
 

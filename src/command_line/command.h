@@ -1,4 +1,4 @@
-// The frame of every command: its options read by their table, --help, --version, exit status, errors in one line.
+// Runs a command: reads its options, prints help, version and errors, and returns the exit status.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::command_line {
 
-/// Options that are each right, but not together: exit status 2.
+/// An error of the command line: exit status 2.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -21,20 +21,20 @@ class UsageError : public std::runtime_error {
 
 enum ExitStatus : int { kSuccess = 0, kFailed = 1, kWrongUsage = 2, kDefect = 3 };
 
-/// Version of this package.
+/// Returns the version of this package.
 std::string version();
 
-/// One line on stderr, in which nothing of a file's content can steer the terminal.
+/// Prints one line on stderr, without characters of a file's content that could control the terminal.
 void printError(const std::string& command, const std::string& message);
 void printNote(const std::string& command, const std::string& note);
 void printNotes(const std::string& command, const std::vector<std::string>& notes);
 void printWarning(const std::string& command, const std::string& warning);
 
-/// The value of a text such as "10 mm" in the unit of the quantity. Throws UsageError that names option, text and what
-/// is accepted.
+/// Returns the value of a text such as "10 mm" in the unit of the quantity. Throws UsageError that names the option,
+/// the text and what is accepted.
 double quantityOf(const std::string& option, const std::string& text, const Quantity& quantity);
 
-/// Calls it. Arguments that it refuses were wrong on the command line; `option` is put before the reason.
+/// Calls `call`, turning std::invalid_argument into UsageError; `option` precedes the reason.
 template <class Call>
 auto asUsage(const std::string& option, Call call) {
   try {
@@ -44,19 +44,19 @@ auto asUsage(const std::string& option, Call call) {
   }
 }
 
-/// The result of work of which a terminal is told while it takes long.
+/// Returns the result of `work`; a terminal shows `what` if it takes long.
 template <class Work>
 auto during(const std::string& what, Work work) {
   const io::Activity activity(what);
   return work();
 }
 
-/// Run a command: fill what the options of the table point to, then call the body, which returns the exit status. An
-/// exception of the body is printed as one line on stderr and ends in exit status 1, wrong options in 2.
+/// Runs a command: fills the targets of the options, then calls the body, which returns the exit status. Exceptions are
+/// printed as one line on stderr; wrong options return 2, all others 1.
 int runCommand(int argc, char** argv, const Command& command, const OptionTable& table,
                const std::function<int()>& body);
 
-/// Passes options that have a table to the body.
+/// Runs a command whose options are a type with a table, and passes them to the body.
 template <class Options, class Body>
 int runCommand(int argc, char** argv, const Command& command, const Body& body) {
   Options options;

@@ -1,4 +1,4 @@
-// The options --config and --component.
+// The options --config, --component and --without-rig.
 #include "command_line/component_options.h"
 
 #include "command_line/warnings.h"

@@ -1,4 +1,4 @@
-// The options --config and --component, the same for every command that works on one component.
+// The options --config, --component and --without-rig of all commands that work on one component.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::command_line {
 
-/// --without-rig. The flag has to outlive the option.
+/// Returns the option --without-rig. The flag must outlive the option.
 Option withoutRigOption(bool& without_rig);
 
 struct ComponentOptions {
@@ -18,11 +18,11 @@ struct ComponentOptions {
 
   OptionTable table();
 
-  /// The component that they name, without the rig where they say so; with a warning where its specification is odd.
-  /// Throws io::ComponentFileError. Refuses a component of six directions likewise.
+  /// Returns the component that the options select, and prints warnings about its specification. Throws
+  /// io::ComponentFileError, also for a component of six directions.
   io::ComponentDescription read(const std::string& command) const;
 
-  /// Accepts any number of directions.
+  /// Returns the component as read() does, but also accepts six directions.
   io::ComponentDescription readAny(const std::string& command) const;
 };
 

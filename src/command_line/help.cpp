@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kWidth = 100;
 constexpr std::size_t kIndent = 28;
 
-// Lines that begin with blanks are laid out already, but for their length; what follows is set below their last word.
+// Wraps a line. In "  name  text", the text continues below its own beginning.
 std::string wrappedLine(const std::string& line, std::size_t indent) {
   const std::size_t gap = line.compare(0, 2, "  ") == 0 ? line.find("  ", 2) : std::string::npos;
   const std::size_t column = gap == std::string::npos ? 0 : line.find_first_not_of(' ', gap);
@@ -43,7 +43,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return result;
 }
 
-// An inadmissible number or an empty text means "not given".
+// A number outside its bounds or an empty text means "not given".
 std::string defaultOf(const Option& option) {
   return std::visit(
       [&](const auto& target) -> std::string {
@@ -113,7 +113,7 @@ std::string rows(const OptionTable& table, bool arguments, HelpSize size) {
   return text;
 }
 
-// The names of what --help leaves out.
+// Returns the names of the options that --help omits.
 std::string rareOnes(const OptionTable& table) {
   std::string names;
   for (const Option& option : table.options()) {
@@ -124,7 +124,7 @@ std::string rareOnes(const OptionTable& table) {
   return names;
 }
 
-// A call that is too long for a line continues behind a backslash, between options.
+// Breaks a call that is too long for a line between options, with a backslash.
 std::string callText(const std::string& call) {
   std::vector<std::string> parts;  // an option with its values
   std::istringstream words(call);

@@ -8,17 +8,17 @@
 
 namespace rubber_suspension::command_line {
 
-/// A call that works as printed, in the folder of the package where it names files of config/.
+/// A call that works as printed; files of config/ are found from the folder of the package.
 struct Example {
-  std::string purpose;    ///< as "A log without a header"
-  std::string arguments;  ///< behind the name of the command
+  std::string purpose;    ///< such as "A log without a header"
+  std::string arguments;  ///< text after the name of the command
 };
 
 /// The name and purpose of a command.
 struct Command {
   std::string name;
-  /// Begins with a sentence "Simulates ..."; lines that begin with blanks stay as they are. Text after the first empty
-  /// line is for --help-all.
+  /// Begins with a sentence "Simulates ...". Lines "  name  text" form a list. Text after the first empty line is for
+  /// --help-all.
   std::string description;
   std::vector<Example> examples = {};
 };
@@ -28,11 +28,11 @@ enum class HelpSize {
   all,     ///< --help-all
 };
 
-/// Lines of a terminal's width: description, usage, arguments and options, the range and default of a value behind its
-/// meaning, examples.
+/// Returns description, usage, arguments and options with their ranges and defaults, and examples, in lines of at most
+/// 100 characters.
 std::string helpText(const Command& command, const OptionTable& table, HelpSize size);
 
-/// Number as text of a help or an error: 100000 and 0.01, not 1e+05.
+/// Returns a number as text for a help or an error: 100000 and 0.01, not 1e+05.
 std::string numberText(double number);
 
 }  // namespace rubber_suspension::command_line

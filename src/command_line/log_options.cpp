@@ -1,4 +1,4 @@
-// The options that say how to read a log.
+// The options that specify how to read a log.
 #include "command_line/log_options.h"
 
 #include <fmt/format.h>

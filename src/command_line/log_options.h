@@ -1,4 +1,4 @@
-// The options that say how to read a log, the same for every command that reads one.
+// The options that specify how to read a log, the same for every command that reads one.
 #pragma once
 
 #include <memory>
@@ -15,31 +15,31 @@ namespace rubber_suspension::command_line {
 
 class LogOptions {
  public:
-  /// --columns, --unit, --sampling-rate, --decimal, --segment, --bridge, --sentinel and --clock.
+  /// Returns --columns, --unit, --sampling-rate, --decimal, --segment, --bridge, --sentinel, --clock and --large.
   OptionTable table();
 
-  /// --accept-units, of the commands that hold logs against a component.
+  /// Returns --accept-units, for commands that compare logs with a component.
   Option acceptUnits();
   bool acceptsUnits() const { return accept_units_; }
 
-  /// The names of those of table(), for rules.
+  /// Returns the names of the options of table(), for rules.
   static const std::vector<std::string>& names();
 
-  /// Refuses those options that act on text where all logs are bags. Throws UsageError.
+  /// Throws UsageError for options that have no effect on a bag if all logs are bags, and for --clock if none is.
   void requireUse(const std::vector<std::string>& paths) const;
 
-  /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.
+  /// Reads a log of any kind, from a bag that of the component. Prints its notes. Throws UsageError and LogError.
   log::Log read(const std::string& command, const std::string& path, const std::string& component) const;
 
-  /// Reads the log of a component of six directions; rotations of a bag come in this measure.
+  /// Reads the log of a component of six directions; rotations of a bag are converted to this measure.
   log::PoseLog readPoses(const std::string& command, const std::string& path, const std::string& component,
                          component::RotationMeasure measure) const;
 
-  /// The logs of a file without their notes (several threads may read at once), more than one where --segment asks for
-  /// all of them.
+  /// Reads the logs of a file, several if --segment selects all, without printing their notes. Several threads may call
+  /// it at once.
   std::vector<log::Log> readAll(const std::string& path, const std::string& component) const;
 
-  /// Opens the logs to be read block by block; several threads may do so at once. Throws UsageError and LogError.
+  /// Opens the logs for reading in blocks; several threads may call it at once. Throws UsageError and LogError.
   log::LogSources openAll(const std::string& path, const std::string& component) const;
 
   static void printNotes(const std::string& command, const std::string& path, const std::vector<std::string>& notes);

@@ -1,5 +1,5 @@
-// The options of a command as data: what each is called, what it takes and fills, and which of them go together. No
-// parser: command_line/command.h reads a command line by such a table.
+// The options of a command as data: their names, values, targets, and rules for combinations of them.
+// command_line/parse.h parses a command line by such a table.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,10 @@ struct Quantity {
   std::variant<double*, std::optional<double>*, std::vector<double>*> value;  ///< in `unit`
   std::string unit;                                                           ///< SI, in UDUNITS spelling
   element::Range range = element::Range::positive();
-  std::string accepted = {};  ///< for errors; by itself what describes the range
+  std::string accepted = {};  ///< for errors; empty: follows from the range
 };
 
-/// The variable that an option fills: a flag, text, a number, or a list of these. It has to live as long as the
-/// command.
+/// The variable that an option fills: a flag, text, a number, or a list of these. It must outlive the command.
 using Target = std::variant<bool*, std::string*, std::vector<std::string>*, double*, int*, std::vector<int>*,
                             std::uint64_t*, Quantity>;
 
@@ -36,14 +35,14 @@ struct Files {
   std::vector<io::OutputFile> outputs;
 };
 
-/// One row of the table. A name without dashes is an argument, told by its place.
+/// One row of the table. A name without dashes is a positional argument.
 struct Option {
   static constexpr int kAny = std::numeric_limits<int>::max();
 
-  /// A flag.
+  /// Makes a flag.
   Option(std::string name, bool& given, std::string help);
 
-  /// An option with a value, or several where the target is a list. The placeholder says what it takes ("SECONDS"); the
+  /// Makes an option with a value, or several if the target is a list. The placeholder names the value ("SECONDS"); the
   /// help has neither capital nor full stop. The value of the target is the default, shown if it is admissible.
   template <class T>
   Option(std::string name_, T& target_, std::string placeholder_, std::string help_)
@@ -52,38 +51,38 @@ struct Option {
 
   Option& required() { return is_required = true, *this; }
 
-  /// Left out of --help, which is one screen; in --help-all.
+  /// Omits the option from --help, which is one screen; --help-all shows it.
   Option& rare() { return is_rare = true, *this; }
 
   /// Makes the option accepted but not shown in any help.
   Option& hidden() { return is_hidden = true, *this; }
 
-  /// A number from `lowest` to `highest`.
+  /// Accepts numbers from `lowest` to `highest`.
   Option& within(double lowest, double highest) { return bounds = {lowest, highest}, *this; }
 
-  /// One of these words.
+  /// Accepts only these words.
   Option& oneOf(std::vector<std::string> all) { return words = std::move(all), *this; }
 
-  /// So many values; a list takes any number by itself.
+  /// Sets the number of values; by default a list accepts any number.
   Option& values(int least, int most) { return least_values = least, most_values = most, *this; }
 
-  /// Default of a quantity, as a user would write it.
+  /// Sets the default of a quantity for the help, as a user would write it.
   Option& defaultText(std::string text) { return default_text = std::move(text), *this; }
 
-  /// The error of a value of this text, empty where there is none.
+  /// Sets a check, which returns the error of a text, or "" if it is valid.
   Option& checkedBy(std::function<std::string(const std::string&)> check) { return problem = std::move(check), *this; }
 
-  /// A file, or several. No file is written that is also read, nor, without --force, one that is of another kind:
-  /// checked before the command does anything. A command that writes has the option --force.
+  /// Marks names of files to read. Before the command begins, it is checked that no file is both read and written and
+  /// that no file of another kind is replaced without --force.
   Option& reads() { return is_input = true, *this; }
 
-  /// Logs, of which none may stand twice in all such options together.
+  /// Marks names of logs to read, none of which may occur twice in all such options together.
   Option& readsEachOnce() { return is_each_once = true, reads(); }
 
-  /// Files that are written.
+  /// Marks names of files to write. The command then has the option --force.
   Option& writes(io::FileKind written) { return kind = written, *this; }
 
-  /// A folder, or the like, with the files that it stands for; asked once all options are read.
+  /// Sets a function, called after parsing, that returns the files which an option implies, such as those of a folder.
   Option& standsFor(std::function<Files()> all) { return files = std::move(all), *this; }
 
   bool isArgument() const { return name.compare(0, 1, "-") != 0; }
@@ -99,8 +98,8 @@ struct Option {
   std::optional<std::pair<double, double>> bounds;
   std::vector<std::string> words;
   int least_values = 1;
-  int most_values = 1;       ///< kAny by itself for a list
-  std::string default_text;  ///< empty: none to be shown
+  int most_values = 1;       ///< kAny by default for a list
+  std::string default_text;  ///< empty: no default is shown
   std::function<std::string(const std::string&)> problem;
   bool is_input = false;
   bool is_each_once = false;
@@ -114,7 +113,7 @@ struct Rule {
   enum class Kind {
     needs,     ///< the options have no effect unless one of the conditions holds
     excludes,  ///< the options have no effect where one of the conditions holds
-    one_of,    ///< one of the options has to be given, and no other of them
+    one_of,    ///< exactly one of the options has to be given
   };
   Kind kind;
   std::vector<std::string> options;

@@ -1,4 +1,4 @@
-// From the words of a command line to what a table of options points to.
+// Parses a command line by a table of options.
 #pragma once
 
 #include "command_line/help.h"
@@ -6,11 +6,10 @@
 
 namespace rubber_suspension::command_line {
 
-/// The request of a command line.
 enum class Request { run, help, help_all, version };
 
-/// Fills the targets of the table. Throws UsageError, in one line, where the words do not fit the table or its rules;
-/// a misspelt option comes with the one that was probably meant.
+/// Fills the targets of the table. Throws UsageError with one line if the words do not fit the table or its rules; for
+/// a misspelt option it names the nearest one.
 Request parse(int argc, char** argv, const Command& command, const OptionTable& table);
 
 }  // namespace rubber_suspension::command_line

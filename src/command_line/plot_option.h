@@ -1,4 +1,4 @@
-// The option --plot, the same for every command that ends in numbers over an axis.
+// The option --plot of all commands whose result is numbers over an axis.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::command_line {
 
-/// "figure to draw, .svg or .png: `what`". Another extension than those of figures is refused before any work is done.
+/// Returns --plot with the help "figure to draw, .svg or .png: `what`". Other extensions are refused before any work.
 inline Option plotOption(std::string& path, const std::string& what) {
   return Option("--plot", path, "FILE", "figure to draw, .svg or .png: " + what)
       .writes(io::file_kind::figure)
@@ -18,7 +18,7 @@ inline Option plotOption(std::string& path, const std::string& what) {
       });
 }
 
-/// Draws the figure that `make` gives, if a path is given, with word on a terminal that it takes its time. Throws
+/// Draws the figure that `make` returns, if a path is given; a terminal shows that it takes time. Throws
 /// io::FigureError.
 template <class Make>
 void drawPlot(const std::string& path, Make make) {

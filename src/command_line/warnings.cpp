@@ -1,4 +1,4 @@
-// Options of a command that are legal and odd.
+// Warnings of inputs that are valid but suspicious.
 #include "command_line/warnings.h"
 
 #include "command_line/command.h"
