@@ -1,4 +1,4 @@
-// The table of a component, and what it lacks.
+// The table of a component, and notes on what it cannot show.
 #include "command/characteristic_table.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ constexpr double kWidest = 1.0;  // [m]; no component of a suspension moves so f
 std::vector<std::string> notesOnTable(const component::Component& component) {
   const char* const kPath =
       "friction depends on the path: the table does not determine its force under two sines at once";
-  // The limits of settled loops under sines, by law: effects that they do not show, or do not tell apart.
+  // Limitations of settled loops under sines, by law.
   static const std::map<std::string, std::string> losses = {
       {"stress_softening", "the force softens over the first cycles; the table holds the state after them"},
       {"self_heating", "the component heats up over minutes; the table holds the warm state under each sine"},

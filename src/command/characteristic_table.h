@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::command {
 
-/// Where the characteristics are wanted: every combination of these.
+/// Grid of a table: every combination of these values.
 struct TableGrid {
   std::vector<double> frequencies;     ///< [Hz]
   std::vector<double> amplitudes;      ///< [m]
@@ -20,7 +20,7 @@ struct TableGrid {
 
 struct TableRow {
   double preload = 0.0;  ///< [N]
-  double mean = 0.0;     ///< displacement that the preload leads to after a long rest [m]
+  double mean = 0.0;     ///< displacement at rest under the preload [m]
   response::SweepPoint point;
 
   /// First harmonic of the force over that of the displacement [N/m].
@@ -29,19 +29,19 @@ struct TableRow {
 
 struct CharacteristicTable {
   std::string component;
-  std::vector<TableRow> rows;      ///< preload by preload, amplitude by amplitude, with the frequency rising
-  std::vector<std::string> notes;  ///< what of the component such a table cannot say
+  std::vector<TableRow> rows;      ///< in the order of the grid; the frequency varies fastest, the preload slowest
+  std::vector<std::string> notes;  ///< properties of the component that such a table cannot show
 };
 
-/// With a progress bar on a terminal. Throws std::invalid_argument for frequencies and amplitudes that make no loop,
-/// and for preloads that the component does not carry within 1 m.
+/// Computes a table, with a progress bar on a terminal. Throws std::invalid_argument for invalid frequencies and
+/// amplitudes, and for preloads that the component does not reach within 1 m.
 CharacteristicTable makeTable(const std::string& name, const component::Component& component, const TableGrid& grid);
 
-/// Columns frequency_Hz, amplitude_m, preload_N, mean_displacement_m, stiffness_N_per_m, loss_angle_rad,
-/// storage_stiffness_N_per_m, loss_stiffness_N_per_m; numbers that read back bit by bit.
+/// Returns CSV with the columns frequency_Hz, amplitude_m, preload_N, mean_displacement_m, stiffness_N_per_m,
+/// loss_angle_rad, storage_stiffness_N_per_m, loss_stiffness_N_per_m; numbers read back bit by bit.
 std::string toCsv(const CharacteristicTable& table);
 
-/// Displacement [m] at which the component rests, new and relaxed, under a force [N].
+/// Returns the displacement [m] of a new, relaxed component at rest under a force [N], at most 1 m to either side.
 double restingDisplacement(const component::Component& component, double force);
 
 }  // namespace rubber_suspension::command

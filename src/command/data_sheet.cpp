@@ -89,7 +89,7 @@ std::string convert(const Sheet& sheet) {
     file += kNote + note + "\n";
   }
   file += io::toYaml({description});
-  io::parseComponentFile(file, "component file");  // the name, too, has to be one that the node takes
+  io::parseComponentFile(file, "component file");  // also checks that the node accepts the name
   return file;
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 using element::each;
 
-// SweepOptions with everything filled in.
+// SweepOptions with all values set.
 struct Sweeps {
   std::vector<double> frequencies;
   std::vector<double> amplitudes;
@@ -55,7 +55,7 @@ Sweeps complete(const SweepOptions& options, const estimation::Specification& sp
   return sweeps;
 }
 
-// A remark that the models' closed forms lack: friction in a simulation takes noise for reversals.
+// Warns that friction in a simulation mistakes sensor noise for reversals.
 void addFrictionNote(EstimateReport& report) {
   if (std::any_of(report.elements.begin(), report.elements.end(), [](const element::ElementDescription& element) {
         return element.type == "friction" && element.value("dead_band") == 0.0;
@@ -66,7 +66,7 @@ void addFrictionNote(EstimateReport& report) {
   }
 }
 
-// A specification that does not say what it describes is that of the base: what the whole has where it has more.
+// A specification without `describes` is that of the base; the note states how the whole component differs from it.
 void addWholeNote(EstimateReport& report, const component::Component& component) {
   const io::ComponentDescription& description = report.description;
   const estimation::Specification& specification = description.written();
@@ -81,7 +81,7 @@ void addWholeNote(EstimateReport& report, const component::Component& component)
       response::characteristicsAt(component, *frequency, amplitude,
                                   loopsAbout(estimation::nominalDisplacement(description.specification())))
           .characteristics;
-  constexpr double kSame = 1e-3;  // a curve alone, hardly bent over the loop
+  constexpr double kSame = 1e-3;  // [-]; a curve without further elements may be almost straight over the loop
   if (description.add.empty() && std::abs(whole.stiffness / *stiffness - 1.0) < kSame) {
     return;
   }
@@ -101,7 +101,7 @@ bool allSettled(const EstimateReport& report) {
          });
 }
 
-// Lines "  name value unit" of an element, with what follows from its parameters.
+// Returns "name value unit, ...", for a Maxwell element also its damping and relaxation time.
 std::string elementText(const element::ElementDescription& element) {
   const element::ElementType* type = element::findElementType(element.type);
   std::string text;
@@ -225,14 +225,14 @@ nlohmann::ordered_json reportJson(const EstimateReport& report) {
   return json;
 }
 
-// A column of the figure: what is constant in it, and what varies.
+// A column of the figure; the title states what is constant in it.
 struct FigureColumn {
   std::string title;
   SweepAxis along;
   const std::vector<response::SweepPoint> EstimateReport::* points;
 };
 
-// Several components differ by the style of their lines, too: for those who do not see colours, and in print.
+// Several components also differ in line style, for print and for readers who do not see colours.
 const char* styleOf(int index, std::size_t count) {
   static constexpr const char* kStyles[] = {"-", "--", "-.", ":"};
   return count > 1 ? kStyles[static_cast<std::size_t>(index) % std::size(kStyles)] : "-";
@@ -247,7 +247,7 @@ io::Curve curveOf(const EstimateReport& report, const FigureColumn& column, Swee
   return curve;
 }
 
-// The effect of inputs that are a little off on the sweep over frequency: a band between two thin lines.
+// Draws the effect of changed inputs on the sweep over frequency as a band between two thin lines.
 void addBand(io::Axes& axes, const EstimateReport& report, const FigureColumn& column, SweepQuantity y, int colour) {
   if (!report.sensitivity || column.points != &EstimateReport::over_frequency) {
     return;
@@ -263,7 +263,7 @@ void addBand(io::Axes& axes, const EstimateReport& report, const FigureColumn& c
   axes.curves.back().label = fmt::format("each input changed by {:g} %", 100.0 * report.sensitivity->share);
 }
 
-// "constant amplitude 2 mm"; without the value where that is another one for each component.
+// Returns "constant amplitude 2 mm", or "constant amplitude of each" if it differs between components.
 std::string constantTitle(const std::string& what, const std::string& unit, const std::vector<EstimateReport>& reports,
                           const std::function<double(const EstimateReport&)>& value) {
   for (const EstimateReport& report : reports) {
@@ -274,7 +274,7 @@ std::string constantTitle(const std::string& what, const std::string& unit, cons
   return fmt::format("constant {} {:.4g} {}", what, value(reports.front()), unit);
 }
 
-// The specification's points, where they lie on what is drawn: markers, and K_st and K_max as levels.
+// Draws the specified values that lie in the range of the axes: markers, and K_st and K_max as horizontal lines.
 class SpecificationMarks {
  public:
   SpecificationMarks(const EstimateReport& report, int colour)
@@ -305,7 +305,7 @@ class SpecificationMarks {
   }
 
  private:
-  // [kN/mm]; not a number where the specification has none.
+  // Returns a stiffness [kN/mm], NaN if it is not specified.
   double specified(const char* name) const {
     return specification_.valueOr(name, std::numeric_limits<double>::quiet_NaN()) * 1e-6;
   }
@@ -434,7 +434,7 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports, Legends legends)
       for (std::size_t i = 0; i < reports.size(); ++i) {
         const std::size_t first = axes.curves.size();
         SpecificationMarks(reports[i], static_cast<int>(i)).add(axes, column, stiffness);
-        // Once in the legend, for all components and columns.
+        // The legend names each mark once, for all components and columns.
         const bool once = i == 0 && &column == &columns.front();
         for (std::size_t mark = first; mark < axes.curves.size() && !once; ++mark) {
           axes.curves[mark].label.clear();

@@ -1,5 +1,5 @@
 // The output of the command `estimate` on a component: parameters, stiffness and loss angle over frequency and
-// amplitude, also of variants: other models of the same specification, inputs a little off.
+// amplitude, also for other models of the same specification and for changed inputs.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace rubber_suspension::command {
 
-/// Where characteristics are wanted; what is not given follows from the specification.
+/// Ranges of the sweeps; values that are not given follow from the specification.
 struct SweepOptions {
   std::optional<double> lowest_frequency;   ///< [Hz]; nominal_frequency/10, or 0.1
   std::optional<double> highest_frequency;  ///< [Hz]; high_frequency or 10 nominal_frequency, or 50
@@ -28,12 +28,12 @@ struct SweepOptions {
 struct SensitivityRow {
   std::string input;
   std::vector<double> frequencies;  ///< [Hz]
-  std::vector<double> stiffness;    ///< relative change of K over that of the input [-]; none without a solution
+  std::vector<double> stiffness;    ///< relative change of K over that of the input [-]; empty without a solution
   std::vector<double> loss_angle;   ///< change over that of the input [rad]
 };
 
 struct Sensitivity {
-  double share;  ///< by which each input was changed, up and down [-]
+  double share;  ///< relative change of each input, up and down [-]
   std::vector<SensitivityRow> rows;
   std::vector<response::SweepPoint> low;  ///< the least stiffness and loss angle at each frequency over all changes
   std::vector<response::SweepPoint> high;
@@ -45,39 +45,39 @@ struct EstimateReport {
   std::vector<std::string> notes;
   bool linear = false;
   response::SweepPoint working_point;
-  double product = 0.0;  ///< of over_product [m Hz]
+  double product = 0.0;  ///< constant product A f of over_product [m Hz]
   std::vector<response::SweepPoint> over_frequency;
   std::vector<response::SweepPoint> over_amplitude;
   std::vector<response::SweepPoint> over_product;
   std::optional<Sensitivity> sensitivity;
 };
 
-/// Estimates and computes all sweeps, with a progress bar on a terminal.
-/// Throws std::invalid_argument for ranges that are none.
+/// Estimates the component and computes all sweeps, with a progress bar on a terminal. Throws std::invalid_argument for
+/// invalid ranges.
 EstimateReport makeEstimateReport(const io::ComponentDescription& description, const SweepOptions& options);
 
 std::string toText(const EstimateReport& report);
 
-/// {"schema": "rubber_suspension/estimate/1", "components": [...]}, SI units, units in the keys.
+/// Returns {"schema": "rubber_suspension/estimate/1", "components": [...]} in SI units, with units in the keys.
 std::string toJson(const std::vector<EstimateReport>& reports);
 
 enum class Legends { in_all_axes, one };
 
-/// K and delta over frequency, amplitude, and at constant product.
+/// Returns a figure of stiffness and loss angle over frequency, over amplitude, and at constant product.
 io::Figure toFigure(const std::vector<EstimateReport>& reports, Legends legends = Legends::in_all_axes);
 
-/// The component's specification in each of these models: M1 to M6, the names of a component file, or a whole number of
-/// Maxwell elements. A model takes from the specification the numbers that it asks for, of alternatives the first that
-/// is there. A loss angle, break frequency or high frequency that is missing follows from the component, which `notes`
-/// say. Throws std::invalid_argument for another name, and where a number is missing or there is no solution.
+/// Returns the component in each of these models: M1 to M6, the names of a component file, or a whole number of Maxwell
+/// elements. A model uses the numbers of the specification that it needs, of alternatives the first one given. A
+/// missing loss angle, break frequency or high frequency is derived from the component and listed in `notes`. Throws
+/// std::invalid_argument for an unknown model, a missing number, or a specification without solution.
 std::vector<io::ComponentDescription> inModels(const io::ComponentDescription& description,
                                                const std::vector<std::string>& models, std::vector<std::string>& notes);
 
-/// Add to a report what a change of each input by this share [-] does to stiffness and loss angle over frequency.
+/// Adds the effect of a change of each input by this share [-] on stiffness and loss angle over frequency.
 void addSensitivity(EstimateReport& report, double share);
 
-/// CSV of all sweeps in SI units: f, A, K, loss angle, K' = K cos(delta), K'' = K sin(delta), K_e = K' and
-/// C_e = K''/omega of Polach (IAVSD 2015) Eq. 12, settled or not, sweep, component. `estimate --from-table` reads it.
+/// Returns CSV of all sweeps in SI units: f, A, K, loss angle, K' = K cos(delta), K'' = K sin(delta), K_e = K',
+/// C_e = K''/omega (Polach, IAVSD 2015, Eq. 12), settled, sweep, component. `estimate --from-table` reads this file.
 std::string toCsv(const std::vector<EstimateReport>& reports);
 
 }  // namespace rubber_suspension::command

@@ -1,4 +1,4 @@
-// Other models and other inputs of a component.
+// Other models and changed inputs of a component.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -62,7 +62,7 @@ Specification numbersFor(const Specification& from, const WantedModel& wanted) {
     to.erase(key);
   }
   if (from.describes() == estimation::Describes::unsaid) {
-    to.describe(estimation::Describes::base);  // takes the same working point in every model
+    to.describe(estimation::Describes::base);  // so that every model uses the same working point
   }
   copyFirst(from, info.required, info.required.size(), to);
   for (const auto& group : info.one_of) {
@@ -93,7 +93,7 @@ bool isRequired(const std::string& key, Model model) {
   return std::find(required.begin(), required.end(), key) != required.end();
 }
 
-// Break frequency of the M2 with K_n and the loss angle at f_n. Throws std::invalid_argument if there is none.
+// Returns the break frequency of M2 with K_n and the loss angle at f_n. Throws std::invalid_argument if there is none.
 double breakFrequencyByLoss(Specification from) {
   for (const char* other : {"break_frequency", "maximum_stiffness", "high_frequency_stiffness", "high_frequency"}) {
     from.erase(other);
@@ -121,8 +121,8 @@ std::vector<std::string> eachOf(const std::vector<std::string>& models) {
   return result;
 }
 
-// Inputs of other models that the specification lacks, from those that it has: the loss angle of the component, a break
-// frequency by that of M2 (the paper has nearly the same in M6), and the end of the range of frequencies that is drawn.
+// Returns the specification with the inputs that another model needs: the loss angle of the component, the break
+// frequency of M2 (the paper has nearly the same in M6), and the end of the range of frequencies that is drawn.
 Specification completed(const io::ComponentDescription& description, const WantedModel& wanted,
                         std::vector<std::string>& added) {
   Specification from = description.written();
@@ -151,14 +151,14 @@ Specification completed(const io::ComponentDescription& description, const Wante
     }
   } else if (isRequired("break_frequency", wanted.model) && !from.has("break_frequency")) {
     const bool with_dashpot = wanted.model == Model::maxwell_dashpot;
-    const double share = with_dashpot ? 1.0 / 3.0 : 1.0;  // M2's own leaves nothing of the loss to the dashpot
+    const double share = with_dashpot ? 1.0 / 3.0 : 1.0;  // with M2's own, no loss would remain for the dashpot
     const double found = share * breakFrequencyByLoss(from);
     add("break_frequency", found, fmt::format("{:.4g} Hz ({}that of M2)", found, with_dashpot ? "a third of " : ""));
   }
   return from;
 }
 
-// The specification in another model; what it lacks is told.
+// Returns the component in another model; notes list the inputs that were added.
 io::ComponentDescription inModel(const io::ComponentDescription& description, const WantedModel& wanted,
                                  std::vector<std::string>& notes) {
   try {
@@ -175,7 +175,7 @@ io::ComponentDescription inModel(const io::ComponentDescription& description, co
   }
 }
 
-// Simulates the points of a sweep with another component.
+// Computes the points of a sweep with another component.
 std::vector<response::SweepPoint> sweptAgain(const io::ComponentDescription& description,
                                              const std::vector<response::SweepPoint>& points) {
   const component::Component component = description.makeComponent();

@@ -51,12 +51,12 @@ nlohmann::ordered_json parameterJson(const fit::IdentifiedParameter& parameter) 
           {"given", parameter.given},     {"determined", parameter.determined}};
 }
 
-constexpr double kCycles = 5.0;  // of a loop: more run into one area
+constexpr double kCycles = 5.0;  // drawn of each log: more would merge into one area
 
 // Every n-th sample, so that a figure stays small.
 std::size_t stride(std::size_t samples) { return 1 + samples / 4000; }
 
-// Logs without a temperature, or at one that never changes, tell nothing of a shift.
+// Returns true if the logs determine a shift: all have a temperature, which varies.
 bool showTemperature(const std::vector<log::Log>& logs) {
   const bool all = std::none_of(logs.begin(), logs.end(), [](const log::Log& log) { return log.temperature.empty(); });
   return all && std::any_of(logs.begin(), logs.end(), [&](const log::Log& log) {
@@ -76,18 +76,18 @@ void holdShifts(const std::vector<element::ElementDescription>& elements, std::v
   }
 }
 
-constexpr std::size_t kShortest = 100;  // samples of a record
+constexpr std::size_t kShortest = 100;  // smallest number of samples of a record
 
-// The longest stretch of each log without time gaps, as a record; nothing of one that is too short.
+// The longest stretch of each log without time gaps as a record; nullopt if it is too short.
 using RecordsOfLogs = std::vector<std::optional<log::Record>>;
 
-// The rig's part in a set of logs.
+// Errors of the rig in a set of logs.
 struct RigOfLogs {
   std::vector<Eigen::MatrixXd> columns;  // as fit::IdentificationOptions::rig; empty where nothing was found
   std::vector<measurement::RigFinding> findings;
 };
 
-// Gain, delays and a zero of the displacement look like the parameters that are sought.
+// Excludes gain, delays and the offset of the displacement, which resemble the parameters to be identified.
 io::RigTolerances withoutParameters(io::RigTolerances tolerances) {
   tolerances.gain = tolerances.delay = tolerances.clock = tolerances.displacement_zero = {0.0, false};
   return tolerances;
@@ -102,7 +102,7 @@ gap::Forces simulateOver(const std::vector<element::ElementDescription>& element
   return gap::simulateEach(elements, records);
 }
 
-// Indices of unbroken logs whose record has every sample.
+// Returns the indices of the logs without gaps whose record has every sample, and appends their records.
 std::vector<std::size_t> usable(const std::vector<log::Log>& logs, const RecordsOfLogs& all,
                                 std::vector<gap::PreparedRecord>& records) {
   std::vector<std::size_t> places;
@@ -115,7 +115,7 @@ std::vector<std::size_t> usable(const std::vector<log::Log>& logs, const Records
   return places;
 }
 
-// The zeros of all logs but for what they have in common.
+// Adds the force offset of each log but the first; the fit has an offset that all logs share.
 void addZeros(const std::vector<log::Log>& logs, std::vector<Eigen::MatrixXd>& columns) {
   for (std::size_t i = 1; i < logs.size(); ++i) {
     Eigen::MatrixXd wider(static_cast<Eigen::Index>(logs[i].size()), columns[i].cols() + 1);
@@ -124,7 +124,7 @@ void addZeros(const std::vector<log::Log>& logs, std::vector<Eigen::MatrixXd>& c
   }
 }
 
-// Logs whose samples that a channel did not measure are bridged; what was found is added.
+// Replaces samples that a channel did not measure by straight lines, and appends the findings.
 std::vector<log::Log> repairedLogs(const std::vector<log::Log>& logs, std::vector<measurement::RigFinding>& findings) {
   std::vector<log::Log> result = logs;
   for (log::Log& log : result) {
@@ -147,8 +147,8 @@ RecordsOfLogs recordsOf(const std::vector<log::Log>& logs) {
   });
 }
 
-// About these elements: zeros of the force that differ from log to log, and what is left from before a log that starts
-// in motion. Logs that are too short or sampled unevenly are taken as they are.
+// Finds force offsets that differ between logs, and forces that remain from before a log that starts in motion,
+// relative to the force of these elements. Logs that are too short or unevenly sampled are not examined.
 RigOfLogs rigOfLogs(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
                     const std::vector<log::Log>& logs, const RecordsOfLogs& all) {
   std::vector<gap::PreparedRecord> records;
@@ -193,8 +193,8 @@ RigOfLogs rigOfLogs(const std::vector<element::ElementDescription>& elements, co
   return result;
 }
 
-// A reversed channel, exchanged columns or a unit that is off by hundreds would be fitted all the same, and end in a
-// component without a spring. Smaller factors may be what is sought: they are told.
+// Refuses a reversed channel, exchanged columns, or a unit that is off by hundreds, which the fit would turn into a
+// component without a spring. Smaller factors may be real and are only noted.
 void checkBenchOf(const io::ComponentDescription& description, const RecordsOfLogs& all,
                   std::vector<std::string>& notes) {
   std::vector<log::Record> records;
@@ -239,7 +239,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
   const RecordsOfLogs records = recordsOf(repaired);
   checkBenchOf(description, records, bench_notes);
   fit::Identification result = fit::identify(description.allElements(), repaired, options);
-  // The remains of a start in motion depend on the parameters: a second look suffices, since they are a small part.
+  // The forces that remain from before a start in motion depend on the parameters; they are small, so two fits suffice.
   constexpr int kLooks = 2;
   for (int look = 0; look < kLooks; ++look) {
     RigOfLogs rig = rigOfLogs(result.elements, description.rig.value_or(io::RigTolerances{}), repaired, records);
@@ -321,7 +321,7 @@ io::Figure identificationFigure(const io::ComponentDescription& description, con
     const std::vector<double> force = gap::replay(component, log).force;
     io::Axes loop{log.name, "displacement [mm]", "force [kN]"};
     io::Axes rest{log.name, "time [s]", "measured minus fitted [kN]"};
-    // Measured broad and below, fitted thin and above: both are to be seen.
+    // The measured curve is broad and below the thin fitted one, so that both are visible.
     loop.curves = {{"measured", {}, {}, "-", 0, 2.8}, {"fitted", {}, {}, "-", io::kInk, 1.0}};
     rest.curves = {{"", {}, {}, "-", 4}};
     const std::size_t first = gap::firstOfLastCycles(log, gap::meanFrequency(log), kCycles);

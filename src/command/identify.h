@@ -1,4 +1,4 @@
-// The output of `estimate --from-log`: parameters found from measured logs, their intervals, what the logs do not tell.
+// The output of `estimate --from-log`: identified parameters, their intervals, and directions that remain undetermined.
 #pragma once
 
 #include <string>
@@ -11,24 +11,24 @@
 
 namespace rubber_suspension::command {
 
-/// Identify the elements of a component, estimated ones and those added, from logs that all have a measured force. The
-/// break frequencies of multi_maxwell are kept: they spread the elements over the range, and with them kept the
-/// stiffnesses have a unique best fit. Errors of the rig are found as well and reported in the notes: spikes and held
-/// values, force offsets that differ between logs, starts in motion. Throws std::invalid_argument, LogError for a log
-/// without force.
+/// Identifies the elements of a component, estimated and added ones, from logs with measured forces. The break
+/// frequencies of multi_maxwell are held: they are spread over the range, and for fixed break frequencies the
+/// stiffnesses have a unique best fit. Errors of the rig are corrected and reported in the notes: spikes and held
+/// values, force offsets that differ between logs, starts in motion. Throws std::invalid_argument, and LogError for a
+/// log without force.
 fit::Identification identifyFromLogs(const io::ComponentDescription& description, const std::vector<log::Log>& logs,
                                      fit::IdentificationOptions options);
 
-/// The component with the values found, as a list of elements.
+/// Returns the component with the identified values, as a list of elements.
 io::ComponentDescription identifiedComponent(const io::ComponentDescription& description,
                                              const fit::Identification& result);
 
 std::string toText(const std::string& component, const fit::Identification& result);
 
-/// {"schema": "rubber_suspension/identification/1", ...}; a limit that is infinite is null.
+/// Returns {"schema": "rubber_suspension/identification/1", ...}; infinite limits are null.
 std::string toJson(const std::string& component, const fit::Identification& result);
 
-/// Measured and fitted loop, and the residual over time, of every log.
+/// Returns a figure of the measured and fitted loop, and of the residual over time, of every log.
 io::Figure identificationFigure(const io::ComponentDescription& description, const fit::Identification& result,
                                 const std::vector<log::Log>& logs);
 

@@ -76,7 +76,7 @@ class LinearPartBuilder {
       addTrack(*track);
       return true;
     }
-    // A dashpot of any order.
+    // Any law whose K* is imaginary and proportional to omega is a dashpot.
     const std::complex<double> slow = *law.complexStiffness(1.0);
     const bool dashpot = slow.real() == 0.0 && *law.complexStiffness(2.0) == 2.0 * slow;
     sum_.damping += dashpot ? slow.imag() : 0.0;

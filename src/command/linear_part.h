@@ -9,20 +9,20 @@
 
 namespace rubber_suspension::command {
 
-/// dx/dt = A x + B u, F = C x + D u with u = (z, dz/dt), z from the nominal displacement and F from the force there.
+/// State-space model dx/dt = A x + B u, F = C x + D u with u = (z, dz/dt); z and F from the nominal position.
 struct LinearPart {
   std::string component;
   Eigen::MatrixXd a;
-  Eigen::MatrixXd b;  ///< two columns: [1/m], [s/m] of the states' units
+  Eigen::MatrixXd b;  ///< two columns, in units of the states times [1/(m s)] and [1/m]
   Eigen::RowVectorXd c;
   Eigen::RowVector2d d;               ///< [N/m], [N s/m]
-  std::vector<std::string> tangents;  ///< nonlinear springs, taken by their slope at the nominal displacement
-  std::vector<std::string> left_out;  ///< what has no linear form in these terms: friction, effects, the rig
+  std::vector<std::string> tangents;  ///< nonlinear springs, linearised at the nominal displacement
+  std::vector<std::string> left_out;  ///< elements that the linear part omits: friction, effects, the rig
 };
 
 LinearPart linearPartOf(const io::ComponentDescription& description);
 
-/// Write the parts: FILE.json, or FILE.mat of a single component. Throws std::runtime_error with the path that cannot
+/// Writes the parts as FILE.json, or a single component as FILE.mat. Throws std::runtime_error with a path that cannot
 /// be written, std::invalid_argument for another name.
 void writeLinearParts(const std::vector<LinearPart>& parts, const std::string& path);
 

@@ -31,11 +31,11 @@ constexpr std::size_t kMostRows = 1000;                 // a fit takes seconds f
 struct TableQuantity {
   const char* name;
   const char* unit;  // SI
-  double to_ours;    // times, to the quantity that the fit takes
+  double to_ours;    // factor to the quantity of the fit
   std::vector<std::string> words;
 };
 
-// Places of these.
+// Indices of these quantities.
 enum : std::size_t {
   kFrequency,
   kOmega,
@@ -131,7 +131,7 @@ constexpr AmplitudeWord kAmplitudeWords[] = {{"peak-to-peak", 0.5},
                                              {"\u00b1", 1.0},
                                              {"+/-", 1.0}};
 
-// A column that is used: which quantity, and how to make it SI.
+// A column that is used: its quantity and the conversion to SI.
 struct TableColumn {
   std::size_t quantity;
   log::UnitConversion conversion;
@@ -200,7 +200,7 @@ class TableReader {
     return lines;
   }
 
-  // Below a preamble, and above a row of units, as those of logs.
+  // Finds the header, which may follow a preamble and precede a row of units, as in logs.
   log::CsvHeader headerOf(const std::vector<log::TextLine>& lines) const {
     log::HeaderFinder finder([this](const auto& names) { return knownOf(names) >= 2; },
                              "the columns frequency, amplitude, stiffness, loss angle");
@@ -220,13 +220,13 @@ class TableReader {
     return std::count_if(names.begin(), names.end(), [&](const log::ColumnName& name) {
       try {
         return columnOf(textOf(name)).has_value();
-      } catch (const std::runtime_error&) {  // of another unit, which is refused where the header is read
+      } catch (const std::runtime_error&) {  // of another unit, which is refused when the header is read
         return true;
       }
     });
   }
 
-  // With the unit of the row below, whatever that is: "dB re 1 N/m" and "mm p-p" are no units of a library.
+  // Returns the name with the unit of the row below, even if no unit library knows it ("dB re 1 N/m", "mm p-p").
   static std::string textOf(const log::ColumnName& name) {
     return name.unit.empty() && !name.second.empty() ? name.text + " [" + name.second + "]" : name.withUnit();
   }
@@ -255,7 +255,7 @@ class TableReader {
     }
   }
 
-  // Stiffness over frequency, in rows, and amplitude, in columns.
+  // Refuses a matrix of stiffness with frequencies in rows and amplitudes in columns.
   void refuseMatrix() const {
     const auto is_amplitude = [](const std::string& name) {
       std::string point = name;
@@ -294,7 +294,7 @@ class TableReader {
 
   static std::string bareOf(const std::string& name) { return log::lowerCase(log::parseColumnName(name).bare); }
 
-  // "Loss angle [deg]", "stiffness_N_per_m", "tan delta"; nothing for another column.
+  // Reads "Loss angle [deg]", "stiffness_N_per_m" or "tan delta"; returns nullopt for another column.
   std::optional<TableColumn> columnOf(const std::string& text) const {
     const log::ColumnName name = withUnitOfPairs(log::parseColumnName(text));
     if (auto amplitude = amplitudeOf(text, name)) {
@@ -307,7 +307,7 @@ class TableReader {
     return plain.bare == name.bare ? std::nullopt : quantityOf(plain.withUnit(), plain);
   }
 
-  // "Stiffness K" and "Verlustwinkel \u03b4" without the symbol behind the word.
+  // Removes the symbol after the word in "Stiffness K" or "Verlustwinkel \u03b4".
   static log::ColumnName withoutSymbol(log::ColumnName name) {
     static const std::vector<std::string> symbols = {"k", "k*", "kdyn", "c",  "c*",     "cdyn",
                                                      "f", "a",  "d",    "s0", "\u03b4", "\u03c9"};
@@ -335,7 +335,7 @@ class TableReader {
     return std::nullopt;
   }
 
-  // "Amplitude RMS [mm]", "Dyn Amp (mm p-p)", "Amplitude (\u00b1mm)".
+  // Reads "Amplitude RMS [mm]", "Dyn Amp (mm p-p)" or "Amplitude (\u00b1mm)".
   std::optional<TableColumn> amplitudeOf(const std::string& text, log::ColumnName name) const {
     if (name.unit.empty() && name.text.find_first_of("([") != std::string::npos) {
       const std::size_t open = name.text.find_last_of("([");
@@ -356,7 +356,7 @@ class TableReader {
     return std::nullopt;
   }
 
-  // The text without a word at its end or its beginning; false where it has none.
+  // Removes a word from the end or the beginning of a text; returns false if it has no such word.
   static bool takeWord(std::string& text, const std::string& word) {
     const std::string lower = log::lowerCase(text);
     const bool behind = log::endsWith(lower, word);
@@ -370,7 +370,7 @@ class TableReader {
     return true;
   }
 
-  // "N-s/mm" as "N s/mm".
+  // Changes "N-s/mm" to "N s/mm".
   static log::ColumnName withUnitOfPairs(log::ColumnName name) {
     const std::size_t open = name.text.find_last_of("([");
     const std::size_t dash = name.text.find("-s/", open == std::string::npos ? 0 : open);
@@ -399,7 +399,7 @@ class TableReader {
     }
   }
 
-  // "" where the name is another word. Ratios need no unit.
+  // Returns the unit, "1" for a ratio without one, or "" if the name is another word.
   static std::string unitBehind(const std::string& text, const log::ColumnName& name, const std::string& word) {
     std::string lower = log::lowerCase(text);
     std::string joined = word;
@@ -455,7 +455,7 @@ class TableReader {
     }
   }
 
-  // The sine swings about a displacement: what a preload does to it, the table has to say.
+  // The sine oscillates about a displacement, so a table with a preload must state the displacement under it.
   void checkPreload(std::map<std::size_t, double>& values) const {
     refuseIf(values[kPreload] != 0.0 && values.count(kMean) == 0,
              "preload: {:g} N; accepted: 0, or with a column 'mean displacement [m]' that says where the preload holds "
@@ -472,7 +472,7 @@ class TableReader {
     const bool whole_loop = has(kStiffness) && (has(kLossAngle) || has(kTangent));
     if (!whole_loop && (has(kLoss) || has(kDamping))) {
       const bool by_damping = !has(kLoss);
-      // A damping stands beside the elastic part of the stiffness.
+      // Beside a damping, the stiffness is its elastic part.
       const double storage = has(kStorage) ? values[kStorage] : values[kStiffness];
       const double loss = by_damping ? 2.0 * element::kPi * point.frequency * values[kDamping] : values[kLoss];
       point.stiffness = std::hypot(storage, loss);

@@ -1,4 +1,4 @@
-// k and c of a component at one sine, and how far they are off elsewhere.
+// k and c of a component at one sine, and their differences from the component elsewhere.
 #include "command/spring_and_dashpot.h"
 
 #include <fmt/format.h>

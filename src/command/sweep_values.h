@@ -1,4 +1,4 @@
-// Values of a sweep in the units of figures, and curves of them.
+// Values of a sweep in the units of figures, and curves through them.
 #pragma once
 
 #include "rubber_suspension/element/constants.h"
@@ -23,7 +23,7 @@ inline double stiffnessOf(const response::SweepPoint& point) { return point.char
 /// Loss angle [deg].
 inline double angleOf(const response::SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
 
-/// The axis that a sweep goes along.
+/// Axis of a sweep.
 struct SweepAxis {
   const char* label;
   SweepQuantity value;
@@ -41,7 +41,7 @@ inline io::Curve curveThrough(const std::vector<response::SweepPoint>& points, c
   return curve;
 }
 
-/// For a sine that swings about a displacement [m].
+/// Returns options for a sine that oscillates about a displacement [m].
 inline response::LoopOptions loopsAbout(double mean) {
   response::LoopOptions options;
   options.mean = mean;

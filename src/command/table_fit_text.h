@@ -1,4 +1,4 @@
-// Tables that `estimate --from-table` refuses to fit, and its text on a fit.
+// Checks of tables for `estimate --from-table`, and the text on a fit.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace rubber_suspension::command {
 
-/// Throws std::runtime_error where the table has temperatures and elements of the component shift with them: a fit
-/// finds the shift of the key `temperature` alone. `source`: the name of the file.
+/// Throws std::runtime_error if the table has temperatures and an element of the component shifts with them, because a
+/// fit only identifies the shift of the key `temperature`. `source` is the name of the file.
 void requireNoShift(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                     const std::string& source);
 
-/// Throws std::runtime_error for a table that cannot be what it says: all loss angles negative, or a stiffness off by
-/// hundreds, unless its units are accepted. Smaller factors may be what is sought: notes that name them.
+/// Throws std::runtime_error if all loss angles are negative or, unless units are accepted, the stiffness is off by
+/// hundreds. Smaller factors may be real and are returned as notes.
 std::vector<std::string> checkBenchOfTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                                            const std::string& source);
 
